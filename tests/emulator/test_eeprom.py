@@ -1,0 +1,145 @@
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.emulator.eeprom import Eeprom, EepromError
+from trex_gui.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.protocol.flags import InputSource
+from trex_gui.protocol.parameters import parameters_of
+
+STICK = Calibration(2600, 3660, 4700, 50)
+
+
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+def test_a_fresh_memory_holds_the_factory_values(model: str) -> None:
+    eeprom = Eeprom(model)
+    for spec in parameters_of(model, "1.3").readable:
+        assert eeprom[spec.key] == eeprom[spec.number] == spec.default
+    for source in InputSource:
+        assert eeprom.learned(source) == 0
+        assert eeprom.calibration(source, 3) == DEFAULT_CALIBRATION[source]
+
+
+def test_what_is_written_is_read_from_the_file_later(tmp_path: Path) -> None:
+    path = tmp_path / "eeprom.json"
+    eeprom = Eeprom.open(path, "trexjr")
+    eeprom.write("serial_timeout", 12)
+    eeprom.write(0x7E, 0x2A)
+    eeprom.write_calibration(InputSource.RC, 5, STICK)
+    eeprom.request_reset()
+
+    again = Eeprom.open(path, "trexjr")
+    assert again["serial_timeout"] == 12
+    assert again["uart_settings"] == 0x2A
+    assert again.calibration(InputSource.RC, 5) == STICK
+    assert again.calibration(InputSource.ANALOG, 5) != STICK
+    assert again.learned(InputSource.RC) == 0b10000
+    assert again.reset_pending
+
+
+def test_a_reset_restores_parameters_and_leaves_calibrations() -> None:
+    eeprom = Eeprom()
+    eeprom.write("serial_timeout", 12)
+    eeprom.write_calibration(InputSource.RC, 1, STICK)
+    eeprom.request_reset()
+    assert eeprom["serial_timeout"] == 12
+    eeprom.reset_if_pending()
+    assert eeprom["serial_timeout"] == 0
+    assert eeprom.calibration(InputSource.RC, 1) == STICK
+    assert not eeprom.reset_pending
+
+
+def test_the_file_is_readable_and_no_temporary_file_stays(tmp_path: Path) -> None:
+    path = tmp_path / "eeprom.json"
+    Eeprom.open(path).write("device_number", 9)
+    document = json.loads(path.read_text(encoding="utf-8"))
+    assert document["parameters"]["device_number"] == 9
+    assert document["rc_calibration"][0]["neutral"] == 3750
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("which", ["serial_timeouts", "factory_reset", 0x18, 0x7F, 200])
+def test_there_is_no_cell_for_what_cannot_be_read(which: str | int) -> None:
+    with pytest.raises(KeyError):
+        Eeprom()[which]
+
+
+def test_a_value_out_of_range_is_refused() -> None:
+    eeprom = Eeprom()
+    with pytest.raises(ValueError, match="UART-Error Shutdown"):
+        eeprom.write("uart_error_shutdown", 2)
+    assert eeprom["uart_error_shutdown"] == 1
+
+
+def _document(**changes: Any) -> str:
+    eeprom = Eeprom()
+    return json.dumps(eeprom._document() | changes)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("", "line 1"),
+        ('{"what": ', "line 1"),
+        ("[" * 100_000, "nested"),
+        ("[]", "does not begin"),
+        ("{}", "does not begin"),
+        (_document(model="trexjr"), "belongs to model trexjr"),
+        (_document(parameters=[]), "parameters is not a table"),
+        (_document(parameters={"serial_timeout": 128}), "Serial Timeout"),
+        (_document(parameters={"serial_timeout": True}), "serial_timeout is not a whole number"),
+        (_document(parameters={"uart_settings": 0x0B}), "UART Settings"),
+        (_document(parameters={"warp_factor": 9}), "no parameter warp_factor"),
+        (_document(rc_calibration=[]), "rc_calibration is not a list of 5"),
+        (_document(rc_calibration=[3] * 5), "rc_calibration, channel 1"),
+        (
+            _document(
+                analog_calibration=[
+                    {"minimum": 5, "neutral": 4, "maximum": 9, "deadband": 1},
+                ]
+                * 5
+            ),
+            "minimum 5 is above neutral 4",
+        ),
+        (
+            _document(
+                analog_calibration=[
+                    {"minimum": 5, "neutral": 4.5, "maximum": 9, "deadband": 1},
+                ]
+                * 5
+            ),
+            "neutral is not a number",
+        ),
+    ],
+)
+def test_a_damaged_file_gives_one_sentence(tmp_path: Path, text: str, why: str) -> None:
+    path = tmp_path / "eeprom.json"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(EepromError) as caught:
+        Eeprom.open(path)
+    message = str(caught.value)
+    assert str(path) in message
+    assert why in message
+    assert "\n" not in message
+    assert path.read_text(encoding="utf-8") == text
+
+
+@given(data=st.binary(max_size=60))
+def test_no_file_makes_it_raise_anything_else(
+    tmp_path_factory: pytest.TempPathFactory, data: bytes
+) -> None:
+    path = tmp_path_factory.mktemp("eeprom") / "file"
+    path.write_bytes(data)
+    with pytest.raises(EepromError):
+        Eeprom.open(path)
+
+
+def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    with pytest.raises(EepromError, match="cannot be written"):
+        Eeprom.open(tmp_path / "missing" / "eeprom.json")
+    with pytest.raises(EepromError, match="cannot be read"):
+        Eeprom.open(tmp_path)

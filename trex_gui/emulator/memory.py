@@ -1,0 +1,153 @@
+"""Parameters and calibrations as the firmware handles them: stored, active, being written."""
+
+from collections.abc import Callable
+from functools import partial
+
+from trex_gui.emulator.eeprom import Eeprom
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.errors import ResultCode
+from trex_gui.protocol.flags import InputSource, Mode
+from trex_gui.protocol.line_settings import Detection, LineSettings
+from trex_gui.protocol.parameters import parameters_of
+
+PARAMETER_WRITE = 0.004
+CALIBRATION_WRITE = 0.032
+"""Seconds that a write to the EEPROM takes (command documentation, 0xAF and 0xA0-0xA4)."""
+
+
+class Memory:
+    """What acts now beside what is stored, and the write between them that takes its time.
+
+    Parameters 0x7B-0x7F act after a power cycle, the others when their write is finished.
+
+    Attributes:
+        active: the parameters that act now, by key.
+        line_settings: the serial line as it is set now.
+        writes: how many were finished.
+    """
+
+    def __init__(self, eeprom: Eeprom, firmware: str) -> None:
+        self.parameters = parameters_of(eeprom.model.key, firmware)
+        self.writes = 0
+        self._eeprom = eeprom
+        self._firmware = firmware
+        self._finish: Callable[[], None] | None = None
+        self._left = 0.0
+        self.load()
+
+    def load(self) -> None:
+        """Do what a power-up does: what is stored becomes active."""
+        self.lose_write()
+        self._eeprom.reset_if_pending()
+        self.active = self.stored()
+        self.line_settings = LineSettings.from_wire(self.active["uart_settings"])
+
+    def stored(self) -> dict[str, int]:
+        """Return what the EEPROM holds of the parameters that this firmware knows."""
+        return {spec.key: self._eeprom[spec.key] for spec in self.parameters.readable}
+
+    @property
+    def is_joint(self) -> bool:
+        """Whether both drivers are one for motor 1."""
+        return self.active["motor_mode"] == 1
+
+    @property
+    def serial_source(self) -> Mode:
+        """The mode that a board in serial mode is in."""
+        analog = self.active["channel_input_source"] == 1
+        return Mode.SERIAL_ANALOG if analog else Mode.SERIAL_RC
+
+    @property
+    def baud(self) -> int:
+        """The rate that the UART really runs at."""
+        return self.line_settings.real_baud(self._firmware)
+
+    @property
+    def crc_polynomial(self) -> int | None:
+        """The polynomial (0x80-0xFF), `None` when packets carry no CRC."""
+        if self.line_settings.detection is not Detection.CRC7:
+            return None
+        return 0x80 | self.active["crc7_polynomial"]
+
+    @property
+    def response_delay(self) -> float:
+        """Seconds that each answer waits: 1 ms when the parameter says so (firmware 1.2+)."""
+        return 0.001 if self.active.get("uart_response_delay") else 0.0
+
+    def get(self, number: int) -> int | None:
+        """Return the stored value of a parameter; `None` when this firmware has none such."""
+        spec = self.parameters.number(number)
+        if spec is None or not spec.readable:
+            return None
+        return self._eeprom[spec.key]
+
+    def set(self, number: int, value: int, mode: Mode) -> ResultCode:
+        """Begin to write a parameter; it is stored, and may act, `busy_for` seconds later.
+
+        Inferred: the order of the checks.
+        """
+        if not mode.is_serial:
+            return ResultCode.NOT_SERIAL_MODE
+        spec = self.parameters.number(number)
+        if spec is None:
+            return ResultCode.BAD_PARAMETER
+        if value not in spec.valid:
+            return ResultCode.BAD_VALUE
+        if not spec.readable:
+            self._begin(PARAMETER_WRITE, self._eeprom.request_reset)
+        else:
+            store = partial(self._store, spec.key, value, at_once=not spec.needs_power_cycle)
+            self._begin(PARAMETER_WRITE, store)
+        return ResultCode.OK
+
+    def calibration(self, source: InputSource, channel: int) -> Calibration:
+        """Return the calibration of a channel (1-5) for one kind of input."""
+        return self._eeprom.calibration(source, channel)
+
+    def learned(self, source: InputSource) -> int:
+        """Return the mask of channels whose calibration differs from the default (0x95)."""
+        return self._eeprom.learned(source)
+
+    def set_calibration(self, channel: int, calibration: Calibration, mode: Mode) -> ResultCode:
+        """Begin to write a channel's calibration into the set that the mode uses."""
+        if not mode.is_serial:
+            return ResultCode.NOT_SERIAL_MODE
+        low, middle, high = calibration.minimum, calibration.neutral, calibration.maximum
+        if not (low <= middle <= high and low < high):
+            return ResultCode.BAD_VALUE
+        write = partial(self._eeprom.write_calibration, mode.source, channel, calibration)
+        self._begin(CALIBRATION_WRITE, write)
+        return ResultCode.OK
+
+    def restore_line_settings(self) -> None:
+        """Store the factory's serial settings, as the recovery by jumpers does."""
+        for key in ("uart_settings", "crc7_polynomial"):
+            self._eeprom.write(key, self.parameters[key].default)
+
+    @property
+    def busy_for(self) -> float:
+        """Seconds until the write that is going on is finished; 0 when there is none."""
+        return self._left if self._finish else 0.0
+
+    def advance(self, seconds: float) -> None:
+        """Let time pass for the write that is going on."""
+        if self._finish is None:
+            return
+        self._left -= seconds
+        if self._left <= 1e-9:  # swallows the rounding of summed times
+            finish, self._finish = self._finish, None
+            self.writes += 1
+            finish()
+
+    def lose_write(self) -> None:
+        """Forget a write that is not finished: the power went."""
+        self._finish = None
+
+    def _begin(self, seconds: float, finish: Callable[[], None]) -> None:
+        self._finish = finish
+        self._left = seconds
+
+    def _store(self, key: str, value: int, *, at_once: bool) -> None:
+        self._eeprom.write(key, value)
+        if at_once:
+            self.active[key] = value

@@ -1,0 +1,171 @@
+"""The motor outputs and the law by which they change, 100 times a second.
+
+Ref: TReX 1.0 command documentation 0xC0-0xF1.
+"""
+
+import math
+from dataclasses import dataclass
+from enum import Enum
+
+FULL_SPEED = 127
+
+
+class Direction(Enum):
+    """Where an output drives its motor."""
+
+    BRAKE = "brake"
+    REVERSE = "reverse"
+    FORWARD = "forward"
+
+    @classmethod
+    def from_bits(cls, bits: int) -> "Direction":
+        """Read the two direction bits of a motor command; 00 and 11 brake."""
+        return (cls.BRAKE, cls.REVERSE, cls.FORWARD, cls.BRAKE)[bits & 3]
+
+    @property
+    def opposite(self) -> "Direction":
+        """The other way round; braking stays braking."""
+        if self is Direction.BRAKE:
+            return self
+        return Direction.REVERSE if self is Direction.FORWARD else Direction.FORWARD
+
+
+@dataclass(frozen=True, slots=True)
+class MotorSettings:
+    """The parameters of one motor, in wire values: 0x0E-0x16."""
+
+    acceleration: int = 0
+    brake_duration: int = 0
+    current_limit: int = 0
+    limit_gain: int = 0
+
+    @property
+    def limit_counts(self) -> int | None:
+        """The current limit in counts of 0x8D, twice the wire value; `None` when off."""
+        return 2 * self.current_limit or None
+
+
+class Motor:
+    """One of the two reversible outputs: where it is and where it is going.
+
+    While it brakes, `speed` is the duty of braking: 127 full brake, 0 coast.
+
+    Attributes:
+        direction: what the output does now.
+        target_direction: what the last command wants.
+        target_speed: the speed, or duty of braking, that it wants.
+    """
+
+    def __init__(self) -> None:
+        self.direction = Direction.BRAKE
+        self.target_direction = Direction.BRAKE
+        self.target_speed = 0
+        self._tenths = 0  # an update adds a tenth of the parameter; nothing may get lost
+        self._driven = Direction.BRAKE  # the direction in which it last ran
+        self._braked = 0  # updates spent braking since then
+
+    @property
+    def speed(self) -> int:
+        """The speed, or duty of braking, 0-127."""
+        return self._tenths // 10
+
+    def set(self, direction: Direction, speed: int) -> None:
+        """Obey a set command: at once, without ramp and brake duration."""
+        self.accelerate(direction, speed)
+        self._output(direction, speed * 10)
+        self._braked = 0
+
+    def accelerate(self, direction: Direction, speed: int) -> None:
+        """Obey an accelerate command: the updates will lead there."""
+        self.target_direction = direction
+        self.target_speed = speed
+
+    def update(self, settings: MotorSettings, current: int) -> bool:
+        """Do one update of 10 ms; return whether the current is over the limit.
+
+        `current` is in counts of 0x8D.
+        """
+        limit = settings.limit_counts
+        over = limit is not None and current > limit
+        if over and self._is_under_way():
+            self._limit(settings.limit_gain, current - (limit or 0))
+        else:
+            self._follow_target(settings)
+        return over
+
+    def _is_under_way(self) -> bool:
+        return self.direction is self.target_direction is not Direction.BRAKE
+
+    def _limit(self, gain: int, excess: int) -> None:
+        """Lower the speed. Inferred: only that it is proportional and in this cycle is known."""
+        less = math.ceil(gain * excess / 16) if gain else FULL_SPEED
+        tenths = min(self._tenths, self.target_speed * 10) - 10 * less
+        self._tenths = max(0, tenths)
+
+    def _follow_target(self, settings: MotorSettings) -> None:
+        wanted = self.target_direction
+        if wanted is Direction.BRAKE:
+            self._brake(self.target_speed)
+            return
+        if self.direction is not wanted:
+            if self._must_brake_before(wanted, settings.brake_duration):
+                self._brake(FULL_SPEED)
+                return
+            self._output(wanted, 0)
+        self._output(wanted, _ramp(self._tenths, self.target_speed * 10, settings.acceleration))
+
+    def _must_brake_before(self, wanted: Direction, brake_duration: int) -> bool:
+        """Whether a reversal still waits for the brake; its duration counts updates (10 ms).
+
+        Inferred: braking is no direction of its own, so what was braked already counts, and
+        a motor that goes on the way it went before does not wait.
+        """
+        return self._driven is wanted.opposite and self._braked < brake_duration
+
+    def _brake(self, duty: int) -> None:
+        self._output(Direction.BRAKE, duty * 10)
+        self._braked += 1
+
+    def _output(self, direction: Direction, tenths: int) -> None:
+        self.direction = direction
+        self._tenths = tenths
+        if direction is not Direction.BRAKE:
+            self._driven = direction
+            self._braked = 0
+
+
+class AuxiliaryMotor:
+    """The third output: one way, without brake (inferred) and without current sensing.
+
+    Attributes:
+        target_speed: 0-127, what the last command wants.
+    """
+
+    def __init__(self) -> None:
+        self.target_speed = 0
+        self._tenths = 0
+
+    @property
+    def speed(self) -> int:
+        """The speed, 0-127."""
+        return self._tenths // 10
+
+    def set(self, speed: int) -> None:
+        """Obey a set command at once."""
+        self.target_speed = speed
+        self._tenths = speed * 10
+
+    def accelerate(self, speed: int) -> None:
+        """Obey an accelerate command: the updates will lead there."""
+        self.target_speed = speed
+
+    def update(self, acceleration: int) -> None:
+        """Do one update of 10 ms."""
+        self._tenths = _ramp(self._tenths, self.target_speed * 10, acceleration)
+
+
+def _ramp(tenths: int, target: int, acceleration: int) -> int:
+    """Return the speed after one update, all in tenths of a count; 0 is no ramp."""
+    if acceleration == 0 or tenths >= target:
+        return target  # there is no deceleration
+    return min(tenths + acceleration, target)

@@ -1,0 +1,85 @@
+"""What an onlooker sees of a board: its LEDs, and everything at once as `show` gives it."""
+
+from typing import TYPE_CHECKING, Any
+
+from trex_gui.protocol.flags import CHANNELS
+from trex_gui.protocol.line_settings import Detection
+
+if TYPE_CHECKING:
+    from trex_gui.emulator.firmware import Board
+
+_FLASH = 0.3  # inferred: seconds for each of the five flashes at power-up
+
+
+def leds(board: "Board") -> dict[str, str]:
+    """Return what the LEDs show: `on`, `off` or the name of a pattern.
+
+    While serial controls, red is on and green lights from the first to the last byte of a
+    packet; while the channels control, it is the other way round.
+    """
+    if not board.powered:
+        red = green = "off"
+    elif board.special is not None:
+        red, green = board.special.leds
+    elif (since := board.now - board.powered_at) < _FLASH * len(CHANNELS):
+        red, green = _learned_flash(board, since)
+    else:
+        packet = "on" if board.receiving else "off"
+        if board.serial.in_control:
+            red, green = "on", packet
+        else:
+            red, green = packet, "fast flash" if board.safe_start else "on"
+    return {"red": red, "green": green}
+
+
+def _learned_flash(board: "Board", since: float) -> tuple[str, str]:
+    """One flash for each channel: green for a learned one, red for a default."""
+    if since % _FLASH > _FLASH / 2:
+        return "off", "off"
+    learned = board.memory.learned(board.mode.source) >> int(since / _FLASH) & 1
+    return ("off", "on") if learned else ("on", "off")
+
+
+def report(board: "Board") -> dict[str, Any]:
+    """Return what the board is doing, ready for JSON; currents in A, `raw` `None` if invalid."""
+    memory = board.memory
+    parities = {Detection.EVEN: "even", Detection.ODD: "odd"}
+    return {
+        "model": board.model.key,
+        "firmware": board.firmware,
+        "power": board.powered,
+        "mode": board.mode.value,
+        "serial_controls": board.serial.in_control,
+        "override": board.override,
+        "safe_start": board.safe_start,
+        "special_start": board.special.name if board.special else None,
+        "motors": [
+            {
+                "direction": motor.direction.value,
+                "speed": motor.speed,
+                "target_direction": motor.target_direction.value,
+                "target_speed": motor.target_speed,
+                "current": round(physics.current, 3),
+                "fault": physics.fault,
+            }
+            for motor, physics in zip(board.motors, board.physics, strict=True)
+        ],
+        "aux": {"speed": board.aux.speed, "target_speed": board.aux.target_speed},
+        "channels": [
+            {"raw": raw, "remapped": remapped}
+            for raw, remapped in zip(board.channels.raw, board.remapped, strict=True)
+        ],
+        "parameters": memory.stored(),
+        "active_uart": {
+            "baud": memory.baud,
+            "parity": parities.get(memory.line_settings.detection, "none"),
+            "stop_bits": memory.line_settings.stop_bits,
+            "crc": memory.crc_polynomial is not None,
+        },
+        "leds": leds(board),
+        "counters": {
+            **board.counters,
+            "uart_errors": board.serial.errors,
+            "eeprom_writes": memory.writes,
+        },
+    }

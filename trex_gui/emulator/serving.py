@@ -1,0 +1,206 @@
+"""Real time: a line in virtual time is kept up with the clock, the host and the control lines.
+
+Deadlines come from the line's own events, so that a wait that took too long is not added to
+the next one.
+"""
+
+import contextlib
+import os
+import select
+import signal
+import socket
+import stat
+import sys
+import threading
+import time
+from collections import deque
+from types import FrameType
+
+from trex_gui.emulator.control import GOODBYE, control
+from trex_gui.emulator.demo import Demo
+from trex_gui.emulator.endpoint import Endpoint, EndpointError, HostSettings
+from trex_gui.emulator.line import Line
+from trex_gui.protocol.line_settings import Detection, LineSettings
+
+_IDLE = 0.1  # seconds; motors and timeouts go on though nothing is on the wire
+_DEMO_IDLE = 0.02
+_SUSPENDED = 2.0
+"""A gap of so many seconds is time in which the process did not run; it is not made up for."""
+
+_FULL_ENOUGH = 0.02
+"""Seconds of bytes that may wait for the wire before no more are taken from the host."""
+
+_DETECTIONS = {"none": Detection.NONE, "even": Detection.EVEN, "odd": Detection.ODD}
+
+
+class Server:
+    """Runs one line for one endpoint until it is told to end."""
+
+    def __init__(self, line: Line, endpoint: Endpoint, demos: list[Demo]) -> None:
+        self._line = line
+        self._endpoint = endpoint
+        self._demos = demos
+        self._origin = time.monotonic()
+        self._ended = False
+        self._control_lines: deque[str | None] = deque()
+        self._waker, self._wake = socket.socketpair()
+        self._waker.setblocking(False)
+        self._wake.setblocking(False)
+
+    def run(self) -> None:
+        """Serve; returns after `quit`, a signal, or the end of a pipe on standard input.
+
+        Raises:
+            TrexError: the EEPROM file or the endpoint failed.
+        """
+        previous = self._catch_signals()
+        try:
+            self._say(f"ready {self._endpoint.url}")
+            self._read_control_lines()
+            while not self._ended:
+                self._turn()
+        finally:
+            for number, handler in previous.items():
+                signal.signal(number, handler)
+            self._endpoint.close()
+            self._wake.close()
+            self._waker.close()
+
+    def _turn(self) -> None:
+        """Do what is due, then wait for what comes next."""
+        self._catch_up()
+        if answer := self._line.receive():
+            self._endpoint.write(answer)
+        sources = [self._waker.fileno()]
+        if self._line.backlog < _FULL_ENOUGH:
+            sources += self._endpoint.waiting_for()
+        ready, _, _ = select.select(sources, [], [], self._patience())
+        self._catch_up()
+        for settings, data in self._endpoint.take(ready):
+            self._line.host = self._host_settings(settings)
+            self._line.send(data)
+        if self._waker.fileno() in ready:
+            self._drain()
+            self._obey()
+
+    def _patience(self) -> float:
+        """Return the seconds until something is due."""
+        idle = _DEMO_IDLE if self._demos else _IDLE
+        event = self._line.next_event
+        if event is None:
+            return idle
+        return min(idle, max(0.0, self._origin + event - time.monotonic()))
+
+    def _catch_up(self) -> None:
+        now = time.monotonic() - self._origin
+        if now - self._line.now > _SUSPENDED:
+            self._origin += now - self._line.now
+            now = self._line.now
+        self._line.advance_to(now)
+        for demo in self._demos:
+            demo.update()
+
+    def _host_settings(self, seen: HostSettings | None) -> LineSettings | None:
+        """Complete what was seen of the host's port; what cannot be seen fits the board."""
+        if seen is None:
+            return None
+        own = self._line.boards[0].memory.line_settings
+        detection = own.detection if seen.parity is None else _DETECTIONS[seen.parity]
+        return LineSettings(seen.baud, detection, seen.stop_bits)
+
+    # Control lines
+
+    def _obey(self) -> None:
+        while self._control_lines and not self._ended:
+            text = self._control_lines.popleft()
+            if text is None:
+                self._ended = True
+            elif text.strip():
+                self._answer(text)
+
+    def _answer(self, text: str) -> None:
+        was_plugged = self._line.plugged
+        answer = control(self._line, text)
+        if was_plugged and not self._line.plugged:
+            self._endpoint.unplug()
+        elif self._line.plugged and not was_plugged:
+            answer = self._plug(answer)
+        self._ended = answer == GOODBYE
+        self._say(answer)
+
+    def _plug(self, answer: str) -> str:
+        try:
+            self._endpoint.plug()
+        except EndpointError as error:
+            self._line.unplug()
+            return f"error {error}"
+        return f"{answer} {self._endpoint.url}"
+
+    def _say(self, text: str) -> None:
+        try:
+            sys.stdout.write(text + "\n")
+            sys.stdout.flush()
+        except (OSError, ValueError):
+            self._ended = True  # nobody listens any more
+
+    def _read_control_lines(self) -> None:
+        """Read standard input in a thread: not every system can wait for it with `select`."""
+        try:
+            kind = os.fstat(0).st_mode
+        except OSError:
+            return  # started without
+        ends_with_input = stat.S_ISFIFO(kind) or stat.S_ISSOCK(kind)
+        if not ends_with_input and _is_nothing(kind):
+            return
+        threading.Thread(
+            target=self._read_input, args=(ends_with_input,), daemon=True, name="control lines"
+        ).start()
+
+    def _read_input(self, ends_with_input: bool) -> None:
+        rest = b""
+        while True:
+            try:
+                data = os.read(0, 4096)
+            except OSError:
+                data = b""
+            if not data:
+                break
+            *lines, rest = (rest + data).split(b"\n")
+            self._control_lines.extend(line.decode("utf-8", "replace") for line in lines)
+            self._call()
+        if rest:
+            self._control_lines.append(rest.decode("utf-8", "replace"))
+        if ends_with_input:
+            self._control_lines.append(None)
+        self._call()
+
+    # Waking up
+
+    def _call(self) -> None:
+        """Make the loop look round; from a thread or a signal handler."""
+        with contextlib.suppress(OSError):  # full, so it is called already; or at its end
+            self._wake.send(b"!")
+
+    def _drain(self) -> None:
+        with contextlib.suppress(BlockingIOError):
+            while self._waker.recv(4096):
+                pass
+
+    def _catch_signals(self) -> dict[int, "signal._HANDLER"]:
+        """Let signals end the loop; return what handled them before."""
+        names = ("SIGINT", "SIGTERM", "SIGHUP")
+        numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]
+        previous = {number: signal.signal(number, self._end) for number in numbers}
+        if hasattr(signal, "SIGTTIN"):
+            # In the background of a terminal reading it is refused rather than stops all.
+            previous[signal.SIGTTIN] = signal.signal(signal.SIGTTIN, signal.SIG_IGN)
+        return previous
+
+    def _end(self, _number: int, _frame: FrameType | None) -> None:
+        self._ended = True
+        self._call()
+
+
+def _is_nothing(kind: int) -> bool:
+    """Whether standard input is a device that is no terminal, such as /dev/null."""
+    return stat.S_ISCHR(kind) and not os.isatty(0)
