@@ -1,0 +1,1 @@
+"""From commands to a real line: ports, transactions, and the loop that owns a line. No Qt."""

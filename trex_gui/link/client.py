@@ -1,0 +1,167 @@
+"""Transactions: one command out, its whole reply in, before anything else is sent.
+
+A TReX is deaf while it answers, so there is never a second request in flight. Deadlines come
+from the bytes on the wire and from what the board needs, not from a flat second.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import Transport
+from trex_gui.protocol.commands import Command, Null, ReplyT_co, SetParameter
+from trex_gui.protocol.errors import BadReply, NoReply, ResultCode
+from trex_gui.protocol.parameters import parameter_number
+from trex_gui.protocol.parser import Malformed, NeedData, Reply, ReplyParser
+
+_BOARD_DELAY = 0.005
+"""Seconds a board may think about a query: its 1 ms response delay and its 10 ms cycle halved.
+
+Inferred: no source gives more than the response delay.
+"""
+
+
+class Requester(Protocol):
+    """Whatever runs transactions: a client, or a session that slips a stop in between."""
+
+    def __call__(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        """Run one transaction and return its reply."""
+        ...
+
+
+@dataclass(slots=True)
+class Counters:
+    """What a client has seen since it was made.
+
+    Attributes:
+        requests: transactions begun.
+        silences: no reply, or not all of it, in time.
+        damaged: replies that could not be one.
+        stale: bytes that belonged to nothing and were thrown away.
+        slowest: the longest round trip that succeeded, in seconds.
+    """
+
+    requests: int = 0
+    silences: int = 0
+    damaged: int = 0
+    stale: int = 0
+    slowest: float = 0.0
+
+
+class Client:
+    """Runs transactions on one line.
+
+    `echo` says whether everything sent comes back, as it does on the board's RS-232 side.
+    """
+
+    def __init__(self, transport: Transport, settings: LinkSettings, *, echo: bool = False) -> None:
+        self.echo = echo
+        self.counters = Counters()
+        self._transport = transport
+        self._settings = settings
+        self._framing = settings.framing
+        self._free_at = transport.clock()
+
+    @property
+    def settings(self) -> LinkSettings:
+        """How the line was opened."""
+        return self._settings
+
+    @property
+    def transport(self) -> Transport:
+        """The line."""
+        return self._transport
+
+    def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        """Send a command and return what its reply means.
+
+        A motor command has no reply: it returns at once, and the next request waits until
+        its bytes have left.
+
+        Raises:
+            BadRequest: a value does not fit; nothing was sent.
+            NoReply: not everything came in time.
+            BadReply: what came is no reply to this command.
+            PortUnavailable: the line is gone.
+        """
+        packet = self._framing.encode(command)
+        line = self._settings.line
+        parser = ReplyParser(command, self._framing, self.echo)
+        self.drain()
+        stale = self._transport.discard()
+        self.counters.requests += 1
+        self.counters.stale += len(stale)
+        begun = self._transport.clock()
+        self._transport.write(packet)
+        self._free_at = begun + line.seconds(len(packet))
+        # What stands in the queue of the port must leave before the board can answer.
+        deadline = self._free_at + self._allowance + command.seconds_to_answer
+        received = b""
+        state = parser.feed()
+        while isinstance(state, NeedData):
+            # The rest of the reply is on its way: it needs at least its time on the wire.
+            wanted = state.size
+            left = deadline + line.seconds(len(received) + wanted) - self._transport.clock()
+            chunk = self._transport.read(wanted, max(left, 0.0))
+            received += chunk
+            state = parser.feed(chunk)
+            if isinstance(state, NeedData) and len(chunk) < wanted:
+                self.counters.silences += 1
+                raise NoReply(self._silence(packet, received))
+        match state:
+            case Malformed(raw, reason):
+                self.counters.damaged += 1
+                # Whatever else is on its way belongs to the same damage.
+                self._transport.wait(line.seconds(16))
+                message = f"The reply {raw.hex(' ').upper()} is damaged: {reason}."
+                raise BadReply(message)
+            case Reply(_, value):
+                if command.reply_size() or self.echo:
+                    took = self._transport.clock() - begun
+                    self.counters.slowest = max(self.counters.slowest, took)
+                    self._free_at = min(self._free_at, self._transport.clock())
+                self._follow(command, value)
+                return value
+
+    def detect_echo(self) -> bool:
+        """Find out, with the null command, whether everything sent comes back.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        self.drain()
+        self._transport.discard()
+        null = self._framing.encode(Null())
+        self._transport.write(null)
+        seconds = self._settings.line.seconds(1) + self._allowance
+        self.echo = self._transport.read(1, seconds) == null
+        return self.echo
+
+    def drain(self) -> None:
+        """Wait until everything that was sent has left the port."""
+        self._transport.wait(self._free_at - self._transport.clock())
+
+    def close(self) -> None:
+        """Give the port back."""
+        self._transport.close()
+
+    @property
+    def _allowance(self) -> float:
+        return self._transport.latency + self._settings.patience + _BOARD_DELAY
+
+    def _follow(self, command: object, reply: object) -> None:
+        """Address the board by its new device number once it has taken one."""
+        if (
+            isinstance(command, SetParameter)
+            and command.number == parameter_number("device_number")
+            and reply is ResultCode.OK
+            and self._settings.device_number is not None
+        ):
+            self._settings = replace(self._settings, device_number=command.value)
+            self._framing = self._settings.framing
+
+    def _silence(self, packet: bytes, received: bytes) -> str:
+        sent = packet.hex(" ").upper()
+        if received:
+            return f"Only {received.hex(' ').upper()} came in answer to {sent}."
+        return f"No answer to {sent}."

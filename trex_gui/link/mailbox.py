@@ -1,0 +1,75 @@
+"""Requests on their way into a session, sorted by how urgent they are."""
+
+from collections import deque
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from trex_gui.link.drives import DriveSlots
+from trex_gui.link.messages import (
+    Ask,
+    Close,
+    Reload,
+    Request,
+    SetAuxiliary,
+    SetDrive,
+    Stop,
+    Write,
+)
+
+
+class Inbox(Protocol):
+    """Where requests come from."""
+
+    def get(self, seconds: float) -> Request | None:
+        """Return the next request, waiting up to `seconds` for one; else `None`."""
+        ...
+
+
+@dataclass(slots=True)
+class Mailbox:
+    """What waits to be served.
+
+    Attributes:
+        stops: stops that were asked for and not yet sent.
+        drives: the newest wish for each motor.
+        jobs: everything else, first come first served.
+        closing: whether the session was asked to end.
+    """
+
+    inbox: Inbox
+    stops: list[Stop] = field(default_factory=list)
+    drives: DriveSlots = field(default_factory=DriveSlots)
+    jobs: deque[Ask | Write | Reload] = field(default_factory=deque)
+    closing: bool = False
+
+    def collect(self, seconds: float = 0.0) -> None:
+        """Sort everything that has come, waiting up to `seconds` for the first of it.
+
+        A stop wipes out the wishes that came before it; those after it stand.
+        """
+        request = self.inbox.get(max(seconds, 0.0))
+        while request is not None:
+            match request:
+                case Close():
+                    self.closing = True
+                case Stop():
+                    self.stops.append(request)
+                    self.drives.clear()
+                case SetDrive() | SetAuxiliary():
+                    self.drives.put(request)
+                case Ask() | Write() | Reload():
+                    self.jobs.append(request)
+            request = self.inbox.get(0.0)
+
+    def take_stops(self) -> list[Stop]:
+        """Return the stops that wait, and forget them."""
+        stops, self.stops = self.stops, []
+        return stops
+
+    def abandon(self) -> list[int]:
+        """Forget everything, and return the ids that still wait for an outcome."""
+        ids = [request.id for request in (*self.stops, *self.jobs)]
+        self.stops.clear()
+        self.drives.clear()
+        self.jobs.clear()
+        return ids

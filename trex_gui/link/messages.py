@@ -1,0 +1,137 @@
+"""What goes into a line session and what comes out of it.
+
+Small, frozen and picklable, so that a session can run in a thread or in another process and
+nobody above it notices the difference.
+"""
+
+from dataclasses import dataclass
+
+from trex_gui.link.client import Counters
+from trex_gui.link.reading import DeviceState
+from trex_gui.link.telemetry import Sample
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.commands import Command, Drive
+from trex_gui.protocol.errors import TrexError
+
+# --- In ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """Run one command; answered by an `Outcome` with the same `id`."""
+
+    id: int
+    command: Command[object]
+
+
+@dataclass(frozen=True, slots=True)
+class SetDrive:
+    """What motor 1 or 2 shall do from now on; a newer one replaces one that still waits."""
+
+    motor: int
+    drive: Drive
+    accelerate: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SetAuxiliary:
+    """What the auxiliary motor shall do from now on, 0-127."""
+
+    speed: int
+    accelerate: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """Stop every motor before anything else; answered by an `Outcome` when it is proved."""
+
+    id: int
+
+
+@dataclass(frozen=True, slots=True)
+class Write:
+    """Store parameters (key, wire value) and calibrations (channel, values).
+
+    See `writing.write_all` for the order and for what an error does to the rest.
+    Answered by an `Outcome` whose value is a tuple of `writing.Written`, one for each.
+    """
+
+    id: int
+    parameters: tuple[tuple[str, int], ...] = ()
+    calibrations: tuple[tuple[int, Calibration], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Reload:
+    """Read everything again; answered by `Connected`, then an `Outcome`."""
+
+    id: int
+
+
+@dataclass(frozen=True, slots=True)
+class Close:
+    """Stop the motors if they were driven, give the port back, end."""
+
+
+Request = Ask | SetDrive | SetAuxiliary | Stop | Write | Reload | Close
+
+# --- Out --------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """A long piece of work is at step `done` of `total`; `what` comes next."""
+
+    done: int
+    total: int
+    what: str
+
+
+@dataclass(frozen=True, slots=True)
+class Connected:
+    """A board answers, and this is what it says; sent again whenever it is read anew.
+
+    `echo` says that everything sent comes back: the RS-232 side of the board. `returned` says
+    that it answers for the first time, or again, so its power may have been off meanwhile.
+    """
+
+    state: DeviceState
+    echo: bool
+    returned: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Silent:
+    """The port is there, but the board has stopped answering; the session goes on trying."""
+
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Batch:
+    """Every sample since the last batch; at most one each display frame.
+
+    Times are seconds on the session's clock.
+    """
+
+    samples: tuple[Sample, ...]
+    counters: Counters
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """The end of a request; exactly one for each that has an `id`."""
+
+    id: int
+    value: object = None
+    error: TrexError | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """The session has ended and the port is free; the last message. `None`: as asked."""
+
+    error: TrexError | None
+
+
+Report = Progress | Connected | Silent | Batch | Outcome | Closed

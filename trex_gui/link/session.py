@@ -1,0 +1,317 @@
+"""The loop that owns a line: messages in, reports out, one transaction at a time.
+
+It knows neither threads nor Qt. Order of service: stop, driving, what was asked, polling.
+Nothing that it does on its own may move a motor; a stop is the one motor command that it
+may send unasked.
+"""
+
+import contextlib
+import logging
+from collections.abc import Callable
+from dataclasses import replace
+
+from trex_gui.link.client import Client
+from trex_gui.link.doctor import why_no_board
+from trex_gui.link.drives import stop_motors
+from trex_gui.link.mailbox import Inbox, Mailbox
+from trex_gui.link.messages import (
+    Ask,
+    Batch,
+    Closed,
+    Connected,
+    Outcome,
+    Progress,
+    Reload,
+    Report,
+    Silent,
+    Write,
+)
+from trex_gui.link.reading import DeviceState, read_everything
+from trex_gui.link.schedule import Schedule, Topic, rates
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.telemetry import Control, ModeSeen, Sample, poll
+from trex_gui.link.transport import SerialTransport, Transport
+from trex_gui.link.writing import write_all
+from trex_gui.protocol.commands import Command, GetMode, GetSerialControl, ReplyT_co
+from trex_gui.protocol.errors import (
+    BadReply,
+    BadRequest,
+    NoReply,
+    PortUnavailable,
+    Rejected,
+    TrexError,
+)
+from trex_gui.protocol.parameters import ParameterSet
+
+log = logging.getLogger(__name__)
+
+FRAME = 1 / 60
+"""Seconds between two batches: nobody sees more than one a display frame."""
+
+_DRIVE_INTERVAL = 0.02
+"""Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
+
+_LONGEST_DRIVE = 8
+"""Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
+
+_TICK = 1e-5
+"""Shortest wait in seconds: a rounding error in a sum of times must not become a busy loop."""
+
+_FAILURES_TO_SILENCE = 3
+_RETRY_INTERVAL = 0.25
+_STOP_ATTEMPTS = 10
+
+
+class _Closing(Exception):  # noqa: N818 - no error: the session was asked to end
+    pass
+
+
+class Session:
+    """Serves one line from opening it to giving it back.
+
+    `emit` is called with every report, from wherever `run` runs.
+    """
+
+    def __init__(
+        self,
+        settings: LinkSettings,
+        inbox: Inbox,
+        emit: Callable[[Report], None],
+        open_transport: Callable[[LinkSettings], Transport] = SerialTransport,
+    ) -> None:
+        self._settings = settings
+        self._emit = emit
+        self._open_transport = open_transport
+        self._mail = Mailbox(inbox)
+        self._state: DeviceState | None = None
+        self._schedule = Schedule()
+        self._samples: list[Sample] = []
+        self._flushed_at = 0.0
+        self._drove_at = 0.0
+        self._driven = False
+        self._failures = 0
+        self._silent = False
+        self._retry_at = 0.0
+
+    def run(self) -> None:
+        """Serve the line until it is lost or `Close` comes; then report `Closed`.
+
+        Never raises: whatever happens, the motors are stopped if they were driven, the port
+        is given back and every request gets its outcome.
+        """
+        error: TrexError | None = None
+        try:
+            transport = self._open_transport(self._settings)
+        except TrexError as reason:
+            self._finish(reason)
+            return
+        self._client = Client(transport, self._settings)
+        try:
+            self._connect()
+            while True:
+                self._step()
+        except _Closing:
+            pass
+        except TrexError as reason:
+            error = reason
+        except Exception as reason:
+            log.exception("the line session failed")
+            error = TrexError(f"The program made a mistake on this line: {reason!r}")
+        self._leave_safely()
+        self._finish(error)
+
+    # --- Beginning and end --------------------------------------------------------------
+
+    def _connect(self) -> None:
+        echo = self._client.detect_echo()
+        try:
+            self._read_everything(returned=True)
+        except (NoReply, BadReply) as error:
+            raise why_no_board(self._settings, echo=echo, error=error) from error
+
+    def _read_everything(self, *, returned: bool) -> None:
+        self._state = read_everything(self._request, self._progress)
+        self._schedule.start(rates(self._state.source), self._now())
+        self._failures = 0
+        self._silent = False
+        self._flush()
+        self._emit(Connected(self._state, self._client.echo, returned))
+
+    def _leave_safely(self) -> None:
+        with contextlib.suppress(TrexError):
+            if self._driven:
+                stop_motors(self._client.request)
+            self._client.drain()
+        self._client.close()
+
+    def _finish(self, error: TrexError | None) -> None:
+        self._mail.collect()
+        reason = error or TrexError("The line was closed before this was done.")
+        for waiting in self._mail.abandon():
+            self._emit(Outcome(waiting, error=reason))
+        self._emit(Closed(error))
+
+    # --- The loop -----------------------------------------------------------------------
+
+    def _step(self) -> None:
+        self._collect()
+        now = self._now()
+        if now - self._flushed_at >= FRAME:
+            self._flush()
+        if self._serve_urgent():
+            return
+        if self._mail.jobs:
+            self._run(self._mail.jobs.popleft())
+        elif self._silent and now >= self._retry_at:
+            self._look_again()
+        elif not self._silent and (topic := self._schedule.next(now)):
+            self._schedule.asked(topic, now)
+            self._poll(topic)
+        else:
+            self._collect(self._seconds_to_wait(now))
+
+    def _collect(self, seconds: float = 0.0) -> None:
+        self._mail.collect(seconds)
+        if self._mail.closing:
+            raise _Closing
+
+    def _seconds_to_wait(self, now: float) -> float:
+        moments = [_RETRY_INTERVAL]
+        if self._silent:
+            moments.append(self._retry_at - now)
+        elif (seconds := self._schedule.seconds_to_next(now)) is not None:
+            moments.append(seconds)
+        if self._samples:
+            moments.append(self._flushed_at + FRAME - now)
+        if self._mail.drives:
+            moments.append(self._drove_at + self._drive_interval - now)
+        return max(_TICK, min(moments))
+
+    def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        """Run one transaction of a longer piece of work, unless something goes before it."""
+        self._collect()
+        self._serve_urgent()
+        return self._client.request(command)
+
+    def _serve_urgent(self) -> bool:
+        """Stop or drive when that is due; return whether the line was used."""
+        if self._mail.stops:
+            self._stop()
+            return True
+        if self._mail.drives and self._now() - self._drove_at >= self._drive_interval:
+            self._drive()
+            return True
+        return False
+
+    def _now(self) -> float:
+        return self._client.transport.clock()
+
+    # --- Motors -------------------------------------------------------------------------
+
+    @property
+    def _drive_interval(self) -> float:
+        """Seconds between motor packets; leaves half of a slow line to everything else."""
+        return max(_DRIVE_INTERVAL, 2 * self._settings.line.seconds(_LONGEST_DRIVE))
+
+    def _drive(self) -> None:
+        commands = self._mail.drives.take()
+        if self._silent:
+            # A board that comes back must not be met by a wish that is seconds old.
+            return
+        self._drove_at = self._now()
+        self._driven = True
+        for command in commands:
+            self._client.request(command)
+
+    def _stop(self) -> None:
+        """Send a stop again and again until an answer proves that the line was free for it."""
+        stops = self._mail.take_stops()
+        error: TrexError | None = NoReply(
+            "The stop was sent, but the board does not answer. If a motor still turns, "
+            "cut its power."
+        )
+        for _ in range(_STOP_ATTEMPTS):
+            try:
+                stop_motors(self._client.request)
+                by_serial = self._client.request(GetSerialControl())
+            except (NoReply, BadReply):
+                continue
+            except PortUnavailable:
+                self._mail.stops = stops  # they get their outcome with everything dropped
+                raise
+            self._samples.append(Control(self._now(), by_serial))
+            error = None
+            break
+        for stop in stops:
+            self._emit(Outcome(stop.id, error=error))
+
+    # --- What was asked -----------------------------------------------------------------
+
+    def _run(self, job: Ask | Write | Reload) -> None:
+        try:
+            value: object = None
+            match job:
+                case Ask(command=command):
+                    self._driven = self._driven or command.moves
+                    value = self._request(command)
+                case Write(parameters=parameters, calibrations=calibrations):
+                    value = write_all(
+                        self._request, self._specs, parameters, calibrations, self._progress
+                    )
+                case Reload():
+                    self._read_everything(returned=False)
+        except (BadRequest, NoReply, BadReply, Rejected) as error:
+            self._emit(Outcome(job.id, error=error))
+        except (PortUnavailable, _Closing):
+            # It waits for its outcome as everything else that is dropped at the end.
+            self._mail.jobs.appendleft(job)
+            raise
+        else:
+            self._emit(Outcome(job.id, value))
+
+    @property
+    def _specs(self) -> ParameterSet:
+        if self._state is None:
+            raise NoReply("No board has been read yet.")
+        return self._state.specs
+
+    def _progress(self, done: int, total: int, what: str) -> None:
+        self._emit(Progress(done, total, what))
+
+    # --- Polling ------------------------------------------------------------------------
+
+    def _poll(self, topic: Topic) -> None:
+        try:
+            sample = poll(self._client.request, topic, self._now)
+        except (NoReply, BadReply) as error:
+            self._failures += 1
+            if self._failures >= _FAILURES_TO_SILENCE:
+                self._fall_silent(str(error))
+            return
+        self._failures = 0
+        if sample is not None:
+            self._samples.append(sample)
+        if isinstance(sample, ModeSeen) and self._state and sample.mode is not self._state.mode:
+            # The power was off and a jumper has moved: everything may be different now.
+            self._read_everything(returned=True)
+
+    def _fall_silent(self, reason: str) -> None:
+        self._silent = True
+        self._retry_at = self._now() + _RETRY_INTERVAL
+        self._flush()
+        self._emit(Silent(reason))
+
+    def _look_again(self) -> None:
+        """See whether the board is back; if it is, it may have been through a power cycle."""
+        try:
+            self._client.request(GetMode())
+            self._read_everything(returned=True)
+        except (NoReply, BadReply):
+            self._retry_at = self._now() + _RETRY_INTERVAL
+
+    def _flush(self) -> None:
+        self._flushed_at = self._now()
+        if self._samples:
+            batch = Batch(tuple(self._samples), replace(self._client.counters))
+            self._samples.clear()
+            self._emit(batch)

@@ -1,0 +1,117 @@
+"""What is asked again and again, and the samples that come of it."""
+
+import contextlib
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from trex_gui.link.client import Requester
+from trex_gui.link.schedule import Topic
+from trex_gui.protocol.commands import (
+    GetCurrents,
+    GetMode,
+    GetRawChannels,
+    GetRemappedChannels,
+    GetSerialControl,
+    GetStatus,
+    GetUartErrors,
+)
+from trex_gui.protocol.errors import BadReply, NoReply
+from trex_gui.protocol.flags import CHANNELS, Mode, Status, UartError
+
+
+@dataclass(frozen=True, slots=True)
+class Raw:
+    """Raw inputs of channels 1-5 in counts; `None` without a valid signal."""
+
+    time: float
+    counts: tuple[int | None, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Remapped:
+    """Remapped inputs of channels 1-5, -127 to 127."""
+
+    time: float
+    values: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Currents:
+    """Currents of motors 1 and 2 in counts (`Model.current_unit` ampere each)."""
+
+    time: float
+    counts: tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class StatusNews:
+    """Status bits and UART error bits that were latched since the last look."""
+
+    time: float
+    status: Status
+    uart: UartError
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """Whether serial commands reach the motors."""
+
+    time: float
+    by_serial: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ModeSeen:
+    """The mode, looked at once in a while: it changes with the power."""
+
+    time: float
+    mode: Mode
+
+
+Sample = Raw | Remapped | Currents | StatusNews | Control | ModeSeen
+
+
+def poll(request: Requester, topic: Topic, clock: Callable[[], float]) -> Sample | None:
+    """Ask for one topic; the sample bears the time at which its reply was in.
+
+    Reading the status clears it, and the UART error byte is read only when the status
+    announces it; `None` when there was no news.
+
+    Raises:
+        NoReply, BadReply: as every transaction.
+        PortUnavailable: the line is gone.
+    """
+    match topic:
+        case Topic.CURRENTS:
+            currents = request(GetCurrents())
+            return Currents(clock(), currents)
+        case Topic.RAW:
+            raw = request(GetRawChannels())
+            return Raw(clock(), tuple(raw[channel] for channel in CHANNELS))
+        case Topic.REMAPPED:
+            remapped = request(GetRemappedChannels())
+            return Remapped(clock(), tuple(remapped[channel] for channel in CHANNELS))
+        case Topic.CONTROL:
+            by_serial = request(GetSerialControl())
+            return Control(clock(), by_serial)
+        case Topic.MODE:
+            mode = request(GetMode())
+            return ModeSeen(clock(), mode)
+        case Topic.STATUS:
+            return status_news(request, clock)
+
+
+def status_news(request: Requester, clock: Callable[[], float]) -> StatusNews | None:
+    """Read and clear the status byte, and the UART error byte when a bit announces it.
+
+    Raises:
+        NoReply, BadReply: no status came. A second byte that does not come raises nothing:
+            the bits of the first are read, and so cleared, and must not be lost.
+        PortUnavailable: the line is gone.
+    """
+    status = request(GetStatus())
+    uart = UartError(0)
+    if status & Status.UART_ERROR:
+        with contextlib.suppress(NoReply, BadReply):
+            uart = request(GetUartErrors())
+    return StatusNews(clock(), status, uart) if status or uart else None

@@ -1,0 +1,245 @@
+"""Bytes out, bytes in: one open port, with every failure as a sentence.
+
+Ports are pyserial's, local or remote, under one small interface, so that a simulated wire
+in virtual time can stand in for them.
+"""
+
+import contextlib
+import errno
+import os
+import sys
+import time
+from pathlib import Path
+from typing import Protocol
+
+import serial
+from serial.tools import list_ports
+
+from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.errors import PortUnavailable
+from trex_gui.protocol.line_settings import Detection, LineSettings
+
+_SLICE = 0.02
+"""Seconds that one blocking read may last; a deadline is overrun by no more than this."""
+
+_LOCAL_LATENCY = 0.06
+"""Allowance for a local port: two latency timers of a common adapter (16 ms) and the system."""
+
+_REMOTE_LATENCY = 0.5
+"""Allowance for a port behind a network."""
+
+_PARITIES = {Detection.EVEN: serial.PARITY_EVEN, Detection.ODD: serial.PARITY_ODD}
+
+
+class Transport(Protocol):
+    """One open line."""
+
+    @property
+    def latency(self) -> float:
+        """Seconds that a byte may be late for reasons that are not the wire's."""
+        ...
+
+    def clock(self) -> float:
+        """Seconds on a clock that only goes forward."""
+        ...
+
+    def write(self, data: bytes) -> None:
+        """Hand bytes to the line.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        ...
+
+    def read(self, size: int, seconds: float) -> bytes:
+        """Return `size` bytes, or the fewer that came within `seconds`.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        ...
+
+    def discard(self) -> bytes:
+        """Forget what has come so far, and return it.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        ...
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass."""
+        ...
+
+    def close(self) -> None:
+        """Give the port back; never raises."""
+        ...
+
+
+class SerialTransport:
+    """A port that pyserial opened."""
+
+    def __init__(self, settings: LinkSettings) -> None:
+        self._url = settings.url
+        self._port = _open(settings)
+        remote = "://" in settings.url
+        self._latency = _REMOTE_LATENCY if remote else _LOCAL_LATENCY
+
+    @property
+    def latency(self) -> float:
+        return self._latency
+
+    def clock(self) -> float:
+        return time.monotonic()
+
+    def write(self, data: bytes) -> None:
+        try:
+            self._port.write(data)
+        except _PORT_ERRORS as error:
+            raise self._gone(error) from error
+
+    def read(self, size: int, seconds: float) -> bytes:
+        received = bytearray()
+        deadline = time.monotonic() + seconds
+        try:
+            while len(received) < size:
+                received += self._port.read(size - len(received))
+                if time.monotonic() >= deadline:
+                    break
+        except _PORT_ERRORS as error:
+            raise self._gone(error) from error
+        return bytes(received)
+
+    def discard(self) -> bytes:
+        stale = bytearray()
+        try:
+            while waiting := self._port.in_waiting:
+                stale += self._port.read(waiting)
+        except _PORT_ERRORS as error:
+            raise self._gone(error) from error
+        return bytes(stale)
+
+    def wait(self, seconds: float) -> None:
+        if seconds > 0:
+            time.sleep(seconds)
+
+    def close(self) -> None:
+        with contextlib.suppress(*_PORT_ERRORS):
+            self._port.close()
+
+    def _gone(self, error: Exception) -> PortUnavailable:
+        return PortUnavailable(f"The line {self._url} is gone ({_plain(error)}). Plug it in again.")
+
+
+def _port_errors() -> tuple[type[Exception], ...]:
+    # pyserial lets the last three out for a bad address and a port closed under it.
+    kinds: list[type[Exception]] = [
+        serial.SerialException,
+        OSError,
+        ValueError,
+        TypeError,
+        AttributeError,
+    ]
+    with contextlib.suppress(ImportError):
+        import termios  # noqa: PLC0415 - only on POSIX
+
+        kinds.append(termios.error)
+    return tuple(kinds)
+
+
+_PORT_ERRORS = _port_errors()
+
+
+def _open(settings: LinkSettings) -> serial.Serial:
+    line = settings.line
+    try:
+        port = serial.serial_for_url(settings.url, do_not_open=True)
+        port.baudrate = line.baud
+        port.bytesize = serial.EIGHTBITS
+        port.parity = _PARITIES.get(line.detection, serial.PARITY_NONE)
+        port.stopbits = serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE
+        port.timeout = _SLICE
+        port.write_timeout = 1
+        if "://" not in settings.url and sys.platform != "win32":
+            port.exclusive = True
+        port.open()
+    except _PORT_ERRORS as error:
+        raise PortUnavailable(why_not_open(settings.url, line, error)) from error
+    # FTDI adapters hold bytes back up to 16 ms; the Linux driver can be asked not to.
+    with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
+        port.set_low_latency_mode(True)
+    return port
+
+
+def why_not_open(url: str, line: LineSettings, error: Exception) -> str:
+    """Return a sentence for a port that would not open, with what mends it."""
+    number = _errno(error)
+    if "://" in url:
+        return f"{url} cannot be reached: {_plain(error)}."
+    if number == errno.ENOENT or "FileNotFoundError" in str(error):
+        present = ", ".join(port.device for port in list_ports.comports())
+        return f"There is no port {url}. Ports of this computer: {present or 'none'}."
+    if number == errno.EACCES and sys.platform == "win32":
+        return f"{url} is in use by another program, or locked by its driver."
+    if number == errno.EACCES:
+        return f"You may not open {url}. {_permission_cure(url)}"
+    if number in {errno.EBUSY, errno.EAGAIN}:
+        holder = _holder(url)
+        by = f" by {holder}" if holder else " by another program"
+        return f"{url} is in use{by}. Close it there, then connect again."
+    if isinstance(error, ValueError) or number == errno.EINVAL:
+        return f"{url} cannot be set to {line.text()} ({_plain(error)})."
+    return f"{url} cannot be opened: {_plain(error)}."
+
+
+def _errno(error: Exception) -> int | None:
+    """Dig out the system's error number: pyserial wraps it, and keeps it only sometimes."""
+    seen: BaseException | None = error
+    while seen is not None:
+        number = getattr(seen, "errno", None)
+        if isinstance(number, int):
+            return number
+        if seen.args and isinstance(seen.args[0], int):
+            return seen.args[0]
+        seen = seen.__cause__ or seen.__context__
+    return None
+
+
+def _plain(error: Exception) -> str:
+    """Return the system's words without Python's."""
+    number = _errno(error)
+    if number is not None and number > 0:
+        with contextlib.suppress(ValueError):
+            return os.strerror(number).lower()
+    text = str(error).strip().rstrip(".")
+    return text or type(error).__name__
+
+
+def _permission_cure(url: str) -> str:
+    """Return the command that gives access to this very port."""
+    try:
+        import grp  # noqa: PLC0415 - only on POSIX
+
+        group = grp.getgrgid(Path(url).stat().st_gid).gr_name
+    except (ImportError, KeyError, OSError):
+        group = "dialout"
+    if group == "root":
+        return f"It belongs to root; this opens it until it is unplugged: sudo chmod a+rw {url}"
+    return (
+        f"Join its group, then log out and in again: sudo usermod -aG {group} $USER "
+        f"(or, until it is unplugged: sudo chmod a+rw {url})."
+    )
+
+
+def _holder(url: str) -> str | None:
+    """Return the program that has the port open, where Linux lets us see it."""
+    try:
+        wanted = Path(url).resolve()
+        for link in Path("/proc").glob("[0-9]*/fd/*"):
+            with contextlib.suppress(OSError):
+                if link.readlink() == wanted and link.parts[2] != str(os.getpid()):
+                    name = (link.parents[1] / "comm").read_text(encoding="utf-8").strip()
+                    return f"{name} (process {link.parts[2]})"
+    except OSError:
+        return None
+    return None
