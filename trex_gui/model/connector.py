@@ -1,0 +1,129 @@
+"""From a choice in the port list to an open line."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
+
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.device import Device, Link
+from trex_gui.model.ports import Port, PortKind, Ports
+from trex_gui.model.simulator import Simulator
+from trex_gui.protocol.errors import BadRequest
+from trex_gui.protocol.line_settings import LineSettings
+
+_LINE = "line/settings"
+_NUMBER = "line/device_number"
+_POLYNOMIAL = "line/polynomial"
+
+
+class Connector(QObject):
+    """Connects a device to what a person picked, with the line settings that they chose.
+
+    Signals:
+        settings_changed: `settings` are others.
+        port_changed: `port` is another.
+        failed: why nothing was connected, for people.
+    """
+
+    settings_changed = Signal()
+    port_changed = Signal()
+    failed = Signal(str)
+
+    def __init__(self, device: Device, ports: Ports, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._ports = ports
+        self._store = QSettings(self)
+        self._settings = self._read_settings()
+        self._port: Port | None = None
+        self._demo_wanted = False
+        self.simulator = Simulator(self)
+
+        self.simulator.ready.connect(self._on_simulator_ready)
+        self.simulator.failed.connect(self._on_simulator_failed)
+        device.link_changed.connect(self._on_link_changed)
+
+    @property
+    def settings(self) -> LinkSettings:
+        """Line settings for the next connection; the address comes with the port."""
+        return self._settings
+
+    @property
+    def port(self) -> Port | None:
+        """The port that is connected, or about to be; `None` when there is none."""
+        return self._port
+
+    def set_settings(self, settings: LinkSettings) -> None:
+        """Use, and remember, these line settings from the next connection on."""
+        self._settings = replace(settings, url="", name="")
+        self._store.setValue(_LINE, settings.line.to_wire())
+        number = settings.device_number
+        self._store.setValue(_NUMBER, -1 if number is None else number)
+        self._store.setValue(_POLYNOMIAL, settings.polynomial)
+        self.settings_changed.emit()
+
+    def connect_to(self, port: Port) -> None:
+        """Connect to a port; a line that is open is closed first."""
+        self._set_port(port)
+        if port.kind is PortKind.DEMO:
+            self._demo_wanted = True
+            self.simulator.start()
+        else:
+            self._demo_wanted = False
+            self._device.connect_to(replace(self._settings, url=port.url))
+
+    def disconnect_port(self) -> None:
+        """Stop the motors if they were driven, and close the line."""
+        self._demo_wanted = False
+        if self._device.link is Link.NONE:
+            self._set_port(None)
+        self._device.disconnect_line()
+
+    def shut_down(self) -> None:
+        """Close the line and end the simulator, for the end of the program."""
+        self._demo_wanted = False
+        self._device.shut_down()
+        self.simulator.stop()
+
+    def _set_port(self, port: Port | None) -> None:
+        if port != self._port:
+            self._port = port
+            self.port_changed.emit()
+
+    @Slot(str)
+    def _on_simulator_ready(self, url: str) -> None:
+        if self._demo_wanted:
+            self._demo_wanted = False
+            # The simulated board begins with the factory's settings, whatever is chosen here.
+            self._device.connect_to(LinkSettings(url, name=self.tr("the simulated board")))
+
+    @Slot(str)
+    def _on_simulator_failed(self, reason: str) -> None:
+        if self._demo_wanted:
+            self._demo_wanted = False
+            self._set_port(None)
+            self.failed.emit(reason)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        if self._device.link is Link.UP and self._port is not None:
+            self._ports.note_used(self._port)
+        if self._device.link is Link.NONE and not self._demo_wanted:
+            self._set_port(None)
+
+    def _read_settings(self) -> LinkSettings:
+        default = LinkSettings("")
+        try:
+            wire = int(str(self._store.value(_LINE, default.line.to_wire())))
+            number = int(str(self._store.value(_NUMBER, -1)))
+            polynomial = int(str(self._store.value(_POLYNOMIAL, default.polynomial)))
+            settings = LinkSettings(
+                "",
+                line=LineSettings.from_wire(wire),
+                device_number=None if number < 0 else number,
+                polynomial=polynomial,
+            )
+            _ = settings.framing
+        except (BadRequest, ValueError):
+            return default
+        return settings

@@ -1,0 +1,293 @@
+"""The board as the window sees it: the link to it, and the models that mirror it."""
+
+import itertools
+import logging
+from collections.abc import Callable
+from enum import Enum, auto
+from typing import cast
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.link.client import Counters
+from trex_gui.link.messages import (
+    Batch,
+    Close,
+    Closed,
+    Connected,
+    Outcome,
+    Progress,
+    Reload,
+    Report,
+    SetAuxiliary,
+    SetDrive,
+    Silent,
+    Stop,
+    Write,
+)
+from trex_gui.link.reading import DeviceState
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.telemetry import StatusNews
+from trex_gui.link.writing import Written
+from trex_gui.model.errors import ErrorLog
+from trex_gui.model.motors import Motors
+from trex_gui.model.parameters import ParameterModel
+from trex_gui.model.telemetry import Telemetry
+from trex_gui.protocol.errors import TrexError
+from trex_gui.worker.line_worker import LineWorker
+
+log = logging.getLogger(__name__)
+
+_LEFT_ALONE: list[LineWorker] = []
+"""Threads that did not end in time: kept, because Qt aborts when one is destroyed running."""
+
+
+class Link(Enum):
+    """How things stand between the program and a board."""
+
+    NONE = auto()
+    OPENING = auto()
+    UP = auto()
+    SILENT = auto()
+    CLOSING = auto()
+
+
+class Device(QObject):
+    """One board, or none.
+
+    Signals:
+        link_changed: `link`, `status` or `settings`.
+        state_changed: `state` was read anew, or forgotten.
+        progressed: steps done, steps in all, what comes next.
+        failed: why a connection ended or something asked did not work, for people.
+        applied: the `Written` of everything that Apply tried.
+    """
+
+    link_changed = Signal()
+    state_changed = Signal()
+    progressed = Signal(int, int, str)
+    failed = Signal(str)
+    applied = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.telemetry = Telemetry(self)
+        self.errors = ErrorLog(self)
+        self.parameters = ParameterModel(self)
+        self.motors = Motors(self)
+        self._link = Link.NONE
+        self._status = self.tr("Not connected.")
+        self._settings: LinkSettings | None = None
+        self._state: DeviceState | None = None
+        self._echo = False
+        self._counters = Counters()
+        self._worker: LineWorker | None = None
+        self._next: LinkSettings | None = None
+        self._ids = itertools.count(1)
+        self._waiting: dict[int, Callable[[Outcome], None]] = {}
+
+        self.motors.requested.connect(self._on_drive_requested)
+        self.motors.stop_requested.connect(self._on_stop_requested)
+
+    # --- What is known ------------------------------------------------------------------
+
+    @property
+    def link(self) -> Link:
+        """How things stand."""
+        return self._link
+
+    @property
+    def status(self) -> str:
+        """How things stand, as a sentence."""
+        return self._status
+
+    @property
+    def settings(self) -> LinkSettings | None:
+        """How the line is, or was last, opened."""
+        return self._settings
+
+    @property
+    def state(self) -> DeviceState | None:
+        """What the board said of itself; `None` while none answers."""
+        return self._state
+
+    @property
+    def echo(self) -> bool:
+        """Whether everything sent comes back: the RS-232 side of the board."""
+        return self._echo
+
+    @property
+    def counters(self) -> Counters:
+        """What the line has seen since it was opened."""
+        return self._counters
+
+    # --- What a person does -------------------------------------------------------------
+
+    def connect_to(self, settings: LinkSettings) -> None:
+        """Open a line and read everything; ends in `Link.UP` or in `failed`.
+
+        A line that is open is closed first.
+        """
+        if self._worker is not None:
+            self._next = settings
+            self.disconnect_line()
+            return
+        self._settings = settings
+        self._counters = Counters()
+        self.errors.reset()
+        self._worker = LineWorker(settings)
+        self._worker.reported.connect(self._on_reported)
+        self._set_link(Link.OPENING, self.tr("Connecting to {0} …").format(settings.text()))
+        self._worker.start()
+
+    def disconnect_line(self) -> None:
+        """Stop the motors if they were driven, and close the line; does not wait for it."""
+        if self._worker is not None and self._link is not Link.CLOSING:
+            self.motors.allow(False)
+            self._worker.submit(Close())
+            self._set_link(Link.CLOSING, self.tr("Disconnecting …"))
+
+    def shut_down(self) -> bool:
+        """Close the line and wait for it, at most a second; return whether it ended in time.
+
+        For the end of the program only: a thread that does not end in time is left alone.
+        """
+        worker, self._worker = self._worker, None
+        self._next = None
+        if worker is None:
+            return True
+        worker.reported.disconnect(self._on_reported)
+        in_time = worker.close()
+        if not in_time:
+            _LEFT_ALONE.append(worker)
+        self._end(None)
+        return in_time
+
+    def reload(self) -> None:
+        """Read everything from the board again."""
+        self._ask(Reload, self._on_reloaded)
+
+    def apply(self) -> None:
+        """Write every pending edit and read it back; `applied` tells how it went."""
+        pending = self.parameters.pending
+        if pending:
+            self._ask(lambda number: Write(number, pending), self._on_applied)
+
+    # --- Requests and their outcomes ----------------------------------------------------
+
+    def _ask(
+        self, make: Callable[[int], Reload | Stop | Write], then: Callable[[Outcome], None]
+    ) -> None:
+        if self._worker is None:
+            self.failed.emit(self.tr("No board is connected."))
+            return
+        number = next(self._ids)
+        self._waiting[number] = then
+        self._worker.submit(make(number))
+
+    @Slot(object)
+    def _on_drive_requested(self, wish: SetDrive | SetAuxiliary) -> None:
+        if self._worker is not None:
+            self._worker.submit(wish)
+
+    @Slot()
+    def _on_stop_requested(self) -> None:
+        if self._worker is not None:
+            self._ask(Stop, self._on_stopped)
+
+    def _on_stopped(self, outcome: Outcome) -> None:
+        if outcome.error is not None and self._link is not Link.CLOSING:
+            self.failed.emit(str(outcome.error))
+
+    def _on_reloaded(self, outcome: Outcome) -> None:
+        if outcome.error is not None:
+            self.failed.emit(self.tr("Reading again failed. {0}").format(outcome.error))
+
+    def _on_applied(self, outcome: Outcome) -> None:
+        if outcome.error is not None:
+            self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
+            return
+        results = cast("tuple[Written, ...]", outcome.value)
+        self.parameters.take_results(results)
+        self.applied.emit(results)
+
+    # --- Reports from the line ----------------------------------------------------------
+
+    @Slot(object)
+    def _on_reported(self, report: Report) -> None:
+        match report:
+            case Batch():
+                self._take_samples(report)
+            case Outcome(id=number):
+                if then := self._waiting.pop(number, None):
+                    then(report)
+            case Progress(done=done, total=total, what=what):
+                self.progressed.emit(done, total, what)
+            case Connected():
+                self._take_state(report)
+            case Silent(reason=reason):
+                self._fall_silent(reason)
+            case Closed(error=error):
+                self._on_closed(error)
+
+    def _take_samples(self, batch: Batch) -> None:
+        self._counters = batch.counters
+        for sample in batch.samples:
+            if isinstance(sample, StatusNews):
+                self.errors.take(sample)
+        self.telemetry.take(batch)
+
+    def _take_state(self, report: Connected) -> None:
+        state = report.state
+        self._state = state
+        self._echo = report.echo
+        if report.returned:
+            self.telemetry.begin(state.signature.model.current_unit)
+        self.telemetry.note_control(state.serial_controls)
+        self.parameters.load(
+            state.specs, state.parameters, state.unread, power_cycled=report.returned
+        )
+        self._set_link(Link.UP, self.tr("Connected to {0}.").format(state.signature))
+        self.motors.allow(True)
+        self.state_changed.emit()
+
+    def _fall_silent(self, reason: str) -> None:
+        self.motors.allow(False)
+        self.telemetry.forget()
+        self.parameters.set_editable(False)
+        self._set_link(
+            Link.SILENT,
+            self.tr("The board has stopped answering. Is its power on? Waiting for it …"),
+        )
+        log.info("the board fell silent: %s", reason)
+
+    def _on_closed(self, error: TrexError | None) -> None:
+        worker, self._worker = self._worker, None
+        if worker is not None:
+            worker.wait()  # its run has returned but for a few instructions
+            worker.deleteLater()
+        following, self._next = self._next, None
+        if following is not None:
+            self._forget()
+            self.connect_to(following)
+        else:
+            self._end(error)
+
+    def _forget(self) -> None:
+        """Know nothing of any board any more."""
+        self._state = None
+        self._waiting.clear()
+        self.motors.allow(False)
+        self.telemetry.forget()
+        self.parameters.set_editable(False)
+        self.state_changed.emit()
+
+    def _end(self, error: TrexError | None) -> None:
+        self._forget()
+        self._set_link(Link.NONE, str(error) if error else self.tr("Not connected."))
+        if error is not None:
+            self.failed.emit(str(error))
+
+    def _set_link(self, link: Link, status: str) -> None:
+        self._link = link
+        self._status = status
+        self.link_changed.emit()

@@ -1,0 +1,67 @@
+"""A working copy beside the device's: what is stored, and what would be written."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from trex_gui.protocol.parameters import ParameterSpec
+
+
+@dataclass(slots=True)
+class Draft:
+    """What the device stores and what we would write; dirty is the difference.
+
+    Attributes:
+        stored: wire value by key, as read back.
+        edited: wire value by key where it differs from what is stored.
+        active: wire value that is still in force by key, for what was stored since the last
+            power cycle and acts only after the next.
+    """
+
+    stored: dict[str, int] = field(default_factory=dict)
+    edited: dict[str, int] = field(default_factory=dict)
+    active: dict[str, int] = field(default_factory=dict)
+
+    def load(
+        self, stored: Mapping[str, int], *, keep_edits: bool = False, power_cycled: bool = True
+    ) -> None:
+        """Take everything that was read from a device.
+
+        With `power_cycled`, what was stored is taken to be in force now.
+        """
+        wishes = dict(self.edited) if keep_edits else {}
+        self.stored = dict(stored)
+        self.active = (
+            {} if power_cycled else {k: w for k, w in self.active.items() if stored.get(k) != w}
+        )
+        self.edited = {k: w for k, w in wishes.items() if k in stored and stored[k] != w}
+
+    def value(self, key: str) -> int | None:
+        """What would be in the device after Apply; `None` when it was not read."""
+        return self.edited.get(key, self.stored.get(key))
+
+    def edit(self, spec: ParameterSpec, wire: int | None) -> None:
+        """Take an edit; editing back to the stored value, or `None`, forgets it.
+
+        Raises:
+            BadRequest: the table does not allow the value.
+        """
+        if wire is None or wire == self.stored.get(spec.key):
+            self.edited.pop(spec.key, None)
+            return
+        self.edited[spec.key] = spec.check(wire)
+
+    def note_stored(self, spec: ParameterSpec, wire: int) -> None:
+        """Take what was read back after a write."""
+        before = self.stored.get(spec.key)
+        if spec.needs_power_cycle and before is not None:
+            active = self.active.setdefault(spec.key, before)
+            if active == wire:
+                del self.active[spec.key]
+        self.stored[spec.key] = wire
+        if self.edited.get(spec.key) == wire:
+            del self.edited[spec.key]
+
+    @property
+    def pending(self) -> tuple[tuple[str, int], ...]:
+        """What Apply would write: key and wire value."""
+        return tuple(self.edited.items())

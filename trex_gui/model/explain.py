@@ -1,0 +1,43 @@
+"""Sentences about a board that follow from what it reported; no Qt objects, no state."""
+
+from trex_gui.link.reading import DeviceState
+from trex_gui.protocol.flags import Mode
+
+MODE_TEXT = {
+    Mode.RC: "RC mode: a radio receiver drives the motors.",
+    Mode.ANALOG: "Analog mode: voltages (joysticks, potentiometers) drive the motors.",
+    Mode.SERIAL_RC: "Serial mode, with inputs read as RC pulses.",
+    Mode.SERIAL_ANALOG: "Serial mode, with inputs read as voltages.",
+}
+
+CHANNEL_ROLES = {
+    1: "motor 1 (mixed: turn)",
+    2: "motor 2 (mixed: forward)",
+    3: "auxiliary motor",
+    4: "flip switch",
+    5: "serial override switch",
+}
+"""What each channel does in RC and analog mode; in serial mode they are only measured."""
+
+
+def who_controls(state: DeviceState, serial_controls: bool | None) -> str:
+    """Say who controls the motors, and what to do when it is not this program."""
+    by_serial = state.serial_controls if serial_controls is None else serial_controls
+    joint = ""
+    if is_joint(state):
+        joint = " Joint mode: both drivers work together as motor 1, motor 2 is ignored."
+    if state.mode.is_serial and by_serial:
+        return "Serial commands control the motors (serial mode)." + joint
+    if by_serial:
+        return "Serial commands control the motors: channel 5 overrides the other inputs." + joint
+    channels = "RC" if state.mode is Mode.RC else "analog"
+    return (
+        f"The {channels} channels control the motors. Serial commands wait in the board until "
+        "channel 5 hands over; for serial mode, switch the board off, take the mode jumper off, "
+        "switch it on." + joint
+    )
+
+
+def is_joint(state: DeviceState) -> bool:
+    """Whether both drivers work together as one motor."""
+    return state.parameters.get("motor_mode") == 1

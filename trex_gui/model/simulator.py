@@ -1,0 +1,85 @@
+"""The simulated board of the port list: a process of its own, started when it is wanted."""
+
+import sys
+
+from PySide6.QtCore import QObject, QProcess, Signal, Slot
+
+SIMULATOR_ARGUMENT = "--simulator"
+"""First argument with which the program itself runs the simulator instead of the window."""
+
+
+def simulator_command() -> tuple[str, list[str]]:
+    """Return program and first arguments that start the simulator, installed or frozen."""
+    if getattr(sys, "frozen", False):
+        return sys.executable, [SIMULATOR_ARGUMENT]
+    return sys.executable, ["-m", "trex_gui.emulator"]
+
+
+class Simulator(QObject):
+    """Starts the simulator once and keeps it: what was written to it stays while we run.
+
+    Signals:
+        ready: the address to connect to.
+        failed: why it did not start, for people.
+    """
+
+    ready = Signal(str)
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._url = ""
+        self._process = QProcess(self)
+        self._process.setProcessChannelMode(QProcess.ProcessChannelMode.SeparateChannels)
+        self._process.readyReadStandardOutput.connect(self._on_output)
+        self._process.errorOccurred.connect(self._on_error)
+        self._process.finished.connect(self._on_finished)
+
+    @property
+    def url(self) -> str:
+        """The address of the running simulator; empty while none runs."""
+        return self._url
+
+    def start(self) -> None:
+        """Start it, or announce it again when it runs."""
+        if self._url:
+            self.ready.emit(self._url)
+        elif self._process.state() is QProcess.ProcessState.NotRunning:
+            program, arguments = simulator_command()
+            self._process.start(program, [*arguments, "--demo"])
+
+    def send(self, line: str) -> None:
+        """Send one control line, such as `channel 1 1500us`."""
+        if self._url:
+            self._process.write(f"{line}\n".encode())
+
+    def stop(self) -> None:
+        """End it, and wait until it has ended."""
+        self._url = ""
+        if self._process.state() is not QProcess.ProcessState.NotRunning:
+            self._process.write(b"quit\n")
+            self._process.closeWriteChannel()
+            if not self._process.waitForFinished(1000):
+                self._process.kill()
+                self._process.waitForFinished(1000)
+
+    @Slot()
+    def _on_output(self) -> None:
+        while self._process.canReadLine():
+            line = bytes(self._process.readLine().data()).decode(errors="replace").strip()
+            if line.startswith("ready ") and not self._url:
+                self._url = line.removeprefix("ready ")
+                self.ready.emit(self._url)
+
+    @Slot(QProcess.ProcessError)
+    def _on_error(self, error: QProcess.ProcessError) -> None:
+        if error is QProcess.ProcessError.FailedToStart:
+            self.failed.emit(self.tr("The simulator does not start. Install the program again."))
+
+    @Slot()
+    def _on_finished(self) -> None:
+        was_running, self._url = bool(self._url), ""
+        if not was_running:
+            said = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
+            reason = said.strip().splitlines()[-1] if said.strip() else ""
+            self.failed.emit(self.tr("The simulator ended at once. {0}").format(reason).strip())

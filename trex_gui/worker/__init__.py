@@ -1,0 +1,1 @@
+"""The thread around a line session: the one place where Qt meets the wire."""
