@@ -37,30 +37,30 @@ class ErrorLog(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._entries: dict[Bit, ErrorEntry] = {}
-        self._fill()
+        self._entries = self._unseen()
 
     @property
     def entries(self) -> tuple[ErrorEntry, ...]:
         """Status bits, then UART error bits, highest bit first."""
-        return tuple(self._entries.values())
+        return tuple(self._entries)
 
     def take(self, news: StatusNews) -> None:
         """Count the bits of one look at the status."""
         now = datetime.now(UTC).astimezone()
-        for bit, entry in self._entries.items():
-            seen = news.status if isinstance(bit, Status) else news.uart
-            if seen & bit:
-                self._entries[bit] = replace(entry, count=entry.count + 1, last=now)
+        for index, entry in enumerate(self._entries):
+            seen = news.status if isinstance(entry.bit, Status) else news.uart
+            if seen & entry.bit:
+                self._entries[index] = replace(entry, count=entry.count + 1, last=now)
         self.changed.emit()
 
     def reset(self) -> None:
         """Set every count to zero."""
-        self._fill()
+        self._entries = self._unseen()
         self.changed.emit()
 
-    def _fill(self) -> None:
-        self._entries = {}
-        for table in (STATUS_MEANING, UART_MEANING):
-            for bit, (name, meaning) in table.items():
-                self._entries[bit] = ErrorEntry(bit, name, meaning)
+    @staticmethod
+    def _unseen() -> list[ErrorEntry]:
+        # A list: bits of the two bytes are equal numbers and would share keys of a table.
+        status = [ErrorEntry(bit, *words) for bit, words in STATUS_MEANING.items()]
+        uart = [ErrorEntry(bit, *words) for bit, words in UART_MEANING.items()]
+        return [*status, *uart]

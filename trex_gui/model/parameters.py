@@ -160,6 +160,8 @@ class ParameterModel(QAbstractTableModel):
         horizontal = orientation is Qt.Orientation.Horizontal
         if horizontal and role == Qt.ItemDataRole.DisplayRole and section < len(Column):
             return self._headers[section]
+        if horizontal and role == Qt.ItemDataRole.TextAlignmentRole and section == Column.WIRE:
+            return int(Qt.AlignmentFlag.AlignCenter)
         return None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -193,7 +195,7 @@ class ParameterModel(QAbstractTableModel):
             case Qt.ItemDataRole.ToolTipRole:
                 return self._tool_tip(spec)
             case Qt.ItemDataRole.TextAlignmentRole if index.column() == Column.WIRE:
-                return int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                return int(Qt.AlignmentFlag.AlignCenter)
         return None
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
@@ -224,7 +226,7 @@ class ParameterModel(QAbstractTableModel):
             case Column.DEFAULT:
                 return spec.text(spec.default)
             case Column.RANGE:
-                return spec.range_text()
+                return spec.short_range()
             case Column.EFFECT:
                 return self.tr("power cycle") if spec.needs_power_cycle else self.tr("at once")
 

@@ -92,6 +92,17 @@ class ParameterSpec:
             raise BadRequest(problem)
         return wire
 
+    def short_range(self) -> str:
+        """The allowed values in few words, for a table."""
+        match self.kind:
+            case Kind.CHOICE:
+                return ", ".join(self.choices.values())
+            case Kind.CHANNELS:
+                return "any of 1 to 5"
+            case Kind.UART:
+                return "baud, check, stop bits"
+        return f"{self.text(self.minimum)} to {self.text(self.maximum)}"
+
     def range_text(self) -> str:
         """The allowed values as a person reads them."""
         match self.kind:

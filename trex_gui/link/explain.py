@@ -1,4 +1,4 @@
-"""Sentences about a board that follow from what it reported; no Qt objects, no state."""
+"""Sentences about a board that follow from what it reported."""
 
 from trex_gui.link.reading import DeviceState
 from trex_gui.protocol.flags import Mode

@@ -1,0 +1,76 @@
+"""Start-up of the window."""
+
+import argparse
+import signal
+import sys
+from pathlib import Path
+
+from trex_gui import __version__
+
+
+def _arguments(argv: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="trex-gui",
+        description="Set up, calibrate, drive and understand a Pololu TReX motor controller.",
+    )
+    parser.add_argument("--port", metavar="URL", help="connect to this port at once")
+    parser.add_argument("--demo", action="store_true", help="connect to the simulated board")
+    parser.add_argument(
+        "--tour",
+        metavar="FOLDER",
+        type=Path,
+        help="write a picture of every page, light and dark, into this folder, then end",
+    )
+    parser.add_argument("--version", action="version", version=f"trex-gui {__version__}")
+    return parser.parse_args(argv)
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run the window until it is closed; return the exit code."""
+    words = sys.argv[1:] if argv is None else argv
+    if words[:1] == ["--simulator"]:
+        from trex_gui.emulator.server import main as run_simulator  # noqa: PLC0415
+
+        run_simulator(args=words[1:], prog_name="trex-sim")
+        return 0
+    arguments = _arguments(words)
+
+    # Qt is imported only now: --help, --version and the simulator do without it.
+    from PySide6.QtCore import QTimer  # noqa: PLC0415
+    from PySide6.QtWidgets import QApplication  # noqa: PLC0415
+
+    from trex_gui.views.theme import theme  # noqa: PLC0415
+    from trex_gui.window import build  # noqa: PLC0415
+
+    QApplication.setApplicationName("TReX Studio")
+    QApplication.setOrganizationName("TReX Studio")
+    QApplication.setApplicationVersion(__version__)
+    QApplication.setDesktopFileName("trex-studio")
+    app = QApplication(["trex-gui"])
+    theme().install(app)
+    program = build()
+    program.window.show()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: program.end())
+    # Python sees a signal only when its interpreter runs; without this it may sleep in Qt.
+    heartbeat = QTimer()
+    heartbeat.timeout.connect(lambda: None)
+    heartbeat.start(200)
+
+    if arguments.tour is not None:
+        from trex_gui.tour import Tour  # noqa: PLC0415
+
+        tour = Tour(program, arguments.tour)
+        QTimer.singleShot(0, tour.start)
+    if arguments.demo or arguments.tour is not None:
+        QTimer.singleShot(0, lambda: program.connector.connect_to(program.ports.demo))
+    elif arguments.port:
+        port = arguments.port
+        QTimer.singleShot(0, lambda: program.connector.connect_to(program.ports.add_typed(port)))
+    code = app.exec()
+    program.connector.shut_down()
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""What people see and touch; holds no device state, does no I/O."""

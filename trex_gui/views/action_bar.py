@@ -1,0 +1,82 @@
+"""The row below the pages, the same on every page: stop, run, apply."""
+
+from PySide6.QtCore import Slot
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
+
+from trex_gui.model.device import Device, Link
+from trex_gui.views.icons import set_icon
+from trex_gui.views.theme import theme, tint
+
+
+class ActionBar(QWidget):
+    """Stop motor in red, Run motor in green, what state they are in, Apply settings."""
+
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+
+        self._stop = QPushButton(self.tr("Stop motor"), self)
+        self._stop.setObjectName("stopButton")
+        self._stop.setToolTip(self.tr("Brake both motors, now (Esc, anywhere)"))
+        self._run = QPushButton(self.tr("Run motor"), self)
+        self._run.setObjectName("runButton")
+        self._run.setToolTip(self.tr("Let the sliders of the Motors page move the motors"))
+        for button, name in ((self._stop, "stop"), (self._run, "run")):
+            font = button.font()
+            font.setBold(True)
+            button.setFont(font)
+            tint(button, name)
+            set_icon(button, name, f"{name}_text")
+        self._state = QLabel(self)
+        self._state.setObjectName("motorStateLabel")
+        self._state.setWordWrap(True)
+        self._unapplied = QLabel(self.tr("There are unapplied changes."), self)
+        self._unapplied.setObjectName("unappliedLabel")
+        self._apply = QPushButton(self.tr("Apply settings"), self)
+        self._apply.setObjectName("applyButton")
+        self._apply.setToolTip(self.tr("Write the changed parameters into the board (Ctrl+P)"))
+        set_icon(self._apply, "apply")
+        height = 2 * self.fontMetrics().height() + 4
+        for button in (self._stop, self._run, self._apply):
+            button.setMinimumSize(4 * height, height)
+
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self._stop)
+        layout.addWidget(self._run)
+        layout.addSpacing(8)
+        layout.addWidget(self._state, 1)
+        layout.addWidget(self._unapplied)
+        layout.addWidget(self._apply)
+
+        self._stop.clicked.connect(device.motors.stop)
+        self._run.clicked.connect(device.motors.arm)
+        self._apply.clicked.connect(device.apply)
+        device.link_changed.connect(self._on_changed)
+        device.motors.changed.connect(self._on_changed)
+        device.parameters.pending_changed.connect(self._on_changed)
+        theme().changed.connect(self._on_theme_changed)
+        self._on_changed()
+        self._on_theme_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        motors, link = self._device.motors, self._device.link
+        self._stop.setEnabled(link in {Link.OPENING, Link.UP, Link.SILENT})
+        self._run.setEnabled(motors.can_arm and not motors.armed)
+        if not motors.can_arm:
+            text = self.tr("Motors: N/A")
+        elif motors.armed:
+            text = self.tr("Armed: the sliders move the motors.")
+        else:
+            text = self.tr("Stopped. Nothing is sent before Run motor.")
+        self._state.setText(text)
+        pending = bool(self._device.parameters.pending)
+        self._unapplied.setVisible(pending)
+        self._apply.setEnabled(pending and link is Link.UP)
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        palette = self._unapplied.palette()
+        palette.setColor(self._unapplied.foregroundRole(), theme().color("dirty"))
+        self._unapplied.setPalette(palette)

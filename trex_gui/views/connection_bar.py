@@ -1,0 +1,205 @@
+"""The row above the pages: which port, how the line is set, how things stand."""
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QInputDialog,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
+
+from trex_gui.model.connector import Connector
+from trex_gui.model.device import Device, Link
+from trex_gui.model.ports import Port, Ports
+from trex_gui.protocol.line_settings import Detection
+from trex_gui.views.icons import set_icon
+from trex_gui.views.line_settings_dialog import LineSettingsDialog
+
+_NOT_CONNECTED, _OTHER = "not connected", "other"
+
+
+class ConnectionBar(QWidget):
+    """Choosing a port connects to it, as users of the maker's programs expect.
+
+    Signals:
+        connecting: a person has chosen a port.
+    """
+
+    connecting = Signal()
+
+    def __init__(
+        self,
+        device: Device,
+        ports: Ports,
+        connector: Connector,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._ports = ports
+        self._connector = connector
+
+        self._combo = QComboBox(self)
+        self._combo.setObjectName("portCombo")
+        self._combo.setAccessibleName(self.tr("Connected to"))
+        self._combo.setMinimumContentsLength(24)
+        self._combo.setSizeAdjustPolicy(
+            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        label = QLabel(self.tr("C&onnected to:"), self)
+        label.setBuddy(self._combo)
+        self._connect = QPushButton(self.tr("&Connect"), self)
+        self._connect.setObjectName("connectButton")
+        self._line = QToolButton(self)
+        self._line.setObjectName("lineButton")
+        self._line.setAccessibleName(self.tr("Line settings"))
+        self._line.setToolTip(self.tr("How this computer talks to the board"))
+        self._line.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        set_icon(self._line, "settings")
+        self._status = QLabel(self)
+        self._status.setObjectName("statusLabel")
+        self._status.setWordWrap(True)
+        self._status.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._progress = QProgressBar(self)
+        self._progress.setObjectName("progressBar")
+        self._progress.setAccessibleName(self.tr("Progress"))
+        self._progress.setMaximumWidth(160)
+        self._progress.setTextVisible(False)
+        self._progress.hide()
+
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        for widget in (label, self._combo, self._connect, self._line):
+            layout.addWidget(widget)
+        layout.addSpacing(8)
+        layout.addWidget(self._status, 1)
+        layout.addWidget(self._progress)
+
+        self._combo.activated.connect(self._on_activated)
+        self._connect.clicked.connect(self.toggle)
+        self._line.clicked.connect(self.edit_line)
+        ports.changed.connect(self._on_ports_changed)
+        connector.port_changed.connect(self._on_ports_changed)
+        connector.settings_changed.connect(self._on_settings_changed)
+        device.link_changed.connect(self._on_link_changed)
+        device.progressed.connect(self._on_progressed)
+        self._on_ports_changed()
+        self._on_settings_changed()
+        self._on_link_changed()
+
+    # --- What a person does -------------------------------------------------------------
+
+    @Slot()
+    def toggle(self) -> None:
+        """Connect, or disconnect."""
+        if self._device.link is Link.NONE:
+            self.connect_preferred()
+        else:
+            self._connector.disconnect_port()
+
+    def connect_preferred(self) -> None:
+        """Connect to the port used last, or to the only one; else let a person choose."""
+        if self._device.link is not Link.NONE:
+            return
+        port = self._ports.preferred
+        if port is not None:
+            self._connect_to(port)
+        else:
+            self._combo.setFocus()
+            self._combo.showPopup()
+
+    @Slot()
+    def edit_line(self) -> None:
+        """Let a person change how this computer talks."""
+        dialog = LineSettingsDialog(self._connector.settings, self)
+        if dialog.exec():
+            self._connector.set_settings(dialog.settings)
+        dialog.deleteLater()
+
+    @Slot(int)
+    def _on_activated(self, index: int) -> None:
+        choice = self._combo.itemData(index)
+        if isinstance(choice, Port):
+            if choice != self._connector.port:
+                self._connect_to(choice)
+        elif choice == _OTHER:
+            self._ask_for_address()
+        elif choice == _NOT_CONNECTED:
+            self._connector.disconnect_port()
+
+    def _ask_for_address(self) -> None:
+        address, given = QInputDialog.getText(
+            self,
+            self.tr("Other port or address"),
+            self.tr(
+                "A device such as /dev/ttyUSB0 or COM3, or a network port such as "
+                "socket://host:port or rfc2217://host:port:"
+            ),
+        )
+        if given and address.strip():
+            self._connect_to(self._ports.add_typed(address))
+        else:
+            self._on_ports_changed()
+
+    def _connect_to(self, port: Port) -> None:
+        self.connecting.emit()
+        self._connector.connect_to(port)
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot()
+    def _on_ports_changed(self) -> None:
+        """Show every port; the one that is connected, or none, is the current one."""
+        combo = self._combo
+        with QSignalBlocker(combo):
+            combo.clear()
+            combo.addItem(self.tr("Not connected"), _NOT_CONNECTED)
+            for port in self._ports.entries:
+                combo.addItem(port.label, port)
+            combo.insertSeparator(combo.count())
+            combo.addItem(self.tr("Other port or address…"), _OTHER)
+            current = self._connector.port
+            for index in range(combo.count()):
+                if current is not None and combo.itemData(index) == current:
+                    combo.setCurrentIndex(index)
+                    break
+
+    @Slot()
+    def _on_settings_changed(self) -> None:
+        settings = self._connector.settings
+        line = settings.line
+        detection = {
+            Detection.NONE: "N",
+            Detection.CRC7: "N+CRC",
+            Detection.EVEN: "E",
+            Detection.ODD: "O",
+        }[line.detection]
+        text = f"{line.baud} 8{detection}{line.stop_bits}"
+        if settings.device_number is not None:
+            text += f" #{settings.device_number}"
+        self._line.setText(text)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        link = self._device.link
+        idle = link is Link.NONE
+        self._status.setText(self._device.status)
+        self._progress.setVisible(link is Link.OPENING)
+        if link is Link.OPENING:
+            self._progress.setRange(0, 0)
+        self._connect.setText(self.tr("&Connect") if idle else self.tr("Dis&connect"))
+        set_icon(self._connect, "connect" if idle else "disconnect")
+        self._connect.setEnabled(link is not Link.CLOSING)
+        self._line.setEnabled(idle)
+
+    @Slot(int, int, str)
+    def _on_progressed(self, done: int, total: int, what: str) -> None:
+        self._progress.setVisible(done < total)
+        self._progress.setRange(0, total)
+        self._progress.setValue(done)
+        self._progress.setToolTip(what)

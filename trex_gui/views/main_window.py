@@ -1,0 +1,228 @@
+"""The frame around the pages: connection above, stop and apply below, menus."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QByteArray, QSettings, QUrl, Slot
+from PySide6.QtGui import QCloseEvent, QDesktopServices
+from PySide6.QtWidgets import (
+    QApplication,
+    QMainWindow,
+    QMessageBox,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from trex_gui import __version__
+from trex_gui.link.writing import Written
+from trex_gui.model.connector import Connector
+from trex_gui.model.device import Device, Link
+from trex_gui.model.ports import Ports
+from trex_gui.views.action_bar import ActionBar
+from trex_gui.views.actions import build_menus
+from trex_gui.views.connection_bar import ConnectionBar
+from trex_gui.views.escape import EscapeWatch
+from trex_gui.views.icons import application_icon
+from trex_gui.views.pages.channels_page import ChannelsPage
+from trex_gui.views.pages.currents_page import CurrentsPage
+from trex_gui.views.pages.motors_page import MotorsPage
+from trex_gui.views.pages.parameters_page import ParametersPage
+from trex_gui.views.pages.status_page import StatusPage
+from trex_gui.views.theme import Scheme, theme
+from trex_gui.views.widgets.banner import Banner
+
+GUIDE_URL = "https://www.pololu.com/docs/0J1"
+
+_SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
+
+
+class MainWindow(QMainWindow):
+    """Everything a person sees; it holds no state of the device."""
+
+    def __init__(
+        self,
+        device: Device,
+        ports: Ports,
+        connector: Connector,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("mainWindow")
+        self.setWindowTitle(self.tr("TReX Studio"))
+        self.setWindowIcon(application_icon())
+        self._device = device
+        self._connector = connector
+        self._store = QSettings(self)
+
+        self._connection = ConnectionBar(device, ports, connector, self)
+        self._banner = Banner(self)
+        self._tabs = QTabWidget(self)
+        self._tabs.setObjectName("tabs")
+        self._tabs.setAccessibleName(self.tr("Pages"))
+        self._tabs.setDocumentMode(True)
+        parameters_page = ParametersPage(device, self)
+        pages = {
+            self.tr("Status"): StatusPage(device, self),
+            self.tr("Channels"): ChannelsPage(device, self),
+            self.tr("Motors"): MotorsPage(device, self),
+            self.tr("Currents"): CurrentsPage(device, self),
+            self.tr("Parameters"): parameters_page,
+        }
+        for title, page in pages.items():
+            self._tabs.addTab(page, title)
+
+        frame = QWidget(self)
+        layout = QVBoxLayout(frame)
+        layout.addWidget(self._connection)
+        layout.addWidget(self._banner)
+        layout.addWidget(self._tabs, 1)
+        layout.addWidget(ActionBar(device, self))
+        self.setCentralWidget(frame)
+        self._actions = build_menus(self, self._slots())
+
+        self._connection.connecting.connect(self._banner.clear)
+        parameters_page.reload_requested.connect(self._on_reload_requested)
+        connector.failed.connect(self._banner.show_text)
+        device.failed.connect(self._banner.show_text)
+        device.applied.connect(self._on_applied)
+        device.link_changed.connect(self._on_link_changed)
+        device.motors.changed.connect(self._on_possibilities_changed)
+        device.parameters.pending_changed.connect(self._on_possibilities_changed)
+        theme().changed.connect(self._on_theme_changed)
+        app = QApplication.instance()
+        if isinstance(app, QApplication):
+            self._escape = EscapeWatch(app, device.motors.stop, self)
+        self._on_link_changed()
+        self._restore()
+        self._on_theme_changed()
+
+    @property
+    def pages(self) -> QTabWidget:
+        """The pages, in the order of their tabs."""
+        return self._tabs
+
+    def _slots(self) -> dict[str, Callable[[], object]]:
+        """What each action of the menus does."""
+
+        def page(index: int) -> Callable[[], object]:
+            return lambda: self._tabs.setCurrentIndex(index)
+
+        return {
+            "quit": self.close,
+            "connect": self._connection.connect_preferred,
+            "disconnect": self._connector.disconnect_port,
+            "line": self._connection.edit_line,
+            "stop": self._device.motors.stop,
+            "run": self._device.motors.arm,
+            "reload": self._on_reload_requested,
+            "apply": self._device.apply,
+            **{f"page{index}": page(index) for index in range(self._tabs.count())},
+            **{scheme: self._scheme_chooser(scheme) for scheme in _SCHEMES},
+            "guide": lambda: QDesktopServices.openUrl(QUrl(GUIDE_URL)),
+            "about": self._show_about,
+        }
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        if self._device.link is Link.UP:
+            self._banner.clear()
+        self._on_possibilities_changed()
+
+    @Slot()
+    def _on_possibilities_changed(self) -> None:
+        """Let every action say whether it can be done now."""
+        link, motors = self._device.link, self._device.motors
+        idle, up = link is Link.NONE, link is Link.UP
+        for key, possible in {
+            "connect": idle,
+            "line": idle,
+            "disconnect": link not in {Link.NONE, Link.CLOSING},
+            "reload": up,
+            "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
+            "run": motors.can_arm and not motors.armed,
+            "apply": up and bool(self._device.parameters.pending),
+        }.items():
+            self._actions[key].setEnabled(possible)
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[Written, ...]) -> None:
+        failed = [result for result in results if result.error is not None]
+        if not failed:
+            self._banner.clear()
+            return
+        names = ", ".join(result.what for result in failed)
+        reasons = " ".join(sorted({f"{result.error}." for result in failed}))
+        self._banner.show_text(
+            self.tr("Not stored: {0}. {1}").format(names, reasons.replace("..", "."))
+        )
+
+    @Slot()
+    def _on_reload_requested(self) -> None:
+        if self._device.parameters.pending:
+            answer = QMessageBox.question(
+                self,
+                self.tr("Reload settings"),
+                self.tr("Read the settings from the board and forget the edits made here?"),
+            )
+            if answer != QMessageBox.StandardButton.Yes:
+                return
+            self._device.parameters.discard_edits()
+        self._device.reload()
+
+    # --- Appearance, beginning and end --------------------------------------------------
+
+    def _scheme_chooser(self, scheme: Scheme) -> Callable[[], object]:
+        def choose() -> None:
+            theme().set_scheme(scheme)
+            self._store.setValue("window/scheme", scheme)
+
+        return choose
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        self._actions[theme().choice].setChecked(True)
+
+    def _show_about(self) -> None:
+        QMessageBox.about(
+            self,
+            self.tr("About TReX Studio"),
+            self.tr(
+                "TReX Studio {0}\n\nSet up, calibrate, drive and understand a Pololu TReX or "
+                "TReX Jr dual motor controller.\n\nNot a product of Pololu."
+            ).format(__version__),
+        )
+
+    def _restore(self) -> None:
+        geometry = self._store.value("window/geometry")
+        if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):
+            self.resize(1100, 760)
+        page = str(self._store.value("window/page", 0))
+        self._tabs.setCurrentIndex(int(page) if page.isdigit() else 0)
+        wanted = self._store.value("window/scheme", "system")
+        for scheme in _SCHEMES:
+            if scheme == wanted and scheme != theme().choice:
+                theme().set_scheme(scheme)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self._may_close():
+            event.ignore()
+            return
+        self._store.setValue("window/geometry", self.saveGeometry())
+        self._store.setValue("window/page", self._tabs.currentIndex())
+        self._connector.shut_down()
+        super().closeEvent(event)
+
+    def _may_close(self) -> bool:
+        """Ask before edits that were never applied are lost."""
+        if not self._device.parameters.pending:
+            return True
+        answer = QMessageBox.question(
+            self,
+            self.tr("Unapplied changes"),
+            self.tr("There are changes that were not applied to the board. Close and lose them?"),
+            QMessageBox.StandardButton.Discard | QMessageBox.StandardButton.Cancel,
+            QMessageBox.StandardButton.Cancel,
+        )
+        return answer == QMessageBox.StandardButton.Discard

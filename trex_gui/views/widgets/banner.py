@@ -1,0 +1,61 @@
+"""A message across the window that stays until it is read."""
+
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+from trex_gui.views.icons import icon
+from trex_gui.views.theme import theme
+
+
+class Banner(QFrame):
+    """Hidden while there is nothing to say."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("banner")
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAutoFillBackground(True)
+
+        self._sign = QLabel(self)
+        self._text = QLabel(self)
+        self._text.setObjectName("bannerText")
+        self._text.setWordWrap(True)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._dismiss = QToolButton(self)
+        self._dismiss.setObjectName("bannerDismiss")
+        self._dismiss.setText(self.tr("Dismiss"))
+        self._dismiss.setAutoRaise(True)
+
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(10, 6, 6, 6)
+        layout.setSpacing(10)
+        layout.addWidget(self._sign, 0, Qt.AlignmentFlag.AlignTop)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._dismiss, 0, Qt.AlignmentFlag.AlignTop)
+
+        self._dismiss.clicked.connect(self.clear)
+        theme().changed.connect(self._on_theme_changed)
+        self._on_theme_changed()
+        self.hide()
+
+    def show_text(self, text: str) -> None:
+        """Show a message in place of the one before."""
+        self._text.setText(text)
+        self.setVisible(bool(text))
+
+    @Slot()
+    def clear(self) -> None:
+        """Have nothing to say."""
+        self.show_text("")
+
+    @property
+    def text(self) -> str:
+        """The message shown; empty while there is none."""
+        return self._text.text()
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        size = self.fontMetrics().height() + 4
+        self._sign.setPixmap(icon("warning", "warning").pixmap(size, size))

@@ -1,0 +1,33 @@
+"""The one place where models and window are put together."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QCoreApplication
+
+from trex_gui.model.connector import Connector
+from trex_gui.model.device import Device
+from trex_gui.model.ports import Ports
+from trex_gui.views.main_window import MainWindow
+
+
+@dataclass(slots=True)
+class Program:
+    """A window and what lies under it."""
+
+    device: Device
+    ports: Ports
+    connector: Connector
+    window: MainWindow
+
+    def end(self) -> None:
+        """Stop the motors, close the line and leave, without asking anything."""
+        self.connector.shut_down()
+        QCoreApplication.exit(0)
+
+
+def build() -> Program:
+    """Make the models and the window; nothing is connected yet."""
+    device = Device()
+    ports = Ports()
+    connector = Connector(device, ports)
+    return Program(device, ports, connector, MainWindow(device, ports, connector))
