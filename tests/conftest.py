@@ -1,119 +1,22 @@
 """What every test stands on: no screen, settings of its own, a board in virtual time."""
 
 import os
-from collections import deque
 from collections.abc import Callable, Iterator
-from pathlib import Path
 
 import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
+from PySide6.QtCore import QCoreApplication, QSettings
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from tests.support.virtual import Stage
 from trex_gui.emulator.firmware import Board
-from trex_gui.emulator.line import Line
-from trex_gui.link.client import Client
-from trex_gui.link.messages import Close, Report, Request
-from trex_gui.link.session import Session
-from trex_gui.link.settings import LinkSettings
-
-
-class VirtualTransport:
-    """The host's end of a simulated wire; time passes only while somebody reads or waits."""
-
-    latency = 0.005
-
-    def __init__(self, line: Line) -> None:
-        self.line = line
-        self.sent = bytearray()
-        self.closed = False
-        self.fail: Exception | None = None
-
-    def clock(self) -> float:
-        return self.line.now
-
-    def write(self, data: bytes) -> None:
-        if self.fail:
-            raise self.fail
-        self.sent += data
-        self.line.send(data)
-
-    def read(self, size: int, seconds: float) -> bytes:
-        if self.fail:
-            raise self.fail
-        return self.line.read(size, seconds)
-
-    def discard(self) -> bytes:
-        return self.line.receive()
-
-    def wait(self, seconds: float) -> None:
-        if seconds > 0:
-            self.line.advance(seconds)
-
-    def close(self) -> None:
-        self.closed = True
-
-
-class Script:
-    """An inbox whose requests come at given virtual times; it closes when they are done.
-
-    A step may also be a function, called at its time: to turn a knob of the board.
-    """
-
-    def __init__(self, line: Line) -> None:
-        self._line = line
-        self._done = False
-        self._steps: deque[tuple[float, Request | Callable[[], object]]] = deque()
-
-    def at(self, time: float, step: Request | Callable[[], object]) -> "Script":
-        """Do this `time` seconds after the line began; times must not go back."""
-        self._steps.append((time, step))
-        return self
-
-    def get(self, seconds: float) -> Request | None:
-        end = self._line.now + seconds
-        while True:
-            if not self._steps:
-                if self._done:
-                    return None
-                self._done = True
-                return Close()
-            time, step = self._steps[0]
-            if time > end:
-                self._line.advance(end - self._line.now)
-                return None
-            self._line.advance(max(0.0, time - self._line.now))
-            self._steps.popleft()
-            if not callable(step):
-                return step
-            step()
-
-
-class Stage:
-    """A board, its wire, and a session that is run from a script."""
-
-    def __init__(self, board: Board, *, echo: bool = False) -> None:
-        self.board = board
-        self.line = Line([board], echo=echo)
-        self.transport = VirtualTransport(self.line)
-        self.script = Script(self.line)
-        self.reports: list[Report] = []
-
-    def client(self, settings: LinkSettings | None = None) -> Client:
-        return Client(self.transport, settings or LinkSettings("virtual"), echo=self.line.echo)
-
-    def run(self, settings: LinkSettings | None = None) -> list[Report]:
-        """Run the script from opening the line to closing it; return what was reported."""
-        session = Session(
-            settings or LinkSettings("virtual"),
-            self.script,
-            self.reports.append,
-            lambda _settings: self.transport,
-        )
-        session.run()
-        return self.reports
-
-    def of(self, kind: type) -> list[Report]:
-        return [report for report in self.reports if isinstance(report, kind)]
+from trex_gui.model.device import Link
+from trex_gui.views.theme import theme
+from trex_gui.window import Program, build
 
 
 @pytest.fixture
@@ -127,14 +30,42 @@ def stage(board: Board) -> Stage:
 
 
 @pytest.fixture(autouse=True)
-def _own_settings(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+def _own_settings(tmp_path_factory: pytest.TempPathFactory) -> None:
     """Keep what the program remembers in a folder of the test's own."""
     folder = tmp_path_factory.mktemp("settings")
-    before = {name: os.environ.get(name) for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME")}
-    os.environ.update({name: str(folder) for name in before})
-    yield folder
-    for name, value in before.items():
-        if value is None:
-            os.environ.pop(name, None)
-        else:
-            os.environ[name] = value
+    QCoreApplication.setOrganizationName("TReX Studio tests")
+    QCoreApplication.setApplicationName("TReX Studio")
+    QSettings.setDefaultFormat(QSettings.Format.IniFormat)
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
+
+
+@pytest.fixture
+def start_simulator() -> Iterator[Callable[..., SimulatorProcess]]:
+    """Start simulators that end with the test."""
+    running: list[SimulatorProcess] = []
+
+    def start(*arguments: str) -> SimulatorProcess:
+        running.append(SimulatorProcess(*arguments))
+        return running[-1]
+
+    yield start
+    for simulator in running:
+        simulator.end()
+
+
+@pytest.fixture
+def simulator(start_simulator: Callable[..., SimulatorProcess]) -> SimulatorProcess:
+    return start_simulator()
+
+
+@pytest.fixture
+def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
+    """The window on its models; nothing is connected, and no thread may outlive it."""
+    theme().install(qapp)
+    program = build()
+    program.window.show()
+    yield program
+    program.device.parameters.discard_edits()
+    program.window.close()
+    program.window.deleteLater()
+    assert program.device.link is Link.NONE

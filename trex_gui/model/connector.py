@@ -53,6 +53,11 @@ class Connector(QObject):
         """The port that is connected, or about to be; `None` when there is none."""
         return self._port
 
+    @property
+    def starting(self) -> bool:
+        """Whether the simulated board is being started, and will be connected to."""
+        return self._demo_wanted
+
     def set_settings(self, settings: LinkSettings) -> None:
         """Use, and remember, these line settings from the next connection on."""
         self._settings = replace(settings, url="", name="")
@@ -64,12 +69,11 @@ class Connector(QObject):
 
     def connect_to(self, port: Port) -> None:
         """Connect to a port; a line that is open is closed first."""
+        self._demo_wanted = port.kind is PortKind.DEMO
         self._set_port(port)
-        if port.kind is PortKind.DEMO:
-            self._demo_wanted = True
+        if self._demo_wanted:
             self.simulator.start()
         else:
-            self._demo_wanted = False
             self._device.connect_to(replace(self._settings, url=port.url))
 
     def disconnect_port(self) -> None:

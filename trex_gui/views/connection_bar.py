@@ -85,6 +85,7 @@ class ConnectionBar(QWidget):
         self._line.clicked.connect(self.edit_line)
         ports.changed.connect(self._on_ports_changed)
         connector.port_changed.connect(self._on_ports_changed)
+        connector.port_changed.connect(self._on_link_changed)
         connector.settings_changed.connect(self._on_settings_changed)
         device.link_changed.connect(self._on_link_changed)
         device.progressed.connect(self._on_progressed)
@@ -97,7 +98,7 @@ class ConnectionBar(QWidget):
     @Slot()
     def toggle(self) -> None:
         """Connect, or disconnect."""
-        if self._device.link is Link.NONE:
+        if self._device.link is Link.NONE and not self._connector.starting:
             self.connect_preferred()
         else:
             self._connector.disconnect_port()
@@ -186,11 +187,14 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        link = self._device.link
-        idle = link is Link.NONE
-        self._status.setText(self._device.status)
-        self._progress.setVisible(link is Link.OPENING)
-        if link is Link.OPENING:
+        link, starting = self._device.link, self._connector.starting
+        idle = link is Link.NONE and not starting
+        opening = link is Link.OPENING or starting
+        self._status.setText(
+            self.tr("Starting the simulated board …") if starting else self._device.status
+        )
+        self._progress.setVisible(opening)
+        if opening:
             self._progress.setRange(0, 0)
         self._connect.setText(self.tr("&Connect") if idle else self.tr("Dis&connect"))
         set_icon(self._connect, "connect" if idle else "disconnect")

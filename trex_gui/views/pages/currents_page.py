@@ -1,5 +1,7 @@
 """Both motors' currents against time."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QTimer, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
@@ -7,7 +9,10 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBox
 from trex_gui.link.explain import is_joint
 from trex_gui.model.device import Device, Link
 from trex_gui.views.icons import set_icon
-from trex_gui.views.widgets.live_plot import CurveStyle, LivePlot
+from trex_gui.views.widgets.plot_legend import CurveStyle
+
+if TYPE_CHECKING:
+    from trex_gui.views.widgets.live_plot import LivePlot
 
 _FRAME_MS = 33
 _WINDOWS = (10, 30, 60, 300)
@@ -35,12 +40,7 @@ class CurrentsPage(QWidget):
         self._pause.setObjectName("pauseButton")
         self._pause.setCheckable(True)
         set_icon(self._pause, "pause")
-        curves = [
-            CurveStyle("motor1", self.tr("Motor 1"), "motor1"),
-            CurveStyle("motor2", self.tr("Motor 2"), "motor2"),
-        ]
-        self._plot = LivePlot(curves, "A", window=30.0, parent=self)
-        self._plot.setObjectName("currentsPlot")
+        self._plot: LivePlot | None = None
         self._timer = QTimer(self)
         self._timer.setInterval(_FRAME_MS)
 
@@ -49,9 +49,8 @@ class CurrentsPage(QWidget):
         bar.addWidget(QLabel(self.tr("Show the last"), self))
         bar.addWidget(self._window)
         bar.addWidget(self._pause)
-        layout = QVBoxLayout(self)
-        layout.addLayout(bar)
-        layout.addWidget(self._plot, 1)
+        self._layout = QVBoxLayout(self)
+        self._layout.addLayout(bar)
 
         self._window.currentIndexChanged.connect(self._on_window_changed)
         self._timer.timeout.connect(self._on_frame)
@@ -59,9 +58,23 @@ class CurrentsPage(QWidget):
         device.state_changed.connect(self._on_device_changed)
         self._on_device_changed()
 
+    def _make_plot(self) -> "LivePlot":
+        """Load the plotting library when the page is first seen: it takes as long as Qt."""
+        from trex_gui.views.widgets.live_plot import LivePlot  # noqa: PLC0415
+
+        curves = [
+            CurveStyle("motor1", self.tr("Motor 1"), "motor1", "1"),
+            CurveStyle("motor2", self.tr("Motor 2"), "motor2", "2"),
+        ]
+        plot = LivePlot(curves, "A", window=float(self._window.currentData()), parent=self)
+        plot.setObjectName("currentsPlot")
+        self._layout.addWidget(plot, 1)
+        return plot
+
     @Slot(int)
     def _on_window_changed(self, index: int) -> None:
-        self._plot.set_window(float(self._window.itemData(index)))
+        if self._plot is not None:
+            self._plot.set_window(float(self._window.itemData(index)))
         self._draw()
 
     @Slot()
@@ -76,8 +89,7 @@ class CurrentsPage(QWidget):
         else:
             step = state.signature.model.current_unit * 1000
             self._note.setText(self.tr("One count of this board is {0:.0f} mA.").format(step))
-        for motor in (1, 2):
-            self._plot.set_limit(f"motor{motor}", self._limit_of(motor))
+        self._show_limits()
         self._draw()
 
     def _limit_of(self, motor: int) -> float | None:
@@ -94,12 +106,22 @@ class CurrentsPage(QWidget):
             self._draw()
 
     def _draw(self) -> None:
+        if self._plot is None:
+            return
         ring, now = self._device.telemetry.currents, self._device.telemetry.latest
         for motor in (1, 2):
             self._plot.set_samples(f"motor{motor}", ring.times, ring.values(motor - 1), now)
 
+    def _show_limits(self) -> None:
+        if self._plot is not None:
+            for motor in (1, 2):
+                self._plot.set_limit(f"motor{motor}", self._limit_of(motor))
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        if self._plot is None:
+            self._plot = self._make_plot()
+            self._show_limits()
         self._draw()
         self._timer.start()
 

@@ -174,10 +174,10 @@ class ParametersPage(QWidget):
         self._view.resizeColumnsToContents()
         header = self._view.horizontalHeader()
         character = self._view.fontMetrics().averageCharWidth()
-        for column, widest in ((Column.NAME, 44), (Column.WIRE, 8), (Column.DEFAULT, 22)):
+        for column, widest in ((Column.NAME, 56), (Column.WIRE, 8), (Column.DEFAULT, 20)):
             size = header.sectionSize(column) + 2 * character
             header.resizeSection(column, min(size, widest * character))
-        header.resizeSection(Column.VALUE, 40 * character)
+        header.resizeSection(Column.VALUE, 48 * character)
         header.resizeSection(Column.EFFECT, header.sectionSize(Column.EFFECT) + character)
         self._on_link_changed()
 

@@ -1,0 +1,110 @@
+"""A board, its wire and a session in virtual time."""
+
+from collections import deque
+from collections.abc import Callable
+
+from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.line import Line
+from trex_gui.link.client import Client
+from trex_gui.link.messages import Close, Report, Request
+from trex_gui.link.session import Session
+from trex_gui.link.settings import LinkSettings
+
+
+class VirtualTransport:
+    """The host's end of a simulated wire; time passes only while somebody reads or waits."""
+
+    latency = 0.005
+
+    def __init__(self, line: Line) -> None:
+        self.line = line
+        self.sent = bytearray()
+        self.closed = False
+        self.fail: Exception | None = None
+
+    def clock(self) -> float:
+        return self.line.now
+
+    def write(self, data: bytes) -> None:
+        if self.fail:
+            raise self.fail
+        self.sent += data
+        self.line.send(data)
+
+    def read(self, size: int, seconds: float) -> bytes:
+        if self.fail:
+            raise self.fail
+        return self.line.read(size, seconds)
+
+    def discard(self) -> bytes:
+        return self.line.receive()
+
+    def wait(self, seconds: float) -> None:
+        if seconds > 0:
+            self.line.advance(seconds)
+
+    def close(self) -> None:
+        self.closed = True
+
+
+class Script:
+    """An inbox whose requests come at given virtual times; it closes when they are done.
+
+    A step may also be a function, called at its time: to turn a knob of the board.
+    """
+
+    def __init__(self, line: Line) -> None:
+        self._line = line
+        self._done = False
+        self._steps: deque[tuple[float, Request | Callable[[], object]]] = deque()
+
+    def at(self, time: float, step: Request | Callable[[], object]) -> "Script":
+        """Do this `time` seconds after the line began; times must not go back."""
+        self._steps.append((time, step))
+        return self
+
+    def get(self, seconds: float) -> Request | None:
+        end = self._line.now + seconds
+        while True:
+            if not self._steps:
+                if self._done:
+                    return None
+                self._done = True
+                return Close()
+            time, step = self._steps[0]
+            if time > end:
+                self._line.advance(end - self._line.now)
+                return None
+            self._line.advance(max(0.0, time - self._line.now))
+            self._steps.popleft()
+            if not callable(step):
+                return step
+            step()
+
+
+class Stage:
+    """A board, its wire, and a session that is run from a script."""
+
+    def __init__(self, board: Board, *, echo: bool = False) -> None:
+        self.board = board
+        self.line = Line([board], echo=echo)
+        self.transport = VirtualTransport(self.line)
+        self.script = Script(self.line)
+        self.reports: list[Report] = []
+
+    def client(self, settings: LinkSettings | None = None) -> Client:
+        return Client(self.transport, settings or LinkSettings("virtual"), echo=self.line.echo)
+
+    def run(self, settings: LinkSettings | None = None) -> list[Report]:
+        """Run the script from opening the line to closing it; return what was reported."""
+        session = Session(
+            settings or LinkSettings("virtual"),
+            self.script,
+            self.reports.append,
+            lambda _settings: self.transport,
+        )
+        session.run()
+        return self.reports
+
+    def of(self, kind: type) -> list[Report]:
+        return [report for report in self.reports if isinstance(report, kind)]
