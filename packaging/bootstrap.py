@@ -1,0 +1,599 @@
+#!/usr/bin/env python3
+"""Set the project up in `.venv/`, then show it, check it or measure it.
+
+    python3 packaging/bootstrap.py setup | demo | test | bench
+
+Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
+they get as far as the sentence about their age.
+"""
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from functools import partial
+from pathlib import Path
+
+OLDEST_PYTHON = (3, 11)
+
+if sys.version_info < OLDEST_PYTHON:  # whoever runs this may well have an older one
+    sys.exit(
+        "TReX Studio needs Python {}.{} or newer, and this is Python {}.{} ({}). "
+        "Please run this file with a newer one.".format(
+            *OLDEST_PYTHON, *sys.version_info[:2], sys.executable
+        )
+    )
+
+ROOT = Path(__file__).resolve().parent.parent
+VENV = ROOT / ".venv"
+STAMP_FILE = VENV / "bootstrap.json"
+PROJECT_FILE = ROOT / "pyproject.toml"
+CONSTRAINTS = ROOT / "packaging" / "constraints.txt"
+BENCHMARKS = ROOT / "tests" / "benchmarks"
+SCREENSHOTS = ROOT / "demo-screenshots"
+
+# What Qt loads from the system, by the names of Debian 12; later releases still provide these
+# names. The first group is all that offscreen needs, the second opens a window.
+OFFSCREEN_PACKAGES = (
+    "libegl1",
+    "libgl1",
+    "libxkbcommon0",
+    "libdbus-1-3",
+    "libfontconfig1",
+    "libglib2.0-0",
+    "fonts-dejavu-core",  # without a font all text is boxes
+)
+WINDOW_PACKAGES = (
+    "libxcb-cursor0",
+    "libxcb-icccm4",
+    "libxcb-image0",
+    "libxcb-keysyms1",
+    "libxcb-randr0",
+    "libxcb-render-util0",
+    "libxcb-shape0",
+    "libxcb-xfixes0",
+    "libxcb-xkb1",
+    "libxkbcommon-x11-0",
+    "libwayland-cursor0",  # all that Wayland needs besides
+)
+QT_PACKAGES = OFFSCREEN_PACKAGES + WINDOW_PACKAGES
+
+# pip builds the project with these from `.venv/`, where the constraints hold, instead of in an
+# isolated environment, where they do not.
+BUILD_REQUIREMENTS = ("hatchling", "editables")
+
+OFFSCREEN = {"QT_QPA_PLATFORM": "offscreen"}
+PLATFORMS_WITHOUT_WINDOW = ("offscreen", "minimal")
+
+QT_START = """
+from PySide6 import QtSvg
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import QApplication
+application = QApplication([])
+print("started", application.platformName(), len(QFontDatabase.families()))
+"""
+QT_START_SECONDS = 60
+
+
+class BootstrapError(Exception):
+    """Ends the command; its text is the sentence that the person reads."""
+
+
+def say(text: str) -> None:
+    """Print at once, so that it stands before what the next program prints."""
+    print(text, flush=True)
+
+
+# --- Running other programs ------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a program ended and what it wrote."""
+
+    status: int
+    output: str = ""
+    errors: str = ""
+
+
+# Runs a command, with additions to the environment, and keeps what it writes.
+Runner = Callable[[Sequence[str], Mapping[str, str]], Outcome]
+
+
+def run_captured(
+    command: Sequence[str], extra_env: Mapping[str, str], timeout: float | None = None
+) -> Outcome:
+    """Run a command out of sight; one that is not there or never ends has failed."""
+    try:
+        done = subprocess.run(
+            command,
+            env={**os.environ, **extra_env},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            check=False,
+            timeout=timeout,
+        )
+    except OSError as error:
+        return Outcome(127, errors=str(error))
+    except subprocess.TimeoutExpired:
+        return Outcome(124, errors=f"no answer within {timeout:.0f} seconds")
+    return Outcome(done.returncode, done.stdout, done.stderr)
+
+
+def run_in_sight(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+    """Run a command from the project's folder on the person's own terminal; return its status.
+
+    Ctrl-C reaches the command as well, which gets a few seconds to end in its own way.
+    """
+    with subprocess.Popen(command, cwd=ROOT, env={**os.environ, **extra_env}) as process:
+        try:
+            return process.wait()
+        except KeyboardInterrupt:
+            try:
+                process.wait(timeout=5)
+            except subprocess.TimeoutExpired:
+                process.kill()
+            raise
+
+
+# --- Libraries of the system, where Debian's tools can tell and install -------------------------
+
+
+def packages_in(listing: str) -> set[str]:
+    """Return the names that installed packages have or provide.
+
+    Args:
+        listing: lines of dpkg-query, `status<TAB>name<TAB>provided (= version), ...`.
+    """
+    names: set[str] = set()
+    for line in listing.splitlines():
+        status, name, provided = line.split("\t")
+        if status == "installed":
+            names.add(name)
+            names.update(entry.split()[0] for entry in provided.split(",") if entry.strip())
+    return names
+
+
+def last_lines(text: str, count: int = 5) -> str:
+    """Return the end of a program's output, where it says what went wrong."""
+    return "\n".join(text.strip().splitlines()[-count:])
+
+
+class Debian:
+    """The package tools of Debian and its relatives."""
+
+    def __init__(self, run: Runner, *, is_root: bool) -> None:
+        self._run = run
+        self._is_root = is_root
+
+    def missing(self, wanted: Iterable[str]) -> list[str]:
+        """Return which of the packages are not installed, under their own or a provided name."""
+        listing = "--showformat=${db:Status-Status}\t${Package}\t${Provides}\n"
+        outcome = self._run(["dpkg-query", "--show", listing], {})
+        installed = packages_in(outcome.output)
+        return [name for name in wanted if name not in installed]
+
+    def supply(self, wanted: Iterable[str]) -> None:
+        """Install what is missing if that takes no password, otherwise say what to install."""
+        missing = self.missing(wanted)
+        if not missing:
+            return
+        by_hand = f"sudo apt-get install {' '.join(missing)}"
+        prefix = self._privilege()
+        if prefix is None:
+            say(f"Some system packages are missing; please install them: {by_hand}")
+            return
+        say(f"Installing system packages: {' '.join(missing)}")
+        apt = [*prefix, "env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "--quiet"]
+        # A list that could not be renewed may still serve; the installation itself tells.
+        self._run([*apt, "update"], {})
+        outcome = self._run([*apt, "install", "--yes", "--no-install-recommends", *missing], {})
+        if outcome.status != 0:
+            say(last_lines(outcome.errors))
+            say(f"apt-get could not install them; please do so by hand: {by_hand}")
+
+    def _privilege(self) -> list[str] | None:
+        """Return what to put before apt-get, or None if we may not run it."""
+        if self._is_root:
+            return []
+        sudo = ["sudo", "-n"]  # -n: never ask for a password
+        return sudo if self._run([*sudo, "true"], {}).status == 0 else None
+
+
+def find_debian() -> Debian | None:
+    """Return Debian's package tools if this system has them."""
+    if not (shutil.which("dpkg-query") and shutil.which("apt-get")):
+        return None
+    return Debian(run_captured, is_root=hasattr(os, "geteuid") and os.geteuid() == 0)
+
+
+# --- Does Qt start? ----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class QtStart:
+    """What an attempt to start Qt came to.
+
+    Attributes:
+        platform: Qt's name of what it draws on ("xcb", "offscreen"), None if it did not start.
+        fonts: how many font families Qt found.
+        reason: why it did not start, as far as it said so.
+    """
+
+    platform: str | None
+    fonts: int = 0
+    reason: str = ""
+
+    @property
+    def has_window(self) -> bool:
+        """Whether a person could see what is drawn."""
+        return self.platform is not None and self.platform not in PLATFORMS_WITHOUT_WINDOW
+
+
+def read_qt_start(outcome: Outcome) -> QtStart:
+    """Make sense of what the attempt wrote."""
+    started = re.search(r"^started (\S+) (\d+)$", outcome.output, re.MULTILINE)
+    if outcome.status == 0 and started:
+        return QtStart(started[1], int(started[2]))
+    library = re.search(r"(\S+\.so[.\d]*): cannot open shared object file", outcome.errors)
+    if library:
+        return QtStart(None, reason=f"the system has no {library[1]}")
+    if "could not connect to display" in outcome.errors:
+        return QtStart(None, reason="nothing answers on the display")
+    return QtStart(None, reason=last_lines(outcome.errors) or f"status {outcome.status}")
+
+
+def start_qt(run: Runner, extra_env: Mapping[str, str]) -> QtStart:
+    """Start Qt for a moment with the interpreter of `.venv/`."""
+    return read_qt_start(run([str(venv_python()), "-c", QT_START], extra_env))
+
+
+def require_qt(run: Runner) -> None:
+    """Make sure that Qt starts without a display, which takes all its libraries but a window's.
+
+    Raises:
+        BootstrapError: it does not start; says what is missing.
+    """
+    start = start_qt(run, OFFSCREEN)
+    if start.platform is None:
+        raise BootstrapError(
+            f"Qt does not start: {start.reason}\n"
+            f"On Debian these packages hold what it needs: {' '.join(QT_PACKAGES)}"
+        )
+    if start.fonts == 0:
+        say("Qt found no font and will draw boxes for letters; please install one, such as DejaVu.")
+
+
+# --- The virtual environment -------------------------------------------------------------------
+
+UNFINISHED = ""  # as a stamp's requirements: interrupted, but the environment itself will do
+
+
+@dataclass(frozen=True)
+class Stamp:
+    """What `.venv/` was made from; it is up to date as long as this is the same.
+
+    Attributes:
+        interpreter: version and place of the Python beneath.
+        project: the project's folder, which scripts in `.venv/bin` name in full.
+        requirements: a hash of everything that decides which packages are installed.
+    """
+
+    interpreter: str
+    project: str
+    requirements: str
+
+    def can_keep_venv(self, earlier: "Stamp | None") -> bool:
+        """Whether an environment made earlier needs other packages at most."""
+        return (
+            earlier is not None
+            and earlier.interpreter == self.interpreter
+            and earlier.project == self.project
+        )
+
+
+def current_stamp() -> Stamp:
+    """Return the stamp of an environment made now."""
+    digest = hashlib.sha256()
+    for path in (PROJECT_FILE, CONSTRAINTS, Path(__file__)):
+        content = path.read_bytes()
+        digest.update(b"%d\n" % len(content))
+        digest.update(content)
+    version = ".".join(str(part) for part in sys.version_info[:2])
+    # The base: the same whether this runs in the system's Python or in `.venv/` itself.
+    return Stamp(f"{version} {sys.base_prefix}", str(ROOT), digest.hexdigest())
+
+
+def read_stamp(path: Path) -> Stamp | None:
+    """Return the stamp in a file, or None if there is none that can be read."""
+    try:
+        return Stamp(**json.loads(path.read_text(encoding="utf-8")))
+    except (OSError, ValueError, TypeError):
+        return None
+
+
+def write_stamp(path: Path, stamp: Stamp) -> None:
+    """Record what the environment was made from."""
+    path.write_text(json.dumps(asdict(stamp), indent=2) + "\n", encoding="utf-8")
+
+
+def venv_program(name: str) -> Path:
+    """Return where a program of the environment lies on this system."""
+    if sys.platform == "win32":
+        return VENV / "Scripts" / f"{name}.exe"
+    return VENV / "bin" / name
+
+
+def venv_python() -> Path:
+    """Return the interpreter of the environment."""
+    return venv_program("python")
+
+
+def venv_package() -> str:
+    """Return the Debian package that gives this interpreter the means to make environments."""
+    return "python{}.{}-venv".format(*sys.version_info[:2])
+
+
+def can_make_venv(run: Runner) -> bool:
+    """Whether this interpreter brings what `-m venv` needs, which Debian packs separately."""
+    return run([sys.executable, "-c", "import ensurepip, venv"], {}).status == 0
+
+
+def make_venv(run: Runner) -> None:
+    """Make a new environment in place of any that is there.
+
+    Raises:
+        BootstrapError: Python could not make one; says why.
+    """
+    if not can_make_venv(run):
+        raise BootstrapError(
+            "This Python cannot make virtual environments: it lacks its modules venv and "
+            f"ensurepip. On Debian, please run: sudo apt-get install {venv_package()}"
+        )
+    say(f"Making {VENV.name}/ with Python {sys.version.split()[0]}.")
+    outcome = run([sys.executable, "-m", "venv", "--clear", str(VENV)], {})
+    if outcome.status != 0:
+        said = last_lines(outcome.errors or outcome.output)
+        raise BootstrapError(f"Python could not make {VENV}: {said}")
+
+
+def pip_commands(pip: Sequence[str]) -> list[list[str]]:
+    """Return what installs the build backend and then, built with it, the project."""
+    install = [*pip, "install", "--constraint", str(CONSTRAINTS)]
+    return [
+        [*install, *BUILD_REQUIREMENTS],
+        [*install, "--no-build-isolation", "--editable", f"{ROOT}[test]"],
+    ]
+
+
+def install_packages() -> None:
+    """Install the project and its test tools into the environment.
+
+    Raises:
+        BootstrapError: pip could not.
+    """
+    say("Installing the pinned packages; the first time this takes a minute or two.")
+    pip = [str(venv_python()), "-m", "pip", "--disable-pip-version-check", "--no-input"]
+    if not sys.stdout.isatty():
+        pip.append("-qq")  # errors only
+    for command in pip_commands(pip):
+        # A person's own default of installing for the user does not work in an environment.
+        if run_in_sight(command, {"PIP_USER": "0"}) != 0:
+            raise BootstrapError("pip could not install the packages; its message stands above.")
+
+
+def is_set_up(stamp: Stamp) -> bool:
+    """Whether the environment is there and made from what the stamp says."""
+    return read_stamp(STAMP_FILE) == stamp and venv_python().exists()
+
+
+def set_up(run: Runner = run_captured) -> bool:
+    """Bring the environment up to date.
+
+    Returns:
+        Whether there was anything to do.
+
+    Raises:
+        BootstrapError: something is missing that only the person can supply.
+    """
+    stamp = current_stamp()
+    if is_set_up(stamp):
+        return False
+    debian = find_debian()
+    if debian:
+        needed = [] if can_make_venv(run) else [venv_package()]
+        debian.supply([*needed, *QT_PACKAGES])
+    if not (venv_python().exists() and stamp.can_keep_venv(read_stamp(STAMP_FILE))):
+        make_venv(run)
+    write_stamp(STAMP_FILE, replace(stamp, requirements=UNFINISHED))
+    install_packages()
+    require_qt(partial(run_captured, timeout=QT_START_SECONDS))
+    write_stamp(STAMP_FILE, stamp)
+    return True
+
+
+# --- Commands ----------------------------------------------------------------------------------
+
+
+def command_setup() -> int:
+    """Make `.venv/` and tell how to start what is in it."""
+    if set_up():
+        program = venv_program("trex-gui").relative_to(ROOT)
+        say(f"Ready: the window starts with {program}, or try it with --demo and no board.")
+    else:
+        say(f"{VENV.name}/ is up to date.")
+    return 0
+
+
+def may_have_display(environment: Mapping[str, str], system: str) -> bool:
+    """Whether it is worth trying to open a window."""
+    if environment.get("QT_QPA_PLATFORM") in PLATFORMS_WITHOUT_WINDOW:
+        return False
+    if system in {"win32", "darwin"}:
+        return True
+    return bool(environment.get("DISPLAY") or environment.get("WAYLAND_DISPLAY"))
+
+
+def why_no_window(run: Runner) -> str | None:
+    """Return why a window cannot be shown here, or None if it can."""
+    if not may_have_display(os.environ, sys.platform):
+        return "There is no display here"
+    start = start_qt(run, {})
+    if start.has_window:
+        return None
+    debian = find_debian()
+    missing = debian.missing(QT_PACKAGES) if debian else []
+    if missing:
+        say(f"These system packages are missing: {' '.join(missing)}")
+    return f"The display cannot be opened ({start.reason})"
+
+
+def pictures() -> dict[Path, int]:
+    """Return the screenshots and when each was written."""
+    return {path: path.stat().st_mtime_ns for path in sorted(SCREENSHOTS.glob("*.png"))}
+
+
+def command_demo() -> int:
+    """Show the program on a simulated TReX, in a window or in pictures."""
+    set_up()
+    demo = [str(venv_python()), "-m", "trex_gui", "--demo"]
+    reason = why_no_window(partial(run_captured, timeout=QT_START_SECONDS))
+    if reason is None:
+        return run_in_sight(demo, {})
+    say(f"{reason}, so the demonstration runs offscreen and takes a picture of every page.")
+    before = pictures()
+    status = run_in_sight([*demo, "--tour", SCREENSHOTS.name], OFFSCREEN)
+    written = [path for path, when in pictures().items() if before.get(path) != when]
+    if status != 0 or not written:
+        raise BootstrapError(f"The demonstration failed with status {status}.")
+    say("Written:")
+    for path in written:
+        say(f"  {path.relative_to(ROOT)}")
+    return 0
+
+
+@dataclass(frozen=True)
+class Check:
+    """One of the checks that a change has to pass."""
+
+    name: str
+    command: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """How a check ended."""
+
+    name: str
+    passed: bool
+    seconds: float
+
+
+def checks(pytest_arguments: Sequence[str]) -> list[Check]:
+    """Return every check, the quick ones first and the tests last."""
+    ruff, mypy, lint_imports, pytest = (
+        str(venv_program(name)) for name in ("ruff", "mypy", "lint-imports", "pytest")
+    )
+    return [
+        Check("ruff check", (ruff, "check", ".")),
+        Check("ruff format", (ruff, "format", "--check", ".")),
+        Check("mypy", (mypy,)),
+        Check("lint-imports", (lint_imports,)),
+        Check("pytest", (pytest, *pytest_arguments)),
+    ]
+
+
+def summary(results: Iterable[CheckResult]) -> str:
+    """Return a line for each check."""
+    return "\n".join(
+        f"{'ok' if result.passed else 'FAILED':<7}{result.name:<13}{result.seconds:6.1f} s"
+        for result in results
+    )
+
+
+def command_test(pytest_arguments: Sequence[str]) -> int:
+    """Run every check, also after one has failed."""
+    set_up()
+    results = []
+    for check in checks(pytest_arguments):
+        say(f"\n--- {check.name}")
+        started = time.monotonic()
+        status = run_in_sight(check.command, OFFSCREEN)
+        results.append(CheckResult(check.name, status == 0, time.monotonic() - started))
+    say("\n" + summary(results))
+    return 0 if all(result.passed for result in results) else 1
+
+
+def command_bench(pytest_arguments: Sequence[str]) -> int:
+    """Run the benchmarks in their own order, with their figures on the terminal."""
+    set_up()
+    in_order = ("-s", "-p", "no:randomly", "--timeout=0")
+    pytest = [str(venv_program("pytest")), str(BENCHMARKS), *in_order, *pytest_arguments]
+    # Offscreen unless the person asks for something else: figures should compare.
+    return run_in_sight(pytest, {**OFFSCREEN, **os.environ})
+
+
+# --- The command line --------------------------------------------------------------------------
+
+
+def make_parser() -> argparse.ArgumentParser:
+    """Return the parser of the command line, without what stands after `--`."""
+    parser = argparse.ArgumentParser(
+        description="Set TReX Studio up in .venv/, then show it, check it or measure it."
+    )
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    def add(name: str, text: str, usage: str | None = None) -> None:
+        sentence = text[0].upper() + text[1:] + "."
+        commands.add_parser(name, help=text, description=sentence, usage=usage)
+
+    for_pytest = "%(prog)s [-h] [-- PYTEST_ARGUMENT ...]"
+    add("setup", "make .venv/ and install the project and its test tools, pinned")
+    add("demo", "set up if needed and show the program on a simulated TReX")
+    add("test", "set up if needed and run every check", for_pytest)
+    add("bench", "set up if needed and run the benchmarks", for_pytest)
+    return parser
+
+
+def split_arguments(arguments: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return what stands before the first `--` and what stands after it."""
+    own = list(arguments)
+    if "--" not in own:
+        return own, []
+    cut = own.index("--")
+    return own[:cut], own[cut + 1 :]
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its status."""
+    own, for_pytest = split_arguments(sys.argv[1:] if arguments is None else arguments)
+    parser = make_parser()
+    command = parser.parse_args(own).command
+    if for_pytest and command not in {"test", "bench"}:
+        parser.error(f"{command} takes nothing after --")
+    try:
+        if command == "setup":
+            return command_setup()
+        if command == "demo":
+            return command_demo()
+        if command == "test":
+            return command_test(for_pytest)
+        return command_bench(for_pytest)
+    except BootstrapError as error:
+        print(error, file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

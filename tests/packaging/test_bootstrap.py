@@ -1,0 +1,453 @@
+"""The set-up script: what it decides. What it runs is played by `Script`."""
+
+import ast
+import importlib.util
+import re
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCE = ROOT / "packaging" / "bootstrap.py"
+
+
+def load_bootstrap() -> ModuleType:
+    """Import the script by its path: its folder is no package and shares a library's name."""
+    spec = importlib.util.spec_from_file_location("trex_bootstrap", SOURCE)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # dataclasses look their module up
+    spec.loader.exec_module(module)
+    return module
+
+
+bootstrap = load_bootstrap()
+
+
+class Script:
+    """Stands for the machine: answers commands by a word in them and remembers them all."""
+
+    def __init__(self, **outcomes: Any) -> None:
+        self.outcomes = outcomes
+        self.commands: list[list[str]] = []
+
+    def __call__(self, command: Sequence[str], extra_env: Mapping[str, str]) -> Any:
+        self.commands.append(list(command))
+        for word, outcome in self.outcomes.items():
+            if word.replace("_", "-") in command:
+                return outcome
+        return bootstrap.Outcome(0)
+
+    @property
+    def apt_commands(self) -> list[list[str]]:
+        return [command for command in self.commands if "apt-get" in command]
+
+
+def listing(*lines: tuple[str, str, str]) -> Any:
+    return bootstrap.Outcome(0, "".join("\t".join(line) + "\n" for line in lines))
+
+
+REFUSED = bootstrap.Outcome(1, errors="sudo: a password is required")
+LIBEGL_ONLY = listing(("installed", "libegl1", ""))
+
+
+# --- Debian's packages
+
+
+def test_a_package_counts_when_it_is_installed() -> None:
+    lines = "installed\tlibegl1\t\ninstalled\tlibgl1\t\n"
+    assert bootstrap.packages_in(lines) == {"libegl1", "libgl1"}
+
+
+def test_a_removed_package_that_left_its_configuration_does_not_count() -> None:
+    assert bootstrap.packages_in("config-files\tlibegl1\t\n") == set()
+
+
+def test_a_library_under_its_later_name_counts_by_the_name_it_provides() -> None:
+    lines = "installed\tlibglib2.0-0t64\tlibglib2.0-0 (= 2.84.4-3), libglib2.0-x\n"
+    assert bootstrap.packages_in(lines) == {"libglib2.0-0t64", "libglib2.0-0", "libglib2.0-x"}
+
+
+def test_missing_packages_keep_their_order() -> None:
+    debian = bootstrap.Debian(Script(dpkg_query=LIBEGL_ONLY), is_root=True)
+    assert debian.missing(["libxkbcommon0", "libegl1", "libdbus-1-3"]) == [
+        "libxkbcommon0",
+        "libdbus-1-3",
+    ]
+
+
+def test_a_dpkg_that_cannot_be_asked_knows_no_package() -> None:
+    debian = bootstrap.Debian(Script(dpkg_query=bootstrap.Outcome(127)), is_root=True)
+    assert debian.missing(["libegl1"]) == ["libegl1"]
+
+
+def test_nothing_is_installed_when_nothing_is_missing() -> None:
+    script = Script(dpkg_query=LIBEGL_ONLY)
+    bootstrap.Debian(script, is_root=True).supply(["libegl1"])
+    assert script.apt_commands == []
+
+
+def test_root_renews_the_list_once_and_installs_what_is_missing() -> None:
+    script = Script(dpkg_query=LIBEGL_ONLY)
+    bootstrap.Debian(script, is_root=True).supply(["libegl1", "libgl1", "libdbus-1-3"])
+    apt = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "--quiet"]
+    assert script.apt_commands == [
+        [*apt, "update"],
+        [*apt, "install", "--yes", "--no-install-recommends", "libgl1", "libdbus-1-3"],
+    ]
+
+
+def test_sudo_is_used_when_it_asks_for_no_password() -> None:
+    script = Script(dpkg_query=LIBEGL_ONLY)
+    bootstrap.Debian(script, is_root=False).supply(["libgl1"])
+    assert [command[:3] for command in script.apt_commands] == [["sudo", "-n", "env"]] * 2
+
+
+def test_without_rights_one_line_says_what_to_install(capsys: pytest.CaptureFixture[str]) -> None:
+    script = Script(dpkg_query=LIBEGL_ONLY, sudo=REFUSED)
+    bootstrap.Debian(script, is_root=False).supply(["libgl1", "libegl1", "libdbus-1-3"])
+    said = capsys.readouterr().out
+    assert said.count("\n") == 1
+    assert "sudo apt-get install libgl1 libdbus-1-3\n" in said
+    assert script.apt_commands == []
+
+
+def test_a_failed_installation_says_why_and_what_to_do(capsys: pytest.CaptureFixture[str]) -> None:
+    failed = bootstrap.Outcome(100, errors="E: Unable to locate package libgl1")
+    script = Script(dpkg_query=LIBEGL_ONLY, install=failed)
+    bootstrap.Debian(script, is_root=True).supply(["libgl1"])
+    said = capsys.readouterr().out
+    assert "Unable to locate package libgl1" in said
+    assert "sudo apt-get install libgl1" in said
+
+
+def test_no_package_is_asked_for_twice() -> None:
+    assert len(set(bootstrap.QT_PACKAGES)) == len(bootstrap.QT_PACKAGES)
+
+
+# --- Does Qt start?
+
+
+def test_qt_that_started_says_where_and_with_how_many_fonts() -> None:
+    start = bootstrap.read_qt_start(bootstrap.Outcome(0, "started offscreen 6\n"))
+    assert (start.platform, start.fonts, start.has_window) == ("offscreen", 6, False)
+
+
+def test_qt_on_a_display_has_a_window() -> None:
+    assert bootstrap.read_qt_start(bootstrap.Outcome(0, "started xcb 6\n")).has_window
+
+
+def test_a_missing_library_is_named() -> None:
+    errors = (
+        "Traceback (most recent call last):\nImportError: libEGL.so.1: "
+        "cannot open shared object file: No such file or directory\n"
+    )
+    start = bootstrap.read_qt_start(bootstrap.Outcome(1, errors=errors))
+    assert start.platform is None
+    assert "libEGL.so.1" in start.reason
+    assert "Traceback" not in start.reason
+
+
+def test_a_display_that_does_not_answer_is_no_window() -> None:
+    errors = "qt.qpa.xcb: could not connect to display :77\n" + "qt.qpa.plugin: ...\n" * 9
+    start = bootstrap.read_qt_start(bootstrap.Outcome(-6, errors=errors))
+    assert not start.has_window
+    assert start.reason == "nothing answers on the display"
+
+
+def test_qt_that_died_without_a_word_is_reported_by_its_status() -> None:
+    assert bootstrap.read_qt_start(bootstrap.Outcome(-11)).reason == "status -11"
+
+
+def test_setup_fails_when_qt_does_not_start() -> None:
+    errors = "ImportError: libGL.so.1: cannot open shared object file: No such file"
+    script = Script(**{"-c": bootstrap.Outcome(1, errors=errors)})
+    with pytest.raises(bootstrap.BootstrapError, match=r"libGL\.so\.1"):
+        bootstrap.require_qt(script)
+
+
+def test_a_system_without_fonts_is_told_so(capsys: pytest.CaptureFixture[str]) -> None:
+    bootstrap.require_qt(Script(**{"-c": bootstrap.Outcome(0, "started offscreen 0\n")}))
+    assert "font" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("environment", "system", "expected"),
+    [
+        ({}, "linux", False),
+        ({"DISPLAY": ""}, "linux", False),
+        ({"DISPLAY": ":0"}, "linux", True),
+        ({"WAYLAND_DISPLAY": "wayland-0"}, "linux", True),
+        ({"DISPLAY": ":0", "QT_QPA_PLATFORM": "offscreen"}, "linux", False),
+        ({}, "darwin", True),
+        ({}, "win32", True),
+    ],
+)
+def test_where_a_window_is_worth_a_try(
+    environment: dict[str, str], system: str, expected: bool
+) -> None:
+    assert bootstrap.may_have_display(environment, system) is expected
+
+
+def test_a_display_that_cannot_be_opened_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("DISPLAY", ":77")
+    monkeypatch.delenv("QT_QPA_PLATFORM", raising=False)
+    monkeypatch.setattr(bootstrap, "find_debian", lambda: None)
+    script = Script(**{"-c": bootstrap.Outcome(-6, errors="could not connect to display :77")})
+    assert "cannot be opened" in bootstrap.why_no_window(script)
+
+
+# --- The stamp of the environment
+
+
+STAMP = bootstrap.Stamp("3.11 /usr", "/home/ada/trex", "f00d")
+
+
+def test_a_stamp_is_read_back_as_it_was_written(tmp_path: Path) -> None:
+    bootstrap.write_stamp(tmp_path / "stamp.json", STAMP)
+    assert bootstrap.read_stamp(tmp_path / "stamp.json") == STAMP
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"interpreter": "3.11"}', '{"x": 1}'])
+def test_a_damaged_stamp_counts_as_none(tmp_path: Path, text: str) -> None:
+    (tmp_path / "stamp.json").write_text(text, encoding="utf-8")
+    assert bootstrap.read_stamp(tmp_path / "stamp.json") is None
+
+
+def test_without_a_stamp_there_is_none(tmp_path: Path) -> None:
+    assert bootstrap.read_stamp(tmp_path / "stamp.json") is None
+
+
+def test_other_requirements_keep_the_environment() -> None:
+    assert STAMP.can_keep_venv(bootstrap.Stamp("3.11 /usr", "/home/ada/trex", "beef"))
+
+
+@pytest.mark.parametrize(
+    "earlier",
+    [
+        None,
+        bootstrap.Stamp("3.12 /usr", "/home/ada/trex", "f00d"),
+        bootstrap.Stamp("3.11 /usr", "/home/ada/moved", "f00d"),
+    ],
+)
+def test_another_python_or_folder_takes_a_new_environment(earlier: Any) -> None:
+    assert not STAMP.can_keep_venv(earlier)
+
+
+def test_the_stamp_changes_with_the_constraints(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    constraints = tmp_path / "constraints.txt"
+    monkeypatch.setattr(bootstrap, "CONSTRAINTS", constraints)
+    constraints.write_text("numpy==2.4.6\n", encoding="utf-8")
+    before = bootstrap.current_stamp()
+    assert bootstrap.current_stamp() == before
+    constraints.write_text("numpy==2.4.5\n", encoding="utf-8")
+    assert bootstrap.current_stamp() != before
+
+
+class Project:
+    """A project in a temporary folder whose set-up installs nothing, only says that it would."""
+
+    def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.script = Script()
+        self.installations = 0
+        self.venv = folder / ".venv"
+        self.stamp_file = self.venv / "bootstrap.json"
+        monkeypatch.setattr(bootstrap, "VENV", self.venv)
+        monkeypatch.setattr(bootstrap, "STAMP_FILE", self.stamp_file)
+        monkeypatch.setattr(bootstrap, "find_debian", lambda: None)
+        monkeypatch.setattr(bootstrap, "require_qt", lambda run: None)
+        monkeypatch.setattr(bootstrap, "install_packages", self._install)
+
+    def set_up(self) -> bool:
+        result: bool = bootstrap.set_up(self._run)
+        return result
+
+    @property
+    def venvs_made(self) -> int:
+        return sum("--clear" in command for command in self.script.commands)
+
+    def _run(self, command: Sequence[str], extra_env: Mapping[str, str]) -> Any:
+        if "--clear" in command:
+            python = bootstrap.venv_python()
+            python.parent.mkdir(parents=True, exist_ok=True)
+            python.touch()
+        return self.script(command, extra_env)
+
+    def _install(self) -> None:
+        self.installations += 1
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Project:
+    return Project(tmp_path, monkeypatch)
+
+
+def test_a_second_setup_does_nothing(project: Project) -> None:
+    assert project.set_up()
+    commands = len(project.script.commands)
+    assert not project.set_up()
+    assert (project.installations, len(project.script.commands)) == (1, commands)
+
+
+def test_changed_requirements_are_installed_into_the_same_environment(
+    project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project.set_up()
+    (tmp_path / "other.txt").touch()
+    monkeypatch.setattr(bootstrap, "CONSTRAINTS", tmp_path / "other.txt")
+    assert project.set_up()
+    assert (project.venvs_made, project.installations) == (1, 2)
+
+
+def test_an_environment_whose_python_is_gone_is_made_again(project: Project) -> None:
+    project.set_up()
+    bootstrap.venv_python().unlink()
+    assert project.set_up()
+    assert project.venvs_made == 2
+
+
+def test_an_interrupted_installation_goes_on_in_the_same_environment(
+    project: Project, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted() -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(bootstrap, "install_packages", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            project.set_up()
+    assert project.set_up()
+    assert (project.venvs_made, project.installations) == (1, 1)
+
+
+def test_a_python_that_cannot_make_environments_is_told_the_package(project: Project) -> None:
+    project.script.outcomes["-c"] = bootstrap.Outcome(1, errors="No module named 'ensurepip'")
+    version = f"python{sys.version_info[0]}.{sys.version_info[1]}-venv"
+    with pytest.raises(bootstrap.BootstrapError, match=version):
+        project.set_up()
+
+
+# --- The commands
+
+
+def test_pip_installs_the_build_backend_first_and_everything_pinned() -> None:
+    backend, project_itself = bootstrap.pip_commands(["pip"])
+    assert backend[-2:] == ["hatchling", "editables"]
+    assert "--no-build-isolation" in project_itself
+    for command in (backend, project_itself):
+        assert command[command.index("--constraint") + 1] == str(bootstrap.CONSTRAINTS)
+
+
+def test_the_tests_come_last_and_take_the_arguments() -> None:
+    checks = bootstrap.checks(["-k", "crc"])
+    assert [check.name for check in checks] == [
+        "ruff check",
+        "ruff format",
+        "mypy",
+        "lint-imports",
+        "pytest",
+    ]
+    assert checks[-1].command[1:] == ("-k", "crc")
+
+
+@pytest.fixture
+def statuses(monkeypatch: pytest.MonkeyPatch) -> dict[str, int]:
+    """Let each check end with the status under its program's name, 0 if there is none."""
+    by_program: dict[str, int] = {}
+
+    def run(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+        assert extra_env == {"QT_QPA_PLATFORM": "offscreen"}
+        return by_program.get(Path(command[0]).stem, 0)
+
+    monkeypatch.setattr(bootstrap, "set_up", lambda: False)
+    monkeypatch.setattr(bootstrap, "run_in_sight", run)
+    return by_program
+
+
+def test_all_checks_passing_is_success(statuses: dict[str, int]) -> None:
+    assert bootstrap.main(["test"]) == 0
+
+
+def test_later_checks_still_run_after_one_has_failed(
+    statuses: dict[str, int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    statuses["mypy"] = 1
+    assert bootstrap.main(["test"]) == 1
+    closing = capsys.readouterr().out.splitlines()[-5:]
+    assert [line.split()[0] for line in closing] == ["ok", "ok", "FAILED", "ok", "ok"]
+
+
+def test_no_test_at_all_is_a_failure(statuses: dict[str, int]) -> None:
+    statuses["pytest"] = 5
+    assert bootstrap.main(["test"]) == 1
+
+
+def test_ctrl_c_ends_quietly(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted() -> bool:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(bootstrap, "set_up", interrupted)
+    assert bootstrap.main(["setup"]) == 130
+    assert capsys.readouterr() == ("", "")
+
+
+def test_what_stands_after_the_dashes_is_for_pytest() -> None:
+    assert bootstrap.split_arguments(["test", "--", "-k", "a", "--", "b"]) == (
+        ["test"],
+        ["-k", "a", "--", "b"],
+    )
+
+
+@pytest.mark.parametrize("arguments", [[], ["launch"], ["setup", "--", "-k"], ["test", "-k"]])
+def test_wrong_usage_ends_with_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        bootstrap.main(arguments)
+    assert ended.value.code == 2
+
+
+def test_the_demonstration_without_a_display_lists_its_pictures(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = tmp_path / "demo-screenshots"
+    folder.mkdir()
+    (folder / "left-from-before.png").touch()
+
+    def tour(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+        assert list(command[-2:]) == ["--tour", "demo-screenshots"]
+        assert extra_env == {"QT_QPA_PLATFORM": "offscreen"}
+        (folder / "statusPage.png").touch()
+        return 0
+
+    monkeypatch.setattr(bootstrap, "ROOT", tmp_path)
+    monkeypatch.setattr(bootstrap, "SCREENSHOTS", folder)
+    monkeypatch.setattr(bootstrap, "set_up", lambda: False)
+    monkeypatch.setattr(bootstrap, "why_no_window", lambda run: "There is no display here")
+    monkeypatch.setattr(bootstrap, "run_in_sight", tour)
+    assert bootstrap.main(["demo"]) == 0
+    said = capsys.readouterr().out
+    assert "There is no display here" in said
+    assert "demo-screenshots/statusPage.png" in said.replace("\\", "/")
+    assert "left-from-before" not in said
+
+
+# --- The files
+
+
+def test_an_older_python_can_read_the_script_as_far_as_its_message() -> None:
+    ast.parse(SOURCE.read_text(encoding="utf-8"), feature_version=(3, 7))
+
+
+def test_constraints_are_exact_versions_and_nothing_else() -> None:
+    lines = bootstrap.CONSTRAINTS.read_text(encoding="utf-8").splitlines()
+    names = [line.split("==")[0].lower() for line in lines]
+    assert [line for line in lines if not re.fullmatch(r"[\w-]+==\d+(\.\d+)*", line)] == []
+    assert names == sorted(set(names))
