@@ -65,7 +65,7 @@ def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
     program = build()
     program.window.show()
     yield program
-    program.device.parameters.discard_edits()
+    program.device.discard_edits()
     program.window.close()
     program.window.deleteLater()
     assert program.device.link is Link.NONE

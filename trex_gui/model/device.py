@@ -28,6 +28,7 @@ from trex_gui.link.reading import DeviceState
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import StatusNews
 from trex_gui.link.writing import Written
+from trex_gui.model.calibrations import Calibrations
 from trex_gui.model.errors import ErrorLog
 from trex_gui.model.motors import Motors
 from trex_gui.model.parameters import ParameterModel
@@ -60,6 +61,7 @@ class Device(QObject):
         progressed: steps done, steps in all, what comes next.
         failed: why a connection ended or something asked did not work, for people.
         applied: the `Written` of everything that Apply tried.
+        pending_changed: how many edits of parameters and calibrations wait for Apply.
     """
 
     link_changed = Signal()
@@ -67,12 +69,14 @@ class Device(QObject):
     progressed = Signal(int, int, str)
     failed = Signal(str)
     applied = Signal(object)
+    pending_changed = Signal(int)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.telemetry = Telemetry(self)
         self.errors = ErrorLog(self)
         self.parameters = ParameterModel(self)
+        self.calibrations = Calibrations(self)
         self.motors = Motors(self)
         self._link = Link.NONE
         self._status = self.tr("Not connected.")
@@ -87,6 +91,8 @@ class Device(QObject):
 
         self.motors.requested.connect(self._on_drive_requested)
         self.motors.stop_requested.connect(self._on_stop_requested)
+        self.parameters.pending_changed.connect(self._on_pending_changed)
+        self.calibrations.pending_changed.connect(self._on_pending_changed)
 
     # --- What is known ------------------------------------------------------------------
 
@@ -168,9 +174,19 @@ class Device(QObject):
 
     def apply(self) -> None:
         """Write every pending edit and read it back; `applied` tells how it went."""
-        pending = self.parameters.pending
-        if pending:
-            self._ask(lambda number: Write(number, pending), self._on_applied)
+        if self.pending:
+            parameters, calibrations = self.parameters.pending, self.calibrations.pending
+            self._ask(lambda number: Write(number, parameters, calibrations), self._on_applied)
+
+    @property
+    def pending(self) -> int:
+        """How many edits of parameters and calibrations wait for Apply."""
+        return len(self.parameters.pending) + len(self.calibrations.pending)
+
+    def discard_edits(self) -> None:
+        """Forget every edit that waits."""
+        self.parameters.discard_edits()
+        self.calibrations.discard_edits()
 
     # --- Requests and their outcomes ----------------------------------------------------
 
@@ -208,6 +224,7 @@ class Device(QObject):
             return
         results = cast("tuple[Written, ...]", outcome.value)
         self.parameters.take_results(results)
+        self.calibrations.take_results(results)
         self.applied.emit(results)
 
     # --- Reports from the line ----------------------------------------------------------
@@ -246,6 +263,7 @@ class Device(QObject):
         self.parameters.load(
             state.specs, state.parameters, state.unread, power_cycled=report.returned
         )
+        self.calibrations.load(state.source, state.calibrations)
         self._set_link(Link.UP, self.tr("Connected to {0}.").format(state.signature))
         self.motors.allow(True)
         self.state_changed.emit()
@@ -286,6 +304,10 @@ class Device(QObject):
         self._set_link(Link.NONE, str(error) if error else self.tr("Not connected."))
         if error is not None:
             self.failed.emit(str(error))
+
+    @Slot()
+    def _on_pending_changed(self) -> None:
+        self.pending_changed.emit(self.pending)
 
     def _set_link(self, link: Link, status: str) -> None:
         self._link = link

@@ -138,6 +138,10 @@ class ParameterModel(QAbstractTableModel):
         """Wire value that would be in the device after Apply; `None` when it was not read."""
         return self._draft.value(key)
 
+    def stored_of(self, key: str) -> int | None:
+        """Wire value that is in the device; `None` when it was not read."""
+        return self._draft.stored.get(key)
+
     def index_of(self, key: str, column: Column = Column.VALUE) -> QModelIndex:
         """Return the cell of a parameter, invalid when there is none."""
         row = self._row_of(key)

@@ -54,7 +54,7 @@ class ActionBar(QWidget):
         self._apply.clicked.connect(device.apply)
         device.link_changed.connect(self._on_changed)
         device.motors.changed.connect(self._on_changed)
-        device.parameters.pending_changed.connect(self._on_changed)
+        device.pending_changed.connect(self._on_changed)
         theme().changed.connect(self._on_theme_changed)
         self._on_changed()
         self._on_theme_changed()
@@ -71,7 +71,7 @@ class ActionBar(QWidget):
         else:
             text = self.tr("Stopped. Nothing is sent before Run motor.")
         self._state.setText(text)
-        pending = bool(self._device.parameters.pending)
+        pending = self._device.pending > 0
         self._unapplied.setVisible(pending)
         self._apply.setEnabled(pending and link is Link.UP)
 

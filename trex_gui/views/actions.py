@@ -31,7 +31,12 @@ def tr(text: str) -> str:
 def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
     """The whole menu bar, in the words that users of the maker's programs know."""
     return {
-        tr("&File"): (ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit),),
+        tr("&File"): (
+            ActionInfo("open", tr("&Open settings file…"), "Ctrl+O", "open"),
+            ActionInfo("save", tr("&Save settings file…"), "Ctrl+S", "save"),
+            SEPARATOR,
+            ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit),
+        ),
         tr("&Device"): (
             ActionInfo("connect", tr("&Connect"), "Ctrl+K", "connect"),
             ActionInfo("disconnect", tr("&Disconnect"), "Ctrl+D", "disconnect"),

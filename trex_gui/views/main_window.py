@@ -28,6 +28,7 @@ from trex_gui.views.pages.currents_page import CurrentsPage
 from trex_gui.views.pages.motors_page import MotorsPage
 from trex_gui.views.pages.parameters_page import ParametersPage
 from trex_gui.views.pages.status_page import StatusPage
+from trex_gui.views.settings_files import SettingsFiles
 from trex_gui.views.theme import Scheme, theme
 from trex_gui.views.widgets.banner import Banner
 
@@ -78,16 +79,19 @@ class MainWindow(QMainWindow):
         layout.addWidget(self._tabs, 1)
         layout.addWidget(ActionBar(device, self))
         self.setCentralWidget(frame)
+        self._files = SettingsFiles(device, self)
         self._actions = build_menus(self, self._slots())
 
+        self._files.told.connect(self._banner.show_news)
+        self._files.refused.connect(self._banner.show_problem)
         self._connection.connecting.connect(self._banner.clear)
         parameters_page.reload_requested.connect(self._on_reload_requested)
-        connector.failed.connect(self._banner.show_text)
-        device.failed.connect(self._banner.show_text)
+        connector.failed.connect(self._banner.show_problem)
+        device.failed.connect(self._banner.show_problem)
         device.applied.connect(self._on_applied)
         device.link_changed.connect(self._on_link_changed)
         device.motors.changed.connect(self._on_possibilities_changed)
-        device.parameters.pending_changed.connect(self._on_possibilities_changed)
+        device.pending_changed.connect(self._on_possibilities_changed)
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -95,6 +99,11 @@ class MainWindow(QMainWindow):
         self._on_link_changed()
         self._restore()
         self._on_theme_changed()
+
+    @property
+    def files(self) -> SettingsFiles:
+        """Opening and saving of settings files."""
+        return self._files
 
     @property
     def pages(self) -> QTabWidget:
@@ -108,6 +117,8 @@ class MainWindow(QMainWindow):
             return lambda: self._tabs.setCurrentIndex(index)
 
         return {
+            "open": self._files.ask_and_open,
+            "save": self._files.ask_and_save,
             "quit": self.close,
             "connect": self._connection.connect_preferred,
             "disconnect": self._connector.disconnect_port,
@@ -140,9 +151,11 @@ class MainWindow(QMainWindow):
             "line": idle,
             "disconnect": link not in {Link.NONE, Link.CLOSING},
             "reload": up,
+            "open": up,
+            "save": up,
             "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
             "run": motors.can_arm and not motors.armed,
-            "apply": up and bool(self._device.parameters.pending),
+            "apply": up and self._device.pending > 0,
         }.items():
             self._actions[key].setEnabled(possible)
 
@@ -154,13 +167,13 @@ class MainWindow(QMainWindow):
             return
         names = ", ".join(result.what for result in failed)
         reasons = " ".join(sorted({f"{result.error}." for result in failed}))
-        self._banner.show_text(
+        self._banner.show_problem(
             self.tr("Not stored: {0}. {1}").format(names, reasons.replace("..", "."))
         )
 
     @Slot()
     def _on_reload_requested(self) -> None:
-        if self._device.parameters.pending:
+        if self._device.pending:
             answer = QMessageBox.question(
                 self,
                 self.tr("Reload settings"),
@@ -168,7 +181,7 @@ class MainWindow(QMainWindow):
             )
             if answer != QMessageBox.StandardButton.Yes:
                 return
-            self._device.parameters.discard_edits()
+            self._device.discard_edits()
         self._device.reload()
 
     # --- Appearance, beginning and end --------------------------------------------------
@@ -216,7 +229,7 @@ class MainWindow(QMainWindow):
 
     def _may_close(self) -> bool:
         """Ask before edits that were never applied are lost."""
-        if not self._device.parameters.pending:
+        if not self._device.pending:
             return True
         answer = QMessageBox.question(
             self,

@@ -131,7 +131,7 @@ class ParametersPage(QWidget):
         layout.addWidget(self._help)
 
         self._reload.clicked.connect(self.reload_requested)
-        self._discard.clicked.connect(self._model.discard_edits)
+        self._discard.clicked.connect(device.discard_edits)
         self._model.modelReset.connect(self._on_model_reset)
         self._model.dataChanged.connect(self._on_data_changed)
         self._model.pending_changed.connect(self._on_pending_changed)

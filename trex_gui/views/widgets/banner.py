@@ -16,6 +16,7 @@ class Banner(QFrame):
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAutoFillBackground(True)
 
+        self._kind = "info"
         self._sign = QLabel(self)
         self._text = QLabel(self)
         self._text.setObjectName("bannerText")
@@ -40,22 +41,31 @@ class Banner(QFrame):
         self._on_theme_changed()
         self.hide()
 
-    def show_text(self, text: str) -> None:
-        """Show a message in place of the one before."""
-        self._text.setText(text)
-        self.setVisible(bool(text))
+    def show_problem(self, text: str) -> None:
+        """Show what went wrong, in place of the message before."""
+        self._show(text, "warning")
+
+    def show_news(self, text: str) -> None:
+        """Show what was done, in place of the message before."""
+        self._show(text, "info")
 
     @Slot()
     def clear(self) -> None:
         """Have nothing to say."""
-        self.show_text("")
+        self._show("", self._kind)
 
     @property
     def text(self) -> str:
         """The message shown; empty while there is none."""
         return self._text.text()
 
+    def _show(self, text: str, kind: str) -> None:
+        self._kind = kind
+        self._on_theme_changed()
+        self._text.setText(text)
+        self.setVisible(bool(text))
+
     @Slot()
     def _on_theme_changed(self) -> None:
         size = self.fontMetrics().height() + 4
-        self._sign.setPixmap(icon("warning", "warning").pixmap(size, size))
+        self._sign.setPixmap(icon(self._kind, self._kind).pixmap(size, size))

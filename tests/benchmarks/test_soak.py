@@ -1,0 +1,48 @@
+"""Many thousand frames of our own window: does the Qt binding lose references to None?
+
+PySide6 6.12 does on Python 3.11, and ends the process after some hundred frames.
+"""
+
+import resource
+import sys
+import time
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.model.device import Link
+from trex_gui.window import Program
+
+_FRAMES = 20_000
+
+
+def test_twenty_thousand_frames(
+    program: Program, qtbot: QtBot, capsys: pytest.CaptureFixture[str]
+) -> None:
+    program.connector.connect_to(program.ports.demo)
+    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=20_000)
+    motors = program.device.motors
+    motors.arm()
+    motors.set_speed(1, 100)
+    tabs = program.window.pages
+    before, begun, memory = sys.getrefcount(None), time.perf_counter(), _memory()
+    for frame in range(_FRAMES):
+        if frame % 50 == 0:
+            tabs.setCurrentIndex(frame // 50 % tabs.count())
+            qtbot.wait(1)
+        page = tabs.currentWidget()
+        program.device.telemetry.updated.emit()
+        page.repaint()
+    drift = sys.getrefcount(None) - before
+    seconds = time.perf_counter() - begun
+    motors.stop()
+    with capsys.disabled():
+        print(
+            f"\n{_FRAMES} frames in {seconds:.0f} s: references to None {drift:+d}, "
+            f"memory {_memory() - memory:+.1f} MiB"
+        )
+    assert drift > -1000
+
+
+def _memory() -> float:
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

@@ -1,0 +1,48 @@
+"""Seconds from the command to a window, and to a window that shows a live board."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+_PROBE = """
+import sys, time
+begun = time.perf_counter()
+from PySide6.QtWidgets import QApplication
+from trex_gui.views.theme import theme
+from trex_gui.window import build
+app = QApplication([])
+QApplication.setOrganizationName("TReX Studio benchmark")
+theme().install(app)
+program = build()
+program.window.show()
+app.processEvents()
+shown = time.perf_counter()
+program.connector.connect_to(program.ports.demo)
+while program.device.telemetry.raw is None:
+    app.processEvents()
+live = time.perf_counter()
+program.end()
+print(shown - begun, live - begun)
+"""
+
+
+def test_start(capsys: pytest.CaptureFixture[str]) -> None:
+    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
+    best = min(
+        tuple(
+            float(word)
+            for word in subprocess.run(
+                [sys.executable, "-c", _PROBE],
+                env=environment,
+                capture_output=True,
+                text=True,
+                check=True,
+            ).stdout.split()
+        )
+        for _ in range(3)
+    )
+    with capsys.disabled():
+        print(f"\nwindow after {best[0]:.2f} s, simulated board live after {best[1]:.2f} s")
+    assert best[1] > best[0]

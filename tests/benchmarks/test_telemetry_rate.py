@@ -1,0 +1,98 @@
+"""How often a second each value is read, against what the board renews and the wire allows.
+
+One run has both figures of each ratio: what was read, and what the same schedule reads in
+virtual time, where nothing but the wire costs anything.
+"""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from tests.support.virtual import Stage
+from trex_gui.emulator.eeprom import Eeprom
+from trex_gui.emulator.firmware import Board
+from trex_gui.link.messages import Batch, Report
+from trex_gui.link.schedule import rates
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.telemetry import Control, Currents, Raw, Remapped
+from trex_gui.model.device import Link
+from trex_gui.protocol.flags import InputSource
+from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.window import Program
+
+_SECONDS = 8.0
+_KINDS = {"currents": Currents, "raw": Raw, "remapped": Remapped, "control": Control}
+
+
+def _count(reports: list[Report]) -> dict[str, int]:
+    samples = [s for report in reports if isinstance(report, Batch) for s in report.samples]
+    return {name: sum(isinstance(s, kind) for s in samples) for name, kind in _KINDS.items()}
+
+
+def _possible(settings: LinkSettings) -> dict[str, float]:
+    """What the schedule reaches a second when only the wire takes time."""
+    eeprom = Eeprom()
+    eeprom.write("uart_settings", settings.line.to_wire())
+    stage = Stage(Board(eeprom=eeprom))
+    stage.script.at(_SECONDS, lambda: None)
+    stage.run(settings)
+    times = [s.time for r in stage.reports if isinstance(r, Batch) for s in r.samples]
+    span = times[-1] - times[0]
+    return {name: count / span for name, count in _count(stage.reports).items()}
+
+
+@pytest.mark.parametrize("painting", [False, True], ids=["idle", "all pages painting"])
+@pytest.mark.parametrize("baud", [9600, 19200, 115200])
+def test_telemetry_rate(
+    baud: int,
+    painting: bool,
+    program: Program,
+    qtbot: QtBot,
+    start_simulator: Callable[..., SimulatorProcess],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    line = LineSettings(baud)
+    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
+    eeprom.write("uart_settings", line.to_wire())
+    simulator = start_simulator("--demo", "--eeprom", str(tmp_path / "board.json"))
+    settings = LinkSettings(simulator.url, line)
+    if painting:
+        _show_every_page(program)
+    else:
+        program.window.hide()
+
+    reports: list[Report] = []
+    program.device.connect_to(settings)
+    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=20_000)
+    worker = program.device._worker
+    assert worker is not None
+    worker.reported.connect(reports.append)
+    qtbot.wait(round(_SECONDS * 1000))
+    read = {name: count / _SECONDS for name, count in _count(reports).items()}
+
+    possible = _possible(settings)
+    renewed = {topic.name.lower(): rate for topic, rate in rates(InputSource.RC).items()}
+    with capsys.disabled():
+        print(f"\n{baud} baud, {'all pages painting' if painting else 'window idle'}:")
+        for name, rate in read.items():
+            print(
+                f"  {name:9} {rate:5.1f}/s read, {possible[name]:5.1f}/s on an ideal host, "
+                f"{renewed[name]:3.0f}/s renewed: {100 * rate / possible[name]:3.0f} %"
+            )
+    assert all(rate > 0 for rate in read.values())
+
+
+def _show_every_page(program: Program) -> None:
+    """Let every page be seen at once, each in a window of its own."""
+    tabs = program.window.pages
+    pages = [tabs.widget(index) for index in range(tabs.count())]
+    for page in pages:
+        assert page is not None
+        page.setParent(program.window, Qt.WindowType.Window)
+        page.resize(1000, 600)
+        page.show()

@@ -1,0 +1,112 @@
+"""Settings as text: one line a setting, what it means to a person beside it."""
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.device_table import device_table
+from trex_gui.protocol.errors import BadRequest
+from trex_gui.protocol.flags import InputSource
+from trex_gui.protocol.parameters import ParameterSpec
+from trex_gui.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
+
+_CALIBRATION_TITLES = {
+    InputSource.RC: "Calibrations for RC pulses, in counts of 0.4 µs",
+    InputSource.ANALOG: "Calibrations for analog voltages, in counts of 4.89 mV",
+}
+
+
+def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
+    """Return the text of a settings file, which reads back as the same settings.
+
+    A value that the board would refuse, though its EEPROM may hold it, stands there as a
+    comment that says so: it is not lost, and the file can be used.
+
+    Args:
+        settings: what to write.
+        title_lines: comments for the head of the file.
+
+    Raises:
+        BadRequest: the settings hold a key that their model and firmware do not have.
+    """
+    _check_keys(settings)
+    head = [f"product: {settings.product.name}"]
+    head += [_comment(part) for line in title_lines for part in line.splitlines() or [""]]
+    if settings.firmware is not None:
+        head.append(f"firmware: {settings.firmware}")
+    blocks = [head, *_parameter_blocks(settings), *_calibration_blocks(settings)]
+    return "\n\n".join("\n".join(block) for block in blocks) + "\n"
+
+
+def _check_keys(settings: Settings) -> None:
+    known = {spec.key for spec in settings.specs.readable}
+    strangers = [key for key in settings.parameters if key not in known]
+    places = set(CALIBRATION_KEYS.values())
+    strangers += [
+        f"calibration of {source.value} channel {channel}"
+        for source, channel in settings.calibrations
+        if (source, channel) not in places
+    ]
+    if strangers:
+        board = f"{settings.product.name} {settings.firmware or ''}".strip()
+        raise BadRequest(f"a {board} has no {', '.join(strangers)}")
+
+
+def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
+    specs = [spec for spec in settings.specs.readable if spec.key in settings.parameters]
+    # As wide as the widest line can be, so that a change of one value changes one line.
+    width = max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
+    groups = list(dict.fromkeys(spec.group for spec in specs))
+    specs.sort(key=lambda spec: groups.index(spec.group))
+    for group, members in groupby(specs, key=lambda spec: spec.group):
+        lines = [_parameter_line(spec, settings.parameters[spec.key], width) for spec in members]
+        yield [f"# {group.capitalize()}", *lines]
+
+
+def _parameter_line(spec: ParameterSpec, wire: int, width: int) -> str:
+    setting = f"{spec.key}: {wire}"
+    if problem := spec.problem(wire):
+        return _refused(setting, problem)
+    text = spec.text(wire)
+    return setting if text == str(wire) else f"{setting:{width}}  # {text}"
+
+
+def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
+    for source in InputSource:
+        found = {
+            key: settings.calibrations[place]
+            for key, place in CALIBRATION_KEYS.items()
+            if place[0] is source and place in settings.calibrations
+        }
+        if not found:
+            continue
+        flows = {key: f"{key}: {_flow(calibration)}" for key, calibration in found.items()}
+        width = max(map(len, flows.values()))
+        lines = [
+            _refused(flows[key], problem)
+            if (problem := calibration.problem())
+            else f"{flows[key]:{width}}  # {_calibration_text(source, calibration)}"
+            for key, calibration in found.items()
+        ]
+        yield [f"# {_CALIBRATION_TITLES[source]}", *lines]
+
+
+def _flow(calibration: Calibration) -> str:
+    parts = (f"{name}: {getattr(calibration, name)}" for name in CALIBRATION_FIELDS)
+    return "{" + ", ".join(parts) + "}"
+
+
+def _calibration_text(source: InputSource, calibration: Calibration) -> str:
+    points = (calibration.minimum, calibration.neutral, calibration.maximum)
+    numbers = " / ".join(source.text(point).removesuffix(f" {source.unit}") for point in points)
+    return f"{numbers} {source.unit}, deadband {source.text(calibration.deadband)}"
+
+
+def _refused(setting: str, problem: str) -> str:
+    return _comment(f"{setting}  # left out: {problem}")
+
+
+def _comment(text: str) -> str:
+    """Make a comment of any text: control characters and the like have no place in YAML."""
+    shown = "".join(c if c.isprintable() else "?" for c in text.expandtabs())
+    return f"# {shown}".rstrip()

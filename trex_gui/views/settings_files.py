@@ -1,0 +1,91 @@
+"""Opening and saving settings files from the window."""
+
+from datetime import datetime
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QSettings, QStandardPaths, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from trex_gui.model.device import Device
+from trex_gui.model.exchange import shown_settings, stage
+from trex_gui.protocol.errors import BadRequest
+from trex_gui.settings.errors import SettingsError
+from trex_gui.settings.files import load, save
+from trex_gui.settings.reader import read_settings
+from trex_gui.settings.writer import write_settings
+
+_FOLDER = "settings/folder"
+_FILTER = "Text files (*.txt);;All files (*)"
+
+
+class SettingsFiles(QObject):
+    """Asks for a file, and says what became of it.
+
+    Signals:
+        told: what was done, for people.
+        refused: why a file was not opened or saved, for people.
+    """
+
+    told = Signal(str)
+    refused = Signal(str)
+
+    def __init__(self, device: Device, window: QWidget) -> None:
+        super().__init__(window)
+        self._device = device
+        self._window = window
+        self._store = QSettings(self)
+
+    def ask_and_open(self) -> None:
+        """Let a person choose a file to load as edits."""
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._window, self.tr("Open settings file"), str(self._folder()), _FILTER
+        )
+        if chosen:
+            self.open_file(Path(chosen))
+
+    def ask_and_save(self) -> None:
+        """Let a person choose where to save the settings shown."""
+        state = self._device.state
+        key = state.signature.model.key if state is not None else "trex"
+        name = self._folder() / f"{key}_settings.txt"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window, self.tr("Save settings file"), str(name), _FILTER
+        )
+        if chosen:
+            self.save_file(Path(chosen))
+
+    def open_file(self, path: Path) -> None:
+        """Make the values of a file edits that wait for Apply; all of it or nothing."""
+        state = self._device.state
+        if state is None:
+            return
+        try:
+            settings, warnings = read_settings(load(path), path.name)
+            staged = stage(self._device, state, settings)
+        except (SettingsError, BadRequest) as error:
+            self.refused.emit(self.tr("{0} was not opened: {1}").format(path.name, error))
+            return
+        self._store.setValue(_FOLDER, str(path.parent))
+        notes = " ".join(str(finding) for finding in warnings)
+        self.told.emit(f"{path.name}: {staged.text()} {notes}".strip())
+
+    def save_file(self, path: Path) -> None:
+        """Write the settings shown, edits included."""
+        state = self._device.state
+        if state is None:
+            return
+        now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
+        text = write_settings(
+            shown_settings(self._device, state), title_lines=[f"Saved by TReX Studio, {now}."]
+        )
+        try:
+            save(path, text)
+        except SettingsError as error:
+            self.refused.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
+            return
+        self._store.setValue(_FOLDER, str(path.parent))
+        self.told.emit(self.tr("The settings shown were saved in {0}.").format(path))
+
+    def _folder(self) -> Path:
+        documents = QStandardPaths.StandardLocation.DocumentsLocation
+        return Path(str(self._store.value(_FOLDER, QStandardPaths.writableLocation(documents))))
