@@ -16,6 +16,12 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument("--port", metavar="URL", help="connect to this port at once")
     parser.add_argument("--demo", action="store_true", help="connect to the simulated board")
     parser.add_argument(
+        "--settings",
+        metavar="FILE",
+        type=Path,
+        help="open this settings file once a board is connected; nothing is written before Apply",
+    )
+    parser.add_argument(
         "--tour",
         metavar="FOLDER",
         type=Path,
@@ -67,6 +73,8 @@ def main(argv: list[str] | None = None) -> int:
     elif arguments.port:
         port = arguments.port
         QTimer.singleShot(0, lambda: program.connector.connect_to(program.ports.add_typed(port)))
+    if arguments.settings is not None:
+        program.open_when_connected(arguments.settings)
     code = app.exec()
     program.connector.shut_down()
     return code

@@ -1,11 +1,12 @@
 """The one place where models and window are put together."""
 
 from dataclasses import dataclass
+from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.model.connector import Connector
-from trex_gui.model.device import Device
+from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Ports
 from trex_gui.views.main_window import MainWindow
 
@@ -18,6 +19,16 @@ class Program:
     ports: Ports
     connector: Connector
     window: MainWindow
+
+    def open_when_connected(self, path: Path) -> None:
+        """Open a settings file as soon as a board answers, once."""
+
+        def open_once() -> None:
+            if self.device.link is Link.UP:
+                self.device.state_changed.disconnect(open_once)
+                self.window.files.open_file(path)
+
+        self.device.state_changed.connect(open_once)
 
     def end(self) -> None:
         """Stop the motors, close the line and leave, without asking anything."""

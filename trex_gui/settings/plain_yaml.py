@@ -15,6 +15,9 @@ from trex_gui.settings.errors import Finding, SettingsError
 LARGEST_FILE = 256 * 1024
 """Bytes; a complete settings file has about 3000."""
 
+MOST_NODES = 2000
+"""Words and groups of words; a complete settings file has about 160."""
+
 _LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
 _PLAIN_YAML = "settings are plain 'key: value' lines"
 _MERGE_TAG = "tag:yaml.org,2002:merge"
@@ -104,6 +107,7 @@ class _Loader(yaml.SafeLoader):
 
     deepest: ClassVar[int] = 2
     depth = 0
+    nodes = 0
 
     def compose_only_document(self) -> yaml.Node | None:
         self.get_event()  # type: ignore[no-untyped-call]  # the stubs lack it
@@ -124,6 +128,9 @@ class _Loader(yaml.SafeLoader):
             raise _RefusedError(mark, f"anchors (& and *) are not allowed; {_PLAIN_YAML}")
         if getattr(event, "tag", None) is not None:
             raise _RefusedError(mark, f"tags (!) are not allowed; {_PLAIN_YAML}")
+        self.nodes += 1
+        if self.nodes > MOST_NODES:
+            raise _RefusedError(mark, "there is more here than any board can be set to")
         is_collection = isinstance(event, yaml.CollectionStartEvent)
         if is_collection and self.depth == self.deepest:
             raise _RefusedError(mark, f"this is nested too deeply; {_PLAIN_YAML}")

@@ -1,0 +1,71 @@
+"""The command trex-gui: what it says without a window, and the tour that needs nobody."""
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui import __version__
+from trex_gui.app import main
+from trex_gui.link.settings import LinkSettings
+from trex_gui.window import Program
+
+
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "trex_gui", *arguments]
+    return subprocess.run(command, capture_output=True, text=True, timeout=50, check=False)
+
+
+def test_the_version_is_told_without_qt(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ending:
+        main(["--version"])
+    assert ending.value.code == 0
+    assert __version__ in capsys.readouterr().out
+
+
+def test_a_wrong_option_is_wrong_usage() -> None:
+    with pytest.raises(SystemExit) as ending:
+        main(["--nonsense"])
+    assert ending.value.code == 2
+
+
+def test_the_program_itself_can_be_the_simulator() -> None:
+    result = run("--simulator", "--version")
+    assert result.returncode == 0
+    assert "trex-sim" in result.stdout
+
+
+def test_the_tour_writes_a_picture_of_every_page_light_and_dark(tmp_path: Path) -> None:
+    result = run("--tour", str(tmp_path))
+    assert result.returncode == 0, result.stderr
+    names = {path.name for path in tmp_path.glob("*.png")}
+    pages = ("status", "channels", "motors", "currents", "parameters")
+    assert names == {f"{page}-{scheme}.png" for page in pages for scheme in ("light", "dark")}
+    assert all(path.stat().st_size > 10_000 for path in tmp_path.glob("*.png"))
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_ends_the_window_cleanly(
+    number: signal.Signals, simulator: SimulatorProcess
+) -> None:
+    command = [sys.executable, "-m", "trex_gui", "--port", simulator.url]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        while simulator.show()["counters"]["packets"] < 20:
+            assert process.poll() is None
+        process.send_signal(number)
+        assert process.wait(10) == 0
+
+
+def test_a_settings_file_given_at_the_start_waits_for_the_board(
+    program: Program, qtbot: QtBot, simulator: SimulatorProcess, tmp_path: Path
+) -> None:
+    path = tmp_path / "rover.txt"
+    path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
+    program.open_when_connected(path)
+    program.device.connect_to(LinkSettings(simulator.url))
+    qtbot.waitUntil(lambda: program.device.pending == 1)

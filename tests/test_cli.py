@@ -1,0 +1,167 @@
+"""trexcmd against a simulated board in a process of its own."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.cli import main
+
+Run = Callable[..., Result]
+
+
+@pytest.fixture
+def trexcmd(simulator: SimulatorProcess) -> Run:
+    def run(*words: str, **environment: str) -> Result:
+        variables = {"TREX_PORT": simulator.url, **environment}
+        return CliRunner().invoke(main, list(words), env=variables)
+
+    return run
+
+
+def test_list_names_the_board_on_a_port(trexcmd: Run, simulator: SimulatorProcess) -> None:
+    result = trexcmd("list")
+    assert result.exit_code == 0
+    assert result.stdout == f"{simulator.url}\tTReX 1.2\n"
+
+
+def test_list_moves_nothing(trexcmd: Run, simulator: SimulatorProcess) -> None:
+    before = simulator.show()["motors"]
+    trexcmd("list")
+    assert simulator.show()["motors"] == before
+
+
+def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: Run) -> None:
+    report = json.loads(trexcmd("status", "--json").stdout)
+    assert report["product"] == "TReX"
+    assert report["firmware"] == "1.2"
+    assert report["channels"][0] == {
+        "channel": 1,
+        "raw": 3750,
+        "physical": "1500 µs",
+        "remapped": 0,
+    }
+    assert len(report["parameters"]) == 28
+    assert report["parameters"]["uart_settings"]["value"] == 5
+
+
+def test_status_as_text_names_latched_errors(trexcmd: Run, simulator: SimulatorProcess) -> None:
+    simulator.do("fault 1 on")
+    result = trexcmd("status")
+    assert "Errors: Motor 1 fault" in result.stdout
+
+
+def test_get_shows_wire_value_and_meaning(trexcmd: Run) -> None:
+    assert trexcmd("get", "device_number").stdout == "7\t7\n"
+    assert trexcmd("get", "Motor Mode").stdout == "0\tindependent\n"
+
+
+@pytest.mark.parametrize(
+    ("typed", "wire"), [("15", 15), ("1.5 s", 15), ("1500 ms", 15), ("off", 0)]
+)
+def test_set_takes_wire_values_and_physical_ones(
+    trexcmd: Run, simulator: SimulatorProcess, typed: str, wire: int
+) -> None:
+    result = trexcmd("set", "serial_timeout", typed)
+    assert result.exit_code == 0
+    assert simulator.show()["parameters"]["serial_timeout"] == wire
+
+
+def test_set_says_when_a_value_waits_for_power(trexcmd: Run) -> None:
+    result = trexcmd("set", "motor_mode", "joint")
+    assert result.exit_code == 0
+    assert "switched off and on" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("set", "serial_timeout", "200"), "off to 12.7 s"),
+        (("set", "serial_timeot", "2"), "did you mean serial_timeout"),
+        (("get", "factory_reset"), "can only be written"),
+    ],
+)
+def test_what_makes_no_sense_for_the_board_is_refused_with_a_sentence(
+    trexcmd: Run, words: tuple[str, ...], sentence: str
+) -> None:
+    result = trexcmd(*words)
+    assert result.exit_code == 1
+    assert sentence in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_set_in_rc_mode_explains_the_refusal(trexcmd: Run, simulator: SimulatorProcess) -> None:
+    simulator.do("jumper mode rc")
+    simulator.do("power cycle")
+    result = trexcmd("set", "serial_timeout", "5")
+    assert result.exit_code == 1
+    assert "not in serial mode" in result.stderr
+
+
+def test_stop_brakes_running_motors(trexcmd: Run, simulator: SimulatorProcess) -> None:
+    trexcmd("raw", "C2 50")
+    assert simulator.show()["motors"][0]["speed"] == 0x50
+    assert trexcmd("stop").exit_code == 0
+    motor = simulator.show()["motors"][0]
+    assert (motor["direction"], motor["speed"]) == ("brake", 127)
+
+
+def test_stop_that_nobody_heard_is_a_failure(trexcmd: Run, simulator: SimulatorProcess) -> None:
+    simulator.do("power off")
+    result = trexcmd("stop")
+    assert result.exit_code == 1
+    assert "No TReX answers" in result.stderr
+
+
+def test_raw_shows_what_came_back(trexcmd: Run) -> None:
+    assert trexcmd("raw", "81").stdout.strip() == b"TReX1.2".hex(" ").upper()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("raw", "8G"),
+        ("get", "device_number", "--crc", "--parity", "even"),
+        ("get", "device_number", "--baud", "1234"),
+        ("get", "device_number", "--polynomial", "11"),
+        ("get",),
+        ("fly",),
+    ],
+)
+def test_wrong_usage_exits_with_2(trexcmd: Run, words: tuple[str, ...]) -> None:
+    assert trexcmd(*words).exit_code == 2
+
+
+def test_no_port_is_wrong_usage_and_says_how_to_give_one() -> None:
+    result = CliRunner().invoke(main, ["status"], env={"TREX_PORT": ""})
+    assert result.exit_code == 2
+    assert "TREX_PORT" in result.stderr
+
+
+def test_a_board_at_another_baud_rate_is_a_sentence(trexcmd: Run) -> None:
+    result = trexcmd("get", "device_number", "--baud", "9600")
+    assert result.exit_code == 1
+    assert "9600 baud" in result.stderr
+
+
+def test_crc_and_device_number_reach_a_board_that_wants_them(
+    start_simulator: Callable[..., SimulatorProcess],
+) -> None:
+    simulator = start_simulator("--device", "9", "--device", "12")
+    words = ["--protocol", "expanded", "--port", simulator.url]
+    for number in ("9", "12"):
+        result = CliRunner().invoke(main, ["get", "device_number", "--device", number, *words])
+        assert result.stdout == f"{number}\t{number}\n"
+
+
+def test_trexcmd_needs_no_qt(tmp_path: Path) -> None:
+    code = "import sys, trex_gui.cli; print([m for m in sys.modules if 'PySide' in m])"
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
+    assert result.stdout.strip() == "[]"
