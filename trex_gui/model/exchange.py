@@ -1,11 +1,12 @@
 """Between the models and a settings file: what is shown, and what a file would change."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from trex_gui.link.reading import DeviceState
 from trex_gui.model.device import Device
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.settings.document import Settings
+from trex_gui.settings.snapshot import settings_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,14 +32,13 @@ class Staged:
 def shown_settings(device: Device, state: DeviceState) -> Settings:
     """Return what the window shows: stored values, with the edits that wait in their place."""
     parameters = {
-        spec.key: value
-        for spec in state.specs.readable
-        if (value := device.parameters.value_of(spec.key)) is not None
+        key: value
+        for key in state.parameters
+        if (value := device.parameters.value_of(key)) is not None
     }
-    source = state.source
-    calibrations = {(source, channel): c for channel, c in state.calibrations.items()}
-    calibrations |= {(source, channel): c for channel, c in device.calibrations.pending}
-    return Settings(state.signature.model, state.signature.firmware, parameters, calibrations)
+    stored = settings_of(state)
+    edited = {(state.source, channel): c for channel, c in device.calibrations.pending}
+    return replace(stored, parameters=parameters, calibrations={**stored.calibrations, **edited})
 
 
 def stage(device: Device, state: DeviceState, settings: Settings) -> Staged:

@@ -1,0 +1,50 @@
+"""A board's own words become a settings file."""
+
+import pytest
+
+from tests.settings.samples import factory
+from trex_gui.link.reading import DeviceState
+from trex_gui.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.protocol.commands import Signature
+from trex_gui.protocol.device_table import device_table
+from trex_gui.protocol.flags import CHANNELS, InputSource, Mode
+from trex_gui.settings.reader import read_settings
+from trex_gui.settings.snapshot import settings_of
+from trex_gui.settings.writer import write_settings
+
+
+def state_of(mode: Mode = Mode.SERIAL_RC, **changes: int) -> DeviceState:
+    """Return what a board says that holds the factory's values, but for these."""
+    return DeviceState(
+        signature=Signature(device_table().model("trexjr"), "1.2"),
+        mode=mode,
+        serial_controls=True,
+        parameters=dict(reversed({**factory("trexjr").parameters, **changes}.items())),
+        calibrations=dict.fromkeys(reversed(CHANNELS), DEFAULT_CALIBRATION[mode.source]),
+        calibrated=0,
+    )
+
+
+@pytest.mark.parametrize(
+    ("mode", "source"),
+    [(Mode.SERIAL_RC, InputSource.RC), (Mode.SERIAL_ANALOG, InputSource.ANALOG)],
+)
+def test_calibrations_are_those_of_the_source_in_force(mode: Mode, source: InputSource) -> None:
+    settings = settings_of(state_of(mode))
+    assert list(settings.calibrations) == [(source, channel) for channel in CHANNELS]
+
+
+def test_a_board_is_saved_and_read_back() -> None:
+    settings = settings_of(state_of(serial_timeout=15))
+    assert settings.product.key == "trexjr"
+    assert settings.firmware == "1.2"
+    assert settings.parameters == {**factory("trexjr").parameters, "serial_timeout": 15}
+    assert read_settings(write_settings(settings)) == (settings, ())
+
+
+def test_parameters_come_in_the_order_of_the_table() -> None:
+    assert list(settings_of(state_of()).parameters) == list(factory("trexjr").parameters)
+
+
+def test_a_value_that_no_board_should_hold_is_in_the_snapshot() -> None:
+    assert settings_of(state_of(uart_settings=15)).parameters["uart_settings"] == 15
