@@ -1,6 +1,7 @@
 """Start-up of the window."""
 
 import argparse
+import os
 import signal
 import sys
 from pathlib import Path
@@ -56,8 +57,9 @@ def main(argv: list[str] | None = None) -> int:
     theme().install(app)
     program = build()
     program.window.show()
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: program.end())
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
+        if number := getattr(signal, name, None):  # not every system has each of them
+            signal.signal(number, lambda *_: program.end())
     # Python sees a signal only when its interpreter runs; without this it may sleep in Qt.
     heartbeat = QTimer()
     heartbeat.timeout.connect(lambda: None)
@@ -76,7 +78,9 @@ def main(argv: list[str] | None = None) -> int:
     if arguments.settings is not None:
         program.open_when_connected(arguments.settings)
     code = app.exec()
-    program.connector.shut_down()
+    if not program.connector.shut_down():
+        # A thread hangs in a port. Qt would abort on destroying it; everything is saved.
+        os._exit(code)
     return code
 
 

@@ -6,7 +6,6 @@ Data goes to stdout, messages to stderr. Exit codes: 0 done, 1 the device or a f
 
 import contextlib
 import json
-import time
 from collections.abc import Callable, Iterator
 from typing import Any, TypeVar
 
@@ -16,11 +15,11 @@ from serial.tools import list_ports
 from trex_gui import __version__
 from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
-from trex_gui.link.drives import stop_motors
 from trex_gui.link.explain import MODE_TEXT, who_controls
 from trex_gui.link.reading import DeviceState, ask, read_everything
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.telemetry import StatusNews, status_news
+from trex_gui.link.stopping import stop_and_prove
+from trex_gui.link.telemetry import StatusNews, StatusReader
 from trex_gui.link.transport import SerialTransport
 from trex_gui.link.writing import write_parameter
 from trex_gui.protocol.commands import (
@@ -31,7 +30,7 @@ from trex_gui.protocol.commands import (
     GetSignature,
     Signature,
 )
-from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, TrexError
+from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, PortUnavailable, TrexError
 from trex_gui.protocol.flags import (
     CHANNELS,
     STATUS_MEANING,
@@ -59,8 +58,11 @@ class _Usage(click.UsageError):
     """What was asked for makes no sense: exit code 2."""
 
 
-def _number(text: str) -> int:
-    return int(text, 0) if text.lower().startswith("0x") else int(text, 16)
+def _hexadecimal(text: str) -> int:
+    try:
+        return int(text, 16)
+    except ValueError:
+        raise _Usage(f"{text!r} is not a hexadecimal number such as 89.") from None
 
 
 def _link_options(function: FunctionT) -> FunctionT:
@@ -140,9 +142,9 @@ def _settings(options: dict[str, Any], url: str | None = None) -> LinkSettings:
     number = options["device"] if options["protocol"] == "expanded" else None
     try:
         line.to_wire()
-        polynomial = _number(options["polynomial"])
+        polynomial = _hexadecimal(options["polynomial"])
         Framing(number, polynomial)
-    except (BadRequest, ValueError) as error:
+    except BadRequest as error:
         raise _Usage(str(error)) from error
     return LinkSettings(url, line, number, polynomial, options["patience"])
 
@@ -192,22 +194,31 @@ def list_command(**options: Any) -> None:
     )
     if not ports:
         click.echo("This computer has no serial ports; give --port for another kind.", err=True)
+    unreachable = False
     for url in ports:
-        click.echo(f"{url}\t{_what_answers(_settings(options, url))}")
+        settings = _settings(options, url)
+        try:
+            answer = _what_answers(settings)
+        except PortUnavailable as error:
+            answer, unreachable = str(error), True
+        click.echo(f"{url}\t{answer}")
+    if unreachable and options["port"]:
+        raise _Refused(f"{options['port']} could not be looked at.")
 
 
 def _what_answers(settings: LinkSettings) -> str:
-    try:
-        transport = SerialTransport(settings)
-    except TrexError as error:
-        return str(error)
-    client = Client(transport, settings)
+    """Return in a few words what a port holds.
+
+    Raises:
+        PortUnavailable: it cannot be opened, or went away.
+    """
+    client = Client(SerialTransport(settings), settings)
     try:
         client.detect_echo()
         return str(ask(client.request, GetSignature()))
     except NoReply:
         return "echo only" if client.echo else "nothing answers"
-    except TrexError as error:
+    except BadReply as error:
         return f"no TReX: {error}"
     finally:
         client.close()
@@ -224,7 +235,7 @@ def status(as_json: bool, **options: Any) -> None:
     with _open(_settings(options)) as client:
         _signature(client)
         state = read_everything(client.request)
-        news = status_news(client.request, time.time)
+        news = StatusReader(client.transport.clock).read(client.request)
         report = _status_report(client, state, news)
     if as_json:
         click.echo(json.dumps(report, indent=2))
@@ -256,7 +267,9 @@ def _status_report(client: Client, state: DeviceState, news: StatusNews | None) 
         "product": state.signature.model.name,
         "firmware": state.signature.firmware,
         "mode": MODE_TEXT[state.mode],
-        "in_control": who_controls(state, state.serial_controls),
+        "in_control": who_controls(
+            state.mode, state.serial_controls, joint=state.parameters.get("motor_mode") == 1
+        ),
         "serial_controls": state.serial_controls,
         "motor_1_current": f"{currents[0] * unit:.2f} A",
         "motor_2_current": f"{currents[1] * unit:.2f} A",
@@ -295,7 +308,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
         click.echo(f"{wire}\t{spec.text(wire)}")
 
 
-@main.command("set")
+@main.command("set", context_settings={"ignore_unknown_options": True})
 @_link_options
 @click.argument("name")
 @click.argument("value")
@@ -307,7 +320,8 @@ def set_command(name: str, value: str, **options: Any) -> None:
     """
     with _open(_settings(options)) as client:
         spec = _spec(client, name)
-        wire = int(value) if value.strip().lstrip("-").isdigit() else spec.wire(value)
+        is_wire = value.strip().isdecimal() and len(value) < 10
+        wire = int(value) if is_wire else spec.wire(value)
         stored = write_parameter(client.request, spec, wire)
     click.echo(f"{stored}\t{spec.text(stored)}")
     if spec.needs_power_cycle:
@@ -317,10 +331,16 @@ def set_command(name: str, value: str, **options: Any) -> None:
 @main.command()
 @_link_options
 def stop(**options: Any) -> None:
-    """Brake both motors and switch the auxiliary motor off, then see whether the board heard."""
+    """Brake both motors and switch the auxiliary motor off, until the board confirms it."""
     with _open(_settings(options)) as client:
-        stop_motors(client.request)
-        _signature(client)
+        reader = StatusReader(client.transport.clock)
+        if not stop_and_prove(client, reader).proved:
+            _signature(client)  # says why nothing answers
+            raise NoReply(
+                "The stop was sent, but the board reports errors on the line each time. "
+                "If a motor still turns, cut its power."
+            )
+    click.echo("Stopped.", err=True)
 
 
 @main.command()

@@ -11,6 +11,7 @@ from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import Transport
 from trex_gui.protocol.commands import Command, Null, ReplyT_co, SetParameter
 from trex_gui.protocol.errors import BadReply, NoReply, ResultCode
+from trex_gui.protocol.framing import Framing
 from trex_gui.protocol.parameters import parameter_number
 from trex_gui.protocol.parser import Malformed, NeedData, Reply, ReplyParser
 
@@ -19,6 +20,10 @@ _BOARD_DELAY = 0.005
 
 Inferred: no source gives more than the response delay.
 """
+
+
+_ECHO_PROBES = 2
+"""How often an echo is looked for: one damaged byte must not hide it."""
 
 
 class Requester(Protocol):
@@ -123,19 +128,43 @@ class Client:
                 self._follow(command, value)
                 return value
 
-    def detect_echo(self) -> bool:
-        """Find out, with the null command, whether everything sent comes back.
+    def send(self, command: Command[None]) -> None:
+        """Send a command whose arrival something else will prove, whatever the line does.
+
+        With an echo, its bytes are awaited and not judged.
 
         Raises:
             PortUnavailable: the line is gone.
         """
+        packet = self._framing.encode(command)
         self.drain()
-        self._transport.discard()
-        null = self._framing.encode(Null())
-        self._transport.write(null)
-        seconds = self._settings.line.seconds(1) + self._allowance
-        self.echo = self._transport.read(1, seconds) == null
+        self.counters.requests += 1
+        self._transport.write(packet)
+        self._free_at = self._transport.clock() + self._settings.line.seconds(len(packet))
+        if self.echo:
+            self._read_echo(packet)
+
+    def detect_echo(self) -> bool:
+        """Find out, with the null command, whether everything sent comes back.
+
+        Raises:
+            BadReply: bytes come without end; no TReX sends without being asked.
+            PortUnavailable: the line is gone.
+        """
+        null = Framing().encode(Null())
+        self.echo = False
+        for _ in range(_ECHO_PROBES):
+            self.drain()
+            self._transport.discard()
+            self._transport.write(null)
+            if self._read_echo(null) == null:
+                self.echo = True
+                break
         return self.echo
+
+    def _read_echo(self, packet: bytes) -> bytes:
+        seconds = self._settings.line.seconds(len(packet)) + self._allowance
+        return self._transport.read(len(packet), seconds)
 
     def drain(self) -> None:
         """Wait until everything that was sent has left the port."""

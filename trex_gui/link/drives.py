@@ -1,11 +1,10 @@
 """What the motors shall do, between a hand that moves fast and a line that is slow."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from trex_gui.link.client import Requester
 from trex_gui.link.messages import SetAuxiliary, SetDrive
 from trex_gui.protocol.commands import (
-    STOP,
     Command,
     DriveAuxiliary,
     DriveBoth,
@@ -35,27 +34,35 @@ class DriveSlots:
     def __bool__(self) -> bool:
         return bool(self._motors) or self._auxiliary is not None
 
-    def take(self) -> list[Command[None]]:
-        """Return the fewest packets that say it all, and forget the wishes."""
-        motors = list(self._motors.values())
-        auxiliary = self._auxiliary
+    def take(self) -> list[SetDrive | SetAuxiliary]:
+        """Return the wishes, motors first, and forget them."""
+        wishes: list[SetDrive | SetAuxiliary] = [self._motors[m] for m in sorted(self._motors)]
+        if self._auxiliary is not None:
+            wishes.append(self._auxiliary)
         self.clear()
-        commands: list[Command[None]] = []
-        if len(motors) == 2 and motors[0].accelerate == motors[1].accelerate:
-            first, second = sorted(motors, key=lambda wish: wish.motor)
-            commands.append(DriveBoth(first.drive, second.drive, first.accelerate))
-        else:
-            commands += [DriveMotor(wish.motor, wish.drive, wish.accelerate) for wish in motors]
-        if auxiliary is not None:
-            commands.append(DriveAuxiliary(auxiliary.speed, auxiliary.accelerate))
-        return commands
+        return wishes
+
+    def put_back(self, wishes: Sequence[SetDrive | SetAuxiliary]) -> None:
+        """Let wishes wait again whose packets were damaged, unless newer ones have come."""
+        for wish in wishes:
+            if isinstance(wish, SetAuxiliary):
+                self._auxiliary = self._auxiliary or wish
+            else:
+                self._motors.setdefault(wish.motor, wish)
 
 
-def stop_motors(request: Requester) -> None:
-    """Brake both motors fully and switch the auxiliary motor off.
-
-    Raises:
-        PortUnavailable: the line is gone.
-    """
-    for command in STOP:
-        request(command)
+def packets(wishes: Sequence[SetDrive | SetAuxiliary]) -> list[Command[None]]:
+    """Return the fewest commands that say all of these wishes, at most one for each motor."""
+    motors = [wish for wish in wishes if isinstance(wish, SetDrive)]
+    commands: list[Command[None]] = []
+    if len(motors) == 2 and motors[0].accelerate == motors[1].accelerate:
+        first, second = sorted(motors, key=lambda wish: wish.motor)
+        commands.append(DriveBoth(first.drive, second.drive, first.accelerate))
+    else:
+        commands += [DriveMotor(wish.motor, wish.drive, wish.accelerate) for wish in motors]
+    commands += [
+        DriveAuxiliary(wish.speed, wish.accelerate)
+        for wish in wishes
+        if isinstance(wish, SetAuxiliary)
+    ]
+    return commands

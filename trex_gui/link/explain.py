@@ -1,6 +1,5 @@
 """Sentences about a board that follow from what it reported."""
 
-from trex_gui.link.reading import DeviceState
 from trex_gui.protocol.flags import Mode
 
 MODE_TEXT = {
@@ -20,24 +19,18 @@ CHANNEL_ROLES = {
 """What each channel does in RC and analog mode; in serial mode they are only measured."""
 
 
-def who_controls(state: DeviceState, serial_controls: bool | None) -> str:
+def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
     """Say who controls the motors, and what to do when it is not this program."""
-    by_serial = state.serial_controls if serial_controls is None else serial_controls
-    joint = ""
-    if is_joint(state):
-        joint = " Joint mode: both drivers work together as motor 1, motor 2 is ignored."
-    if state.mode.is_serial and by_serial:
-        return "Serial commands control the motors (serial mode)." + joint
+    note = " Joint mode: both drivers work together as motor 1, motor 2 is ignored."
+    if not joint:
+        note = ""
+    if mode.is_serial and by_serial:
+        return "Serial commands control the motors (serial mode)." + note
     if by_serial:
-        return "Serial commands control the motors: channel 5 overrides the other inputs." + joint
-    channels = "RC" if state.mode is Mode.RC else "analog"
+        return "Serial commands control the motors: channel 5 overrides the other inputs." + note
+    channels = "RC" if mode is Mode.RC else "analog"
     return (
         f"The {channels} channels control the motors. Serial commands wait in the board until "
         "channel 5 hands over; for serial mode, switch the board off, take the mode jumper off, "
-        "switch it on." + joint
+        "switch it on." + note
     )
-
-
-def is_joint(state: DeviceState) -> bool:
-    """Whether both drivers work together as one motor."""
-    return state.parameters.get("motor_mode") == 1

@@ -5,6 +5,7 @@ nobody above it notices the difference.
 """
 
 from dataclasses import dataclass
+from enum import Enum, auto
 
 from trex_gui.link.client import Counters
 from trex_gui.link.reading import DeviceState
@@ -87,17 +88,32 @@ class Progress:
     what: str
 
 
+class Occasion(Enum):
+    """Why everything was read."""
+
+    OPENED = auto()
+    RETURNED = auto()
+    MODE_CHANGED = auto()
+    RELOADED = auto()
+
+    @property
+    def power_cycled(self) -> bool:
+        """Whether the board's power was off since it was read before, as far as can be told."""
+        return self in {Occasion.RETURNED, Occasion.MODE_CHANGED}
+
+
 @dataclass(frozen=True, slots=True)
 class Connected:
     """A board answers, and this is what it says; sent again whenever it is read anew.
 
-    `echo` says that everything sent comes back: the RS-232 side of the board. `returned` says
-    that it answers for the first time, or again, so its power may have been off meanwhile.
+    `echo` says that everything sent comes back: the RS-232 side of the board. `may_move` says
+    that motors were driven and no stop was proved since.
     """
 
     state: DeviceState
     echo: bool
-    returned: bool
+    occasion: Occasion
+    may_move: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,6 +121,7 @@ class Silent:
     """The port is there, but the board has stopped answering; the session goes on trying."""
 
     reason: str
+    counters: Counters
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,9 +146,14 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Closed:
-    """The session has ended and the port is free; the last message. `None`: as asked."""
+    """The session has ended and the port is free; the last message.
+
+    `error` is `None` when it ended as asked. `may_move` says that motors were driven and no
+    stop was proved since.
+    """
 
     error: TrexError | None
+    may_move: bool = False
 
 
 Report = Progress | Connected | Silent | Batch | Outcome | Closed

@@ -5,20 +5,20 @@ Nothing that it does on its own may move a motor; a stop is the one motor comman
 may send unasked.
 """
 
-import contextlib
 import logging
 from collections.abc import Callable
 from dataclasses import replace
 
 from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
-from trex_gui.link.drives import stop_motors
+from trex_gui.link.drives import packets
 from trex_gui.link.mailbox import Inbox, Mailbox
 from trex_gui.link.messages import (
     Ask,
     Batch,
     Closed,
     Connected,
+    Occasion,
     Outcome,
     Progress,
     Reload,
@@ -29,10 +29,11 @@ from trex_gui.link.messages import (
 from trex_gui.link.reading import DeviceState, read_everything
 from trex_gui.link.schedule import Schedule, Topic, rates
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.telemetry import Control, ModeSeen, Sample, poll
+from trex_gui.link.stopping import ATTEMPTS, send_stop, stop_and_prove
+from trex_gui.link.telemetry import ModeSeen, Sample, StatusReader, poll
 from trex_gui.link.transport import SerialTransport, Transport
 from trex_gui.link.writing import write_all
-from trex_gui.protocol.commands import Command, GetMode, GetSerialControl, ReplyT_co
+from trex_gui.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.protocol.errors import (
     BadReply,
     BadRequest,
@@ -51,7 +52,7 @@ FRAME = 1 / 60
 _DRIVE_INTERVAL = 0.02
 """Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
 
-_LONGEST_DRIVE = 8
+_LONGEST_DRIVE = 11
 """Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
 
 _TICK = 1e-5
@@ -59,7 +60,7 @@ _TICK = 1e-5
 
 _FAILURES_TO_SILENCE = 3
 _RETRY_INTERVAL = 0.25
-_STOP_ATTEMPTS = 10
+_CLOSING_ATTEMPTS = 3
 
 
 class _Closing(Exception):  # noqa: N818 - no error: the session was asked to end
@@ -69,7 +70,8 @@ class _Closing(Exception):  # noqa: N818 - no error: the session was asked to en
 class Session:
     """Serves one line from opening it to giving it back.
 
-    `emit` is called with every report, from wherever `run` runs.
+    `emit` is called with every report, from wherever `run` runs. `may_move` says that motors
+    may be turning from an earlier session: then a stop goes out before anything else.
     """
 
     def __init__(
@@ -78,17 +80,19 @@ class Session:
         inbox: Inbox,
         emit: Callable[[Report], None],
         open_transport: Callable[[LinkSettings], Transport] = SerialTransport,
+        *,
+        may_move: bool = False,
     ) -> None:
         self._settings = settings
         self._emit = emit
         self._open_transport = open_transport
         self._mail = Mailbox(inbox)
+        self._may_move = may_move
         self._state: DeviceState | None = None
         self._schedule = Schedule()
         self._samples: list[Sample] = []
         self._flushed_at = 0.0
         self._drove_at = 0.0
-        self._driven = False
         self._failures = 0
         self._silent = False
         self._retry_at = 0.0
@@ -100,13 +104,11 @@ class Session:
         is given back and every request gets its outcome.
         """
         error: TrexError | None = None
+        client: Client | None = None
         try:
             transport = self._open_transport(self._settings)
-        except TrexError as reason:
-            self._finish(reason)
-            return
-        self._client = Client(transport, self._settings)
-        try:
+            client = self._client = Client(transport, self._settings)
+            self._status = StatusReader(transport.clock)
             self._connect()
             while True:
                 self._step()
@@ -117,39 +119,49 @@ class Session:
         except Exception as reason:
             log.exception("the line session failed")
             error = TrexError(f"The program made a mistake on this line: {reason!r}")
-        self._leave_safely()
+        if client is not None:
+            self._leave_safely(client)
         self._finish(error)
 
     # --- Beginning and end --------------------------------------------------------------
 
     def _connect(self) -> None:
-        echo = self._client.detect_echo()
+        echo = False
         try:
-            self._read_everything(returned=True)
+            echo = self._client.detect_echo()
+            if self._may_move:
+                self._stop_and_prove()
+            self._read_everything(Occasion.OPENED)
         except (NoReply, BadReply) as error:
             raise why_no_board(self._settings, echo=echo, error=error) from error
 
-    def _read_everything(self, *, returned: bool) -> None:
+    def _read_everything(self, occasion: Occasion) -> None:
         self._state = read_everything(self._request, self._progress)
         self._schedule.start(rates(self._state.source), self._now())
         self._failures = 0
         self._silent = False
         self._flush()
-        self._emit(Connected(self._state, self._client.echo, returned))
+        self._emit(Connected(self._state, self._client.echo, occasion, self._may_move))
 
-    def _leave_safely(self) -> None:
-        with contextlib.suppress(TrexError):
-            if self._driven:
-                stop_motors(self._client.request)
-            self._client.drain()
-        self._client.close()
+    def _leave_safely(self, client: Client) -> None:
+        """Stop what was driven and give the port back, whatever the line does."""
+        try:
+            if self._may_move:
+                self._stop_and_prove(_CLOSING_ATTEMPTS)
+            client.drain()
+            self._flush()
+        except TrexError:
+            log.info("the line was left without a proved stop", exc_info=True)
+        except Exception:
+            log.exception("leaving the line failed")
+        client.close()
 
     def _finish(self, error: TrexError | None) -> None:
         self._mail.collect()
         reason = error or TrexError("The line was closed before this was done.")
         for waiting in self._mail.abandon():
             self._emit(Outcome(waiting, error=reason))
-        self._emit(Closed(error))
+        self._emit(Closed(error, self._may_move))
 
     # --- The loop -----------------------------------------------------------------------
 
@@ -214,36 +226,45 @@ class Session:
         return max(_DRIVE_INTERVAL, 2 * self._settings.line.seconds(_LONGEST_DRIVE))
 
     def _drive(self) -> None:
-        commands = self._mail.drives.take()
+        wishes = self._mail.drives.take()
         if self._silent:
             # A board that comes back must not be met by a wish that is seconds old.
             return
         self._drove_at = self._now()
-        self._driven = True
-        for command in commands:
-            self._client.request(command)
+        self._may_move = True
+        try:
+            for command in packets(wishes):
+                self._client.request(command)
+        except (NoReply, BadReply) as error:
+            # The echo shows that a packet was damaged: the wish still stands.
+            self._mail.drives.put_back(wishes)
+            self._note_failure(error)
 
     def _stop(self) -> None:
-        """Send a stop again and again until an answer proves that the line was free for it."""
+        """Serve every stop that waits; each gets its outcome, even when the line is lost."""
         stops = self._mail.take_stops()
-        error: TrexError | None = NoReply(
-            "The stop was sent, but the board does not answer. If a motor still turns, "
-            "cut its power."
+        try:
+            proved = self._stop_and_prove()
+        except PortUnavailable:
+            self._mail.stops = stops
+            raise
+        error = (
+            None
+            if proved
+            else NoReply(
+                "The stop was sent, but the board does not confirm it. If a motor still turns, "
+                "cut its power."
+            )
         )
-        for _ in range(_STOP_ATTEMPTS):
-            try:
-                stop_motors(self._client.request)
-                by_serial = self._client.request(GetSerialControl())
-            except (NoReply, BadReply):
-                continue
-            except PortUnavailable:
-                self._mail.stops = stops  # they get their outcome with everything dropped
-                raise
-            self._samples.append(Control(self._now(), by_serial))
-            error = None
-            break
         for stop in stops:
             self._emit(Outcome(stop.id, error=error))
+
+    def _stop_and_prove(self, attempts: int = ATTEMPTS) -> bool:
+        stopped = stop_and_prove(self._client, self._status, attempts)
+        self._samples += stopped.news
+        if stopped.proved:
+            self._may_move = False
+        return stopped.proved
 
     # --- What was asked -----------------------------------------------------------------
 
@@ -252,14 +273,14 @@ class Session:
             value: object = None
             match job:
                 case Ask(command=command):
-                    self._driven = self._driven or command.moves
+                    self._may_move = self._may_move or command.moves
                     value = self._request(command)
                 case Write(parameters=parameters, calibrations=calibrations):
                     value = write_all(
                         self._request, self._specs, parameters, calibrations, self._progress
                     )
                 case Reload():
-                    self._read_everything(returned=False)
+                    self._read_everything(Occasion.RELOADED)
         except (BadRequest, NoReply, BadReply, Rejected) as error:
             self._emit(Outcome(job.id, error=error))
         except (PortUnavailable, _Closing):
@@ -282,30 +303,39 @@ class Session:
 
     def _poll(self, topic: Topic) -> None:
         try:
-            sample = poll(self._client.request, topic, self._now)
+            sample = poll(self._client.request, topic, self._now, self._status)
+            self._failures = 0
+            if sample is not None:
+                self._samples.append(sample)
+            if isinstance(sample, ModeSeen) and self._state and sample.mode is not self._state.mode:
+                # The power was off and a jumper has moved: everything may be different now.
+                self._read_everything(Occasion.MODE_CHANGED)
         except (NoReply, BadReply) as error:
-            self._failures += 1
-            if self._failures >= _FAILURES_TO_SILENCE:
-                self._fall_silent(str(error))
-            return
-        self._failures = 0
-        if sample is not None:
-            self._samples.append(sample)
-        if isinstance(sample, ModeSeen) and self._state and sample.mode is not self._state.mode:
-            # The power was off and a jumper has moved: everything may be different now.
-            self._read_everything(returned=True)
+            self._note_failure(error)
+
+    def _note_failure(self, error: TrexError) -> None:
+        self._failures += 1
+        if self._failures >= _FAILURES_TO_SILENCE and not self._silent:
+            self._fall_silent(str(error))
 
     def _fall_silent(self, reason: str) -> None:
         self._silent = True
         self._retry_at = self._now() + _RETRY_INTERVAL
+        if self._may_move:
+            # It may hear us although we do not hear it.
+            send_stop(self._client)
         self._flush()
-        self._emit(Silent(reason))
+        self._emit(Silent(reason, replace(self._client.counters)))
 
     def _look_again(self) -> None:
         """See whether the board is back; if it is, it may have been through a power cycle."""
         try:
+            if self._may_move:
+                send_stop(self._client)
             self._client.request(GetMode())
-            self._read_everything(returned=True)
+            if self._may_move:
+                self._stop_and_prove()
+            self._read_everything(Occasion.RETURNED)
         except (NoReply, BadReply):
             self._retry_at = self._now() + _RETRY_INTERVAL
 

@@ -71,11 +71,46 @@ class ModeSeen:
 Sample = Raw | Remapped | Currents | StatusNews | Control | ModeSeen
 
 
-def poll(request: Requester, topic: Topic, clock: Callable[[], float]) -> Sample | None:
+class StatusReader:
+    """Reads the latched bits and loses none of them on a line that damages bytes.
+
+    Reading clears a byte. So when the status was asked for and did not arrive, or announced
+    UART errors whose byte did not arrive, the UART error byte is asked for the next time.
+    """
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        self._clock = clock
+        self._uart_due = False
+
+    @property
+    def uart_due(self) -> bool:
+        """Whether UART error bits may be waiting that no status announces any more."""
+        return self._uart_due
+
+    def read(self, request: Requester) -> StatusNews | None:
+        """Read and clear the status, and the UART errors when there may be some.
+
+        Raises:
+            NoReply, BadReply: no status came.
+            PortUnavailable: the line is gone.
+        """
+        uart_due, self._uart_due = self._uart_due, True
+        status = request(GetStatus())
+        uart = UartError(0)
+        self._uart_due = uart_due or bool(status & Status.UART_ERROR)
+        if self._uart_due:
+            with contextlib.suppress(NoReply, BadReply):
+                uart = request(GetUartErrors())
+                self._uart_due = False
+        return StatusNews(self._clock(), status, uart) if status or uart else None
+
+
+def poll(
+    request: Requester, topic: Topic, clock: Callable[[], float], reader: StatusReader
+) -> Sample | None:
     """Ask for one topic; the sample bears the time at which its reply was in.
 
-    Reading the status clears it, and the UART error byte is read only when the status
-    announces it; `None` when there was no news.
+    `None` when the status has no news.
 
     Raises:
         NoReply, BadReply: as every transaction.
@@ -98,20 +133,4 @@ def poll(request: Requester, topic: Topic, clock: Callable[[], float]) -> Sample
             mode = request(GetMode())
             return ModeSeen(clock(), mode)
         case Topic.STATUS:
-            return status_news(request, clock)
-
-
-def status_news(request: Requester, clock: Callable[[], float]) -> StatusNews | None:
-    """Read and clear the status byte, and the UART error byte when a bit announces it.
-
-    Raises:
-        NoReply, BadReply: no status came. A second byte that does not come raises nothing:
-            the bits of the first are read, and so cleared, and must not be lost.
-        PortUnavailable: the line is gone.
-    """
-    status = request(GetStatus())
-    uart = UartError(0)
-    if status & Status.UART_ERROR:
-        with contextlib.suppress(NoReply, BadReply):
-            uart = request(GetUartErrors())
-    return StatusNews(clock(), status, uart) if status or uart else None
+            return reader.read(request)

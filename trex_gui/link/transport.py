@@ -6,6 +6,7 @@ in virtual time can stand in for them.
 
 import contextlib
 import errno
+import logging
 import os
 import sys
 import time
@@ -16,11 +17,16 @@ import serial
 from serial.tools import list_ports
 
 from trex_gui.link.settings import LinkSettings
-from trex_gui.protocol.errors import PortUnavailable
+from trex_gui.protocol.errors import BadReply, PortUnavailable
 from trex_gui.protocol.line_settings import Detection, LineSettings
+
+log = logging.getLogger(__name__)
 
 _SLICE = 0.02
 """Seconds that one blocking read may last; a deadline is overrun by no more than this."""
+
+_LONGEST_STALE = 0.05
+"""Seconds of bytes that nobody asked for after which a line counts as talking by itself."""
 
 _LOCAL_LATENCY = 0.06
 """Allowance for a local port: two latency timers of a common adapter (16 ms) and the system."""
@@ -63,6 +69,7 @@ class Transport(Protocol):
         """Forget what has come so far, and return it.
 
         Raises:
+            BadReply: bytes come without end; no TReX sends without being asked.
             PortUnavailable: the line is gone.
         """
         ...
@@ -112,9 +119,14 @@ class SerialTransport:
 
     def discard(self) -> bytes:
         stale = bytearray()
+        deadline = time.monotonic() + _LONGEST_STALE
         try:
             while waiting := self._port.in_waiting:
                 stale += self._port.read(waiting)
+                if time.monotonic() > deadline:
+                    raise BadReply(
+                        f"It sends without being asked ({stale[:12].hex(' ').upper()} …)."
+                    )
         except _PORT_ERRORS as error:
             raise self._gone(error) from error
         return bytes(stale)
@@ -128,17 +140,20 @@ class SerialTransport:
             self._port.close()
 
     def _gone(self, error: Exception) -> PortUnavailable:
-        return PortUnavailable(f"The line {self._url} is gone ({_plain(error)}). Plug it in again.")
+        log.info("the line %s is gone: %s", self._url, error)
+        return PortUnavailable(f"The line {self._url} is gone. Plug it in, then connect again.")
 
 
 def _port_errors() -> tuple[type[Exception], ...]:
-    # pyserial lets the last three out for a bad address and a port closed under it.
+    # pyserial lets these out too: for a bad address, a port closed under it, and what a kind
+    # of port cannot do.
     kinds: list[type[Exception]] = [
         serial.SerialException,
         OSError,
         ValueError,
         TypeError,
         AttributeError,
+        NotImplementedError,
     ]
     with contextlib.suppress(ImportError):
         import termios  # noqa: PLC0415 - only on POSIX
@@ -159,7 +174,8 @@ def _open(settings: LinkSettings) -> serial.Serial:
         port.parity = _PARITIES.get(line.detection, serial.PARITY_NONE)
         port.stopbits = serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE
         port.timeout = _SLICE
-        port.write_timeout = 1
+        if not settings.url.startswith("rfc2217://"):  # which cannot do it
+            port.write_timeout = 1
         if "://" not in settings.url and sys.platform != "win32":
             port.exclusive = True
         port.open()

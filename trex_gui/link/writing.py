@@ -19,11 +19,14 @@ from trex_gui.protocol.errors import (
     BadReply,
     BadRequest,
     NoReply,
+    PortUnavailable,
     Rejected,
     ResultCode,
     TrexError,
 )
 from trex_gui.protocol.parameters import ParameterSet, ParameterSpec
+
+_FAILURES = (BadRequest, Rejected, BadReply, NoReply, PortUnavailable)
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,17 +55,22 @@ def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
         PortUnavailable: the line is gone.
     """
     command = SetParameter(spec.number, spec.check(wire))
-    _write(request, spec.name, command, may_fail=spec.readable)
     if not spec.readable:
+        _write(request, spec.name, command, may_fail=False)
         return wire
-    stored = ask(request, GetParameter(spec.number))
-    if stored != wire:
-        message = (
-            f"{spec.name} did not stick: wrote {spec.text(wire)}, "
-            f"but the board reads back {spec.text(stored)}."
-        )
-        raise BadReply(message)
-    return stored
+    stored = wire
+    for _ in range(ATTEMPTS):
+        _write(request, spec.name, command, may_fail=True)
+        # Without CRC the line may have damaged what was read, or what was written: only two
+        # equal readings speak against the write, and a write may be repeated.
+        stored = ask(request, GetParameter(spec.number))
+        if stored == wire or (stored := ask(request, GetParameter(spec.number))) == wire:
+            return wire
+    message = (
+        f"{spec.name} did not stick: wrote {spec.text(wire)}, "
+        f"but the board reads back {spec.text(stored)}"
+    )
+    raise BadReply(message)
 
 
 def write_calibration(request: Requester, channel: int, wanted: Calibration) -> Calibration:
@@ -73,12 +81,14 @@ def write_calibration(request: Requester, channel: int, wanted: Calibration) -> 
         Rejected, BadReply, NoReply, PortUnavailable: as for `write_parameter`.
     """
     what = f"Calibration of channel {channel}"
-    _write(request, what, SetCalibration(channel, wanted), may_fail=True)
-    stored = ask(request, GetCalibration(channel))
-    if stored != wanted:
-        message = f"{what} did not stick: the board reads back {stored}."
-        raise BadReply(message)
-    return stored
+    stored = wanted
+    for _ in range(ATTEMPTS):
+        _write(request, what, SetCalibration(channel, wanted), may_fail=True)
+        stored = ask(request, GetCalibration(channel))
+        if stored == wanted or (stored := ask(request, GetCalibration(channel))) == wanted:
+            return wanted
+    message = f"{what} did not stick: the board reads back {stored}"
+    raise BadReply(message)
 
 
 def _write(
@@ -107,11 +117,9 @@ def write_all(
     """Store calibrations, then parameters by key, and return how each went.
 
     Parameters that need a power cycle come last and the serial settings after all others, so
-    that an interruption leaves the board reachable. Once the board has stopped answering, or
-    has said that it is not in serial mode, the rest is not tried: it would fail alike.
-
-    Raises:
-        PortUnavailable: the line is gone.
+    that an interruption leaves the board reachable. Once the line is gone, the board has
+    stopped answering or has said that it is not in serial mode, the rest is not tried: it
+    would fail alike.
     """
     total = len(parameters) + len(calibrations)
     results: list[Written] = []
@@ -124,7 +132,7 @@ def write_all(
         if hopeless is None:
             try:
                 result = Written(what, write_calibration(request, channel, wanted))
-            except (BadRequest, Rejected, BadReply, NoReply) as error:
+            except _FAILURES as error:
                 result = Written(what, error=error)
                 hopeless = _if_hopeless(error)
         results.append(result)
@@ -136,7 +144,7 @@ def write_all(
                 spec = specs[key]
                 progress(len(results), total, spec.name)
                 result = Written(key, write_parameter(request, spec, wire))
-            except (BadRequest, Rejected, BadReply, NoReply) as error:
+            except _FAILURES as error:
                 result = Written(key, error=error)
                 hopeless = _if_hopeless(error)
         results.append(result)
@@ -155,7 +163,7 @@ def _write_order(specs: ParameterSet, key: str) -> tuple[bool, bool, int]:
 
 def _if_hopeless(error: TrexError) -> TrexError | None:
     """Return the error when every later write would meet it too."""
-    if isinstance(error, NoReply):
+    if isinstance(error, (NoReply, PortUnavailable)):
         return error
     if isinstance(error, Rejected) and error.code is ResultCode.NOT_SERIAL_MODE:
         return error

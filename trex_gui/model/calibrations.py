@@ -37,6 +37,11 @@ class Calibrations(QObject):
         """What Apply would write: channel and calibration."""
         return tuple(sorted(self._edited.items()))
 
+    @property
+    def all_stored(self) -> dict[int, Calibration]:
+        """What the board stores, by channel."""
+        return dict(self._stored)
+
     def stored(self, channel: int) -> Calibration | None:
         """What the board stores for a channel; `None` when it was not read."""
         return self._stored.get(channel)

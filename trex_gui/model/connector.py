@@ -83,11 +83,15 @@ class Connector(QObject):
             self._set_port(None)
         self._device.disconnect_line()
 
-    def shut_down(self) -> None:
-        """Close the line and end the simulator, for the end of the program."""
+    def shut_down(self) -> bool:
+        """Close the line and end the simulator, for the end of the program.
+
+        Return whether the line's thread ended in time; see `Device.shut_down`.
+        """
         self._demo_wanted = False
-        self._device.shut_down()
+        in_time = self._device.shut_down()
         self.simulator.stop()
+        return in_time
 
     def _set_port(self, port: Port | None) -> None:
         if port != self._port:

@@ -3,17 +3,20 @@
 import itertools
 import logging
 from collections.abc import Callable
+from dataclasses import replace
 from enum import Enum, auto
 from typing import cast
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.link.client import Counters
+from trex_gui.link.explain import who_controls
 from trex_gui.link.messages import (
     Batch,
     Close,
     Closed,
     Connected,
+    Occasion,
     Outcome,
     Progress,
     Reload,
@@ -31,15 +34,16 @@ from trex_gui.link.writing import Written
 from trex_gui.model.calibrations import Calibrations
 from trex_gui.model.errors import ErrorLog
 from trex_gui.model.motors import Motors
-from trex_gui.model.parameters import ParameterModel
+from trex_gui.model.parameters import Column, ParameterModel
 from trex_gui.model.telemetry import Telemetry
 from trex_gui.protocol.errors import TrexError
+from trex_gui.protocol.flags import InputSource
 from trex_gui.worker.line_worker import LineWorker
 
 log = logging.getLogger(__name__)
 
-_LEFT_ALONE: list[LineWorker] = []
-"""Threads that did not end in time: kept, because Qt aborts when one is destroyed running."""
+_ENDING: list[LineWorker] = []
+"""Threads between their last report and their end; Qt aborts when one is destroyed running."""
 
 
 class Link(Enum):
@@ -84,6 +88,8 @@ class Device(QObject):
         self._state: DeviceState | None = None
         self._echo = False
         self._counters = Counters()
+        self._applying = False
+        self._may_move = False
         self._worker: LineWorker | None = None
         self._next: LinkSettings | None = None
         self._ids = itertools.count(1)
@@ -126,6 +132,35 @@ class Device(QObject):
         """What the line has seen since it was opened."""
         return self._counters
 
+    def name_of(self, what: str) -> str:
+        """Return the name for people of what a `Written` is about."""
+        index = self.parameters.index_of(what, Column.NAME)
+        return str(index.data()) if index.isValid() else what
+
+    @property
+    def is_joint(self) -> bool:
+        """Whether both drivers work as one motor now, whatever is stored for the next start."""
+        return self.parameters.active_of("motor_mode") == 1
+
+    @property
+    def control_text(self) -> str:
+        """Who controls the motors, as a sentence; empty while no board answers."""
+        if self._state is None or self._link is not Link.UP:
+            return ""
+        seen = self.telemetry.serial_controls
+        by_serial = self._state.serial_controls if seen is None else seen
+        return who_controls(self._state.mode, by_serial, joint=self.is_joint)
+
+    @property
+    def may_move(self) -> bool:
+        """Whether motors were driven and no stop was proved since, connected or not."""
+        return self._may_move
+
+    @property
+    def applying(self) -> bool:
+        """Whether edits are being written."""
+        return self._applying
+
     # --- What a person does -------------------------------------------------------------
 
     def connect_to(self, settings: LinkSettings) -> None:
@@ -139,9 +174,9 @@ class Device(QObject):
             return
         self._settings = settings
         self._counters = Counters()
-        self.errors.reset()
-        self._worker = LineWorker(settings)
+        self._worker = LineWorker(settings, may_move=self._may_move)
         self._worker.reported.connect(self._on_reported)
+        self._worker.finished.connect(self._on_worker_finished)
         self._set_link(Link.OPENING, self.tr("Connecting to {0} …").format(settings.text()))
         self._worker.start()
 
@@ -155,16 +190,18 @@ class Device(QObject):
     def shut_down(self) -> bool:
         """Close the line and wait for it, at most a second; return whether it ended in time.
 
-        For the end of the program only: a thread that does not end in time is left alone.
+        For the end of the program only. A thread that does not end in time is kept, and the
+        process must end without destroying it.
         """
         worker, self._worker = self._worker, None
         self._next = None
         if worker is None:
-            return True
+            return not any(ending.isRunning() for ending in _ENDING)
         worker.reported.disconnect(self._on_reported)
+        worker.finished.disconnect(self._on_worker_finished)
         in_time = worker.close()
         if not in_time:
-            _LEFT_ALONE.append(worker)
+            _ENDING.append(worker)
         self._end(None)
         return in_time
 
@@ -174,9 +211,11 @@ class Device(QObject):
 
     def apply(self) -> None:
         """Write every pending edit and read it back; `applied` tells how it went."""
-        if self.pending:
+        if self.pending and not self._applying:
             parameters, calibrations = self.parameters.pending, self.calibrations.pending
+            self._applying = True
             self._ask(lambda number: Write(number, parameters, calibrations), self._on_applied)
+            self.link_changed.emit()
 
     @property
     def pending(self) -> int:
@@ -203,6 +242,7 @@ class Device(QObject):
     @Slot(object)
     def _on_drive_requested(self, wish: SetDrive | SetAuxiliary) -> None:
         if self._worker is not None:
+            self._may_move = True
             self._worker.submit(wish)
 
     @Slot()
@@ -211,7 +251,11 @@ class Device(QObject):
             self._ask(Stop, self._on_stopped)
 
     def _on_stopped(self, outcome: Outcome) -> None:
-        if outcome.error is not None and self._link is not Link.CLOSING:
+        if outcome.error is None:
+            # A wish that was let through meanwhile is a motor that moves again.
+            self._may_move = self.motors.armed
+            self.link_changed.emit()
+        elif self._link is not Link.CLOSING:
             self.failed.emit(str(outcome.error))
 
     def _on_reloaded(self, outcome: Outcome) -> None:
@@ -219,13 +263,28 @@ class Device(QObject):
             self.failed.emit(self.tr("Reading again failed. {0}").format(outcome.error))
 
     def _on_applied(self, outcome: Outcome) -> None:
+        self._applying = False
         if outcome.error is not None:
             self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
             return
         results = cast("tuple[Written, ...]", outcome.value)
         self.parameters.take_results(results)
         self.calibrations.take_results(results)
+        self._note_written(results)
         self.applied.emit(results)
+        self.link_changed.emit()
+
+    def _note_written(self, results: tuple[Written, ...]) -> None:
+        """Let `state` say what the board holds now."""
+        if self._state is None:
+            return
+        parameters, calibrations = dict(self._state.parameters), dict(self._state.calibrations)
+        for result in results:
+            if isinstance(result.stored, int):
+                parameters[result.what] = result.stored
+        calibrations |= self.calibrations.all_stored
+        self._state = replace(self._state, parameters=parameters, calibrations=calibrations)
+        self.state_changed.emit()
 
     # --- Reports from the line ----------------------------------------------------------
 
@@ -241,9 +300,11 @@ class Device(QObject):
                 self.progressed.emit(done, total, what)
             case Connected():
                 self._take_state(report)
-            case Silent(reason=reason):
+            case Silent(reason=reason, counters=counters):
+                self._counters = counters
                 self._fall_silent(reason)
-            case Closed(error=error):
+            case Closed(error=error, may_move=may_move):
+                self._may_move = may_move
                 self._on_closed(error)
 
     def _take_samples(self, batch: Batch) -> None:
@@ -252,21 +313,53 @@ class Device(QObject):
             if isinstance(sample, StatusNews):
                 self.errors.take(sample)
         self.telemetry.take(batch)
+        self._allow_driving()
+
+    def _allow_driving(self) -> None:
+        """Let the motors be armed only while this program's commands reach them.
+
+        Where channels are in control the board keeps a command until channel 5 hands over:
+        what was meant for now would start later.
+        """
+        allowed = self._link is Link.UP and bool(self.telemetry.serial_controls)
+        if allowed != self.motors.can_arm:
+            if not allowed and self.motors.armed and self._link is Link.UP:
+                self.motors.stop()
+            self.motors.allow(allowed)
 
     def _take_state(self, report: Connected) -> None:
-        state = report.state
+        state, occasion = report.state, report.occasion
         self._state = state
         self._echo = report.echo
-        if report.returned:
+        if occasion is Occasion.OPENED:
             self.telemetry.begin(state.signature.model.current_unit)
+        if occasion is not Occasion.RELOADED:
+            self._may_move = report.may_move
+            self.motors.allow(False)
         self.telemetry.note_control(state.serial_controls)
         self.parameters.load(
-            state.specs, state.parameters, state.unread, power_cycled=report.returned
+            state.specs, state.parameters, state.unread, power_cycled=occasion.power_cycled
         )
+        self.parameters.note_in_force(self._in_force(state))
         self.calibrations.load(state.source, state.calibrations)
         self._set_link(Link.UP, self.tr("Connected to {0}.").format(state.signature))
-        self.motors.allow(True)
+        self._allow_driving()
         self.state_changed.emit()
+
+    def _in_force(self, state: DeviceState) -> dict[str, int]:
+        """Return what is surely in force now of what acts only after a power cycle.
+
+        The line itself shows the UART settings, the mode the input source; stored values
+        may differ from them until the power is cycled.
+        """
+        in_force: dict[str, int] = {}
+        if self._settings is not None:
+            in_force["uart_settings"] = self._settings.line.to_wire()
+            if self._settings.framing.polynomial is not None:
+                in_force["crc7_polynomial"] = self._settings.polynomial & 0x7F
+        if state.mode.is_serial:
+            in_force["channel_input_source"] = int(state.source is InputSource.ANALOG)
+        return in_force
 
     def _fall_silent(self, reason: str) -> None:
         self.motors.allow(False)
@@ -279,10 +372,9 @@ class Device(QObject):
         log.info("the board fell silent: %s", reason)
 
     def _on_closed(self, error: TrexError | None) -> None:
-        worker, self._worker = self._worker, None
-        if worker is not None:
-            worker.wait()  # its run has returned but for a few instructions
-            worker.deleteLater()
+        if self._worker is not None:
+            _ENDING.append(self._worker)
+            self._worker = None
         following, self._next = self._next, None
         if following is not None:
             self._forget()
@@ -290,9 +382,20 @@ class Device(QObject):
         else:
             self._end(error)
 
+    @Slot()
+    def _on_worker_finished(self) -> None:
+        worker = self.sender()
+        if worker is self._worker:
+            # Its last report never came: a fault of the program, and yet the line is closed.
+            self._on_closed(TrexError(self.tr("The line was closed by a fault of the program.")))
+        if isinstance(worker, LineWorker) and worker in _ENDING:
+            _ENDING.remove(worker)
+            worker.deleteLater()
+
     def _forget(self) -> None:
         """Know nothing of any board any more."""
         self._state = None
+        self._applying = False
         self._waiting.clear()
         self.motors.allow(False)
         self.telemetry.forget()
@@ -301,7 +404,7 @@ class Device(QObject):
 
     def _end(self, error: TrexError | None) -> None:
         self._forget()
-        self._set_link(Link.NONE, str(error) if error else self.tr("Not connected."))
+        self._set_link(Link.NONE, self.tr("Not connected."))
         if error is not None:
             self.failed.emit(str(error))
 

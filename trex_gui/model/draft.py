@@ -61,6 +61,14 @@ class Draft:
         if self.edited.get(spec.key) == wire:
             del self.edited[spec.key]
 
+    def note_in_force(self, key: str, wire: int) -> None:
+        """Take what is surely in force now, whatever is stored for the next start."""
+        if key in self.stored:
+            if self.stored[key] == wire:
+                self.active.pop(key, None)
+            else:
+                self.active[key] = wire
+
     @property
     def pending(self) -> tuple[tuple[str, int], ...]:
         """What Apply would write: key and wire value."""

@@ -44,6 +44,24 @@ class ErrorLog(QObject):
         """Status bits, then UART error bits, highest bit first."""
         return tuple(self._entries)
 
+    def recent(self, motor: int, seconds: float = 3.0) -> list[ErrorEntry]:
+        """Return what concerns motor 1 or 2 and was seen within the last `seconds`.
+
+        Serial timeouts and other UART errors concern both: they may have shut it down.
+        """
+        now = datetime.now(UTC)
+        of_motor = {
+            1: Status.MOTOR1_FAULT | Status.MOTOR1_OVER_LIMIT,
+            2: Status.MOTOR2_FAULT | Status.MOTOR2_OVER_LIMIT,
+        }[motor]
+        return [
+            entry
+            for entry in self._entries
+            if entry.last is not None
+            and (now - entry.last).total_seconds() < seconds
+            and (isinstance(entry.bit, UartError) or entry.bit & of_motor)
+        ]
+
     def take(self, news: StatusNews) -> None:
         """Count the bits of one look at the status."""
         now = datetime.now(UTC).astimezone()

@@ -24,12 +24,8 @@ class Motors(QObject):
         self.accelerate = True
         self._armed = False
         self._can_arm = False
-        self._drives = self._at_rest()
+        self._drives: dict[int, Drive] = {}
         self._auxiliary = 0
-
-    @staticmethod
-    def _at_rest() -> dict[int, Drive]:
-        return {1: Drive.brake(), 2: Drive.brake()}
 
     @property
     def armed(self) -> bool:
@@ -46,9 +42,22 @@ class Motors(QObject):
         """The wish for the auxiliary motor, 0-127."""
         return self._auxiliary
 
-    def drive(self, motor: int) -> Drive:
-        """The wish for motor 1 or 2."""
-        return self._drives[motor]
+    def drive(self, motor: int) -> Drive | None:
+        """The wish for motor 1 or 2; `None` since the motors were armed or stopped."""
+        return self._drives.get(motor)
+
+    @property
+    def text(self) -> str:
+        """What is wished, in few words: `motor 1 +90, motor 2 brake, auxiliary 40`."""
+        parts = []
+        for motor, drive in sorted(self._drives.items()):
+            if drive.is_brake:
+                parts.append(self.tr("motor {0} brake").format(motor))
+            else:
+                parts.append(self.tr("motor {0} {1:+d}").format(motor, drive.signed))
+        if self._auxiliary:
+            parts.append(self.tr("auxiliary {0}").format(self._auxiliary))
+        return ", ".join(parts).replace("-", "−")
 
     def allow(self, allowed: bool) -> None:
         """Say whether a board is there; without one the motors are disarmed, nothing is sent."""
@@ -94,12 +103,12 @@ class Motors(QObject):
             self.changed.emit()
 
     def _wish(self, motor: int, drive: Drive) -> None:
-        if self._armed and drive != self._drives[motor]:
+        if self._armed and drive != self._drives.get(motor):
             self._drives[motor] = drive
             self.requested.emit(SetDrive(motor, drive, self.accelerate))
             self.changed.emit()
 
     def _rest(self) -> None:
         self._armed = False
-        self._drives = self._at_rest()
+        self._drives = {}
         self._auxiliary = 0

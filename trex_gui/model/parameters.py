@@ -87,11 +87,19 @@ class ParameterModel(QAbstractTableModel):
         self._specs = specs.readable
         self._model_key = specs.model.key
         self._draft.load(stored, keep_edits=same, power_cycled=power_cycled)
-        self._problems = dict(unread)
+        kept = {key: why for key, why in self._problems.items() if key in self._draft.edited}
+        self._problems = {**kept, **unread}
         self._editable = True
         self.endResetModel()
         if pending != len(self._draft.edited):
             self.pending_changed.emit(len(self._draft.edited))
+
+    def note_in_force(self, in_force: Mapping[str, int]) -> None:
+        """Take what is surely in force now of what acts only after a power cycle."""
+        for key, wire in in_force.items():
+            self._draft.note_in_force(key, wire)
+        self._announce_rows(0, len(self._specs) - 1)
+        self.pending_changed.emit(len(self._draft.edited))
 
     def set_editable(self, editable: bool) -> None:
         """Say whether a board is there to write to; the rows stay to be looked at."""
@@ -141,6 +149,13 @@ class ParameterModel(QAbstractTableModel):
     def stored_of(self, key: str) -> int | None:
         """Wire value that is in the device; `None` when it was not read."""
         return self._draft.stored.get(key)
+
+    def active_of(self, key: str) -> int | None:
+        """Wire value that is in force; `None` when it was not read.
+
+        It differs from what is stored until the power is cycled.
+        """
+        return self._draft.active.get(key, self._draft.stored.get(key))
 
     def index_of(self, key: str, column: Column = Column.VALUE) -> QModelIndex:
         """Return the cell of a parameter, invalid when there is none."""

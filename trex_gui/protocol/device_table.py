@@ -49,10 +49,6 @@ class PwmClock:
         """Return the timer's top for a wire value of a PWM maximum parameter."""
         return self.scale * wire + self.offset
 
-    def wire(self, maximum: float) -> int:
-        """Return the wire value whose timer top is nearest."""
-        return round((maximum - self.offset) / self.scale)
-
     def frequency(self, prescaler: int, maximum_wire: int) -> float:
         """Return the PWM frequency in Hz for two wire values.
 

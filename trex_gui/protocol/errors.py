@@ -64,3 +64,8 @@ class Rejected(TrexError):  # noqa: N818
 
     def __str__(self) -> str:
         return f"{self.what}: {_REASONS.get(self.code, f'result code {int(self.code)}')}"
+
+
+def sentence(error: BaseException | None) -> str:
+    """Return what an error says as one sentence with one full stop."""
+    return f"{str(error).rstrip('. ')}." if error is not None else ""

@@ -48,8 +48,10 @@ class LineSettings:
         Raises:
             BadRequest: the low four bits are not a rate code (0-10), or bit 7 is set.
         """
+        if not 0 <= wire <= 0x7F:
+            raise BadRequest(f"UART settings are a wire value of 0 to 127, not {wire}")
         code = wire & _BAUD_FIELD
-        if not 0 <= wire <= 0x7F or code >= len(baud_rates()):
+        if code >= len(baud_rates()):
             raise BadRequest(f"UART settings {wire:#04x} name no baud rate")
         detection = Detection(wire & _DETECTION_FIELD)
         return cls(baud_rates()[code], detection, 2 if wire & _TWO_STOP_BITS else 1)

@@ -18,6 +18,9 @@ from trex_gui.protocol.flags import channel_mask, channels_in
 from trex_gui.protocol.line_settings import LineSettings
 
 _NUMBER = re.compile(r"\s*([-+]?\d+(?:[.,]\d*)?|[-+]?[.,]\d+)\s*(.*?)\s*")
+_ROUNDING = 0.01
+"""Part of a step by which a number may lie outside the limits: rounding, not intent."""
+
 _PREFIXES = {"m": 1e-3, "k": 1e3, "": 1.0}
 
 
@@ -123,8 +126,7 @@ class ParameterSpec:
         """Return a wire value in the unit that a person knows; any 0-127, allowed or not."""
         match self.kind:
             case Kind.CHANNELS:
-                channels = ", ".join(map(str, channels_in(wire)))
-                return (channels or "none") if wire <= self.maximum else f"wire {wire}"
+                return _channels_text(wire) if wire <= self.maximum else f"wire {wire}"
             case Kind.CHOICE:
                 return self.choices.get(wire, f"wire {wire}")
             case Kind.POLYNOMIAL:
@@ -143,7 +145,7 @@ class ParameterSpec:
     def wire(self, text: str) -> int:
         """Return the wire value that a person means by `text` ("1.5 s", "1.5", "off").
 
-        A number between two steps goes to the nearer one.
+        A number between two steps goes to the nearer one, but never to a 0 that means off.
 
         Raises:
             BadRequest: no value is meant, or one outside the limits; names them.
@@ -155,8 +157,17 @@ class ParameterSpec:
         is_list = self.kind is Kind.CHANNELS
         meant = self._wire_of_channels(wanted) if is_list else self._wire_of_number(wanted)
         if meant is None or meant not in self.valid:
-            raise BadRequest(f"{self.name} is {self.range_text()}, not {text.strip() or 'empty'}")
+            given = wanted if len(wanted) <= 40 else f"{wanted[:40]}…"
+            raise BadRequest(f"{self.name} is {self._spoken_range()}, not {given or 'empty'}")
         return meant
+
+    def _spoken_range(self) -> str:
+        """The allowed values in the words and units that a person types."""
+        if self.kind is Kind.CHOICE:
+            return " or ".join(self.choices.values())
+        if self.kind is Kind.CHANNELS:
+            return "none or some of the channels 1 to 5, such as 1, 3"
+        return self.short_range()
 
     @property
     def decimals(self) -> int:
@@ -164,25 +175,40 @@ class ParameterSpec:
         return max(0, math.ceil(-math.log10(self.scale)))
 
     def _wire_of_number(self, text: str) -> int | None:
+        steps = self._steps(text)
+        if steps is None or not math.isfinite(steps):
+            return None
+        near = round(steps)
+        if not self._has_steps and near != steps:
+            return None
+        if not self.minimum - _ROUNDING <= steps <= self.maximum + _ROUNDING:
+            return None
+        return 1 if self.zero and near == 0 < steps else near
+
+    @property
+    def _has_steps(self) -> bool:
+        """Whether the values are a quantity, so that something lies between two of them."""
+        return bool(self.unit) or self.kind is Kind.PWM_MAXIMUM
+
+    def _steps(self, text: str) -> float | None:
+        """Return the number in `text` in wire steps, which may be broken; `None`: no number."""
         if self.kind in {Kind.POLYNOMIAL, Kind.UART} and text.lower().startswith("0x"):
             try:
-                number = int(text, 16)
-            except ValueError:
+                value = float(int(text, 16))
+            except (ValueError, OverflowError):
                 return None
-            is_whole = self.kind is Kind.POLYNOMIAL and 0x80 <= number <= 0xFF
-            return number & 0x7F if is_whole else number
-        found = _NUMBER.fullmatch(text)
-        if not found:
-            return None
-        value = float(found[1].replace(",", "."))
-        factor = self._unit_factor(found[2])
-        if factor is None:
-            return None
+        else:
+            found = _NUMBER.fullmatch(text)
+            factor = self._unit_factor(found[2]) if found else None
+            if found is None or factor is None:
+                return None
+            value = float(found[1].replace(",", ".")) * factor
         if self.kind is Kind.PWM_MAXIMUM:
-            return device_table().pwm.wire(value)
-        if self.kind is Kind.POLYNOMIAL:
-            return round(value) & 0x7F if 0x80 <= value <= 0xFF else round(value)
-        return round(value * factor / self.scale)
+            pwm = device_table().pwm
+            return (value - pwm.offset) / pwm.scale
+        if self.kind is Kind.POLYNOMIAL and 0x80 <= value <= 0xFF:
+            return value - 0x80
+        return value / self.scale
 
     def _unit_factor(self, given: str) -> float | None:
         """Return what a number in the given unit must be multiplied with; `None`: not ours."""
@@ -201,11 +227,20 @@ class ParameterSpec:
     def _wire_of_channels(text: str) -> int | None:
         if text.casefold() in {"none", ""}:
             return 0
-        parts = [part for part in re.split(r"[\s,;+]+", text) if part]
+        words = text.casefold().removeprefix("channel").removeprefix("s")
+        parts = [part for part in re.split(r"[\s,;+]+", words) if part]
         try:
             return channel_mask(int(part) for part in parts)
         except ValueError:
             return None
+
+
+def _channels_text(mask: int) -> str:
+    channels = channels_in(mask)
+    if not channels:
+        return "none"
+    word = "channel" if len(channels) == 1 else "channels"
+    return f"{word} {', '.join(map(str, channels))}"
 
 
 def _uart_text(wire: int) -> str:

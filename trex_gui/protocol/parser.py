@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Generic
 
 from trex_gui.protocol.commands import COMMANDS, Command, ReplyT_co
-from trex_gui.protocol.crc7 import crc7
+from trex_gui.protocol.crc7 import check_polynomial, crc7
 from trex_gui.protocol.errors import BadReply, BadRequest
 from trex_gui.protocol.framing import EXPANDED_START, Framing
 
@@ -52,10 +52,13 @@ class PacketParser:
     `polynomial` is the CRC-7 polynomial in force, `None` without CRC. A command byte in the
     middle of a packet ends that packet as malformed and begins another (inferred: the
     documentation calls it an error and does not say where the board resumes).
+
+    Raises:
+        BadRequest: the polynomial is not 0x80-0xFF.
     """
 
     def __init__(self, polynomial: int | None = None) -> None:
-        self._polynomial = polynomial
+        self._polynomial = None if polynomial is None else check_polynomial(polynomial)
         self._held = bytearray()
 
     def feed(self, data: bytes) -> list[Packet | Malformed]:
@@ -144,7 +147,9 @@ class ReplyParser(Generic[ReplyT_co]):
         if len(raw) < total:
             return NeedData(total - len(raw))
         if len(raw) > total:
-            return Malformed(raw, f"{len(raw) - total} bytes more than the reply has")
+            surplus = len(raw) - total
+            bytes_ = "1 byte" if surplus == 1 else f"{surplus} bytes"
+            return Malformed(raw, f"{bytes_} more than the reply has")
         payload = answer[:size]
         if size and self.framing.polynomial is not None:
             expected = crc7(payload, self.framing.polynomial)

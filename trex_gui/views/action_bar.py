@@ -73,10 +73,38 @@ class ActionBar(QWidget):
         self._state.setText(text)
         pending = self._device.pending > 0
         self._unapplied.setVisible(pending)
-        self._apply.setEnabled(pending and link is Link.UP)
+        self._apply.setEnabled(pending and link is Link.UP and not self._device.applying)
+
+    def _state_text(self) -> str:
+        """What is known of the motors; never more than that."""
+        motors, link = self._device.motors, self._device.link
+        if motors.armed:
+            return self.tr("Armed. Asked: {0}").format(motors.text or self.tr("nothing yet"))
+        if self._device.may_move:
+            if link in {Link.UP, Link.CLOSING}:
+                return self.tr("Stopping …")
+            if link is Link.NONE:
+                return self.tr("The line was lost: motors may still turn. Cut their power.")
+            return self.tr("Not known: motors may still turn. The stop is sent again and again.")
+        if link is Link.UP and motors.can_arm:
+            return self.tr("Not armed: nothing is sent before Run motor.")
+        if link is Link.UP:
+            return self.tr("Channels control the motors; Run motor needs serial control.")
+        return self.tr("Motors: N/A")
+
+    def _show_state(self, *, alarming: bool) -> None:
+        """Let what may move stand out, in weight as well as in colour."""
+        font = self._state.font()
+        font.setBold(alarming)
+        self._state.setFont(font)
+        palette = self.palette()
+        if alarming:
+            palette.setColor(self._state.foregroundRole(), theme().color("warning"))
+        self._state.setPalette(palette)
 
     @Slot()
     def _on_theme_changed(self) -> None:
         palette = self._unapplied.palette()
         palette.setColor(self._unapplied.foregroundRole(), theme().color("dirty"))
         self._unapplied.setPalette(palette)
+        self._on_changed()

@@ -18,6 +18,7 @@ from trex_gui.link.writing import Written
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Ports
+from trex_gui.protocol.errors import sentence
 from trex_gui.views.action_bar import ActionBar
 from trex_gui.views.actions import build_menus
 from trex_gui.views.connection_bar import ConnectionBar
@@ -150,12 +151,12 @@ class MainWindow(QMainWindow):
             "connect": idle,
             "line": idle,
             "disconnect": link not in {Link.NONE, Link.CLOSING},
-            "reload": up,
-            "open": up,
+            "reload": up and not self._device.applying,
+            "open": up and not self._device.applying,
             "save": up,
             "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
             "run": motors.can_arm and not motors.armed,
-            "apply": up and self._device.pending > 0,
+            "apply": up and self._device.pending > 0 and not self._device.applying,
         }.items():
             self._actions[key].setEnabled(possible)
 
@@ -165,11 +166,9 @@ class MainWindow(QMainWindow):
         if not failed:
             self._banner.clear()
             return
-        names = ", ".join(result.what for result in failed)
-        reasons = " ".join(sorted({f"{result.error}." for result in failed}))
-        self._banner.show_problem(
-            self.tr("Not stored: {0}. {1}").format(names, reasons.replace("..", "."))
-        )
+        names = ", ".join(self._device.name_of(result.what) for result in failed)
+        reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
+        self._banner.show_problem(self.tr("Not stored: {0}. {1}").format(names, reasons))
 
     @Slot()
     def _on_reload_requested(self) -> None:

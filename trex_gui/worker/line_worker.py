@@ -41,11 +41,13 @@ class LineWorker(QThread):
 
     reported = Signal(object)
 
-    def __init__(self, settings: LinkSettings, parent: QObject | None = None) -> None:
+    def __init__(
+        self, settings: LinkSettings, parent: QObject | None = None, *, may_move: bool = False
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("LineWorker")
         self._inbox = QueueInbox()
-        self._session = Session(settings, self._inbox, self._report)
+        self._session = Session(settings, self._inbox, self._report, may_move=may_move)
 
     def run(self) -> None:
         """Serve the line; called by Qt in the new thread."""

@@ -21,6 +21,7 @@ class ChannelsPage(QWidget):
         super().__init__(parent)
         self.setObjectName("channelsPage")
         self._device = device
+        self._source = InputSource.RC
 
         self._inputs: dict[int, QLabel] = {}
         self._bars: dict[int, ChannelBar] = {}
@@ -46,7 +47,7 @@ class ChannelsPage(QWidget):
         grid.setColumnStretch(_OUTPUT, 2)
         for column, text in (
             (_CHANNEL, self.tr("Channel")),
-            (_INPUT, self.tr("Counts")),
+            (_INPUT, self.tr("Input (counts)")),
             (_BAR, self.tr("Raw, with its calibration")),
             (_OUTPUT, self.tr("Remapped (−127 to 127)")),
         ):
@@ -61,6 +62,7 @@ class ChannelsPage(QWidget):
 
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_device_changed)
+        device.calibrations.changed.connect(self._on_device_changed)
         device.telemetry.updated.connect(self._on_telemetry_updated)
         self._on_device_changed()
 
@@ -79,9 +81,10 @@ class ChannelsPage(QWidget):
         value = QLabel(self)
         value.setObjectName(f"channel{channel}Input")
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        value.setMinimumWidth(value.fontMetrics().horizontalAdvance("no signal") + 8)
+        value.setMinimumWidth(value.fontMetrics().horizontalAdvance("1500 µs (3750)") + 8)
         bar = ChannelBar(self)
         bar.setObjectName(f"channel{channel}Bar")
+        bar.set_value_shown(False)
         bar.setAccessibleName(self.tr("Raw input of channel {0}").format(channel))
         output = OutputBar(self)
         output.setObjectName(f"channel{channel}Output")
@@ -99,6 +102,7 @@ class ChannelsPage(QWidget):
         if state is None:
             self._summary.setText(self.tr("Connect to a board to see its inputs."))
         else:
+            self._source = state.source
             kind = (
                 self.tr("RC pulses (µs; 0.4 µs a count)")
                 if state.source is InputSource.RC
@@ -112,7 +116,7 @@ class ChannelsPage(QWidget):
             self._inputs[channel].setEnabled(there)
             if state is not None:
                 bar.set_source(state.source)
-                bar.set_calibration(state.calibrations.get(channel))
+                bar.set_calibration(self._device.calibrations.stored(channel))
         self._on_telemetry_updated()
 
     @Slot()
@@ -129,8 +133,11 @@ class ChannelsPage(QWidget):
             if raw is None:
                 label.setText(self.tr("no signal"))
             else:
-                label.setText(str(raw))
-            self._outputs[channel].set_value(telemetry.remapped_of(channel))
+                label.setText(f"{self._source.text(raw)} ({raw})")
+            # Without a signal the board reports 0, which is no measurement.
+            self._outputs[channel].set_value(
+                None if raw is None else telemetry.remapped_of(channel)
+            )
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

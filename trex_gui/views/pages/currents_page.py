@@ -6,7 +6,6 @@ from PySide6.QtCore import QTimer, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from trex_gui.link.explain import is_joint
 from trex_gui.model.device import Device, Link
 from trex_gui.views.icons import set_icon
 from trex_gui.views.widgets.plot_legend import CurveStyle
@@ -84,18 +83,20 @@ class CurrentsPage(QWidget):
         self._pause.setEnabled(there)
         if state is None:
             self._note.setText(self.tr("Connect to a board to see its motor currents."))
-        elif is_joint(state):
+        elif self._device.is_joint:
             self._note.setText(self.tr("Joint mode: the board does not sense currents."))
         else:
             step = state.signature.model.current_unit * 1000
             self._note.setText(self.tr("One count of this board is {0:.0f} mA.").format(step))
         self._show_limits()
         self._draw()
+        if self._plot is not None and not there:
+            self._plot.forget_values()
 
     def _limit_of(self, motor: int) -> float | None:
         """Current limit of a motor in ampere; `None` when it is off or not known."""
         state = self._device.state
-        wire = state.parameters.get(f"motor{motor}_current_limit") if state else None
+        wire = self._device.parameters.stored_of(f"motor{motor}_current_limit")
         if state is None or not wire:
             return None
         return wire * state.specs[f"motor{motor}_current_limit"].scale

@@ -4,8 +4,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QGroupBox, QLabel, QRadioButton, QVBoxLayout, QWidget
 
-from trex_gui.link.explain import is_joint, who_controls
-from trex_gui.model.device import Device
+from trex_gui.model.device import Device, Link
 from trex_gui.views.widgets.drive_control import DriveControl
 from trex_gui.views.widgets.visible import only_when_visible
 
@@ -80,14 +79,13 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_motors_changed(self) -> None:
-        state = self._device.state
         armed = self._motors.armed
-        joint = state is not None and is_joint(state)
+        joint = self._device.is_joint
         self._armed.setText(self._armed_text())
         for motor, control in self._controls.items():
             control.setEnabled(armed and not (joint and motor == 2))
             drive = self._motors.drive(motor)
-            control.show_wish(drive.signed, self._wish_text(motor))
+            control.show_wish(drive.signed if drive else 0, self._wish_text(motor))
         self._auxiliary.setEnabled(armed)
         speed = self._motors.auxiliary
         self._auxiliary.show_wish(speed, self.tr("Asked: {0}").format(speed) if armed else "")
@@ -95,8 +93,12 @@ class MotorsPage(QWidget):
         self._on_telemetry_updated()
 
     def _armed_text(self) -> str:
-        if not self._motors.can_arm:
+        if self._device.link is Link.SILENT:
+            return self.tr("The board does not answer.")
+        if self._device.link is not Link.UP:
             return self.tr("Connect to a board to drive its motors.")
+        if not self._motors.can_arm:
+            return self.tr("This program cannot drive the motors now.")
         if self._motors.armed:
             return self.tr("The motors are armed: sliders move them. Esc stops everything.")
         return self.tr("Nothing is sent yet. Put the robot on blocks, then press Run motor below.")
@@ -105,6 +107,8 @@ class MotorsPage(QWidget):
         if not self._motors.armed:
             return ""
         drive = self._motors.drive(motor)
+        if drive is None:
+            return self.tr("Asked: nothing yet")
         if drive.is_brake:
             return self.tr("Asked: brake, {0:.0f} %").format(100 * drive.speed / 127)
         if drive.speed == 0:
@@ -117,25 +121,28 @@ class MotorsPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
-        state, telemetry = self._device.state, self._device.telemetry
-        self._control.setText(
-            who_controls(state, telemetry.serial_controls) if state is not None else ""
-        )
-        currents = telemetry.motor_currents
+        telemetry = self._device.telemetry
+        self._control.setText(self._device.control_text)
         for motor, control in self._controls.items():
-            if currents is None:
-                control.show_report(self.tr("Board: N/A"))
-            elif state is not None and is_joint(state):
-                control.show_report(self.tr("Board: no current sensing in joint mode"))
-            else:
-                ampere = currents[motor - 1]
-                control.show_report(self.tr("Board: {0:.2f} A").format(ampere))
-        obeyed = self.tr("Board: takes serial commands")
-        waiting = self.tr("Board: keeps the command, channels are in control")
+            control.show_report(self._report_text(motor))
         if telemetry.serial_controls is None:
-            self._auxiliary.show_report(self.tr("Board: N/A"))
+            text = self.tr("Board: N/A")
+        elif telemetry.serial_controls:
+            text = self.tr("Board: takes serial commands, does not report this motor")
         else:
-            self._auxiliary.show_report(obeyed if telemetry.serial_controls else waiting)
+            text = self.tr("Board: keeps the command, channels are in control")
+        self._auxiliary.show_report(text)
+
+    def _report_text(self, motor: int) -> str:
+        """What the board says of a motor: its current, and what it has latched of late."""
+        currents = self._device.telemetry.motor_currents
+        if currents is None:
+            return self.tr("Board: N/A")
+        if self._device.is_joint:
+            return self.tr("Board: no current sensing in joint mode")
+        parts = [f"{currents[motor - 1]:.2f} A"]
+        parts += [entry.name.lower() for entry in self._device.errors.recent(motor)]
+        return self.tr("Board: {0}").format(", ".join(parts))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -4,13 +4,15 @@ from typing import cast
 
 from PySide6.QtCore import (
     QAbstractItemModel,
+    QEvent,
     QModelIndex,
+    QObject,
     QPersistentModelIndex,
     Qt,
     Signal,
     Slot,
 )
-from PySide6.QtGui import QFont
+from PySide6.QtGui import QFont, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -31,20 +33,44 @@ from trex_gui.model.parameters import Column, Role
 from trex_gui.protocol.parameters import ParameterSpec
 from trex_gui.views.icons import icon, set_icon
 from trex_gui.views.theme import theme
-from trex_gui.views.widgets.parameter_editors import Editor, editor_for
+from trex_gui.views.widgets.parameter_editors import Editor, NumberEditor, editor_for
 
 Index = QModelIndex | QPersistentModelIndex
 
 
 class ParameterDelegate(QStyledItemDelegate):
-    """Opens the editor that fits a parameter and marks what is edited or waits for power."""
+    """Opens the editor that fits a parameter and marks what is edited or waits for power.
+
+    Signals:
+        refused: why what was typed is no value, for people.
+    """
+
+    refused = Signal(str)
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         del option
         spec = cast("ParameterSpec", index.data(Role.SPEC))
         editor = editor_for(spec, parent)
         editor.setAccessibleName(spec.name)
+        if isinstance(editor, NumberEditor):
+            editor.refused.connect(self.refused)
+        else:
+            # What is ticked or chosen is an edit at once; a number is one with Enter.
+            editor.valueChanged.connect(lambda _wire: self.commitData.emit(editor))
         return editor
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep an editor open while what was typed into it is no value."""
+        if (
+            isinstance(watched, NumberEditor)
+            and isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.KeyPress
+            and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab}
+            and not watched.hasAcceptableInput()
+        ):
+            watched.tell_problem()
+            return True
+        return super().eventFilter(watched, event)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:
         cast("Editor", editor).setValue(index.data(Role.WIRE))
@@ -117,7 +143,7 @@ class ParametersPage(QWidget):
         self._help.setWordWrap(True)
         self._help.setTextFormat(Qt.TextFormat.RichText)
         self._help.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self._help.setMinimumHeight(6 * self._help.fontMetrics().lineSpacing())
+        self._help.setMinimumHeight(7 * self._help.fontMetrics().lineSpacing())
         self._help.setFrameShape(QFrame.Shape.StyledPanel)
         self._help.setMargin(8)
 
@@ -147,7 +173,9 @@ class ParametersPage(QWidget):
         view.setObjectName("parametersView")
         view.setAccessibleName(self.tr("Parameters"))
         view.setModel(self._model)
-        view.setItemDelegate(ParameterDelegate(view))
+        delegate = ParameterDelegate(view)
+        delegate.refused.connect(self._on_refused)
+        view.setItemDelegate(delegate)
         view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         view.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         view.setEditTriggers(
@@ -166,7 +194,8 @@ class ParametersPage(QWidget):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setHighlightSections(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.setSectionResizeMode(Column.RANGE, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(Column.VALUE, QHeaderView.ResizeMode.Stretch)
+        header.setMinimumSectionSize(6 * view.fontMetrics().averageCharWidth())
         return view
 
     @Slot()
@@ -174,11 +203,15 @@ class ParametersPage(QWidget):
         self._view.resizeColumnsToContents()
         header = self._view.horizontalHeader()
         character = self._view.fontMetrics().averageCharWidth()
-        for column, widest in ((Column.NAME, 56), (Column.WIRE, 8), (Column.DEFAULT, 20)):
+        for column, widest in (
+            (Column.NAME, 50),
+            (Column.WIRE, 8),
+            (Column.DEFAULT, 20),
+            (Column.RANGE, 28),
+            (Column.EFFECT, 16),
+        ):
             size = header.sectionSize(column) + 2 * character
             header.resizeSection(column, min(size, widest * character))
-        header.resizeSection(Column.VALUE, 48 * character)
-        header.resizeSection(Column.EFFECT, header.sectionSize(Column.EFFECT) + character)
         self._on_link_changed()
 
     @Slot()
@@ -204,8 +237,9 @@ class ParametersPage(QWidget):
         self._discard.setEnabled(count > 0 and self._device.link is Link.UP)
         waiting = self._model.waiting_for_power
         if count:
-            text = self.tr("%n edit(s) not applied yet: Apply settings writes them.", "", count)
-            text = text.replace("%n", str(count))
+            text = self.tr("{0} not applied yet: Apply settings writes them.").format(
+                self._count_text(count)
+            )
         elif waiting:
             text = self.tr("Stored, but not active before the board is switched off and on: {0}.")
             text = text.format(", ".join(waiting))
@@ -217,6 +251,7 @@ class ParametersPage(QWidget):
     def _on_current_changed(self, current: QModelIndex, _previous: QModelIndex) -> None:
         spec = cast("ParameterSpec | None", current.data(Role.SPEC))
         self._help.setText("" if spec is None else self._help_text(spec, current))
+        self._view.scrollTo(current)
 
     def _help_text(self, spec: ParameterSpec, index: QModelIndex) -> str:
         parts = [f"<b>{spec.name}</b> ({spec.number:#04x}, <code>{spec.key}</code>)"]
@@ -249,7 +284,12 @@ class ParametersPage(QWidget):
     @Slot(object)
     def _on_applied(self, results: tuple[Written, ...]) -> None:
         failed = [result for result in results if result.error is not None]
-        if not failed:
+        if failed:
+            self._view.setCurrentIndex(self._model.index_of(failed[0].what))
+            text = self.tr("{0} of {1} did not stick; they are marked below.").format(
+                len(failed), len(results)
+            )
+        else:
             text = self.tr("{0} written and read back equal.").format(
                 self._count_text(len(results))
             )
@@ -257,12 +297,7 @@ class ParametersPage(QWidget):
                 text += " " + self.tr("Switch the board off and on to make active: {0}.").format(
                     ", ".join(waiting)
                 )
-        else:
-            reasons = " ".join(sorted({str(result.error) for result in failed}))
-            text = self.tr("{0} of {1} did not stick: {2}").format(
-                len(failed), len(results), reasons
-            )
         self._notice.setText(text)
 
     def _count_text(self, count: int) -> str:
-        return self.tr("1 parameter") if count == 1 else self.tr("{0} parameters").format(count)
+        return self.tr("1 setting") if count == 1 else self.tr("{0} settings").format(count)

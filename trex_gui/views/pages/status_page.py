@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.link.explain import MODE_TEXT, is_joint, who_controls
-from trex_gui.model.device import Device
+from trex_gui.link.explain import MODE_TEXT
+from trex_gui.model.device import Device, Link
 from trex_gui.protocol.parameters import parameters_of
 from trex_gui.views.icons import set_icon
 from trex_gui.views.theme import theme
@@ -51,11 +51,11 @@ class StatusPage(QWidget):
                 "port": self.tr("Port:"),
                 "settings": self.tr("Settings:"),
                 "side": self.tr("Connector:"),
-                "traffic": self.tr("Exchanges:"),
-                "quality": self.tr("Quality:"),
+                "traffic": self.tr("Requests:"),
+                "quality": self.tr("Failures:"),
             },
         )
-        errors = QGroupBox(self.tr("Errors since connecting"), self)
+        errors = QGroupBox(self.tr("Errors seen"), self)
         self._table = self._error_table(errors)
         self._reset = QPushButton(self.tr("Reset c&ounts"), errors)
         self._reset.setObjectName("resetCountsButton")
@@ -101,7 +101,7 @@ class StatusPage(QWidget):
         entries = self._device.errors.entries
         table = QTableWidget(len(entries), 4, parent)
         table.setObjectName("errorsTable")
-        table.setAccessibleName(self.tr("Errors since connecting"))
+        table.setAccessibleName(self.tr("Errors seen"))
         table.setHorizontalHeaderLabels(
             [self.tr("Error"), self.tr("Count"), self.tr("Last seen"), self.tr("What it means")]
         )
@@ -131,15 +131,15 @@ class StatusPage(QWidget):
         state = self._device.state
         settings = self._device.settings
         not_there = self.tr("N/A")
+        up = self._device.link is Link.UP
         for label in self._values.values():
             label.setText(not_there)
-            label.setEnabled(state is not None)
-        self._table.setEnabled(state is not None)
-        self._reset.setEnabled(state is not None)
-        if state is None or settings is None:
+            label.setEnabled(up)
+        self._table.setEnabled(up)
+        if state is None or settings is None or not up:
             return
         model = state.signature.model
-        joint = is_joint(state)
+        joint = self._device.is_joint
         texts = {
             "model": f"{model.name} ({model.part})",
             "firmware": state.signature.firmware,
@@ -177,17 +177,20 @@ class StatusPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
-        state = self._device.state
-        if state is None:
+        if self._device.link is not Link.UP:
             return
         counters = self._device.counters
-        self._values["control"].setText(who_controls(state, self._device.telemetry.serial_controls))
-        self._values["traffic"].setText(f"{counters.requests:,}".replace(",", " "))
+        self._values["control"].setText(self._device.control_text)
         failures = counters.silences + counters.damaged
         good = 100 * (1 - failures / max(counters.requests, 1))
+        self._values["traffic"].setText(
+            self.tr("{0} of {1} answered ({2:.2f} %)").format(
+                counters.requests - failures, counters.requests, good
+            )
+        )
         self._values["quality"].setText(
-            self.tr("{0:.2f} % answered ({1} silent, {2} damaged), slowest {3:.0f} ms").format(
-                good, counters.silences, counters.damaged, 1000 * counters.slowest
+            self.tr("{0} silent, {1} damaged, slowest {2:.0f}\u00a0ms").format(
+                counters.silences, counters.damaged, 1000 * counters.slowest
             )
         )
 

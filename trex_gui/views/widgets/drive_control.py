@@ -46,7 +46,7 @@ class DriveControl(QGroupBox):
         self._entry.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._zero = QPushButton(self.tr("Zero"), self)
         self._zero.setObjectName(f"{name}Zero")
-        self._zero.setToolTip(self.tr("Speed 0: no drive"))
+        self._zero.setToolTip(self.tr("Speed 0: the motor is not driven and coasts"))
         self._brake = QPushButton(self.tr("Brake"), self)
         self._brake.setObjectName(f"{name}Brake")
         self._brake.setToolTip(self.tr("Full brake: the motor's terminals are shorted"))

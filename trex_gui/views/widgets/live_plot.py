@@ -157,6 +157,11 @@ class LivePlot(QWidget):
         self._legend[name].set_limit(value)
         self._show_limits()
 
+    def forget_values(self) -> None:
+        """Show no values of the present beside the names; the curves stay."""
+        for entry in self._legend.values():
+            entry.set_value(None)
+
     def clear(self) -> None:
         """Forget all samples; limits and window stay."""
         self._extremes.clear()

@@ -1,11 +1,11 @@
 """The right editor for each kind of parameter, all of one shape: wire values in and out."""
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QSpinBox, QWidget
 
-from trex_gui.protocol.errors import BadRequest
-from trex_gui.protocol.flags import CHANNELS, channel_mask, channels_in
+from trex_gui.protocol.errors import BadRequest, sentence
+from trex_gui.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.protocol.parameters import Kind, ParameterSpec
 
@@ -14,7 +14,12 @@ class NumberEditor(QSpinBox):
     """Steps through wire values and shows them in their physical unit.
 
     A value may be typed in any unit that the parameter understands.
+
+    Signals:
+        refused: why what was typed is no value, for people.
     """
+
+    refused = Signal(str)
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -41,9 +46,23 @@ class NumberEditor(QSpinBox):
             return QValidator.State.Intermediate, text, pos
         return QValidator.State.Acceptable, text, pos
 
+    def fixup(self, text: str) -> str:
+        """Say why what was typed is dropped when the editor is left."""
+        self.tell_problem()
+        return super().fixup(text)
+
+    def tell_problem(self) -> None:
+        """Say why what stands in the editor is no value, if it is none."""
+        try:
+            self._spec.wire(self.text())
+        except BadRequest as error:
+            self.refused.emit(sentence(error))
+
 
 class ChoiceEditor(QComboBox):
     """A drop-down of what the parameter's values mean.
+
+    A value that the table does not know is shown as such, and kept until another is chosen.
 
     Signals:
         valueChanged: another value is shown.
@@ -63,7 +82,10 @@ class ChoiceEditor(QComboBox):
         return wire if isinstance(wire, int) else 0
 
     def setValue(self, wire: int) -> None:
-        self.setCurrentIndex(self.findData(wire))
+        if self.findData(wire) < 0:
+            self.addItem(self.tr("unknown ({0})").format(wire), wire)
+        with QSignalBlocker(self):
+            self.setCurrentIndex(self.findData(wire))
 
 
 class ChannelsEditor(QWidget):
@@ -78,6 +100,7 @@ class ChannelsEditor(QWidget):
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAutoFillBackground(True)
+        self._others = 0
         self._boxes: dict[int, QCheckBox] = {}
 
         layout = QHBoxLayout(self)
@@ -95,9 +118,11 @@ class ChannelsEditor(QWidget):
             box.toggled.connect(lambda _on: self.valueChanged.emit(self.value()))
 
     def value(self) -> int:
-        return channel_mask(channel for channel, box in self._boxes.items() if box.isChecked())
+        ticked = (channel for channel, box in self._boxes.items() if box.isChecked())
+        return channel_mask(ticked) | self._others
 
     def setValue(self, wire: int) -> None:
+        self._others = wire & ~ALL_CHANNELS  # bits of no channel stay as they are
         ticked = channels_in(wire)
         for channel, box in self._boxes.items():
             with QSignalBlocker(box):
@@ -116,6 +141,7 @@ class LineSettingsEditor(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAutoFillBackground(True)
+        self._unknown: int | None = None
         self._baud = QComboBox(self)
         self._baud.setObjectName("baudField")
         self._baud.setAccessibleName(self.tr("Baud rate"))
@@ -137,16 +163,28 @@ class LineSettingsEditor(QWidget):
         self._stop_bits.addItem(self.tr("1 stop bit"), 1)
         self._stop_bits.addItem(self.tr("2 stop bits"), 2)
 
+        self._fields = (self._baud, self._detection, self._stop_bits)
+
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)
-        for field in (self._baud, self._detection, self._stop_bits):
+        for field in self._fields:
             field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
             layout.addWidget(field)
         self.setFocusProxy(self._baud)
 
-        for field in (self._baud, self._detection, self._stop_bits):
-            field.currentIndexChanged.connect(lambda _index: self.valueChanged.emit(self.value()))
+        for field in self._fields:
+            field.currentIndexChanged.connect(self._on_field_changed)
+
+    @Slot()
+    def _on_field_changed(self) -> None:
+        if self._unknown is not None:
+            self._unknown = None
+            for field in self._fields:
+                if field.currentIndex() < 0:
+                    with QSignalBlocker(field):
+                        field.setCurrentIndex(0)
+        self.valueChanged.emit(self.value())
 
     def settings(self) -> LineSettings:
         """The line settings shown."""
@@ -157,17 +195,21 @@ class LineSettingsEditor(QWidget):
         )
 
     def value(self) -> int:
-        return self.settings().to_wire()
+        return self.settings().to_wire() if self._unknown is None else self._unknown
 
     def setValue(self, wire: int) -> None:
         try:
-            settings = LineSettings.from_wire(wire)
+            self.set_settings(LineSettings.from_wire(wire))
         except BadRequest:
-            return
-        self.set_settings(settings)
+            # A value that names no baud rate is kept until a field is changed.
+            self._unknown = wire
+            for field in self._fields:
+                with QSignalBlocker(field):
+                    field.setCurrentIndex(-1)
 
     def set_settings(self, settings: LineSettings) -> None:
         """Show line settings."""
+        self._unknown = None
         for field, data in (
             (self._baud, settings.baud),
             (self._detection, settings.detection),
