@@ -22,7 +22,10 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
 from trex_gui.model.device import Link
+from trex_gui.model.exchange import shown_settings
 from trex_gui.model.parameters import Column
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.flags import InputSource
 from trex_gui.window import Program
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
@@ -73,6 +76,12 @@ class Person:
         self.qtbot.waitUntil(condition, timeout=timeout)
 
     def edit(self, key: str, typed: str) -> None:
+        """Open the editor of a parameter with the mouse, type, press Enter; it closes."""
+        editor = self.type_into(key, typed)
+        view = self.find(QTableView, "parametersView")
+        self.wait(lambda: view.viewport().findChild(QSpinBox) is not editor)
+
+    def type_into(self, key: str, typed: str) -> QSpinBox:
         """Open the editor of a parameter with the mouse, type, press Enter."""
         view = self.find(QTableView, "parametersView")
         index = self.program.device.parameters.index_of(key, Column.VALUE)
@@ -85,7 +94,7 @@ class Person:
         editor.selectAll()
         QTest.keyClicks(editor, typed)
         QTest.keyClick(editor, Qt.Key.Key_Return)
-        self.wait(lambda: view.viewport().findChild(QSpinBox) is not editor)
+        return editor
 
 
 @pytest.fixture
@@ -107,7 +116,7 @@ def test_everything_is_greyed_and_not_stale_without_a_board(
 ) -> None:
     person.connect(simulator.url)
     person.open_page("channelsPage")
-    person.wait(lambda: person.text("channel1Input") == "3750")
+    person.wait(lambda: person.text("channel1Input") == "1500 µs (3750)")
     person.press("connectButton")
     person.wait(lambda: person.program.device.link is Link.NONE)
     assert person.text("channel1Input") == "N/A"
@@ -133,13 +142,17 @@ def test_a_changed_parameter_reaches_the_board_only_with_apply(
     assert "read back equal" in person.text("parametersNotice")
 
 
-def test_a_value_out_of_range_stays_in_the_editor_and_changes_nothing(
+def test_a_value_out_of_range_stays_in_the_editor_with_the_limits_beside_it(
     person: Person, simulator: SimulatorProcess
 ) -> None:
     person.connect(simulator.url)
     person.open_page("parametersPage")
-    person.edit("serial_timeout", "99 s")
-    assert person.program.device.parameters.pending == ()
+    editor = person.type_into("serial_timeout", "99 s")
+    assert editor.isVisible()
+    assert editor.text() == "99 s"
+    assert "off to 12.7 s" in person.text("parametersNotice")
+    QTest.keyClick(editor, Qt.Key.Key_Escape)
+    assert person.program.device.pending == 0
 
 
 def test_a_write_in_rc_mode_says_why_it_was_refused(
@@ -152,6 +165,7 @@ def test_a_write_in_rc_mode_says_why_it_was_refused(
     person.edit("serial_timeout", "1.5 s")
     person.press("applyButton")
     person.wait(lambda: person.text("bannerText") != "")
+    assert "Serial Timeout" in person.text("bannerText")
     assert "not in serial mode" in person.text("bannerText")
     assert person.program.device.parameters.pending == (("serial_timeout", 15),)
 
@@ -160,12 +174,12 @@ def test_a_moved_stick_moves_its_bar(person: Person, simulator: SimulatorProcess
     person.connect(simulator.url)
     person.open_page("channelsPage")
     simulator.do("channel 1 1800us")
-    person.wait(lambda: person.text("channel1Input") == "4500")
+    person.wait(lambda: person.text("channel1Input") == "1800 µs (4500)")
     bar = person.find(QWidget, "channel1Bar")
     assert "1800 µs" in bar.accessibleDescription()
     output = person.find(QWidget, "channel1Output")
     remapped = simulator.show()["channels"][0]["remapped"]
-    assert str(remapped) in output.accessibleDescription()
+    person.wait(lambda: str(remapped) in output.accessibleDescription())
 
 
 def test_a_channel_without_signal_says_so(person: Person, simulator: SimulatorProcess) -> None:
@@ -231,9 +245,70 @@ def test_a_pulled_plug_is_noticed_within_half_a_second_and_replugging_connects_a
     assert time.monotonic() - begun < 0.5
     assert "gone" in person.text("bannerText")
     assert not person.program.device.motors.armed
+    assert person.text("statusLabel") == "Not connected."
     url = simulator.do("line plug").split()[-1]
     person.connect(url)
     assert person.text("statusLabel") == "Connected to TReX 1.2."
+
+
+def test_motors_that_ran_when_the_plug_was_pulled_stop_when_it_is_back(
+    person: Person, simulator: SimulatorProcess
+) -> None:
+    person.connect(simulator.url)
+    person.press("runButton")
+    person.program.device.motors.set_speed(1, 50)
+    person.wait(lambda: simulator.show()["motors"][0]["speed"] == 50)
+    simulator.do("line unplug")
+    person.wait(lambda: person.program.device.link is Link.NONE)
+    assert "motors may still turn" in person.text("motorStateLabel")
+    assert simulator.show()["motors"][0]["speed"] == 50
+    person.connect(simulator.do("line plug").split()[-1])
+    assert simulator.show()["motors"][0]["direction"] == "brake"
+    assert "Not armed" in person.text("motorStateLabel")
+
+
+def test_a_board_that_cannot_be_heard_is_stopped_all_the_same(
+    person: Person, simulator: SimulatorProcess
+) -> None:
+    person.connect(simulator.url)
+    person.press("runButton")
+    person.program.device.motors.set_speed(2, 90)
+    person.wait(lambda: simulator.show()["motors"][1]["speed"] == 90)
+    simulator.do("line mute on")
+    person.wait(lambda: person.program.device.link is Link.SILENT)
+    person.wait(lambda: simulator.show()["motors"][1]["direction"] == "brake")
+    person.open_page("statusPage")
+    assert person.text("modelValue") == "N/A"
+    simulator.do("line mute off")
+    person.wait(lambda: person.program.device.link is Link.UP)
+    assert not person.program.device.motors.armed
+
+
+def test_where_channels_are_in_control_the_motors_cannot_be_armed(
+    person: Person, simulator: SimulatorProcess
+) -> None:
+    simulator.do("jumper mode rc")
+    simulator.do("power cycle")
+    person.connect(simulator.url)
+    person.open_page("motorsPage")
+    assert not person.find(QAbstractButton, "runButton").isEnabled()
+    assert "RC channels control the motors" in person.text("motorsControl")
+
+
+def test_what_was_written_is_what_every_page_shows_and_what_is_saved(
+    person: Person, simulator: SimulatorProcess
+) -> None:
+    device = person.program.device
+    person.connect(simulator.url)
+    wanted = Calibration(2400, 3700, 5100, 60)
+    device.calibrations.edit(1, wanted)
+    device.parameters.setData(device.parameters.index_of("motor1_current_limit"), 10)
+    person.press("applyButton")
+    person.wait(lambda: device.pending == 0 and not device.applying)
+    assert device.state is not None
+    assert device.state.calibrations[1] == wanted
+    assert shown_settings(device, device.state).calibrations[InputSource.RC, 1] == wanted
+    assert device.parameters.stored_of("motor1_current_limit") == 10
 
 
 def test_a_power_cycle_is_noticed_and_survived(person: Person, simulator: SimulatorProcess) -> None:

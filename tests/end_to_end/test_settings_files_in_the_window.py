@@ -20,7 +20,9 @@ def connected(program: Program, qtbot: QtBot, simulator: SimulatorProcess) -> Pr
 
 
 def banner(program: Program) -> str:
-    return program.window.findChild(QLabel, "bannerText").text()
+    label = program.window.findChild(QLabel, "bannerText")
+    assert label is not None
+    return label.text()
 
 
 def test_what_was_saved_opens_as_no_change(connected: Program, tmp_path: Path) -> None:

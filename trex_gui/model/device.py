@@ -271,8 +271,8 @@ class Device(QObject):
         self.parameters.take_results(results)
         self.calibrations.take_results(results)
         self._note_written(results)
-        self.applied.emit(results)
         self.link_changed.emit()
+        self.applied.emit(results)
 
     def _note_written(self, results: tuple[Written, ...]) -> None:
         """Let `state` say what the board holds now."""

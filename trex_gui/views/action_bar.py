@@ -64,13 +64,8 @@ class ActionBar(QWidget):
         motors, link = self._device.motors, self._device.link
         self._stop.setEnabled(link in {Link.OPENING, Link.UP, Link.SILENT})
         self._run.setEnabled(motors.can_arm and not motors.armed)
-        if not motors.can_arm:
-            text = self.tr("Motors: N/A")
-        elif motors.armed:
-            text = self.tr("Armed: the sliders move the motors.")
-        else:
-            text = self.tr("Stopped. Nothing is sent before Run motor.")
-        self._state.setText(text)
+        self._state.setText(self._state_text())
+        self._show_state(alarming=motors.armed or self._device.may_move)
         pending = self._device.pending > 0
         self._unapplied.setVisible(pending)
         self._apply.setEnabled(pending and link is Link.UP and not self._device.applying)
