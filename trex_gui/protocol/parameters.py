@@ -167,6 +167,8 @@ class ParameterSpec:
             return " or ".join(self.choices.values())
         if self.kind is Kind.CHANNELS:
             return "none or some of the channels 1 to 5, such as 1, 3"
+        if self.kind is Kind.UART:
+            return f"written as {self.text(self.default)}, with a baud rate that the board has"
         return self.short_range()
 
     @property

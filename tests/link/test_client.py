@@ -1,0 +1,400 @@
+"""One transaction after the other, on a wire in virtual time."""
+
+import contextlib
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.link.helpers import staged
+from tests.support.virtual import Stage
+from trex_gui.emulator.eeprom import Eeprom
+from trex_gui.emulator.firmware import Board
+from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.commands import (
+    Command,
+    Direction,
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+    GetCalibration,
+    GetCurrents,
+    GetMode,
+    GetParameter,
+    GetRawChannels,
+    GetSerialControl,
+    GetSignature,
+    SetCalibration,
+    SetParameter,
+)
+from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, PortUnavailable, ResultCode
+from trex_gui.protocol.flags import Mode
+from trex_gui.protocol.line_settings import Detection, LineSettings
+
+CRC = LinkSettings("virtual", LineSettings(detection=Detection.CRC7))
+
+REAL_TIME = 0.06
+"""What a local port is allowed to be late; the virtual one is faster."""
+
+
+# --- Replies ----------------------------------------------------------------------------
+
+
+def test_a_reply_comes_back_as_what_it_means(stage: Stage) -> None:
+    client = stage.client()
+    assert str(client.request(GetSignature())) == "TReX 1.2"
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+    assert client.request(GetParameter(0)) == 7
+
+
+def test_a_write_to_eeprom_is_waited_for(stage: Stage) -> None:
+    wanted = Calibration(2400, 3700, 5100, 80)
+    assert stage.client().request(SetCalibration(2, wanted)) is ResultCode.OK
+    assert stage.board.calibration(2) == wanted
+
+
+def test_a_refused_write_is_a_reply_like_any_other(stage: Stage) -> None:
+    assert stage.client().request(SetParameter(0x7E, 0x0F)) is ResultCode.BAD_VALUE
+
+
+def test_a_value_that_does_not_fit_is_refused_before_a_byte_is_sent(stage: Stage) -> None:
+    with pytest.raises(BadRequest, match="0 to 127, not 300"):
+        stage.client().request(DriveAuxiliary(300))
+    assert stage.transport.sent == b""
+
+
+@pytest.mark.parametrize("number", [None, 7])
+@pytest.mark.parametrize("detection", list(Detection))
+def test_every_kind_of_packet_is_understood(number: int | None, detection: Detection) -> None:
+    stage, settings = staged(detection=detection)
+    client = stage.client(LinkSettings("virtual", settings.line, device_number=number))
+    assert client.request(GetParameter(0x7E)) == settings.line.to_wire()
+
+
+def test_another_device_number_gets_no_answer(stage: Stage) -> None:
+    client = stage.client(LinkSettings("virtual", device_number=8))
+    with pytest.raises(NoReply):
+        client.request(GetMode())
+
+
+# --- Deadlines --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("baud", [1200, 115200])
+@pytest.mark.parametrize(
+    ("command", "size", "board_needs"),
+    [
+        (GetMode(), 2, 0.0),
+        (GetRawChannels(), 12, 0.0),
+        (SetParameter(7, 5), 6, 0.05),
+        (SetCalibration(1, Calibration(2500, 3750, 5000, 75)), 12, 0.1),
+    ],
+    ids=str,
+)
+def test_a_silent_board_costs_the_time_on_the_wire_and_an_allowance(
+    baud: int, command: Command[object], size: int, board_needs: float
+) -> None:
+    stage, settings = staged(baud)
+    stage.board.power_off()
+    client = stage.client(settings)
+    begun = stage.line.now
+    with pytest.raises(NoReply, match="No answer to"):
+        client.request(command)
+    took = stage.line.now - begun
+    wire = settings.line.seconds(size)
+    assert wire + board_needs <= took <= wire + board_needs + stage.transport.latency + 0.01
+
+
+def test_a_silent_board_on_a_local_port_is_noticed_in_a_tenth_of_a_second() -> None:
+    stage, settings = staged(115200)
+    stage.board.power_off()
+    stage.transport.latency = REAL_TIME
+    with pytest.raises(NoReply):
+        stage.client(settings).request(GetMode())
+    assert stage.line.now < 0.1
+
+
+def test_patience_is_added_to_every_deadline(stage: Stage) -> None:
+    stage.board.power_off()
+    client = stage.client(LinkSettings("virtual", patience=2.0))
+    with pytest.raises(NoReply):
+        client.request(GetMode())
+    assert 2.0 < stage.line.now < 2.1
+
+
+@pytest.mark.parametrize("baud", [1200, 2400, 9600, 115200])
+def test_the_longest_reply_is_not_given_up_on_a_slow_line(baud: int) -> None:
+    stage, settings = staged(baud)
+    stage.transport.latency = 0.0
+    assert len(stage.client(settings).request(GetRawChannels())) == 5
+
+
+def test_a_late_reply_is_still_taken_within_the_allowance() -> None:
+    stage, settings = staged()
+    stage.board.eeprom.write("uart_response_delay", 1)
+    stage.board.power_cycle()
+    stage.transport.latency = 0.0
+    assert stage.client(settings).request(GetMode()) is Mode.SERIAL_RC
+
+
+# --- What must not be taken for a reply -------------------------------------------------
+
+
+def test_what_came_before_a_request_is_no_answer_to_it(stage: Stage) -> None:
+    client = stage.client()
+    stage.line.inject(b"A\x2a\x55")
+    stage.line.advance(0.1)
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+    assert client.counters.stale == 3
+
+
+def test_an_answer_that_came_too_late_is_not_taken_for_the_next_one(stage: Stage) -> None:
+    client = stage.client()
+    stage.line.mute = True
+    with pytest.raises(NoReply):
+        client.request(GetParameter(0x7E))
+    stage.line.mute = False
+    stage.line.inject(b"\x05")  # the adapter held it back
+    stage.line.advance(0.1)
+    assert client.request(GetParameter(0)) == 7
+
+
+def test_half_a_reply_is_none_and_is_named(stage: Stage) -> None:
+    stage.line.to_drop = 3
+    with pytest.raises(NoReply, match=r"Only 58 31 2E 32 came in answer to 81\."):
+        stage.client().request(GetSignature())
+
+
+def test_a_reply_that_means_nothing_is_a_bad_one(stage: Stage) -> None:
+    stage.board.power_off()
+    stage.line.inject(b"?")
+    with pytest.raises(BadReply, match="3F"):
+        stage.client().request(GetMode())
+
+
+def test_a_reply_with_a_wrong_crc_is_a_bad_one() -> None:
+    stage, settings = staged(detection=Detection.CRC7)
+    client = stage.client(settings)
+    stage.board.power_off()
+    stage.line.inject(b"\x07\x00")
+    with pytest.raises(BadReply, match="CRC is 00"):
+        client.request(GetParameter(0))
+
+
+def test_after_a_damaged_reply_the_line_is_let_run_dry(stage: Stage) -> None:
+    client = stage.client()
+    stage.board.power_off()
+    stage.line.inject(b"Hello there")
+    with pytest.raises(BadReply):
+        client.request(GetMode())
+    stage.board.power_on()
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+
+
+# --- Motor commands ---------------------------------------------------------------------
+
+
+def test_a_motor_command_returns_at_once(stage: Stage) -> None:
+    stage.client().request(DriveMotor(1, Drive.at(50)))
+    assert stage.line.now == 0.0
+    stage.line.advance(0.01)
+    assert stage.board.motors[0].speed == 50
+
+
+@pytest.mark.parametrize("baud", [1200, 115200])
+def test_the_next_request_waits_until_a_motor_command_has_left(baud: int) -> None:
+    stage, settings = staged(baud)
+    client = stage.client(settings)
+    client.request(DriveBoth(Drive.at(50), Drive.at(-50)))
+    client.request(GetMode())
+    assert stage.line.now == pytest.approx(settings.line.seconds(3 + 2))
+
+
+def test_many_motor_commands_do_not_pile_up_in_the_port(stage: Stage) -> None:
+    client = stage.client()
+    for speed in range(100):
+        client.request(DriveMotor(1, Drive.at(speed)))
+        assert stage.line.backlog <= 0.0011
+
+
+def test_draining_waits_for_the_last_bit(stage: Stage) -> None:
+    client = stage.client()
+    client.request(DriveMotor(2, Drive(Direction.REVERSE, 100)))
+    client.drain()
+    assert stage.board.motors[1].speed == 100
+
+
+# --- Echo -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("echo", [True, False])
+def test_the_rs232_side_is_told_by_its_echo(board: Board, *, echo: bool) -> None:
+    stage = Stage(board, echo=echo)
+    client = stage.client()
+    client.echo = not echo
+    assert client.detect_echo() is echo
+    assert client.echo is echo
+    assert set(stage.transport.sent) == {0xFF}
+
+
+def test_looking_for_an_echo_is_not_misled_by_old_bytes(stage: Stage) -> None:
+    stage.line.inject(b"\xff\xff")
+    stage.line.advance(0.1)
+    assert stage.client().detect_echo() is False
+
+
+def test_the_echo_is_taken_off_every_reply(board: Board) -> None:
+    client = Stage(board, echo=True).client()
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+    assert client.request(SetParameter(7, 5)) is ResultCode.OK
+    assert client.request(GetParameter(7)) == 5
+
+
+def test_the_echo_of_a_motor_command_is_not_left_behind(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    client = stage.client()
+    client.request(DriveBoth(Drive.at(1), Drive.at(2)))
+    assert client.request(GetSerialControl()) is True
+    assert client.counters.stale == 0
+
+
+def test_a_damaged_echo_makes_the_reply_a_bad_one(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    stage.line.to_drop = 1
+    with pytest.raises(BadReply, match="echo should be 9F 07"):
+        stage.client().request(GetParameter(7))
+
+
+# --- Device numbers ---------------------------------------------------------------------
+
+
+def test_a_board_is_followed_to_its_new_device_number(stage: Stage) -> None:
+    client = stage.client(LinkSettings("virtual", device_number=7))
+    assert client.request(SetParameter(0, 42)) is ResultCode.OK
+    assert client.settings.device_number == 42
+    assert client.request(GetParameter(0)) == 42
+
+
+def test_a_refused_device_number_is_not_followed() -> None:
+    stage, _ = staged(mode="rc")
+    client = stage.client(LinkSettings("virtual", device_number=7))
+    assert client.request(SetParameter(0, 42)) is ResultCode.NOT_SERIAL_MODE
+    assert client.request(GetParameter(0)) == 7
+
+
+def test_the_compact_protocol_stays_compact_when_the_number_changes(stage: Stage) -> None:
+    client = stage.client()
+    client.request(SetParameter(0, 42))
+    assert client.settings.device_number is None
+    assert client.request(GetParameter(0)) == 42
+
+
+# --- Counters ---------------------------------------------------------------------------
+
+
+def test_the_counters_tell_what_the_line_has_seen(stage: Stage) -> None:
+    client = stage.client()
+    client.request(GetMode())
+    stage.line.inject(b"\x00")
+    stage.line.advance(0.1)
+    client.request(GetMode())
+    stage.board.power_off()
+    stage.line.inject(b"\x00")
+    with pytest.raises(BadReply):
+        client.request(GetMode())
+    with pytest.raises(NoReply):
+        client.request(GetMode())
+    counters = client.counters
+    assert (counters.requests, counters.silences, counters.damaged) == (4, 1, 1)
+    assert counters.stale == 1
+
+
+def test_the_slowest_round_trip_is_the_slowest_that_succeeded(stage: Stage) -> None:
+    client = stage.client()
+    client.request(GetMode())
+    quick = client.counters.slowest
+    assert quick == pytest.approx(client.settings.line.seconds(2))
+    client.request(SetParameter(7, 5))
+    slow = client.counters.slowest
+    assert slow == pytest.approx(client.settings.line.seconds(6) + 0.004, abs=1e-4)
+    stage.board.power_off()
+    with pytest.raises(NoReply):
+        client.request(SetParameter(7, 5))
+    assert client.counters.slowest == slow
+
+
+# --- The end of a line ------------------------------------------------------------------
+
+
+def test_a_line_that_is_gone_is_said_to_be(stage: Stage) -> None:
+    stage.transport.fail = PortUnavailable("The line is gone.")
+    with pytest.raises(PortUnavailable, match="is gone"):
+        stage.client().request(GetMode())
+
+
+def test_closing_gives_the_port_back(stage: Stage) -> None:
+    stage.client().close()
+    assert stage.transport.closed
+
+
+# --- Any noise --------------------------------------------------------------------------
+
+QUESTIONS: list[Command[object]] = [
+    GetSignature(),
+    GetMode(),
+    GetSerialControl(),
+    GetCurrents(),
+    GetRawChannels(),
+    GetCalibration(3),
+    *(GetParameter(number) for number in (0, 1, 7, 0x0B, 0x7E)),
+]
+
+
+@given(
+    seed=st.integers(0, 2**32 - 1),
+    noise=st.sampled_from([0.0, 0.01, 0.1, 0.5]),
+    questions=st.lists(st.sampled_from(QUESTIONS), min_size=1, max_size=8),
+    drops=st.lists(st.integers(0, 4), min_size=8, max_size=8),
+    lost=st.lists(st.integers(0, 3), min_size=8, max_size=8),
+    echo=st.booleans(),
+    number=st.sampled_from([None, 7]),
+)
+def test_with_crc_a_request_is_answered_rightly_or_not_at_all(
+    *,
+    seed: int,
+    noise: float,
+    questions: list[Command[object]],
+    drops: list[int],
+    lost: list[int],
+    echo: bool,
+    number: int | None,
+) -> None:
+    quiet, settings = staged(detection=Detection.CRC7)
+    expected = [quiet.client(settings).request(question) for question in questions]
+
+    stage, _ = staged(detection=Detection.CRC7, echo=echo)
+    stage.line._random.seed(seed)
+    stage.line.noise = noise
+    client = stage.client(LinkSettings("virtual", settings.line, device_number=number))
+    for question, right, drop, miss in zip(questions, expected, drops, lost, strict=False):
+        stage.line.to_drop, stage.line.to_drop_sent = drop, miss
+        spoilt = stage.line.counters["spoilt"]
+        try:
+            answer = client.request(question)
+        except (NoReply, BadReply):
+            continue
+        # Seven bits tell of every one or two wrong bits; of more, of all but one in 128.
+        assert answer == right or stage.line.counters["spoilt"] - spoilt > 2
+
+
+@given(garbage=st.binary(max_size=40), question=st.sampled_from(QUESTIONS))
+def test_bytes_from_nowhere_are_never_fatal(garbage: bytes, question: Command[object]) -> None:
+    stage = Stage(Board(eeprom=Eeprom()))
+    client = stage.client()
+    stage.line.inject(garbage)
+    with contextlib.suppress(NoReply, BadReply):
+        client.request(question)
+    stage.line.advance(0.1)
+    assert client.request(GetMode()) is Mode.SERIAL_RC

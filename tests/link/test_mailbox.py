@@ -1,0 +1,211 @@
+"""What waits for the line, and in which order it goes."""
+
+from collections import deque
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.link.drives import DriveSlots, packets
+from trex_gui.link.mailbox import Mailbox
+from trex_gui.link.messages import (
+    Ask,
+    Close,
+    Reload,
+    Request,
+    SetAuxiliary,
+    SetDrive,
+    Stop,
+    Write,
+)
+from trex_gui.protocol.commands import (
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+    GetMode,
+)
+
+
+class Bag:
+    """An inbox that holds some requests."""
+
+    def __init__(self, *requests: Request) -> None:
+        self.requests = deque(requests)
+        self.waits: list[float] = []
+
+    def get(self, seconds: float) -> Request | None:
+        self.waits.append(seconds)
+        return self.requests.popleft() if self.requests else None
+
+
+def mailbox(*requests: Request) -> Mailbox:
+    mail = Mailbox(Bag(*requests))
+    mail.collect()
+    return mail
+
+
+# --- Slots ------------------------------------------------------------------------------
+
+
+def test_an_empty_slot_says_nothing() -> None:
+    slots = DriveSlots()
+    assert not slots
+    assert slots.take() == []
+
+
+def test_the_newest_wish_for_a_motor_wins() -> None:
+    slots = DriveSlots()
+    for speed in (10, 20, 30):
+        slots.put(SetDrive(2, Drive.at(speed)))
+        slots.put(SetAuxiliary(speed + 1))
+    assert packets(slots.take()) == [DriveMotor(2, Drive.at(30)), DriveAuxiliary(31)]
+    assert not slots
+
+
+def test_two_wishes_of_one_kind_share_a_packet() -> None:
+    slots = DriveSlots()
+    slots.put(SetDrive(2, Drive.brake(5), accelerate=True))
+    slots.put(SetDrive(1, Drive.at(-10), accelerate=True))
+    assert packets(slots.take()) == [DriveBoth(Drive.at(-10), Drive.brake(5), accelerate=True)]
+
+
+def test_a_jump_and_a_ramp_need_a_packet_each() -> None:
+    slots = DriveSlots()
+    slots.put(SetDrive(1, Drive.at(10), accelerate=True))
+    slots.put(SetDrive(2, Drive.at(20)))
+    assert packets(slots.take()) == [
+        DriveMotor(1, Drive.at(10), accelerate=True),
+        DriveMotor(2, Drive.at(20)),
+    ]
+
+
+def test_the_auxiliary_motor_alone_is_a_wish() -> None:
+    slots = DriveSlots()
+    slots.put(SetAuxiliary(0, accelerate=True))
+    assert slots
+    assert packets(slots.take()) == [DriveAuxiliary(0, accelerate=True)]
+
+
+def test_forgotten_wishes_are_not_sent() -> None:
+    slots = DriveSlots()
+    slots.put(SetDrive(1, Drive.at(1)))
+    slots.put(SetAuxiliary(1))
+    slots.clear()
+    assert not slots
+    assert slots.take() == []
+
+
+def test_a_wish_whose_packet_was_damaged_waits_again() -> None:
+    slots = DriveSlots()
+    slots.put(SetDrive(1, Drive.at(1)))
+    slots.put(SetAuxiliary(1))
+    taken = slots.take()
+    slots.put_back(taken)
+    assert slots.take() == taken
+
+
+def test_a_newer_wish_is_not_replaced_by_one_that_was_damaged() -> None:
+    slots = DriveSlots()
+    damaged: list[SetDrive | SetAuxiliary] = [
+        SetDrive(1, Drive.at(1)),
+        SetDrive(2, Drive.at(1)),
+        SetAuxiliary(1),
+    ]
+    newer: list[SetDrive | SetAuxiliary] = [SetDrive(1, Drive.at(9)), SetAuxiliary(0)]
+    for wish in newer:
+        slots.put(wish)
+    slots.put_back(damaged)
+    assert slots.take() == [newer[0], damaged[1], newer[1]]
+
+
+wishes = st.one_of(
+    st.builds(
+        SetDrive,
+        st.sampled_from([1, 2]),
+        st.builds(Drive.at, st.integers(-127, 127)),
+        st.booleans(),
+    ),
+    st.builds(SetAuxiliary, st.integers(0, 127), st.booleans()),
+)
+
+
+@given(st.lists(wishes, max_size=20))
+def test_what_is_sent_is_the_newest_wish_of_each_motor(
+    given_wishes: list[SetDrive | SetAuxiliary],
+) -> None:
+    slots = DriveSlots()
+    newest: dict[int, object] = {}
+    for wish in given_wishes:
+        slots.put(wish)
+        newest[wish.motor if isinstance(wish, SetDrive) else 0] = wish
+    sent: dict[int, object] = {}
+    for command in packets(slots.take()):
+        match command:
+            case DriveBoth(first, second, accelerate):
+                sent[1] = SetDrive(1, first, accelerate)
+                sent[2] = SetDrive(2, second, accelerate)
+            case DriveMotor(motor, drive, accelerate):
+                sent[motor] = SetDrive(motor, drive, accelerate)
+            case DriveAuxiliary(speed, accelerate):
+                sent[0] = SetAuxiliary(speed, accelerate)
+    assert sent == newest
+
+
+# --- Mailbox ----------------------------------------------------------------------------
+
+
+def test_jobs_keep_their_order() -> None:
+    jobs = (Ask(1, GetMode()), Write(2), Reload(3), Ask(4, GetMode()))
+    assert tuple(mailbox(*jobs).jobs) == jobs
+
+
+def test_stops_are_kept_apart_and_taken_once() -> None:
+    mail = mailbox(Reload(1), Stop(2), Stop(3))
+    assert mail.take_stops() == [Stop(2), Stop(3)]
+    assert mail.take_stops() == []
+
+
+def test_a_stop_wipes_out_the_wishes_before_it() -> None:
+    mail = mailbox(SetDrive(1, Drive.at(9)), SetAuxiliary(9), Stop(1))
+    assert not mail.drives
+
+
+def test_a_stop_leaves_the_wishes_after_it() -> None:
+    mail = mailbox(SetDrive(1, Drive.at(9)), Stop(1), SetDrive(2, Drive.at(5)))
+    assert mail.drives.take() == [SetDrive(2, Drive.at(5))]
+
+
+def test_a_stop_wipes_out_wishes_that_came_in_an_earlier_look() -> None:
+    bag = Bag(SetDrive(1, Drive.at(9)))
+    mail = Mailbox(bag)
+    mail.collect()
+    bag.requests.append(Stop(1))
+    mail.collect()
+    assert not mail.drives
+
+
+def test_only_the_first_look_waits() -> None:
+    bag = Bag(Reload(1), Reload(2))
+    Mailbox(bag).collect(0.5)
+    assert bag.waits == [0.5, 0.0, 0.0]
+
+
+def test_a_time_that_is_over_is_no_wait() -> None:
+    bag = Bag()
+    Mailbox(bag).collect(-1.0)
+    assert bag.waits == [0.0]
+
+
+def test_close_is_noted_and_what_came_with_it_is_kept() -> None:
+    mail = mailbox(Reload(1), Close(), Reload(2))
+    assert mail.closing
+    assert mail.abandon() == [1, 2]
+
+
+def test_what_is_abandoned_is_named_once() -> None:
+    mail = mailbox(
+        Ask(1, GetMode()), Stop(2), SetDrive(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
+    )
+    assert sorted(mail.abandon()) == [1, 2, 3, 4, 5]
+    assert mail.abandon() == []
+    assert not mail.drives

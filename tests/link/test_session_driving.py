@@ -1,0 +1,278 @@
+"""Motors under a session: a hand that moves fast, a stop that goes before everything."""
+
+import itertools
+
+import pytest
+
+from tests.link.helpers import commands, moving, outcomes, run_for, samples, seen_at, staged
+from tests.support.virtual import Stage
+from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.motors import Direction
+from trex_gui.link.messages import Ask, Reload, SetAuxiliary, SetDrive, Stop, Write
+from trex_gui.link.telemetry import Control
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.commands import (
+    STOP,
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+    GetMode,
+    GetStatus,
+    SetCalibration,
+    SetParameter,
+)
+from trex_gui.protocol.errors import NoReply
+from trex_gui.protocol.line_settings import Detection
+
+STOP_PACKETS = bytes.fromhex("D0 7F 7F F0 00")
+
+
+def is_stopped(board: Board) -> bool:
+    """Whether both motors are braked fully and the auxiliary one is off."""
+    return board.aux.speed == 0 and all(
+        motor.direction is Direction.BRAKE and motor.speed == 127 for motor in board.motors
+    )
+
+
+# --- Driving ----------------------------------------------------------------------------
+
+
+def test_a_wish_reaches_its_motor(stage: Stage) -> None:
+    stage.script.at(1.0, SetDrive(2, Drive.at(-80)))
+    speeds = seen_at(stage, 1.1, lambda: stage.board.motors[1].speed)
+    run_for(stage, 1.2)
+    assert speeds == [80]
+    assert moving(stage.transport.sent)[0] == DriveMotor(2, Drive.at(-80))
+
+
+def test_wishes_for_both_motors_travel_together(stage: Stage) -> None:
+    stage.script.at(1.0, SetDrive(2, Drive.at(20), accelerate=True))
+    stage.script.at(1.0, SetDrive(1, Drive.at(10), accelerate=True))
+    stage.script.at(1.0, SetAuxiliary(30))
+    run_for(stage, 1.1)
+    driven = moving(stage.transport.sent)[:2]
+    assert driven == [
+        DriveBoth(Drive.at(10), Drive.at(20), accelerate=True),
+        DriveAuxiliary(30),
+    ]
+
+
+@pytest.mark.parametrize("baud", [1200, 9600, 19200, 115200])
+def test_a_fast_hand_does_not_flood_the_line(baud: int) -> None:
+    stage, settings = staged(baud)
+    for step in range(1000):
+        stage.script.at(4.0 + step / 500, SetDrive(1, Drive.at(step % 100)))
+    speeds = seen_at(stage, 7.0, lambda: stage.board.motors[0].speed)
+    run_for(stage, 7.0, settings)
+    packets = [one for one in moving(stage.transport.sent) if one not in STOP]
+    assert len(packets) <= 2.0 / 0.02 + 2
+    assert speeds == [999 % 100]
+
+
+def test_the_last_wish_is_in_force_at_once_on_a_fast_line() -> None:
+    stage, settings = staged(115200)
+    for step in range(100):
+        stage.script.at(1.0 + step / 500, SetDrive(1, Drive.at(step)))
+    speeds = seen_at(stage, 1.0 + 99 / 500 + 0.025, lambda: stage.board.motors[0].speed)
+    run_for(stage, 2.0, settings)
+    assert speeds == [99]
+
+
+@pytest.mark.parametrize("baud", [1200, 19200])
+def test_driving_leaves_room_for_looking(baud: int) -> None:
+    stage, settings = staged(baud)
+    for step in range(1000):
+        stage.script.at(5.0 + step / 200, SetDrive(1 + step % 2, Drive.at(step % 100)))
+    run_for(stage, 10.0, settings)
+    between = [one.time for one in samples(stage.reports, Control) if 5.0 < one.time < 10.0]
+    assert len(between) > 1
+    assert max(later - sooner for sooner, later in itertools.pairwise(between)) < 4.0
+
+
+def test_a_wish_is_obeyed_in_the_middle_of_a_long_reading() -> None:
+    stage, settings = staged(1200)
+    stage.script.at(4.0, Reload(1)).at(4.5, SetDrive(1, Drive.at(60)))
+    speeds = seen_at(stage, 4.8, lambda: stage.board.motors[0].speed)
+    run_for(stage, 8.0, settings)
+    assert speeds == [60]
+    assert outcomes(stage.reports)[1].error is None
+
+
+def test_a_motor_command_that_was_asked_for_is_sent(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, DriveMotor(1, Drive.at(5))))
+    run_for(stage, 1.5)
+    assert outcomes(stage.reports)[1].error is None
+    assert moving(stage.transport.sent)[0] == DriveMotor(1, Drive.at(5))
+
+
+# --- Stop -------------------------------------------------------------------------------
+
+
+def test_a_stop_is_proved_by_an_answer(stage: Stage) -> None:
+    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.0, SetAuxiliary(100))
+    stage.script.at(1.5, Stop(1))
+    stopped = seen_at(stage, 1.52, lambda: is_stopped(stage.board))
+    run_for(stage, 2.0)
+    assert stopped == [True]
+    assert outcomes(stage.reports)[1].error is None
+    sent = commands(stage.transport.sent)
+    begin = sent.index(STOP[0])
+    assert sent[begin : begin + 5] == [*STOP, *STOP, GetStatus()]
+
+
+def test_a_stop_needs_no_wish_before_it(stage: Stage) -> None:
+    stage.script.at(1.0, Stop(1))
+    run_for(stage, 2.0)
+    assert STOP_PACKETS in stage.transport.sent
+    assert outcomes(stage.reports)[1].error is None
+
+
+@pytest.mark.parametrize(("baud", "within"), [(1200, 0.35), (9600, 0.05), (115200, 0.01)])
+def test_a_stop_acts_within_one_transaction_at_any_moment(baud: int, within: float) -> None:
+    stage, settings = staged(baud)
+    asked = [4.5 + number * 1.017 for number in range(1, 8)]
+    for number, moment in enumerate(asked):
+        stage.script.at(moment - 0.5, SetDrive(1, Drive.at(50)))
+        stage.script.at(moment, Stop(number))
+    moments: list[float] = []
+    send = stage.transport.write
+
+    def note(data: bytes) -> None:
+        if data == STOP_PACKETS[:3]:
+            moments.append(stage.line.now)
+        send(data)
+
+    stage.transport.write = note  # type: ignore[method-assign] # to see when
+    run_for(stage, 13.0, settings)
+    for sent, wanted in zip(moments[: 2 * len(asked) : 2], asked, strict=True):
+        assert 0 <= sent - wanted <= within
+
+
+def test_a_stop_overtakes_what_is_left_of_a_write(stage: Stage) -> None:
+    keys = ("serial_timeout", "motor1_acceleration", "motor2_acceleration", "aux_acceleration")
+    stage.script.at(1.0, SetDrive(1, Drive.at(100)))
+    stage.script.at(1.1, Write(1, tuple((key, 9) for key in keys)))
+    stage.script.at(1.115, Stop(2))
+    run_for(stage, 2.0)
+    sent = commands(stage.transport.sent)
+    writes = [index for index, one in enumerate(sent) if isinstance(one, SetParameter)]
+    stop = sent.index(STOP[0])
+    assert writes[0] < stop < writes[-1]
+    assert sent[stop : stop + 5] == [*STOP, *STOP, GetStatus()]
+    found = outcomes(stage.reports)
+    assert list(found) == [2, 1]  # and the write goes on to its end
+    assert found[1].error is None
+    assert all(stage.board.eeprom[key] == 9 for key in keys)
+
+
+def test_a_stop_overtakes_what_is_left_of_writing_calibrations(stage: Stage) -> None:
+    wishes = tuple((channel, Calibration(2400, 3700, 5100, 80)) for channel in (1, 2, 3, 4, 5))
+    stage.script.at(1.1, Write(1, calibrations=wishes)).at(1.2, Stop(2))
+    run_for(stage, 2.0)
+    sent = commands(stage.transport.sent)
+    writes = [index for index, one in enumerate(sent) if isinstance(one, SetCalibration)]
+    assert writes[0] < sent.index(STOP[0]) < writes[-1]
+    assert list(outcomes(stage.reports)) == [2, 1]
+
+
+def test_a_stop_overtakes_what_is_left_of_a_reading(stage: Stage) -> None:
+    stage.script.at(1.0, Reload(1)).at(1.05, Stop(2))
+    run_for(stage, 2.0)
+    found = outcomes(stage.reports)
+    assert list(found) == [2, 1]
+    assert found[1].error is None
+
+
+def test_a_stop_overtakes_everything_that_waits(stage: Stage) -> None:
+    for number in range(1, 20):
+        stage.script.at(1.0, Ask(number, GetMode()))
+    stage.script.at(1.0, Stop(20))
+    run_for(stage, 2.0)
+    assert next(iter(outcomes(stage.reports))) == 20
+
+
+def test_a_stop_while_the_board_is_still_read_is_obeyed(stage: Stage) -> None:
+    stage.script.at(0.1, Stop(1))
+    run_for(stage, 1.0)
+    assert outcomes(stage.reports)[1].error is None
+    assert is_stopped(stage.board)
+
+
+def test_several_stops_at_once_are_one_and_each_gets_its_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Stop(1)).at(1.0, Stop(2)).at(1.0, Stop(3))
+    run_for(stage, 2.0)
+    assert sorted(outcomes(stage.reports)) == [1, 2, 3]
+    assert moving(stage.transport.sent) == [*STOP, *STOP]
+
+
+def test_wishes_from_before_a_stop_are_forgotten(stage: Stage) -> None:
+    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.0, SetAuxiliary(9)).at(1.0, Stop(1))
+    run_for(stage, 2.0)
+    assert moving(stage.transport.sent) == [*STOP, *STOP]
+
+
+def test_wishes_from_after_a_stop_are_obeyed(stage: Stage) -> None:
+    stage.script.at(1.0, Stop(1)).at(1.0, SetDrive(1, Drive.at(100)))
+    speeds = seen_at(stage, 1.5, lambda: stage.board.motors[0].speed)
+    run_for(stage, 2.0)
+    assert speeds == [100]
+
+
+def test_a_stop_in_rc_mode_is_proved_like_any_other() -> None:
+    stage, settings = staged(mode="rc")
+    stage.script.at(1.0, Stop(1))
+    run_for(stage, 2.0, settings)
+    assert outcomes(stage.reports)[1].error is None
+
+
+@pytest.mark.parametrize("lost", [1, 3, 5, 7, 12])
+def test_a_stop_that_loses_bytes_is_sent_again(stage: Stage, lost: int) -> None:
+    def lose() -> None:
+        stage.line.to_drop_sent = lost
+
+    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, lose).at(1.5, Stop(1))
+    stopped = seen_at(stage, 1.7, lambda: stage.board.motors[0].speed == 127)
+    run_for(stage, 2.0)
+    assert stopped == [True]
+    assert outcomes(stage.reports)[1].error is None
+
+
+@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("detection", [Detection.NONE, Detection.CRC7])
+def test_a_stop_gets_through_a_noisy_line(seed: int, detection: Detection) -> None:
+    stage, settings = staged(detection=detection)
+    stage.line._random.seed(seed)
+
+    def spoil() -> None:
+        stage.line.noise = 0.05
+
+    stage.script.at(1.0, spoil).at(1.0, Stop(1))
+    run_for(stage, 1.5, settings)
+    assert outcomes(stage.reports)[1].error is None
+    assert is_stopped(stage.board)
+
+
+def test_a_stop_that_nobody_answers_is_repeated_and_then_told(stage: Stage) -> None:
+    def silence() -> None:
+        stage.line.mute = True
+
+    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, silence).at(1.5, Stop(1))
+    run_for(stage, 3.0)
+    error = outcomes(stage.reports)[1].error
+    assert isinstance(error, NoReply)
+    assert "cut its power" in str(error)
+    assert moving(stage.transport.sent).count(STOP[0]) >= 10
+    assert stage.board.motors[0].direction is Direction.BRAKE
+
+
+def test_a_stop_on_the_rs232_side_survives_a_damaged_echo(board: Board) -> None:
+    stage = Stage(board, echo=True)
+
+    def lose() -> None:
+        stage.line.to_drop = 2
+
+    stage.script.at(1.0, lose).at(1.0, Stop(1))
+    run_for(stage, 2.0)
+    assert outcomes(stage.reports)[1].error is None
+    assert is_stopped(board)

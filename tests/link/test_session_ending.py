@@ -1,0 +1,248 @@
+"""However a session ends: the port is given back, nobody waits for ever, no motor runs on."""
+
+import logging
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.link.helpers import (
+    FailingTransport,
+    among,
+    commands,
+    moving,
+    outcomes,
+    run_for,
+    staged,
+)
+from tests.support.virtual import Stage
+from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.motors import Direction
+from trex_gui.link.messages import (
+    Ask,
+    Close,
+    Closed,
+    Connected,
+    Occasion,
+    Reload,
+    Request,
+    SetAuxiliary,
+    SetDrive,
+    Stop,
+    Write,
+)
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.commands import STOP, Drive, DriveMotor, GetMode, GetParameter, GetStatus
+from trex_gui.protocol.errors import PortUnavailable, TrexError
+
+GONE = PortUnavailable("The line is gone. Plug it in again.")
+
+
+# --- Closing ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "wish",
+    [
+        SetDrive(1, Drive.at(100)),
+        SetDrive(2, Drive.at(-100), accelerate=True),
+        SetAuxiliary(100),
+        Ask(1, DriveMotor(1, Drive.at(100))),
+    ],
+    ids=str,
+)
+def test_motors_that_were_driven_are_stopped_on_closing(stage: Stage, wish: Request) -> None:
+    stage.script.at(1.0, wish)
+    assert run_for(stage, 2.0)[-1] == Closed(None, may_move=False)
+    assert commands(stage.transport.sent)[-5:] == [*STOP, *STOP, GetStatus()]
+    assert [motor.speed for motor in stage.board.motors] == [127, 127]
+    assert all(motor.direction is Direction.BRAKE for motor in stage.board.motors)
+    assert stage.board.aux.speed == 0
+
+
+def test_motors_that_were_not_driven_are_left_alone_on_closing(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, GetMode())).at(1.2, Write(2, (("serial_timeout", 3),)))
+    run_for(stage, 2.0)
+    assert moving(stage.transport.sent) == []
+
+
+def test_the_stop_has_left_the_port_before_it_is_closed() -> None:
+    stage, settings = staged(1200)
+    stage.script.at(5.0, SetDrive(1, Drive.at(100)))
+    run_for(stage, 6.0, settings)
+    assert stage.line.backlog == 0.0
+    assert stage.board.motors[0].direction is Direction.BRAKE
+
+
+def test_closing_does_not_wait_for_what_is_left_to_do(stage: Stage) -> None:
+    keys = [spec.key for spec in stage.board.memory.parameters.readable]
+    stage.script.at(1.0, Write(1, tuple((key, 1) for key in keys)))
+    stage.script.at(1.0, Reload(2)).at(1.0, Ask(3, GetMode()))
+    reports = run_for(stage, 1.05)
+    assert stage.line.now < 1.15
+    assert reports[-1] == Closed(None)
+    found = outcomes(reports)
+    assert sorted(found) == [1, 2, 3]
+    assert all("closed before this was done" in str(one.error) for one in found.values())
+
+
+def test_a_wish_that_waits_is_not_obeyed_on_closing(stage: Stage) -> None:
+    stage.script.at(1.0, SetDrive(1, Drive.at(100)))
+    run_for(stage, 1.0)
+    assert moving(stage.transport.sent) == []
+
+
+def test_closing_twice_is_closing_once(stage: Stage) -> None:
+    stage.script.at(1.0, Close()).at(1.0, Close())
+    assert len(among(run_for(stage, 2.0), Closed)) == 1
+
+
+# --- The line is lost -------------------------------------------------------------------
+
+REQUESTS: list[Request] = [
+    Ask(1, GetMode()),
+    Ask(2, GetParameter(7)),
+    Write(3, (("serial_timeout", 4), ("motor_mode", 1), ("nonsense", 1))),
+    SetDrive(1, Drive.at(50)),
+    Stop(4),
+    Reload(5),
+    SetAuxiliary(20),
+    Write(6, (), ((1, Calibration(2400, 3750, 5000, 75)),)),
+    Ask(7, DriveMotor(2, Drive.at(9))),
+    Stop(8),
+]
+
+
+def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) -> Stage:
+    """Return a stage whose line is gone after so many calls."""
+    stage = Stage(Board())
+    stage.transport = FailingTransport(stage.line, calls, failure)
+    for number, request in enumerate(requests):
+        stage.script.at(0.5 + number * 0.03, request)
+    stage.script.at(3.0, Close())
+    return stage
+
+
+@given(calls=st.integers(0, 700), requests=st.permutations(REQUESTS))
+def test_whenever_the_line_is_lost_each_request_has_one_outcome(
+    calls: int, requests: list[Request]
+) -> None:
+    stage = stage_that_fails(calls, GONE, requests)
+    reports = stage.run()
+    asked = {
+        request.id
+        for request in requests
+        if not isinstance(request, SetDrive | SetAuxiliary | Close)
+    }
+    if stage.line.now > 1.0:  # else those that nobody had taken from the inbox have none
+        assert set(outcomes(reports)) == asked
+    assert set(outcomes(reports)) <= asked
+    (closed,) = among(reports, Closed)
+    assert closed.error is GONE
+    assert reports[-1] is closed
+    assert stage.transport.closed
+
+
+@pytest.mark.parametrize("calls", [0, 1, 10, 100, 150, 200, 300])
+def test_a_line_that_is_lost_is_told_at_once(calls: int) -> None:
+    stage = stage_that_fails(calls, GONE, [])
+    assert stage.run()[-1] == Closed(GONE)
+    assert stage.line.now < 3.0
+
+
+def test_requests_dropped_with_the_line_say_why(stage: Stage) -> None:
+    def unplug() -> None:
+        stage.transport.fail = GONE
+
+    stage.script.at(1.0, unplug).at(1.0, Ask(1, GetMode())).at(1.0, Write(2)).at(1.0, Stop(3))
+    reports = run_for(stage, 2.0)
+    assert {one.id: one.error for one in outcomes(reports).values()} == {1: GONE, 2: GONE, 3: GONE}
+
+
+def test_a_lost_line_does_not_keep_the_port_though_motors_run(stage: Stage) -> None:
+    def unplug() -> None:
+        stage.transport.fail = GONE
+
+    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, unplug)
+    assert run_for(stage, 9.0)[-1] == Closed(GONE, may_move=True)
+    assert stage.transport.closed
+
+
+# --- A mistake of ours ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("calls", [0, 5, 50, 150, 250])
+def test_a_mistake_of_ours_ends_the_session_properly(
+    calls: int, caplog: pytest.LogCaptureFixture
+) -> None:
+    stage = stage_that_fails(calls, RuntimeError("a bug"), [])
+    with caplog.at_level(logging.CRITICAL):
+        reports = stage.run()
+    closed = reports[-1]
+    assert isinstance(closed, Closed)
+    assert isinstance(closed.error, TrexError)
+    assert "made a mistake" in str(closed.error)
+    assert "a bug" in str(closed.error)
+    assert stage.transport.closed
+
+
+def test_a_mistake_of_ours_is_logged_with_its_trace(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    stage_that_fails(100, RuntimeError("a bug"), []).run()
+    assert "the line session failed" in caplog.text
+    assert "Traceback" in caplog.text
+
+
+def test_after_a_mistake_of_ours_driven_motors_are_stopped(
+    stage: Stage, caplog: pytest.LogCaptureFixture
+) -> None:
+    def mistake() -> None:
+        raise RuntimeError("a bug")
+
+    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, mistake)
+    with caplog.at_level(logging.CRITICAL):
+        reports = run_for(stage, 2.0)
+    assert isinstance(reports[-1], Closed)
+    assert stage.transport.closed
+    assert moving(stage.transport.sent)[-2:] == list(STOP)
+    assert stage.board.motors[0].direction is Direction.BRAKE
+
+
+# --- Answers ----------------------------------------------------------------------------
+
+
+def test_each_kind_of_request_has_its_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, GetParameter(0))).at(1.0, Reload(2)).at(1.0, Stop(3))
+    stage.script.at(1.0, Write(4, (("serial_timeout", 9),)))
+    reports = run_for(stage, 2.0)
+    found = outcomes(reports)
+    assert sorted(found) == [1, 2, 3, 4]
+    assert all(one.error is None for one in found.values())
+    assert found[1].value == 7
+    assert found[2].value is None
+    assert [(one.what, one.stored) for one in found[4].value] == [  # type: ignore[attr-defined]
+        ("serial_timeout", 9)
+    ]
+
+
+def test_reading_again_is_reported_before_its_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Reload(2))
+    reports = run_for(stage, 2.0)
+    again = among(reports, Connected)[1]
+    assert again.occasion is Occasion.RELOADED
+    assert reports.index(again) < reports.index(outcomes(reports)[2])
+
+
+def test_a_question_that_cannot_be_asked_has_an_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, GetParameter(300))).at(1.1, Ask(2, GetMode()))
+    found = outcomes(run_for(stage, 2.0))
+    assert "0 to 127, not 300" in str(found[1].error)
+    assert found[2].error is None
+
+
+def test_a_question_that_the_board_does_not_answer_has_an_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, GetParameter(0x60))).at(1.2, Ask(2, GetMode()))
+    found = outcomes(run_for(stage, 2.0))
+    assert "No answer to 9F 60" in str(found[1].error)
+    assert found[2].error is None

@@ -1,0 +1,104 @@
+"""Stored and edited calibrations."""
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.link.writing import Written
+from trex_gui.model.calibrations import Calibrations
+from trex_gui.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.protocol.errors import BadRequest, NoReply
+from trex_gui.protocol.flags import CHANNELS, InputSource
+
+LEARNED = Calibration(2400, 3700, 5100, 80)
+OTHER = Calibration(2300, 3800, 5200, 90)
+
+
+def stored(source: InputSource) -> dict[int, Calibration]:
+    return dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source])
+
+
+@pytest.fixture
+def model(qtbot: QtBot) -> Calibrations:
+    model = Calibrations()
+    model.load(InputSource.RC, stored(InputSource.RC))
+    return model
+
+
+def test_nothing_is_known_before_a_board_was_read(qtbot: QtBot) -> None:
+    assert Calibrations().stored(1) is None
+    assert Calibrations().pending == ()
+
+
+def test_what_was_read_is_stored(model: Calibrations) -> None:
+    assert model.source is InputSource.RC
+    assert model.stored(3) == DEFAULT_CALIBRATION[InputSource.RC]
+    assert model.stored(6) is None
+
+
+def test_an_edit_waits_and_is_announced(model: Calibrations, qtbot: QtBot) -> None:
+    with qtbot.waitSignals([model.changed, model.pending_changed]):
+        model.edit(2, LEARNED)
+    model.edit(1, OTHER)
+    assert model.pending == ((1, OTHER), (2, LEARNED))
+    assert model.stored(2) == DEFAULT_CALIBRATION[InputSource.RC]
+
+
+def test_editing_back_is_no_edit(model: Calibrations) -> None:
+    model.edit(2, LEARNED)
+    model.edit(2, DEFAULT_CALIBRATION[InputSource.RC])
+    assert model.pending == ()
+
+
+def test_a_calibration_that_makes_no_sense_is_refused(model: Calibrations) -> None:
+    with pytest.raises(BadRequest, match="calibration of channel 4: minimum 9 is above neutral 5"):
+        model.edit(4, Calibration(9, 5, 10, 0))
+    assert model.pending == ()
+
+
+def test_edits_are_discarded_together(model: Calibrations, qtbot: QtBot) -> None:
+    model.edit(1, LEARNED)
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        model.discard_edits()
+    assert pending.args == [0]
+    assert model.pending == ()
+
+
+def test_what_was_written_is_stored_and_what_was_not_still_waits(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.edit(2, LEARNED)
+    model.take_results(
+        [
+            Written("channel 1", LEARNED),
+            Written("channel 2", error=NoReply("x")),
+            Written("motor_mode", 1),
+        ]
+    )
+    assert model.stored(1) == LEARNED
+    assert model.pending == ((2, LEARNED),)
+
+
+def test_an_edit_that_came_during_the_write_is_kept(model: Calibrations) -> None:
+    model.edit(1, OTHER)
+    model.take_results([Written("channel 1", LEARNED)])
+    assert model.pending == ((1, OTHER),)
+
+
+def test_edits_stay_when_the_same_inputs_are_read_again(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.load(InputSource.RC, stored(InputSource.RC))
+    assert model.pending == ((1, LEARNED),)
+
+
+def test_an_edit_that_somebody_else_has_written_is_none_any_more(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.load(InputSource.RC, stored(InputSource.RC) | {1: LEARNED})
+    assert model.pending == ()
+
+
+def test_edits_of_the_other_kind_of_input_are_not_kept(model: Calibrations, qtbot: QtBot) -> None:
+    model.edit(1, LEARNED)
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        model.load(InputSource.ANALOG, stored(InputSource.ANALOG))
+    assert pending.args == [0]
+    assert model.source is InputSource.ANALOG
+    assert model.pending == ()

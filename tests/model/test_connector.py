@@ -1,0 +1,251 @@
+"""From a choice in the port list to an open line, and the simulated board of the list."""
+
+import sys
+from collections.abc import Callable, Iterator
+
+import pytest
+from PySide6.QtCore import QSettings
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.connector import Connector
+from trex_gui.model.device import Device, Link
+from trex_gui.model.ports import Port, PortKind, Ports
+from trex_gui.model.simulator import Simulator, simulator_command
+from trex_gui.protocol.line_settings import Detection, LineSettings
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+
+@pytest.fixture
+def device(qtbot: QtBot) -> Device:
+    return Device()
+
+
+@pytest.fixture
+def ports(qtbot: QtBot) -> Iterator[Ports]:
+    ports = Ports()
+    yield ports
+    ports.deleteLater()
+
+
+@pytest.fixture
+def connector(device: Device, ports: Ports) -> Iterator[Connector]:
+    connector = Connector(device, ports)
+    yield connector
+    connector.shut_down()
+
+
+Until = Callable[[Callable[[], bool]], None]
+
+
+@pytest.fixture
+def until(qtbot: QtBot) -> Until:
+    return lambda condition: qtbot.waitUntil(condition, timeout=10_000)
+
+
+# --- Line settings ----------------------------------------------------------------------
+
+
+def test_at_first_the_line_is_the_factorys(connector: Connector) -> None:
+    assert connector.settings == LinkSettings("")
+
+
+@pytest.mark.parametrize("number", [None, 0, 7, 127])
+def test_line_settings_are_remembered(
+    connector: Connector, device: Device, ports: Ports, qtbot: QtBot, number: int | None
+) -> None:
+    line = LineSettings(57600, Detection.CRC7, 2)
+    with qtbot.waitSignal(connector.settings_changed):
+        connector.set_settings(LinkSettings("ignored", line, number, 0x91, name="ignored"))
+    expected = LinkSettings("", line, number, 0x91)
+    assert connector.settings == expected
+    assert Connector(device, ports).settings == expected
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("line/settings", "nonsense"),
+        ("line/settings", 15),
+        ("line/device_number", 300),
+        ("line/polynomial", ""),
+    ],
+)
+def test_line_settings_that_make_no_sense_are_forgotten(
+    device: Device, ports: Ports, key: str, value: object, connector: Connector
+) -> None:
+    connector.set_settings(LinkSettings("", LineSettings(57600)))
+    QSettings().setValue(key, value)
+    assert Connector(device, ports).settings == LinkSettings("")
+
+
+# --- Connecting -------------------------------------------------------------------------
+
+
+def test_a_port_is_opened_with_the_settings_that_were_chosen(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    start_simulator: Callable[..., SimulatorProcess],
+    until: Until,
+) -> None:
+    url = start_simulator().url
+    connector.set_settings(LinkSettings("", device_number=7))
+    connector.connect_to(ports.add_typed(url))
+    until(lambda: device.link is Link.UP)
+    assert device.settings == LinkSettings(url, device_number=7)
+    assert connector.port == ports.find(url)
+    assert Ports().preferred == ports.find(url)
+
+
+def test_a_port_that_does_not_open_is_no_port_any_more(
+    connector: Connector, device: Device, until: Until
+) -> None:
+    connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
+    assert connector.port is not None
+    until(lambda: device.link is Link.NONE)
+    assert connector.port is None
+
+
+def test_disconnecting_frees_the_port(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatorProcess,
+    until: Until,
+) -> None:
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP)
+    connector.disconnect_port()
+    until(lambda: device.link is Link.NONE)
+    assert connector.port is None
+
+
+def test_the_simulated_board_is_started_when_it_is_wanted(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.set_settings(LinkSettings("", LineSettings(115200, Detection.CRC7)))
+    connector.connect_to(ports.demo)
+    starting: list[bool] = [connector.starting]
+    until(lambda: device.link is Link.UP)
+    assert [*starting, connector.starting] == [True, False]
+    assert connector.port == ports.demo
+    assert connector.simulator.url
+    assert device.settings is not None
+    assert device.settings.line == LineSettings()
+
+
+def test_the_simulated_board_keeps_running_for_the_next_time(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    url = connector.simulator.url
+    connector.disconnect_port()
+    until(lambda: device.link is Link.NONE)
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    assert connector.simulator.url == url
+
+
+def test_another_choice_while_the_simulated_board_starts_wins(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatorProcess,
+    until: Until,
+) -> None:
+    connector.connect_to(ports.demo)
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP and connector.simulator.url != "")
+    assert device.settings is not None
+    assert device.settings.url == quick_simulator.url
+
+
+def test_giving_up_while_the_simulated_board_starts_connects_nothing(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    connector.disconnect_port()
+    assert connector.port is None
+    until(lambda: connector.simulator.url != "")
+    assert device.link is Link.NONE
+
+
+def test_shutting_down_ends_line_and_simulator(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    connector.shut_down()
+    assert connector.simulator.url == ""
+    assert device.state is None
+
+
+# --- The simulator ----------------------------------------------------------------------
+
+
+@pytest.fixture
+def demo(qtbot: QtBot) -> Iterator[Simulator]:
+    demo = Simulator()
+    yield demo
+    demo.stop()
+
+
+def test_the_simulator_says_where_it_can_be_reached(demo: Simulator, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(demo.ready) as ready:
+        demo.start()
+    assert ready.args == [demo.url]
+
+
+def test_a_running_simulator_is_not_started_twice(demo: Simulator, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(demo.ready) as first:
+        demo.start()
+        demo.start()
+    with qtbot.waitSignal(demo.ready) as second:
+        demo.start()
+    assert first.args == second.args
+
+
+def test_a_stopped_simulator_can_be_started_again(demo: Simulator, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(demo.ready):
+        demo.start()
+    demo.stop()
+    assert demo.url == ""
+    with qtbot.waitSignal(demo.ready):
+        demo.start()
+
+
+def test_stopping_what_does_not_run_does_no_harm(demo: Simulator) -> None:
+    demo.stop()
+    demo.send("power off")
+
+
+def test_a_simulator_that_does_not_start_says_why(
+    demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "trex_gui.model.simulator.simulator_command",
+        lambda: (sys.executable, ["-c", "raise SystemExit('no room')"]),
+    )
+    with qtbot.waitSignal(demo.failed) as failed:
+        demo.start()
+    assert failed.args == ["The simulator ended at once. no room"]
+
+
+def test_a_simulator_that_is_not_there_says_so(
+    demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("trex_gui.model.simulator.simulator_command", lambda: ("/nothing/here", []))
+    with qtbot.waitSignal(demo.failed) as failed:
+        demo.start()
+    assert "does not start" in failed.args[0]
+
+
+def test_a_frozen_program_is_its_own_simulator(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert simulator_command() == (sys.executable, ["-m", "trex_gui.emulator"])
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    assert simulator_command() == (sys.executable, ["--simulator"])

@@ -1,0 +1,319 @@
+"""The parameter table as Qt sees it."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QModelIndex, Qt
+from pytestqt.modeltest import ModelTester
+from pytestqt.qtbot import QtBot
+
+from trex_gui.link.writing import Written
+from trex_gui.model.parameters import Column, ParameterModel, Role
+from trex_gui.protocol.errors import BadReply, NoReply
+from trex_gui.protocol.parameters import ParameterSet, parameters_of
+
+SPECS = parameters_of("trex", "1.2")
+JUNIOR = parameters_of("trexjr", "1.2")
+
+
+def factory(specs: ParameterSet = SPECS) -> dict[str, int]:
+    return {spec.key: spec.default for spec in specs.readable}
+
+
+def load(
+    model: ParameterModel,
+    stored: Mapping[str, int] | None = None,
+    specs: ParameterSet = SPECS,
+    *,
+    unread: Mapping[str, str] | None = None,
+    power_cycled: bool = True,
+) -> None:
+    values = factory(specs) if stored is None else stored
+    model.load(specs, values, unread or {}, power_cycled=power_cycled)
+
+
+@pytest.fixture
+def model(qtbot: QtBot) -> ParameterModel:
+    model = ParameterModel()
+    load(model)
+    return model
+
+
+def text(model: ParameterModel, key: str, column: Column = Column.VALUE) -> str:
+    return str(model.index_of(key, column).data())
+
+
+def edit(model: ParameterModel, key: str, wire: object) -> bool:
+    return model.setData(model.index_of(key), wire)
+
+
+def of(model: ParameterModel, key: str, role: Role) -> object:
+    found: object = model.index_of(key).data(role)
+    return found
+
+
+# --- What Qt asks of a model ------------------------------------------------------------
+
+
+def test_qt_finds_nothing_wrong_with_it(model: ParameterModel, qtmodeltester: ModelTester) -> None:
+    qtmodeltester.check(model)  # type: ignore[no-untyped-call] # of pytest-qt
+
+
+def test_qt_finds_nothing_wrong_through_everything_that_happens_to_it(
+    qtmodeltester: ModelTester, qtbot: QtBot
+) -> None:
+    model = ParameterModel()
+    qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
+    load(model)
+    edit(model, "serial_timeout", 9)
+    model.take_results([Written("serial_timeout", 9)])
+    load(model, factory(JUNIOR), JUNIOR)
+    model.set_editable(False)
+    model.discard_edits()
+    qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
+
+
+def test_there_is_a_row_for_each_parameter_and_a_name_for_each_column(
+    model: ParameterModel,
+) -> None:
+    assert model.rowCount() == len(SPECS.readable)
+    assert model.columnCount() == len(Column)
+    horizontal = Qt.Orientation.Horizontal
+    assert all(model.headerData(column, horizontal) for column in Column)
+    assert model.headerData(0, Qt.Orientation.Vertical) is None
+
+
+def test_before_a_board_there_are_no_rows(qtbot: QtBot) -> None:
+    assert ParameterModel().rowCount() == 0
+
+
+def test_no_cell_has_children(model: ParameterModel) -> None:
+    assert model.rowCount(model.index(0, 0)) == 0
+    assert model.columnCount(model.index(0, 0)) == 0
+
+
+def test_an_unknown_key_has_no_cell(model: ParameterModel) -> None:
+    assert not model.index_of("nonsense").isValid()
+    assert model.index_of("motor_mode").isValid()
+
+
+# --- What is shown ----------------------------------------------------------------------
+
+
+def test_a_row_shows_value_wire_default_and_effect(model: ParameterModel) -> None:
+    load(model, factory() | {"serial_timeout": 15})
+    assert text(model, "serial_timeout", Column.NAME) == "Serial Timeout"
+    assert text(model, "serial_timeout") == "1.5 s"
+    assert text(model, "serial_timeout", Column.WIRE) == "15"
+    assert text(model, "serial_timeout", Column.EFFECT) == "at once"
+    assert text(model, "motor_mode", Column.EFFECT) == "power cycle"
+    default = SPECS["serial_timeout"]
+    assert text(model, "serial_timeout", Column.DEFAULT) == default.text(default.default)
+    assert text(model, "serial_timeout", Column.RANGE) == default.short_range()
+
+
+def test_every_cell_of_every_model_has_a_text(qtbot: QtBot) -> None:
+    for specs in (SPECS, JUNIOR, parameters_of("trex", "1.0")):
+        model = ParameterModel()
+        load(model, factory(specs), specs)
+        for row in range(model.rowCount()):
+            for column in Column:
+                assert model.index(row, column).data() not in {None, ""}
+
+
+def test_a_pwm_maximum_shows_the_frequency_that_follows(model: ParameterModel) -> None:
+    before = text(model, "motor1_pwm_maximum")
+    assert "Hz" in before
+    edit(model, "motor1_pwm_prescaler", (SPECS["motor1_pwm_prescaler"].default + 1) % 4)
+    assert text(model, "motor1_pwm_maximum") != before
+
+
+def test_an_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> None:
+    edit(model, "motor1_acceleration", 127)
+    assert "0.1 s to full speed" in text(model, "motor1_acceleration")
+
+
+def test_what_could_not_be_read_says_so_and_why(model: ParameterModel) -> None:
+    stored = factory()
+    del stored["serial_timeout"]
+    load(model, stored, unread={"serial_timeout": "No answer to 9F 07."})
+    assert text(model, "serial_timeout") == "not read"
+    assert text(model, "serial_timeout", Column.WIRE) == ""
+    assert of(model, "serial_timeout", Role.PROBLEM) == "No answer to 9F 07."
+    assert "No answer to 9F 07." in str(
+        model.index_of("serial_timeout").data(Qt.ItemDataRole.ToolTipRole)
+    )
+    assert not edit(model, "serial_timeout", 9)
+
+
+# --- Edits ------------------------------------------------------------------------------
+
+
+def test_an_edit_is_shown_and_waits(model: ParameterModel, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        assert edit(model, "serial_timeout", 15)
+    assert pending.args == [1]
+    assert model.pending == (("serial_timeout", 15),)
+    assert text(model, "serial_timeout") == "1.5 s"
+    assert of(model, "serial_timeout", Role.DIRTY) is True
+    assert model.value_of("serial_timeout") == 15
+    assert model.stored_of("serial_timeout") == SPECS["serial_timeout"].default
+
+
+def test_only_the_row_that_was_edited_is_announced(model: ParameterModel, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(model.dataChanged) as changed, qtbot.assertNotEmitted(model.modelReset):
+        edit(model, "serial_timeout", 15)
+    row = model.index_of("serial_timeout").row()
+    assert [index.row() for index in changed.args[:2]] == [row, row]
+
+
+def test_editing_back_is_no_edit(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 15)
+    edit(model, "serial_timeout", SPECS["serial_timeout"].default)
+    assert model.pending == ()
+    assert of(model, "serial_timeout", Role.DIRTY) is False
+
+
+@pytest.mark.parametrize("spec", SPECS.readable, ids=lambda spec: spec.key)
+def test_what_the_table_does_not_allow_is_refused_with_the_reason(
+    model: ParameterModel, qtbot: QtBot, spec: object
+) -> None:
+    assert isinstance(spec, type(SPECS["motor_mode"]))
+    for wire in (-1, 128, *(set(range(128)) - spec.valid)):
+        with qtbot.waitSignal(model.refused) as refused:
+            assert not edit(model, spec.key, wire)
+        assert refused.args[0].startswith(spec.name)
+    assert model.pending == ()
+
+
+@pytest.mark.parametrize("nonsense", ["abc", "", None, []])
+def test_what_is_no_number_is_refused(
+    model: ParameterModel, qtbot: QtBot, nonsense: object
+) -> None:
+    with qtbot.waitSignal(model.refused):
+        assert not edit(model, "serial_timeout", nonsense)
+    assert model.pending == ()
+
+
+@pytest.mark.parametrize("column", [column for column in Column if column is not Column.VALUE])
+def test_only_the_value_can_be_edited(model: ParameterModel, column: Column) -> None:
+    index = model.index_of("serial_timeout", column)
+    assert not index.flags() & Qt.ItemFlag.ItemIsEditable
+    assert not model.setData(index, 9)
+
+
+def test_nothing_is_edited_outside_the_table_or_in_another_role(model: ParameterModel) -> None:
+    assert not model.setData(QModelIndex(), 9)
+    index = model.index_of("serial_timeout")
+    assert not model.setData(index, 9, Qt.ItemDataRole.DisplayRole)
+    assert model.pending == ()
+
+
+def test_without_a_board_rows_can_be_looked_at_but_not_edited(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 9)
+    model.set_editable(False)
+    assert not edit(model, "serial_timeout", 10)
+    assert text(model, "serial_timeout") == "0.9 s"
+    assert not model.index_of("serial_timeout").flags() & Qt.ItemFlag.ItemIsEnabled
+    load(model)
+    assert edit(model, "serial_timeout", 10)
+
+
+def test_edits_are_discarded_together(model: ParameterModel, qtbot: QtBot) -> None:
+    edit(model, "serial_timeout", 9)
+    edit(model, "motor_mode", 1)
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        model.discard_edits()
+    assert pending.args == [0]
+    assert model.pending == ()
+    assert of(model, "motor_mode", Role.DIRTY) is False
+
+
+# --- Writes -----------------------------------------------------------------------------
+
+
+def test_what_was_written_is_no_edit_any_more(model: ParameterModel, qtbot: QtBot) -> None:
+    edit(model, "serial_timeout", 9)
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        model.take_results([Written("serial_timeout", 9)])
+    assert pending.args == [0]
+    assert model.stored_of("serial_timeout") == 9
+
+
+def test_what_was_not_written_stays_an_edit_and_says_why(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 9)
+    edit(model, "motor_mode", 1)
+    model.take_results(
+        [Written("serial_timeout", 9), Written("motor_mode", error=NoReply("No answer."))]
+    )
+    assert model.pending == (("motor_mode", 1),)
+    assert of(model, "motor_mode", Role.PROBLEM) == "No answer."
+    assert of(model, "serial_timeout", Role.PROBLEM) is None
+
+
+def test_a_problem_is_gone_after_a_write_that_works(model: ParameterModel) -> None:
+    edit(model, "motor_mode", 1)
+    model.take_results([Written("motor_mode", error=BadReply("It did not stick."))])
+    model.take_results([Written("motor_mode", 1)])
+    assert of(model, "motor_mode", Role.PROBLEM) is None
+
+
+def test_results_of_something_else_do_not_matter(model: ParameterModel) -> None:
+    model.take_results([Written("channel 1", error=NoReply("x")), Written("nonsense", 1)])
+    assert model.pending == ()
+
+
+# --- Stored and active ------------------------------------------------------------------
+
+
+def test_what_waits_for_the_power_is_named(model: ParameterModel) -> None:
+    assert not model.waiting_for_power
+    model.take_results([Written("motor_mode", 1), Written("serial_timeout", 9)])
+    assert model.waiting_for_power == ("Motor Mode",)
+    assert of(model, "motor_mode", Role.WAITING) is not None
+    assert of(model, "serial_timeout", Role.WAITING) is None
+
+
+def test_what_waited_acts_after_a_power_cycle(model: ParameterModel) -> None:
+    model.take_results([Written("motor_mode", 1)])
+    load(model, factory() | {"motor_mode": 1})
+    assert model.waiting_for_power == ()
+
+
+def test_reading_again_alone_does_not_end_the_waiting(model: ParameterModel) -> None:
+    model.take_results([Written("motor_mode", 1)])
+    load(model, factory() | {"motor_mode": 1}, power_cycled=False)
+    assert model.waiting_for_power == ("Motor Mode",)
+
+
+# --- Another board ----------------------------------------------------------------------
+
+
+def test_edits_are_kept_when_the_same_board_comes_back(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 9)
+    model.set_editable(False)
+    load(model)
+    assert model.pending == (("serial_timeout", 9),)
+
+
+def test_edits_of_another_kind_of_board_are_not_kept(model: ParameterModel, qtbot: QtBot) -> None:
+    edit(model, "serial_timeout", 9)
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        load(model, factory(JUNIOR), JUNIOR)
+    assert pending.args == [0]
+    assert model.pending == ()
+
+
+def test_an_edit_of_what_an_older_firmware_lacks_is_dropped(model: ParameterModel) -> None:
+    edit(model, "uart_response_delay", 1)
+    old = parameters_of("trex", "1.0")
+    load(model, factory(old), old)
+    assert model.pending == ()
+    assert not model.index_of("uart_response_delay").isValid()
+
+
+def test_each_row_carries_its_specification(model: ParameterModel) -> None:
+    spec = of(model, "serial_timeout", Role.SPEC)
+    assert spec == replace(SPECS["serial_timeout"])
+    assert of(model, "serial_timeout", Role.WIRE) == SPECS["serial_timeout"].default

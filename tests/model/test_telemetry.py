@@ -1,0 +1,111 @@
+"""The newest values, and the currents of the last hour."""
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.link.client import Counters
+from trex_gui.link.messages import Batch
+from trex_gui.link.telemetry import (
+    Control,
+    Currents,
+    ModeSeen,
+    Raw,
+    Remapped,
+    Sample,
+    StatusNews,
+)
+from trex_gui.model.telemetry import Telemetry
+from trex_gui.protocol.flags import Mode, Status, UartError
+
+
+@pytest.fixture
+def telemetry(qtbot: QtBot) -> Telemetry:
+    telemetry = Telemetry()
+    telemetry.begin(0.15)
+    return telemetry
+
+
+def take(telemetry: Telemetry, *samples: Sample) -> None:
+    telemetry.take(Batch(samples, Counters()))
+
+
+def test_nothing_is_known_at_first(telemetry: Telemetry) -> None:
+    assert telemetry.raw is None
+    assert telemetry.remapped is None
+    assert telemetry.motor_currents is None
+    assert telemetry.serial_controls is None
+    assert telemetry.raw_of(1) is None
+    assert telemetry.remapped_of(1) is None
+
+
+def test_the_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
+    take(
+        telemetry,
+        Raw(1.0, (1, 2, 3, 4, 5)),
+        Remapped(1.1, (1, 2, 3, 4, 5)),
+        Raw(1.2, (9, None, 3, 4, 5)),
+        Control(1.3, by_serial=False),
+        Remapped(1.4, (-127, 0, 3, 4, 5)),
+    )
+    assert telemetry.raw_of(1) == 9
+    assert telemetry.raw_of(2) is None
+    assert telemetry.raw_of(5) == 5
+    assert telemetry.remapped_of(1) == -127
+    assert telemetry.serial_controls is False
+    assert telemetry.latest == 1.4
+    assert telemetry.samples == 5
+
+
+def test_currents_are_kept_in_ampere_with_their_times(telemetry: Telemetry) -> None:
+    take(telemetry, Currents(1.0, (0, 10)), Currents(1.0125, (20, 255)))
+    assert telemetry.motor_currents == pytest.approx((3.0, 38.25))
+    assert list(telemetry.currents.times) == [1.0, 1.0125]
+    assert list(telemetry.currents.values(0)) == pytest.approx([0.0, 3.0])
+    assert list(telemetry.currents.values(1)) == pytest.approx([1.5, 38.25])
+
+
+def test_one_batch_is_one_announcement(telemetry: Telemetry, qtbot: QtBot) -> None:
+    announced: list[None] = []
+    telemetry.updated.connect(lambda: announced.append(None))
+    take(telemetry, *(Raw(float(time), (1, 2, 3, 4, 5)) for time in range(20)))
+    assert len(announced) == 1
+
+
+def test_status_and_mode_are_somebody_elses_business(telemetry: Telemetry) -> None:
+    take(
+        telemetry,
+        StatusNews(2.0, Status.MOTOR1_FAULT, UartError(0)),
+        ModeSeen(3.0, Mode.ANALOG),
+    )
+    assert telemetry.raw is None
+    assert telemetry.latest == 3.0
+
+
+def test_forgetting_the_present_keeps_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
+    take(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
+    with qtbot.waitSignal(telemetry.updated):
+        telemetry.forget()
+    assert telemetry.raw is None
+    assert telemetry.motor_currents is None
+    assert telemetry.serial_controls is None
+    assert len(telemetry.currents) == 1
+
+
+def test_a_new_board_begins_an_empty_history(telemetry: Telemetry) -> None:
+    take(telemetry, Currents(1.0, (1, 2)))
+    telemetry.begin(0.04)
+    assert len(telemetry.currents) == 0
+    take(telemetry, Currents(2.0, (100, 0)))
+    assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
+
+
+def test_who_controls_is_known_before_the_first_sample(telemetry: Telemetry) -> None:
+    telemetry.note_control(by_serial=True)
+    assert telemetry.serial_controls is True
+
+
+def test_an_hour_of_currents_is_kept(telemetry: Telemetry) -> None:
+    for number in range(3):
+        take(telemetry, *(Currents(float(time), (number, 0)) for time in range(1000)))
+    assert len(telemetry.currents) == 3000
+    assert telemetry.currents._capacity >= 3600 * 80

@@ -1,0 +1,159 @@
+"""Status and error bits, channel masks, modes, and what raw counts are worth."""
+
+from enum import IntFlag
+
+import pytest
+
+from trex_gui.protocol.errors import BadRequest
+from trex_gui.protocol.flags import (
+    ALL_CHANNELS,
+    CHANNELS,
+    STATUS_MEANING,
+    UART_MEANING,
+    InputSource,
+    Mode,
+    Status,
+    UartError,
+    channel_mask,
+    channels_in,
+)
+
+
+@pytest.mark.parametrize(
+    ("bit", "flag", "name"),
+    [
+        (7, Status.MOTOR2_OVER_LIMIT, "Motor 2 over current limit"),
+        (6, Status.MOTOR2_FAULT, "Motor 2 fault"),
+        (5, Status.MOTOR1_OVER_LIMIT, "Motor 1 over current limit"),
+        (4, Status.MOTOR1_FAULT, "Motor 1 fault"),
+        (0, Status.UART_ERROR, "UART error"),
+    ],
+)
+def test_a_status_bit_has_its_documented_place_and_name(bit: int, flag: Status, name: str) -> None:
+    assert flag == 1 << bit
+    assert STATUS_MEANING[flag][0] == name
+
+
+@pytest.mark.parametrize(
+    ("bit", "flag", "name"),
+    [
+        (7, UartError.TIMEOUT, "timeout"),
+        (6, UartError.FORMAT, "format error"),
+        (5, UartError.CRC, "CRC error"),
+        (4, UartError.FRAMING, "framing error"),
+        (3, UartError.DATA_OVERRUN, "data overrun"),
+        (2, UartError.PARITY, "parity error"),
+        (1, UartError.READ_OVERRUN, "read buffer overrun"),
+        (0, UartError.SEND_OVERRUN, "send buffer overrun"),
+    ],
+)
+def test_a_uart_error_bit_has_its_documented_place_and_name(
+    bit: int, flag: UartError, name: str
+) -> None:
+    assert flag == 1 << bit
+    assert name.casefold() in UART_MEANING[flag][0].casefold()
+
+
+def test_bits_1_to_3_of_the_status_byte_are_not_used() -> None:
+    assert sum(Status) == 0b1111_0001
+
+
+@pytest.mark.parametrize(
+    ("flags", "meanings"), [(Status, STATUS_MEANING), (UartError, UART_MEANING)]
+)
+def test_every_bit_is_explained_highest_first(
+    flags: type[IntFlag], meanings: dict[IntFlag, tuple[str, str]]
+) -> None:
+    assert list(meanings) == sorted(flags, reverse=True)
+    for name, explanation in meanings.values():
+        assert name
+        assert explanation.endswith(".")
+
+
+def test_a_board_has_five_channels() -> None:
+    assert CHANNELS == (1, 2, 3, 4, 5)
+    assert ALL_CHANNELS == 0x1F
+
+
+@pytest.mark.parametrize(
+    ("mask", "channels"),
+    [(0, ()), (0x01, (1,)), (0x10, (5,)), (0x13, (1, 2, 5)), (0x1F, (1, 2, 3, 4, 5))],
+)
+def test_bit_n_is_channel_n_plus_1(mask: int, channels: tuple[int, ...]) -> None:
+    assert channels_in(mask) == channels
+    assert channel_mask(channels) == mask
+
+
+def test_every_mask_comes_back() -> None:
+    assert all(channel_mask(channels_in(mask)) == mask for mask in range(32))
+
+
+def test_the_order_of_channels_does_not_matter() -> None:
+    assert channel_mask([5, 1, 2, 1]) == 0x13
+
+
+@pytest.mark.parametrize("channel", [-1, 0, 6])
+def test_there_is_no_other_channel(channel: int) -> None:
+    with pytest.raises(BadRequest, match=f"channels are numbered 1 to 5, not {channel}"):
+        channel_mask([1, channel])
+
+
+@pytest.mark.parametrize(
+    ("source", "count", "physical", "text"),
+    [
+        (InputSource.RC, 3750, 1500, "1500 µs"),
+        (InputSource.RC, 3637, 1454.8, "1455 µs"),
+        (InputSource.RC, 2715, 1086, "1086 µs"),
+        (InputSource.RC, 6250, 2500, "2500 µs"),
+        (InputSource.RC, 0, 0, "0 µs"),
+        (InputSource.ANALOG, 1023, 5, "5.00 V"),
+        (InputSource.ANALOG, 512, 2.502, "2.50 V"),
+        (InputSource.ANALOG, 0, 0, "0.00 V"),
+    ],
+)
+def test_a_count_is_worth_a_width_or_a_voltage(
+    source: InputSource, count: int, physical: float, text: str
+) -> None:
+    assert source.physical(count) == pytest.approx(physical, rel=0.001)
+    assert source.text(count) == text
+
+
+@pytest.mark.parametrize(
+    ("source", "physical", "count"),
+    [
+        (InputSource.RC, 1000, 2500),
+        (InputSource.RC, 1500, 3750),
+        (InputSource.RC, 2000, 5000),
+        (InputSource.ANALOG, 5, 1023),
+        (InputSource.ANALOG, 0, 0),
+    ],
+)
+def test_a_width_or_a_voltage_is_a_count(source: InputSource, physical: float, count: int) -> None:
+    assert source.counts(physical) == count
+
+
+@pytest.mark.parametrize("source", InputSource)
+def test_every_count_comes_back(source: InputSource) -> None:
+    for count in range(source.highest_count + 1):
+        assert source.counts(source.physical(count)) == count
+
+
+@pytest.mark.parametrize(
+    ("source", "unit", "highest"), [(InputSource.RC, "µs", 6250), (InputSource.ANALOG, "V", 1023)]
+)
+def test_a_source_has_its_unit_and_its_end(source: InputSource, unit: str, highest: int) -> None:
+    assert (source.unit, source.highest_count) == (unit, highest)
+
+
+@pytest.mark.parametrize(
+    ("letter", "is_serial", "source"),
+    [
+        ("R", False, InputSource.RC),
+        ("A", False, InputSource.ANALOG),
+        ("r", True, InputSource.RC),
+        ("a", True, InputSource.ANALOG),
+    ],
+)
+def test_a_small_letter_is_serial_mode(letter: str, is_serial: bool, source: InputSource) -> None:
+    assert Mode(letter).is_serial is is_serial
+    assert Mode(letter).source is source

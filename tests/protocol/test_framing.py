@@ -1,0 +1,81 @@
+"""How a command is wrapped: compact or expanded, with or without CRC-7."""
+
+import pytest
+
+from trex_gui.protocol.commands import (
+    Command,
+    DriveAuxiliary,
+    GetRawChannels,
+    GetSignature,
+    Null,
+    SetParameter,
+)
+from trex_gui.protocol.errors import BadRequest
+from trex_gui.protocol.framing import DEFAULT_DEVICE_NUMBER, EXPANDED_START, Framing
+
+
+@pytest.mark.parametrize(
+    ("command", "device_number", "packet"),
+    [
+        (GetRawChannels(), None, "86 1f 07"),
+        (GetSignature(), None, "81 48"),
+        (DriveAuxiliary(127), None, "f0 7f 4d"),
+        (SetParameter(0x00, 7), None, "af 00 07 55 2a 47"),
+        (GetRawChannels(), 7, "80 07 06 1f 0b"),
+    ],
+)
+def test_the_crc_follows_the_packet_and_covers_all_of_it(
+    command: Command[object], device_number: int | None, packet: str
+) -> None:
+    assert Framing(device_number, 0x89).encode(command) == bytes.fromhex(packet)
+
+
+@pytest.mark.parametrize(("device_number", "packet"), [(None, "ff"), (7, "80 07 7f")])
+def test_the_null_command_carries_no_crc(device_number: int | None, packet: str) -> None:
+    assert Framing(device_number, 0x89).encode(Null()) == bytes.fromhex(packet)
+
+
+def test_another_polynomial_gives_another_crc() -> None:
+    # 0x81 followed by seven zeros, divided by 0x80, leaves nothing.
+    assert Framing(None, 0x80).encode(GetSignature()) == bytes.fromhex("81 00")
+
+
+@pytest.mark.parametrize(
+    ("device_number", "packet"), [(0, "80 00 01"), (8, "80 08 01"), (127, "80 7f 01")]
+)
+def test_the_device_number_is_the_second_byte(device_number: int, packet: str) -> None:
+    assert Framing(device_number).encode(GetSignature()) == bytes.fromhex(packet)
+
+
+@pytest.mark.parametrize("device_number", [-1, 128, 255])
+def test_a_device_number_that_is_no_data_byte_is_refused_with_the_limits(
+    device_number: int,
+) -> None:
+    with pytest.raises(BadRequest, match=f"device number is 0 to 127, not {device_number}"):
+        Framing(device_number)
+
+
+@pytest.mark.parametrize("polynomial", [0x00, 0x09, 0x7F, 0x100])
+def test_a_polynomial_without_its_top_bit_is_refused_with_the_limits(polynomial: int) -> None:
+    with pytest.raises(BadRequest, match="0x80 to 0xFF"):
+        Framing(None, polynomial)
+
+
+def test_a_value_that_does_not_fit_is_refused_before_a_byte_exists() -> None:
+    with pytest.raises(BadRequest, match="parameter value is 0 to 127, not 128"):
+        Framing().encode(SetParameter(0, 128))
+
+
+@pytest.mark.parametrize(
+    ("framing", "size"), [(Framing(), 0), (Framing(7), 0), (Framing(7, 0x89), 1)]
+)
+def test_the_crc_adds_one_byte_when_it_is_enabled(framing: Framing, size: int) -> None:
+    assert framing.crc_size == size
+
+
+def test_a_board_leaves_the_factory_with_device_number_7() -> None:
+    assert DEFAULT_DEVICE_NUMBER == 7
+
+
+def test_expanded_packets_start_with_80() -> None:
+    assert EXPANDED_START == 0x80

@@ -1,0 +1,86 @@
+"""Errors are sentences that survive the way to another thread or process."""
+
+import copy
+import pickle
+
+import pytest
+
+from trex_gui.protocol import errors
+from trex_gui.protocol.errors import (
+    BadReply,
+    BadRequest,
+    NoReply,
+    PortUnavailable,
+    Rejected,
+    ResultCode,
+    TrexError,
+)
+
+EVERY_ERROR: list[TrexError] = [
+    TrexError("the worst has happened"),
+    BadRequest("a speed is 0 to 127, not 128"),
+    PortUnavailable("/dev/ttyUSB0 is busy"),
+    NoReply("2 of 7 bytes came"),
+    BadReply("the CRC is 08, not 07"),
+    *(Rejected("Serial Timeout", code) for code in ResultCode),
+]
+
+
+def test_these_tests_know_every_error() -> None:
+    defined = {
+        found
+        for found in vars(errors).values()
+        if isinstance(found, type) and issubclass(found, TrexError)
+    }
+    assert {type(error) for error in EVERY_ERROR} == defined
+
+
+@pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
+@pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
+def test_an_error_pickles_and_keeps_its_sentence(error: TrexError, protocol: int) -> None:
+    arrived = pickle.loads(pickle.dumps(error, protocol))
+    assert type(arrived) is type(error)
+    assert str(arrived) == str(error)
+    assert arrived.args == error.args
+
+
+@pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
+def test_a_copy_of_an_error_keeps_its_sentence(error: TrexError) -> None:
+    assert str(copy.deepcopy(error)) == str(error)
+
+
+def test_a_rejection_keeps_what_was_written_and_the_code() -> None:
+    error = Rejected("calibration of channel 2", ResultCode.BAD_VALUE)
+    arrived = pickle.loads(pickle.dumps(error))
+    assert isinstance(arrived, Rejected)
+    assert arrived.what == "calibration of channel 2"
+    assert arrived.code is ResultCode.BAD_VALUE
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        (ResultCode.BAD_PARAMETER, "does not know this parameter (code 1)"),
+        (ResultCode.BAD_VALUE, "refuses this value (code 2)"),
+        (ResultCode.NOT_SERIAL_MODE, "not in serial mode (code 3)"),
+    ],
+)
+def test_a_rejection_says_what_was_written_and_why_not(code: ResultCode, words: str) -> None:
+    sentence = str(Rejected("Serial Timeout", code))
+    assert sentence.startswith("Serial Timeout: ")
+    assert words in sentence
+
+
+def test_the_result_codes_are_the_documented_ones() -> None:
+    assert {code.name: int(code) for code in ResultCode} == {
+        "OK": 0,
+        "BAD_PARAMETER": 1,
+        "BAD_VALUE": 2,
+        "NOT_SERIAL_MODE": 3,
+    }
+
+
+@pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
+def test_every_error_can_be_caught_as_one(error: TrexError) -> None:
+    assert isinstance(error, TrexError)
+    assert isinstance(error, ValueError) is isinstance(error, BadRequest)

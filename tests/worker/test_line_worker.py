@@ -1,0 +1,319 @@
+"""A real thread on a real pseudo-terminal."""
+
+import os
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link.messages import (
+    Ask,
+    Batch,
+    Closed,
+    Connected,
+    Outcome,
+    Report,
+    SetDrive,
+    Stop,
+    Write,
+)
+from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.commands import Drive, GetParameter
+from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
+from trex_gui.worker.line_worker import LineWorker, QueueInbox
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+
+class Watched:
+    """A worker and everything that it reported."""
+
+    def __init__(self, url: str, qtbot: QtBot) -> None:
+        self.reports: list[Report] = []
+        self.threads: set[threading.Thread] = set()
+        self.url = url
+        self.worker = LineWorker(LinkSettings(url))
+        self.worker.reported.connect(self._take)
+        self.qtbot = qtbot
+
+    def _take(self, report: Report) -> None:
+        self.threads.add(threading.current_thread())
+        self.reports.append(report)
+
+    def has(self, kind: type) -> bool:
+        return any(isinstance(report, kind) for report in self.reports)
+
+    def wait(self, kind: type, timeout: int = 5000) -> None:
+        self.qtbot.waitUntil(lambda: self.has(kind), timeout=timeout)
+
+    def connect(self) -> None:
+        self.worker.start()
+        self.wait(Connected)
+
+    def outcome(self, number: int) -> Outcome:
+        """Wait for the outcome of a request."""
+
+        def found() -> list[Outcome]:
+            return [one for one in self.reports if isinstance(one, Outcome) and one.id == number]
+
+        self.qtbot.waitUntil(lambda: bool(found()))
+        (outcome,) = found()
+        return outcome
+
+    @property
+    def end(self) -> Closed:
+        """The last report."""
+        closed = self.reports[-1]
+        assert isinstance(closed, Closed)
+        return closed
+
+
+Watch = Callable[[str], Watched]
+
+
+@pytest.fixture
+def watch(qtbot: QtBot) -> Iterator[Watch]:
+    """Make workers; none may run on when the test is over."""
+    watched: list[Watched] = []
+
+    def make(url: str) -> Watched:
+        watched.append(Watched(url, qtbot))
+        return watched[-1]
+
+    yield make
+    for one in watched:
+        if one.worker.isRunning():
+            assert one.worker.close(3000), "the thread lives on"
+
+
+@pytest.fixture
+def line(quick_simulator: SimulatorProcess, watch: Watch) -> Watched:
+    """A worker that is connected to a simulated board."""
+    watched = watch(quick_simulator.url)
+    watched.connect()
+    return watched
+
+
+class Stranger:
+    """A pseudo-terminal with another device behind it, or none."""
+
+    def __init__(self, answer: Callable[[bytes], bytes]) -> None:
+        self.master, self._slave = os.openpty()
+        self.url = os.ttyname(self._slave)
+        self._answer = answer
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    def _run(self) -> None:
+        import tty
+
+        tty.setraw(self._slave)
+        while (data := os.read(self.master, 256)) != b"\0quit":
+            os.write(self.master, self._answer(data))
+
+    def end(self) -> None:
+        import termios
+
+        termios.tcflush(self._slave, termios.TCIOFLUSH)
+        os.write(self._slave, b"\0quit")
+        self._thread.join(5)
+        os.close(self.master)
+        os.close(self._slave)
+
+
+@pytest.fixture
+def stranger() -> Iterator[Callable[[Callable[[bytes], bytes]], Stranger]]:
+    strangers: list[Stranger] = []
+
+    def make(answer: Callable[[bytes], bytes]) -> Stranger:
+        strangers.append(Stranger(answer))
+        return strangers[-1]
+
+    yield make
+    for one in strangers:
+        one.end()
+
+
+Make = Callable[[Callable[[bytes], bytes]], Stranger]
+
+
+# --- Life -------------------------------------------------------------------------------
+
+
+def test_a_board_is_found_and_watched(line: Watched) -> None:
+    line.wait(Batch)
+    (connected,) = [one for one in line.reports if isinstance(one, Connected)]
+    assert str(connected.state.signature) == "TReX 1.2"
+
+
+def test_reports_arrive_in_the_thread_of_the_window(line: Watched) -> None:
+    line.wait(Batch)
+    assert line.threads == {threading.main_thread()}
+
+
+def test_closing_ends_the_thread_within_a_second(line: Watched) -> None:
+    begun = time.monotonic()
+    assert line.worker.close()
+    assert time.monotonic() - begun < 1.0
+    assert line.worker.isFinished()
+
+
+def test_the_last_report_is_that_the_port_is_free(line: Watched) -> None:
+    line.worker.close()
+    line.wait(Closed)
+    assert line.end == Closed(None)
+
+
+def test_a_closed_port_is_free_for_the_next(line: Watched, watch: Watch) -> None:
+    url = line.url
+    line.worker.close()
+    again = watch(url)
+    again.connect()
+    assert again.has(Connected)
+
+
+def test_closing_before_the_board_was_read_ends_as_quickly(
+    quick_simulator: SimulatorProcess, watch: Watch
+) -> None:
+    watched = watch(quick_simulator.url)
+    watched.worker.start()
+    begun = time.monotonic()
+    assert watched.worker.close()
+    assert time.monotonic() - begun < 1.0
+    watched.wait(Closed)
+    assert watched.end == Closed(None)
+
+
+def test_a_worker_that_was_never_started_is_closed(watch: Watch) -> None:
+    assert watch("/dev/nothing").worker.close()
+
+
+def test_closing_stops_the_motors(line: Watched, quick_simulator: SimulatorProcess) -> None:
+    line.worker.submit(SetDrive(1, Drive.at(100)))
+    line.qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] == 100)
+    line.worker.close()
+    motor = quick_simulator.show()["motors"][0]
+    assert (motor["direction"], motor["speed"]) == ("brake", 127)
+
+
+# --- Requests ---------------------------------------------------------------------------
+
+
+def test_requests_are_answered(line: Watched) -> None:
+    line.worker.submit(Ask(1, GetParameter(0)))
+    line.worker.submit(Write(2, (("serial_timeout", 9),)))
+    line.worker.submit(Ask(3, GetParameter(7)))
+    line.worker.submit(Stop(4))
+    assert line.outcome(1).value == 7
+    assert line.outcome(2).error is None
+    assert line.outcome(3).value == 9
+    assert line.outcome(4).error is None
+
+
+def test_requests_may_come_from_any_thread(line: Watched) -> None:
+    threads = [
+        threading.Thread(target=line.worker.submit, args=(Ask(number, GetParameter(0)),))
+        for number in range(20)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert {line.outcome(number).value for number in range(20)} == {7}
+
+
+def test_batches_do_not_outrun_the_display(line: Watched) -> None:
+    line.reports.clear()
+    begun = time.monotonic()
+    line.qtbot.waitUntil(lambda: sum(isinstance(one, Batch) for one in line.reports) >= 30)
+    assert time.monotonic() - begun > 29 / 60 - 0.1
+
+
+# --- Trouble ----------------------------------------------------------------------------
+
+
+def test_a_pulled_cable_ends_the_session_within_half_a_second(
+    line: Watched, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("line unplug")
+    begun = time.monotonic()
+    line.wait(Closed)
+    assert time.monotonic() - begun < 0.5
+    assert isinstance(line.end.error, PortUnavailable)
+    assert "Plug it in, then connect again" in str(line.end.error)
+    assert line.worker.wait(1000)
+
+
+def test_a_simulator_that_dies_is_a_pulled_cable(
+    line: Watched, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.end()
+    line.wait(Closed)
+    assert isinstance(line.end.error, PortUnavailable)
+
+
+def test_a_port_that_is_not_there_is_reported(watch: Watch) -> None:
+    watched = watch("/dev/ttyNothing9")
+    watched.worker.start()
+    watched.wait(Closed)
+    assert "There is no port /dev/ttyNothing9" in str(watched.end.error)
+
+
+def test_a_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
+    watched = watch(line.url)
+    watched.worker.start()
+    watched.wait(Closed)
+    assert "is in use" in str(watched.end.error)
+    assert not line.has(Closed)
+
+
+def test_a_device_that_says_nothing_is_no_board(stranger: Make, watch: Watch) -> None:
+    watched = watch(stranger(lambda _data: b"").url)
+    begun = time.monotonic()
+    watched.worker.start()
+    watched.wait(Closed)
+    assert time.monotonic() - begun < 1.5
+    assert isinstance(watched.end.error, NoReply)
+    assert "No TReX answers" in str(watched.end.error)
+
+
+def test_a_device_that_talks_otherwise_is_no_board(stranger: Make, watch: Watch) -> None:
+    watched = watch(stranger(lambda _data: b"ERROR: unknown command\r\n").url)
+    watched.worker.start()
+    watched.wait(Closed)
+    assert isinstance(watched.end.error, BadReply)
+    assert "not as a TReX does" in str(watched.end.error)
+
+
+def test_a_plug_that_joins_both_wires_is_no_board(stranger: Make, watch: Watch) -> None:
+    watched = watch(stranger(lambda data: data).url)
+    watched.worker.start()
+    watched.wait(Closed)
+    assert isinstance(watched.end.error, NoReply)
+    assert "TX and RX are joined" in str(watched.end.error)
+
+
+# --- The inbox --------------------------------------------------------------------------
+
+
+def test_an_empty_inbox_waits_as_long_as_it_was_told() -> None:
+    inbox = QueueInbox()
+    begun = time.monotonic()
+    assert inbox.get(0.0) is None
+    assert inbox.get(0.05) is None
+    assert 0.05 <= time.monotonic() - begun < 0.5
+
+
+def test_a_request_wakes_who_waits() -> None:
+    inbox = QueueInbox()
+    timer = threading.Timer(0.05, inbox.put, [Stop(1)])
+    begun = time.monotonic()
+    timer.start()
+    assert inbox.get(5.0) == Stop(1)
+    assert time.monotonic() - begun < 1.0
+    timer.join()
