@@ -1,13 +1,16 @@
 """What every test stands on: no screen, settings of its own, a board in virtual time."""
 
 import os
+import threading
+import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from PySide6.QtCore import QCoreApplication, QSettings
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -37,6 +40,38 @@ def _own_settings(tmp_path_factory: pytest.TempPathFactory) -> None:
     QCoreApplication.setApplicationName("TReX Studio")
     QSettings.setDefaultFormat(QSettings.Format.IniFormat)
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
+
+
+@pytest.fixture(autouse=True)
+def _leaves_nothing_behind() -> Iterator[None]:
+    """Fail a test after which a thread, a process or a window of its own lives on."""
+    threads, processes = set(threading.enumerate()), _children()
+    yield
+    deadline = time.monotonic() + 5
+    while time.monotonic() < deadline and (
+        set(threading.enumerate()) - threads or _children() - processes or _windows()
+    ):
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        QCoreApplication.processEvents()
+        time.sleep(0.01)
+    assert not set(threading.enumerate()) - threads
+    assert not _children() - processes
+    assert not _windows()
+
+
+def _children() -> set[str]:
+    """Process numbers of our children, where the system tells; a zombie counts too."""
+    try:
+        path = Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children")
+        return set(path.read_text(encoding="ascii").split())
+    except OSError:
+        return set()
+
+
+def _windows() -> list[str]:
+    if not isinstance(app := QCoreApplication.instance(), QApplication):
+        return []
+    return [repr(widget) for widget in app.topLevelWidgets() if widget.isVisible()]
 
 
 @pytest.fixture

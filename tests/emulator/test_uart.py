@@ -254,7 +254,7 @@ class TestMotorCommands:
             ("CE 40", 2, FORWARD, 0x40, False),
         ],
     )
-    def test_one_motor(  # noqa: PLR0917 - a row of the table above
+    def test_one_motor(
         self,
         port: SerialPort,
         packet: str,
