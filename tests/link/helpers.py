@@ -76,6 +76,19 @@ def run_for(stage: Stage, seconds: float, settings: LinkSettings | None = None) 
     return stage.run(settings)
 
 
+def run_after_another(stage: Stage, seconds: float) -> list[Report]:
+    """Run a session whose forerunner may have left motors running."""
+    stage.script.at(seconds, Close())
+    Session(
+        LinkSettings("virtual"),
+        stage.script,
+        stage.reports.append,
+        lambda _settings: stage.transport,
+        may_move=True,
+    ).run()
+    return stage.reports
+
+
 def seen_at(stage: Stage, moment: float, look: Callable[[], KindT]) -> list[KindT]:
     """Plan a look at the board; return the list that will hold what was seen."""
     seen: list[KindT] = []

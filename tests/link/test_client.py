@@ -4,6 +4,7 @@ import contextlib
 
 import pytest
 from hypothesis import given
+from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from tests.link.helpers import staged
@@ -32,6 +33,9 @@ from trex_gui.protocol.commands import (
 from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, PortUnavailable, ResultCode
 from trex_gui.protocol.flags import Mode
 from trex_gui.protocol.line_settings import Detection, LineSettings
+
+modest = hypothesis_settings(deadline=None, max_examples=40)
+
 
 CRC = LinkSettings("virtual", LineSettings(detection=Detection.CRC7))
 
@@ -352,6 +356,7 @@ QUESTIONS: list[Command[object]] = [
 ]
 
 
+@modest
 @given(
     seed=st.integers(0, 2**32 - 1),
     noise=st.sampled_from([0.0, 0.01, 0.1, 0.5]),
@@ -389,6 +394,7 @@ def test_with_crc_a_request_is_answered_rightly_or_not_at_all(
         assert answer == right or stage.line.counters["spoilt"] - spoilt > 2
 
 
+@modest
 @given(garbage=st.binary(max_size=40), question=st.sampled_from(QUESTIONS))
 def test_bytes_from_nowhere_are_never_fatal(garbage: bytes, question: Command[object]) -> None:
     stage = Stage(Board(eeprom=Eeprom()))

@@ -3,6 +3,7 @@
 from collections import deque
 
 from hypothesis import given
+from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from trex_gui.link.drives import DriveSlots, packets
@@ -24,6 +25,8 @@ from trex_gui.protocol.commands import (
     DriveMotor,
     GetMode,
 )
+
+modest = hypothesis_settings(deadline=None, max_examples=40)
 
 
 class Bag:
@@ -129,6 +132,7 @@ wishes = st.one_of(
 )
 
 
+@modest
 @given(st.lists(wishes, max_size=20))
 def test_what_is_sent_is_the_newest_wish_of_each_motor(
     given_wishes: list[SetDrive | SetAuxiliary],

@@ -4,11 +4,15 @@ from collections import Counter
 from collections.abc import Mapping
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
+from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from trex_gui.link.schedule import Schedule, Topic, rates
 from trex_gui.protocol.flags import InputSource
+
+modest = hypothesis_settings(deadline=None, max_examples=40)
+
 
 BYTES = {
     Topic.CURRENTS: 3,
@@ -133,7 +137,7 @@ def test_what_was_missed_in_a_long_pause_is_not_made_up_for() -> None:
     assert asked < 95
 
 
-@settings(max_examples=30)
+@modest
 @given(
     wanted=st.dictionaries(
         st.sampled_from(list(Topic)), st.floats(1.0, 100.0), min_size=1, max_size=6
@@ -146,7 +150,7 @@ def test_nothing_starves(*, wanted: dict[Topic, float], cost: float) -> None:
     assert all(asked[topic] >= 2 for topic in wanted)
 
 
-@settings(max_examples=30)
+@modest
 @given(
     wanted=st.dictionaries(
         st.sampled_from(list(Topic)), st.floats(1.0, 100.0), min_size=1, max_size=6
@@ -163,6 +167,7 @@ def test_no_rate_is_exceeded_and_each_is_met_on_a_fast_line(
         assert asked[topic] == pytest.approx(rate * seconds, rel=0.02, abs=2)
 
 
+@modest
 @given(
     times=st.lists(st.floats(0, 10), min_size=1, max_size=30).map(sorted),
 )

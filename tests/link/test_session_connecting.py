@@ -53,7 +53,7 @@ def test_the_last_report_is_that_the_port_is_free(stage: Stage) -> None:
     assert stage.transport.closed
 
 
-@pytest.mark.parametrize("baud", [1200, 19200, 115200])
+@pytest.mark.parametrize("baud", [1200, 115200])
 @pytest.mark.parametrize("detection", list(Detection))
 @pytest.mark.parametrize("echo", [False, True])
 def test_every_line_is_found_at_its_own_settings(
@@ -105,6 +105,19 @@ def test_a_wish_that_comes_before_the_board_was_read_is_obeyed(stage: Stage) -> 
     run_for(stage, 1.0)
     assert len(among(stage.reports, Connected)) == 1
     assert moving(stage.transport.sent)
+
+
+def test_the_echo_is_found_whatever_the_packets_look_like(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    run_for(stage, 1.0, LinkSettings("virtual", device_number=7))
+    assert connected(stage).echo
+
+
+def test_one_damaged_byte_does_not_hide_the_echo(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    stage.line.to_drop = 1
+    run_for(stage, 1.0)
+    assert connected(stage).echo
 
 
 # --- When there is no board -------------------------------------------------------------

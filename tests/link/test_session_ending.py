@@ -4,6 +4,7 @@ import logging
 
 import pytest
 from hypothesis import given
+from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from tests.link.helpers import (
@@ -34,6 +35,9 @@ from trex_gui.link.messages import (
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import STOP, Drive, DriveMotor, GetMode, GetParameter, GetStatus
 from trex_gui.protocol.errors import PortUnavailable, TrexError
+
+modest = hypothesis_settings(deadline=None, max_examples=40)
+
 
 GONE = PortUnavailable("The line is gone. Plug it in again.")
 
@@ -123,6 +127,7 @@ def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) ->
     return stage
 
 
+@modest
 @given(calls=st.integers(0, 700), requests=st.permutations(REQUESTS))
 def test_whenever_the_line_is_lost_each_request_has_one_outcome(
     calls: int, requests: list[Request]

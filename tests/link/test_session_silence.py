@@ -54,13 +54,13 @@ def test_a_board_without_power_is_missed_within_half_a_second(baud: int, latency
 
 def test_silence_is_told_once(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
-    run_for(stage, 10.0)
+    run_for(stage, 4.0)
     assert len(among(stage.reports, Silent)) == 1
 
 
 def test_silence_is_not_the_end(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
-    assert run_for(stage, 10.0)[-1] == Closed(None)
+    assert run_for(stage, 3.0)[-1] == Closed(None)
 
 
 def test_nothing_is_sampled_from_a_silent_board(stage: Stage) -> None:
@@ -90,15 +90,15 @@ def test_a_single_lost_reply_is_no_silence(stage: Stage) -> None:
 def test_a_silent_board_is_asked_a_few_times_a_second(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     before = seen_at(stage, 3.0, lambda: len(stage.transport.sent))
-    after = seen_at(stage, 13.0, lambda: len(stage.transport.sent))
-    run_for(stage, 13.1)
-    assert 30 <= after[0] - before[0] <= 45
+    after = seen_at(stage, 8.0, lambda: len(stage.transport.sent))
+    run_for(stage, 8.1)
+    assert 15 <= after[0] - before[0] <= 22
 
 
 # --- Coming back ------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("seconds", [0.6, 3.0, 30.0])
+@pytest.mark.parametrize("seconds", [0.6, 8.0])
 def test_a_board_that_comes_back_is_read_anew(stage: Stage, seconds: float) -> None:
     off_and_on(stage, 1.0, 1.0 + seconds)
     run_for(stage, 2.5 + seconds)
@@ -138,11 +138,11 @@ def test_a_board_that_comes_back_in_another_mode_is_told_so(stage: Stage) -> Non
 
 
 def test_a_board_may_go_and_come_back_many_times(stage: Stage) -> None:
-    for number in range(5):
-        off_and_on(stage, 1.0 + 4 * number, 3.0 + 4 * number)
-    run_for(stage, 22.0)
+    for number in range(3):
+        off_and_on(stage, 1.0 + 3 * number, 2.5 + 3 * number)
+    run_for(stage, 9.5)
     kinds = [type(one) for one in stage.reports if isinstance(one, Connected | Silent)]
-    assert kinds == [Connected, *[Silent, Connected] * 5]
+    assert kinds == [Connected, *[Silent, Connected] * 3]
 
 
 def test_a_board_that_goes_while_it_is_read_again_is_missed_again(stage: Stage) -> None:
@@ -166,9 +166,9 @@ def test_a_board_that_goes_while_it_is_read_again_is_missed_again(stage: Stage) 
 
 
 def test_silence_and_return_move_no_motor(stage: Stage) -> None:
-    off_and_on(stage, 1.0, 4.0)
-    off_and_on(stage, 6.0, 9.0)
-    run_for(stage, 12.0)
+    off_and_on(stage, 1.0, 2.5)
+    off_and_on(stage, 4.0, 5.5)
+    run_for(stage, 7.0)
     assert moving(stage.transport.sent) == []
 
 
@@ -240,3 +240,21 @@ def test_only_the_mode_is_asked_until_the_board_is_back(stage: Stage) -> None:
     marks = seen_at(stage, 2.0, lambda: len(stage.transport.sent))
     run_for(stage, 6.0)
     assert set(map(type, commands(stage.transport.sent[marks[0] :]))) == {GetMode}
+
+
+def test_a_board_that_dies_while_its_new_mode_is_read_falls_silent(stage: Stage) -> None:
+    def rearrange() -> None:
+        stage.board.mode_jumper = "analog"
+        stage.board.power_cycle()
+
+    send = stage.transport.write
+
+    def die_at_the_second_signature(data: bytes) -> None:
+        send(data)
+        stage.line.mute = stage.line.mute or (data == b"\x81" and stage.line.now > 1.0)
+
+    stage.transport.write = die_at_the_second_signature  # type: ignore[method-assign] # a knob
+    stage.script.at(1.0, rearrange)
+    reports = run_for(stage, 5.0)
+    assert len(among(reports, Silent)) == 1
+    assert reports[-1] == Closed(None)

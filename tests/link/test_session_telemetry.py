@@ -184,6 +184,41 @@ def test_bits_of_the_status_survive_a_second_byte_that_is_lost(stage: Stage) -> 
     assert news[0].status == Status.MOTOR2_FAULT | Status.UART_ERROR
 
 
+def test_error_bits_whose_byte_was_lost_are_asked_for_again(stage: Stage) -> None:
+    send = stage.transport.write
+    asked: list[bytes] = []
+
+    def lose_the_first_question(data: bytes) -> None:
+        if data == b"\x85":
+            asked.append(data)
+            stage.line.to_drop_sent = int(len(asked) == 1)
+        send(data)
+
+    stage.transport.write = lose_the_first_question  # type: ignore[method-assign] # a knob
+    stage.script.at(1.0, lambda: stage.board.report_error(UartError.CRC))
+    news = samples(run_for(stage, 2.0), StatusNews)
+    assert [(one.status, one.uart) for one in news] == [
+        (Status.UART_ERROR, UartError(0)),
+        (Status(0), UartError.CRC),
+    ]
+
+
+def test_error_bits_are_asked_for_when_the_status_itself_was_lost(stage: Stage) -> None:
+    send = stage.transport.write
+    asked: list[bytes] = []
+
+    def lose_the_first_answer(data: bytes) -> None:
+        if data == b"\x84" and stage.line.now > 1.0:
+            asked.append(data)
+            stage.line.to_drop = int(len(asked) == 1)
+        send(data)
+
+    stage.transport.write = lose_the_first_answer  # type: ignore[method-assign] # a knob
+    stage.script.at(1.0, lambda: stage.board.report_error(UartError.PARITY))
+    (news,) = samples(run_for(stage, 2.0), StatusNews)
+    assert news.uart == UartError.PARITY
+
+
 def test_what_was_latched_before_the_connection_is_news(stage: Stage) -> None:
     stage.board.report_error(UartError.TIMEOUT)
     (news,) = samples(run_for(stage, 1.0), StatusNews)

@@ -150,7 +150,8 @@ def test_reading_in_vain_takes_its_time_and_hardly_more(
 def test_what_is_discarded_is_returned_and_gone(terminal: tuple[int, str], opened: Open) -> None:
     master, path = terminal
     transport = opened(path)
-    os.write(master, b"stale")
+    os.write(master, b"xstale")
+    assert transport.read(1, 1.0) == b"x"  # so the rest is here as well
     assert transport.discard() == b"stale"
     assert transport.discard() == b""
     os.write(master, b"new")

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import given
+from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from tests.link.helpers import commands, staged
@@ -30,6 +31,9 @@ from trex_gui.protocol.errors import (
 from trex_gui.protocol.flags import InputSource
 from trex_gui.protocol.line_settings import Detection
 from trex_gui.protocol.parameters import ParameterSpec, parameters_of
+
+modest = hypothesis_settings(deadline=None, max_examples=40)
+
 
 SPECS = parameters_of("trex", "1.2")
 TIMEOUT = SPECS["serial_timeout"]
@@ -162,6 +166,7 @@ def test_a_dead_board_is_not_a_success(stage: Stage) -> None:
         write_parameter(stage.client().request, TIMEOUT, 5)
 
 
+@modest
 @given(
     seed=st.integers(0, 2**32 - 1),
     noise=st.sampled_from([0.0, 0.02, 0.1, 0.3]),
@@ -351,6 +356,7 @@ def test_nothing_to_write_is_nothing_sent(stage: Stage) -> None:
     assert stage.transport.sent == b""
 
 
+@modest
 @given(
     keys=st.lists(st.sampled_from([*(spec.key for spec in SPECS), "nonsense"]), max_size=12),
     channels=st.lists(st.integers(0, 6), max_size=4),

@@ -4,11 +4,15 @@ import random
 
 import pytest
 from hypothesis import given
+from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from trex_gui.model.draft import Draft
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.parameters import ParameterSpec, parameters_of
+
+modest = hypothesis_settings(deadline=None, max_examples=40)
+
 
 SPECS = parameters_of("trex", "1.2")
 TIMEOUT = SPECS["serial_timeout"]
@@ -155,6 +159,7 @@ edits = st.lists(
 )
 
 
+@modest
 @given(edits)
 def test_dirty_is_the_difference_whatever_was_edited(
     steps: list[tuple[ParameterSpec, int | None]],
@@ -173,6 +178,7 @@ def test_dirty_is_the_difference_whatever_was_edited(
     assert draft.stored == FACTORY
 
 
+@modest
 @given(edits, st.randoms(use_true_random=False))
 def test_taking_back_every_edit_in_any_order_leaves_nothing(
     steps: list[tuple[ParameterSpec, int | None]], chance: random.Random
@@ -191,6 +197,7 @@ def test_taking_back_every_edit_in_any_order_leaves_nothing(
     assert draft.pending == ()
 
 
+@modest
 @given(edits)
 def test_writing_everything_that_waits_leaves_nothing(
     steps: list[tuple[ParameterSpec, int | None]],

@@ -2,9 +2,12 @@
 
 import numpy as np
 from hypothesis import given
+from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from trex_gui.model.ring import Ring
+
+modest = hypothesis_settings(deadline=None, max_examples=40)
 
 
 def rows(ring: Ring, columns: int) -> list[tuple[float, ...]]:
@@ -32,6 +35,7 @@ def test_what_is_read_is_not_copied() -> None:
     assert ring.times.base is not None
 
 
+@modest
 @given(
     capacity=st.integers(1, 7),
     columns=st.integers(0, 3),

@@ -27,7 +27,7 @@ crc7_polynomial: 9              # 0x89
 uart_settings: 5                # 19200 baud, no error detection, 1 stop bit
 
 # Channels
-required_channels: 1
+required_channels: 1            # channel 1
 ignored_channels: 0             # none
 reversed_channels: 0            # none
 parabolic_channels: 0           # none

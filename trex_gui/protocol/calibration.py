@@ -104,12 +104,13 @@ def remap(
 ) -> int:
     """Return what a channel's raw count becomes: -127 to 127, before mixing and flip.
 
-    `raw` is in counts; `None` (no valid signal) and an ignored channel give 0, the first
-    being inferred (fail-safe). Full output is reached at minimum and maximum, 0 within
+    `raw` is in counts; `None` and 0xFFFF (no valid signal) and an ignored channel give 0,
+    the first two being inferred (fail-safe). Full output is reached at minimum and maximum,
+    0 within
     `deadband` counts of neutral. Between them the output grows with the fraction of the way
     from the edge of the deadband to the end, or with its square (parabolic), rounded down.
     """
-    if raw is None or ignored:
+    if raw is None or raw == INVALID_RAW or ignored:
         return 0
     offset = raw - calibration.neutral
     distance = abs(offset)
@@ -121,9 +122,7 @@ def remap(
         end = calibration.maximum if offset > 0 else calibration.minimum
         way = abs(end - calibration.neutral) - calibration.deadband
         done = distance - calibration.deadband
-        if way <= 0:
-            magnitude = FULL_SCALE
-        elif parabolic:
+        if parabolic:
             magnitude = FULL_SCALE * done * done // (way * way)
         else:
             magnitude = FULL_SCALE * done // way

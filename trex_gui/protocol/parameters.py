@@ -104,6 +104,8 @@ class ParameterSpec:
                 return "any of 1 to 5"
             case Kind.UART:
                 return "baud, check, stop bits"
+            case _ if self.minimum == self.maximum:
+                return self.text(self.minimum)
         return f"{self.text(self.minimum)} to {self.text(self.maximum)}"
 
     def range_text(self) -> str:
