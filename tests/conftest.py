@@ -1,5 +1,7 @@
 """What every test stands on: no screen, settings of its own, a board in virtual time."""
 
+import gc
+import itertools
 import os
 import threading
 import time
@@ -40,6 +42,24 @@ def _own_settings(tmp_path_factory: pytest.TempPathFactory) -> None:
     QCoreApplication.setApplicationName("TReX Studio")
     QSettings.setDefaultFormat(QSettings.Format.IniFormat)
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _collects_in_the_gui_thread_only() -> Iterator[None]:
+    """Keep Python's collector out of the threads that tests start, as the program does."""
+    gc.disable()
+    yield
+    gc.enable()
+
+
+_uncollected = itertools.count(1)
+
+
+@pytest.fixture(autouse=True)
+def _collects_now_and_then() -> Iterator[None]:
+    yield
+    if next(_uncollected) % 25 == 0:
+        gc.collect()
 
 
 @pytest.fixture(autouse=True)

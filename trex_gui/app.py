@@ -48,6 +48,7 @@ def main(argv: list[str] | None = None) -> int:
 
     from trex_gui.views.theme import theme  # noqa: PLC0415
     from trex_gui.window import build  # noqa: PLC0415
+    from trex_gui.worker.garbage import GuiThreadCollector  # noqa: PLC0415
 
     QApplication.setApplicationName("TReX Studio")
     QApplication.setOrganizationName("TReX Studio")
@@ -55,6 +56,8 @@ def main(argv: list[str] | None = None) -> int:
     QApplication.setDesktopFileName("trex-studio")
     app = QApplication(["trex-gui"])
     theme().install(app)
+    collector = GuiThreadCollector(app)
+    collector.setObjectName("collector")
     program = build()
     program.window.show()
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):

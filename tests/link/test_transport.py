@@ -66,13 +66,15 @@ def refusal(url: str, line: LineSettings = LINE) -> str:
 # --- Talking ----------------------------------------------------------------------------
 
 
-def test_a_board_answers_through_a_terminal(simulator: SimulatorProcess, opened: Open) -> None:
-    transport = opened(simulator.url)
-    client = Client(transport, LinkSettings(simulator.url))
+def test_a_board_answers_through_a_terminal(
+    quick_simulator: SimulatorProcess, opened: Open
+) -> None:
+    transport = opened(quick_simulator.url)
+    client = Client(transport, LinkSettings(quick_simulator.url))
     assert client.detect_echo() is False
     assert str(client.request(GetSignature())) == "TReX 1.2"
     assert client.request(SetParameter(7, 9)) is ResultCode.OK
-    assert simulator.show()["parameters"]["serial_timeout"] == 9
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 9
 
 
 def test_a_board_answers_through_a_network(start_simulator: Start, opened: Open) -> None:
@@ -283,10 +285,10 @@ def test_an_error_without_a_word_still_makes_a_sentence() -> None:
 
 @pytest.mark.parametrize("action", ["read", "discard", "write"])
 def test_a_cable_that_is_pulled_is_noticed_at_once(
-    action: str, simulator: SimulatorProcess, opened: Open
+    action: str, quick_simulator: SimulatorProcess, opened: Open
 ) -> None:
-    transport = opened(simulator.url)
-    simulator.do("line unplug")
+    transport = opened(quick_simulator.url)
+    quick_simulator.do("line unplug")
     begun = time.monotonic()
     act: dict[str, Callable[[], object]] = {
         "read": lambda: transport.read(1, 5.0),
@@ -298,15 +300,15 @@ def test_a_cable_that_is_pulled_is_noticed_at_once(
     ) as caught:
         act[action]()
     assert time.monotonic() - begun < 0.3
-    assert simulator.url in str(caught.value)
+    assert quick_simulator.url in str(caught.value)
 
 
 def test_a_cable_that_is_pulled_is_noticed_by_a_request(
-    simulator: SimulatorProcess, opened: Open
+    quick_simulator: SimulatorProcess, opened: Open
 ) -> None:
-    client = Client(opened(simulator.url), LinkSettings(simulator.url))
+    client = Client(opened(quick_simulator.url), LinkSettings(quick_simulator.url))
     client.request(GetMode())
-    simulator.do("line unplug")
+    quick_simulator.do("line unplug")
     with pytest.raises(PortUnavailable):
         client.request(GetMode())
 

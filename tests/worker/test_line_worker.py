@@ -145,14 +145,10 @@ Make = Callable[[Callable[[bytes], bytes]], Stranger]
 # --- Life -------------------------------------------------------------------------------
 
 
-def test_a_board_is_found_and_watched(line: Watched) -> None:
+def test_reports_on_a_board_arrive_in_the_thread_of_the_window(line: Watched) -> None:
     line.wait(Batch)
     (connected,) = [one for one in line.reports if isinstance(one, Connected)]
     assert str(connected.state.signature) == "TReX 1.2"
-
-
-def test_reports_arrive_in_the_thread_of_the_window(line: Watched) -> None:
-    line.wait(Batch)
     assert line.threads == {threading.main_thread()}
 
 
@@ -161,10 +157,6 @@ def test_closing_ends_the_thread_within_a_second(line: Watched) -> None:
     assert line.worker.close()
     assert time.monotonic() - begun < 1.0
     assert line.worker.isFinished()
-
-
-def test_the_last_report_is_that_the_port_is_free(line: Watched) -> None:
-    line.worker.close()
     line.wait(Closed)
     assert line.end == Closed(None)
 

@@ -9,7 +9,7 @@ from typing import Protocol
 
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import Transport
-from trex_gui.protocol.commands import Command, Null, ReplyT_co, SetParameter
+from trex_gui.protocol.commands import Command, GetParameter, Null, ReplyT_co, SetParameter
 from trex_gui.protocol.errors import BadReply, NoReply, ResultCode
 from trex_gui.protocol.framing import Framing
 from trex_gui.protocol.parameters import parameter_number
@@ -89,6 +89,17 @@ class Client:
             BadReply: what came is no reply to this command.
             PortUnavailable: the line is gone.
         """
+        try:
+            reply = self._transact(command)
+        except (NoReply, BadReply):
+            if (number := self._new_number(command)) is not None:
+                self._look_for(number)
+            raise
+        if reply is ResultCode.OK and (number := self._new_number(command)) is not None:
+            self._address(number)
+        return reply
+
+    def _transact(self, command: Command[ReplyT_co]) -> ReplyT_co:
         packet = self._framing.encode(command)
         line = self._settings.line
         parser = ReplyParser(command, self._framing, self.echo)
@@ -125,7 +136,6 @@ class Client:
                     took = self._transport.clock() - begun
                     self.counters.slowest = max(self.counters.slowest, took)
                     self._free_at = min(self._free_at, self._transport.clock())
-                self._follow(command, value)
                 return value
 
     def send(self, command: Command[None]) -> None:
@@ -178,16 +188,30 @@ class Client:
     def _allowance(self) -> float:
         return self._transport.latency + self._settings.patience + _BOARD_DELAY
 
-    def _follow(self, command: object, reply: object) -> None:
-        """Address the board by its new device number once it has taken one."""
+    def _new_number(self, command: object) -> int | None:
+        """Return the number that a command gives to a board which is addressed by number."""
         if (
             isinstance(command, SetParameter)
             and command.number == parameter_number("device_number")
-            and reply is ResultCode.OK
             and self._settings.device_number is not None
         ):
-            self._settings = replace(self._settings, device_number=command.value)
-            self._framing = self._settings.framing
+            return command.value
+        return None
+
+    def _address(self, number: int) -> None:
+        """Address the board by this number from now on."""
+        self._settings = replace(self._settings, device_number=number)
+        self._framing = self._settings.framing
+
+    def _look_for(self, number: int) -> None:
+        """See whether a board whose answer was lost has taken its new number all the same."""
+        before = self._settings.device_number
+        self._address(number)
+        try:
+            self._transact(GetParameter(parameter_number("device_number")))
+        except (NoReply, BadReply):
+            if before is not None:
+                self._address(before)
 
     def _silence(self, packet: bytes, received: bytes) -> str:
         sent = packet.hex(" ").upper()

@@ -4,11 +4,14 @@ Asking faster than the board renews a value reads the same value again, and cost
 in which a motor command could have gone out.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum, auto
 
 from trex_gui.protocol.flags import InputSource
+
+_LONGEST_LAG = 0.1
+"""Seconds that the schedule may run behind before it gives up catching up."""
 
 
 class Topic(Enum):
@@ -49,8 +52,7 @@ class _Entry:
 class Schedule:
     """Remembers when each topic is due; knows no clock but the times it is given.
 
-    Where the line is too slow for all of it, each topic falls behind by the same share of
-    its period.
+    Where the line is too slow for all of it, each topic gets the same share of its rate.
     """
 
     _entries: dict[Topic, _Entry] = field(default_factory=dict)
@@ -63,30 +65,24 @@ class Schedule:
         """Ask for nothing."""
         self._entries = {}
 
-    def hurry(self, topics: Iterable[Topic], now: float) -> None:
-        """Ask for these topics next."""
-        for topic in topics:
-            if entry := self._entries.get(topic):
-                entry.due = min(entry.due, now - entry.period)
-
     def next(self, now: float) -> Topic | None:
-        """Return the topic that is most overdue, measured in its own periods."""
-        chosen: Topic | None = None
-        worst = 0.0
-        for topic, entry in self._entries.items():
-            late = (now - entry.due) / entry.period
-            if late >= worst and (chosen is None or late > worst):
-                chosen, worst = topic, late
-        return chosen
+        """Return the topic that was due first; `None` while none is."""
+        topic = min(self._entries, key=lambda topic: self._entries[topic].due, default=None)
+        return topic if topic is not None and self._entries[topic].due <= now else None
 
     def asked(self, topic: Topic, now: float) -> None:
         """Note that a topic was asked at `now`.
 
-        It is due again one period after it was due, so the rate is met on average, but what
-        was missed is not made up for.
+        It is due again one period after it was due, so the rate is met on average. Where the
+        line falls behind, everything is put off by the same time, so nothing is made up for
+        and nothing starves.
         """
         if entry := self._entries.get(topic):
-            entry.due = max(entry.due + entry.period, now)
+            entry.due += entry.period
+            behind = now - _LONGEST_LAG - min(entry.due for entry in self._entries.values())
+            if behind > 0:
+                for each in self._entries.values():
+                    each.due += behind
 
     def seconds_to_next(self, now: float) -> float | None:
         """Return how long nothing is due; `None` when nothing ever is."""

@@ -38,7 +38,6 @@ from trex_gui.protocol.errors import (
     BadReply,
     BadRequest,
     NoReply,
-    PortUnavailable,
     Rejected,
     TrexError,
 )
@@ -106,6 +105,7 @@ class Session:
         error: TrexError | None = None
         client: Client | None = None
         try:
+            _ = self._settings.framing  # impossible settings must not open the port
             transport = self._open_transport(self._settings)
             client = self._client = Client(transport, self._settings)
             self._status = StatusReader(transport.clock)
@@ -146,14 +146,14 @@ class Session:
     def _leave_safely(self, client: Client) -> None:
         """Stop what was driven and give the port back, whatever the line does."""
         try:
-            if self._may_move:
-                self._stop_and_prove(_CLOSING_ATTEMPTS)
+            if self._may_move or self._mail.stops:
+                self._stop(_CLOSING_ATTEMPTS)
             client.drain()
-            self._flush()
         except TrexError:
             log.info("the line was left without a proved stop", exc_info=True)
         except Exception:
             log.exception("leaving the line failed")
+        self._flush()
         client.close()
 
     def _finish(self, error: TrexError | None) -> None:
@@ -235,17 +235,19 @@ class Session:
         try:
             for command in packets(wishes):
                 self._client.request(command)
+        except BadRequest as error:
+            log.warning("a wish that no motor can obey was dropped: %s", error)
         except (NoReply, BadReply) as error:
             # The echo shows that a packet was damaged: the wish still stands.
             self._mail.drives.put_back(wishes)
             self._note_failure(error)
 
-    def _stop(self) -> None:
+    def _stop(self, attempts: int = ATTEMPTS) -> None:
         """Serve every stop that waits; each gets its outcome, even when the line is lost."""
         stops = self._mail.take_stops()
         try:
-            proved = self._stop_and_prove()
-        except PortUnavailable:
+            proved = self._stop_and_prove(attempts)
+        except Exception:
             self._mail.stops = stops
             raise
         error = (
@@ -280,11 +282,12 @@ class Session:
                         self._request, self._specs, parameters, calibrations, self._progress
                     )
                 case Reload():
-                    self._read_everything(Occasion.RELOADED)
+                    returned = Occasion.RETURNED if self._silent else Occasion.RELOADED
+                    self._read_everything(returned)
         except (BadRequest, NoReply, BadReply, Rejected) as error:
             self._emit(Outcome(job.id, error=error))
-        except (PortUnavailable, _Closing):
-            # It waits for its outcome as everything else that is dropped at the end.
+        except Exception:
+            # The line ends: this waits for its outcome as everything else that is dropped.
             self._mail.jobs.appendleft(job)
             raise
         else:

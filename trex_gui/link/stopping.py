@@ -12,10 +12,14 @@ from trex_gui.protocol.commands import STOP
 from trex_gui.protocol.errors import BadReply, NoReply
 from trex_gui.protocol.flags import UartError
 
-_COPIES = 2
-"""How often the packets are sent at a time: a second copy overrides one that noise changed."""
+_CLEAN_ROUNDS = 2
+"""Rounds of stop and clean status, one after the other, that make a proof.
 
-ATTEMPTS = 10
+A board that still answers somebody is deaf, and latches nothing for packets that it lost
+whole: one round can go by unheard, but not the next one too once it has answered.
+"""
+
+ATTEMPTS = 20
 
 _HARMLESS = UartError.TIMEOUT
 """What a board may latch without having lost a packet."""
@@ -35,9 +39,8 @@ def send_stop(client: Client) -> None:
     Raises:
         PortUnavailable: the line is gone.
     """
-    for _ in range(_COPIES):
-        for command in STOP:
-            client.send(command)
+    for command in STOP:
+        client.send(command)
 
 
 def stop_and_prove(client: Client, reader: StatusReader, attempts: int = ATTEMPTS) -> Stopped:
@@ -47,14 +50,18 @@ def stop_and_prove(client: Client, reader: StatusReader, attempts: int = ATTEMPT
         PortUnavailable: the line is gone.
     """
     news: list[StatusNews] = []
+    clean = 0
     for _ in range(attempts):
         send_stop(client)
         try:
             seen = reader.read(client.request)
         except (NoReply, BadReply):
+            clean = 0
             continue
         if seen is not None:
             news.append(seen)
-        if not reader.uart_due and (seen is None or not seen.uart & ~_HARMLESS):
+        is_clean = not reader.uart_due and (seen is None or not seen.uart & ~_HARMLESS)
+        clean = clean + 1 if is_clean else 0
+        if clean == _CLEAN_ROUNDS:
             return Stopped(True, tuple(news))
     return Stopped(False, tuple(news))

@@ -195,9 +195,9 @@ def why_not_open(url: str, line: LineSettings, error: Exception) -> str:
     if number == errno.ENOENT or "FileNotFoundError" in str(error):
         present = ", ".join(port.device for port in list_ports.comports())
         return f"There is no port {url}. Ports of this computer: {present or 'none'}."
-    if number == errno.EACCES and sys.platform == "win32":
+    if number in {errno.EACCES, errno.EPERM} and sys.platform == "win32":
         return f"{url} is in use by another program, or locked by its driver."
-    if number == errno.EACCES:
+    if number in {errno.EACCES, errno.EPERM}:
         return f"You may not open {url}. {_permission_cure(url)}"
     if number in {errno.EBUSY, errno.EAGAIN}:
         holder = _holder(url)

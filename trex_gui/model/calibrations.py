@@ -23,6 +23,7 @@ class Calibrations(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._model_key = ""
         self._source = InputSource.RC
         self._stored: dict[int, Calibration] = {}
         self._edited: dict[int, Calibration] = {}
@@ -46,10 +47,11 @@ class Calibrations(QObject):
         """What the board stores for a channel; `None` when it was not read."""
         return self._stored.get(channel)
 
-    def load(self, source: InputSource, stored: Mapping[int, Calibration]) -> None:
-        """Take what was read; edits stay while they are for the same input source."""
-        if source is not self._source:
+    def load(self, model_key: str, source: InputSource, stored: Mapping[int, Calibration]) -> None:
+        """Take what was read; edits stay while model and input source are the same."""
+        if (model_key, source) != (self._model_key, self._source):
             self._edited.clear()
+        self._model_key = model_key
         self._source = source
         self._stored = dict(stored)
         self._edited = {c: e for c, e in self._edited.items() if self._stored.get(c) != e}

@@ -8,6 +8,7 @@ from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Port, PortKind, Ports
 from trex_gui.model.simulator import Simulator
+from trex_gui.protocol.crc7 import check_polynomial
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.line_settings import LineSettings
 
@@ -132,6 +133,7 @@ class Connector(QObject):
                 polynomial=polynomial,
             )
             _ = settings.framing
+            check_polynomial(polynomial)
         except (BadRequest, ValueError):
             return default
         return settings

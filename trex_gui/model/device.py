@@ -196,7 +196,7 @@ class Device(QObject):
         worker, self._worker = self._worker, None
         self._next = None
         if worker is None:
-            return not any(ending.isRunning() for ending in _ENDING)
+            return all(ending.wait(1000) for ending in _ENDING)
         worker.reported.disconnect(self._on_reported)
         worker.finished.disconnect(self._on_worker_finished)
         in_time = worker.close()
@@ -211,7 +211,7 @@ class Device(QObject):
 
     def apply(self) -> None:
         """Write every pending edit and read it back; `applied` tells how it went."""
-        if self.pending and not self._applying:
+        if self.pending and not self._applying and self._worker is not None:
             parameters, calibrations = self.parameters.pending, self.calibrations.pending
             self._applying = True
             self._ask(lambda number: Write(number, parameters, calibrations), self._on_applied)
@@ -298,6 +298,8 @@ class Device(QObject):
                     then(report)
             case Progress(done=done, total=total, what=what):
                 self.progressed.emit(done, total, what)
+            case Connected() | Silent() if self._link is Link.CLOSING:
+                pass  # it was on its way when the line was given up
             case Connected():
                 self._take_state(report)
             case Silent(reason=reason, counters=counters):
@@ -341,7 +343,7 @@ class Device(QObject):
             state.specs, state.parameters, state.unread, power_cycled=occasion.power_cycled
         )
         self.parameters.note_in_force(self._in_force(state))
-        self.calibrations.load(state.source, state.calibrations)
+        self.calibrations.load(state.signature.model.key, state.source, state.calibrations)
         self._set_link(Link.UP, self.tr("Connected to {0}.").format(state.signature))
         self._allow_driving()
         self.state_changed.emit()

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.link.messages import SetAuxiliary, SetDrive
+from trex_gui.protocol.command import seven_bits
 from trex_gui.protocol.commands import Drive
 
 
@@ -96,7 +97,12 @@ class Motors(QObject):
         self._wish(motor, Drive.brake(duty))
 
     def set_auxiliary(self, speed: int) -> None:
-        """Wish a speed (0-127) for the auxiliary motor; ignored unless armed."""
+        """Wish a speed (0-127) for the auxiliary motor; ignored unless armed.
+
+        Raises:
+            BadRequest: the speed is outside its range.
+        """
+        seven_bits(speed, "speed of the auxiliary motor")
         if self._armed and speed != self._auxiliary:
             self._auxiliary = speed
             self.requested.emit(SetAuxiliary(speed, self.accelerate))

@@ -16,7 +16,7 @@ from PySide6.QtCore import (
 from trex_gui.link.writing import Written
 from trex_gui.model.draft import Draft
 from trex_gui.protocol.device_table import device_table
-from trex_gui.protocol.errors import BadRequest
+from trex_gui.protocol.errors import BadRequest, sentence
 from trex_gui.protocol.parameters import Kind, ParameterSet, ParameterSpec
 
 Index = QModelIndex | QPersistentModelIndex
@@ -225,8 +225,11 @@ class ParameterModel(QAbstractTableModel):
         spec = self._specs[index.row()]
         try:
             self._draft.edit(spec, int(value))
-        except (BadRequest, TypeError, ValueError) as error:
-            self.refused.emit(str(error))
+        except BadRequest as error:
+            self.refused.emit(sentence(error))
+            return False
+        except (TypeError, ValueError, OverflowError):
+            self.refused.emit(f"{spec.name} is {spec.range_text()}, not {value}.")
             return False
         self._announce_rows(index.row(), index.row())
         self.pending_changed.emit(len(self._draft.edited))

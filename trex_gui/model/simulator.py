@@ -29,6 +29,7 @@ class Simulator(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._url = ""
+        self._ending = False
         self._process = QProcess(self)
         self._process.setProcessChannelMode(QProcess.ProcessChannelMode.SeparateChannels)
         self._process.readyReadStandardOutput.connect(self._on_output)
@@ -45,6 +46,7 @@ class Simulator(QObject):
         if self._url:
             self.ready.emit(self._url)
         elif self._process.state() is QProcess.ProcessState.NotRunning:
+            self._ending = False
             program, arguments = simulator_command()
             self._process.start(program, [*arguments, "--demo"])
 
@@ -56,6 +58,7 @@ class Simulator(QObject):
     def stop(self) -> None:
         """End it, and wait until it has ended."""
         self._url = ""
+        self._ending = True
         if self._process.state() is not QProcess.ProcessState.NotRunning:
             self._process.write(b"quit\n")
             self._process.closeWriteChannel()
@@ -79,7 +82,7 @@ class Simulator(QObject):
     @Slot()
     def _on_finished(self) -> None:
         was_running, self._url = bool(self._url), ""
-        if not was_running:
+        if not was_running and not self._ending:
             said = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
             reason = said.strip().splitlines()[-1] if said.strip() else ""
             self.failed.emit(self.tr("The simulator ended at once. {0}").format(reason).strip())
