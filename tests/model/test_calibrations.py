@@ -20,7 +20,7 @@ def stored(source: InputSource) -> dict[int, Calibration]:
 @pytest.fixture
 def model(qtbot: QtBot) -> Calibrations:
     model = Calibrations()
-    model.load(InputSource.RC, stored(InputSource.RC))
+    model.load("trex", InputSource.RC, stored(InputSource.RC))
     return model
 
 
@@ -85,20 +85,20 @@ def test_an_edit_that_came_during_the_write_is_kept(model: Calibrations) -> None
 
 def test_edits_stay_when_the_same_inputs_are_read_again(model: Calibrations) -> None:
     model.edit(1, LEARNED)
-    model.load(InputSource.RC, stored(InputSource.RC))
+    model.load("trex", InputSource.RC, stored(InputSource.RC))
     assert model.pending == ((1, LEARNED),)
 
 
 def test_an_edit_that_somebody_else_has_written_is_none_any_more(model: Calibrations) -> None:
     model.edit(1, LEARNED)
-    model.load(InputSource.RC, stored(InputSource.RC) | {1: LEARNED})
+    model.load("trex", InputSource.RC, stored(InputSource.RC) | {1: LEARNED})
     assert model.pending == ()
 
 
 def test_edits_of_the_other_kind_of_input_are_not_kept(model: Calibrations, qtbot: QtBot) -> None:
     model.edit(1, LEARNED)
     with qtbot.waitSignal(model.pending_changed) as pending:
-        model.load(InputSource.ANALOG, stored(InputSource.ANALOG))
+        model.load("trex", InputSource.ANALOG, stored(InputSource.ANALOG))
     assert pending.args == [0]
     assert model.source is InputSource.ANALOG
     assert model.pending == ()
