@@ -136,8 +136,13 @@ class SerialTransport:
             time.sleep(seconds)
 
     def close(self) -> None:
+        # pyserial forgets to close the socket of a remote port that the other side has left.
+        remote = getattr(self._port, "_socket", None)
         with contextlib.suppress(*_PORT_ERRORS):
             self._port.close()
+        if remote is not None:
+            with contextlib.suppress(*_PORT_ERRORS):
+                remote.close()
 
     def _gone(self, error: Exception) -> PortUnavailable:
         log.info("the line %s is gone: %s", self._url, error)
