@@ -138,7 +138,7 @@ def test_a_stop_is_proved_by_an_answer(stage: Stage) -> None:
     assert outcomes(stage.reports)[1].error is None
     sent = commands(stage.transport.sent)
     begin = sent.index(STOP[0])
-    assert sent[begin : begin + 5] == [*STOP, *STOP, GetStatus()]
+    assert sent[begin : begin + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
 
 
 def test_a_stop_needs_no_wish_before_it(stage: Stage) -> None:
@@ -179,7 +179,7 @@ def test_a_stop_overtakes_what_is_left_of_a_write(stage: Stage) -> None:
     writes = [index for index, one in enumerate(sent) if isinstance(one, SetParameter)]
     stop = sent.index(STOP[0])
     assert writes[0] < stop < writes[-1]
-    assert sent[stop : stop + 5] == [*STOP, *STOP, GetStatus()]
+    assert sent[stop : stop + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
     found = outcomes(stage.reports)
     assert list(found) == [2, 1]  # and the write goes on to its end
     assert found[1].error is None

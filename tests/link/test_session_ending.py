@@ -58,7 +58,7 @@ GONE = PortUnavailable("The line is gone. Plug it in again.")
 def test_motors_that_were_driven_are_stopped_on_closing(stage: Stage, wish: Request) -> None:
     stage.script.at(1.0, wish)
     assert run_for(stage, 2.0)[-1] == Closed(None, may_move=False)
-    assert commands(stage.transport.sent)[-5:] == [*STOP, *STOP, GetStatus()]
+    assert commands(stage.transport.sent)[-6:] == [*STOP, GetStatus(), *STOP, GetStatus()]
     assert [motor.speed for motor in stage.board.motors] == [127, 127]
     assert all(motor.direction is Direction.BRAKE for motor in stage.board.motors)
     assert stage.board.aux.speed == 0

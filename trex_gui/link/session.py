@@ -59,7 +59,7 @@ _TICK = 1e-5
 
 _FAILURES_TO_SILENCE = 3
 _RETRY_INTERVAL = 0.25
-_CLOSING_ATTEMPTS = 3
+_CLOSING_ATTEMPTS = 6
 
 
 class _Closing(Exception):  # noqa: N818 - no error: the session was asked to end
