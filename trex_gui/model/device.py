@@ -290,6 +290,8 @@ class Device(QObject):
 
     @Slot(object)
     def _on_reported(self, report: Report) -> None:
+        if self._worker is None:
+            return  # it was on its way when the line was shut down
         match report:
             case Batch():
                 self._take_samples(report)
