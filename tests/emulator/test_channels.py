@@ -1,141 +1,167 @@
-import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+"""The five inputs in time: when each is measured, how long it is kept."""
 
-from trex_gui.emulator.channels import Channels, ChannelSetup, Signal, SignalKind, motor_values
-from trex_gui.protocol.calibration import DEFAULT_CALIBRATION
+import math
+from itertools import pairwise
+
+import pytest
+
+from trex_gui.emulator.channels import Channels
+from trex_gui.emulator.signals import Signal, SignalKind
 from trex_gui.protocol.flags import CHANNELS, InputSource
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
-SETUP = ChannelSetup((DEFAULT_CALIBRATION[RC],) * 5)
-values = st.integers(-127, 127)
+TICK = 0.0025
+PERIOD = 8
+"""Ticks in which each input is renewed once."""
 
 
-@pytest.mark.parametrize(
-    ("text", "source", "raw"),
-    [
-        ("1500us", RC, 3750),
-        ("1500 µs", RC, 3750),
-        ("3637", RC, 3637),
-        ("500us", RC, 1250),
-        ("2500us", RC, 6250),
-        ("499us", RC, None),
-        ("2501us", RC, None),
-        ("invalid", RC, None),
-        ("2.5V", RC, None),
-        ("2.5V", ANALOG, 512),
-        ("2500mv", ANALOG, 512),
-        ("0", ANALOG, 0),
-        ("1023", ANALOG, 1023),
-        ("5V", ANALOG, 1023),
-        ("invalid", ANALOG, 0),
-        ("1500us", ANALOG, 77),
-        ("rest", RC, 3750),
-        ("rest", ANALOG, 512),
-    ],
-)
-def test_what_is_connected_is_measured(text: str, source: InputSource, raw: int | None) -> None:
+def ticks(channels: Channels, count: int) -> list[tuple[int | None, ...]]:
+    seen = []
+    for _ in range(count):
+        channels.advance(TICK)
+        seen.append(channels.raw)
+    return seen
+
+
+@pytest.fixture
+def rc() -> Channels:
+    return Channels(RC)
+
+
+@pytest.fixture
+def analog() -> Channels:
+    return Channels(ANALOG)
+
+
+def test_at_power_up_no_pulse_has_been_measured(rc: Channels) -> None:
+    assert rc.raw == (None,) * 5
+    assert all(rc.silent_for(channel) == math.inf for channel in CHANNELS)
+
+
+def test_at_power_up_no_voltage_has_been_measured(analog: Channels) -> None:
+    assert analog.raw == (0,) * 5
+    assert ticks(analog, PERIOD - 1) == [(0,) * 5] * (PERIOD - 1)
+    assert ticks(analog, 1) == [(512,) * 5]
+
+
+def test_after_another_power_up_everything_is_forgotten(rc: Channels) -> None:
+    rc.connect(1, Signal.pulses(1200))
+    ticks(rc, PERIOD)
+    rc.begin(RC)
+    assert rc.raw == (None,) * 5
+    assert rc.silent_for(1) == math.inf
+    ticks(rc, PERIOD)
+    assert rc.raw[0] == 3000
+
+
+def test_in_a_fiftieth_of_a_second_each_input_has_its_first_pulse_at_its_own_time(
+    rc: Channels,
+) -> None:
+    seen = ticks(rc, PERIOD)
+    assert seen[-1] == (3750,) * 5
+    firsts = [next(tick for tick, raw in enumerate(seen) if raw[index]) for index in range(5)]
+    assert len(set(firsts)) == 5
+
+
+@pytest.mark.parametrize("channel", CHANNELS)
+@pytest.mark.parametrize("source", InputSource)
+def test_each_input_is_renewed_fifty_times_a_second(channel: int, source: InputSource) -> None:
     channels = Channels(source)
-    channels.connect(2, Signal.parse(text, source))
-    assert channels.raw[1] == raw
+    changes = []
+    for tick in range(400):
+        before = channels.raw[channel - 1]
+        channels.connect(channel, Signal.from_counts(500 + 4 * tick, source))
+        channels.advance(TICK)
+        if channels.raw[channel - 1] != before:
+            changes.append(tick)
+        if source is ANALOG and 500 + 4 * tick > 1000:
+            break
+    assert {after - before for before, after in pairwise(changes[1:])} == {PERIOD}
 
 
-@pytest.mark.parametrize(
-    "text", ["", "stick", "5.01V", "-1us", "20000us", "nan", "inf", "1e3", "1500 ms", "2.5.5V"]
-)
-def test_what_no_input_can_carry_is_refused(text: str) -> None:
-    with pytest.raises(ValueError, match=r".+"):
-        Signal.parse(text, RC)
+def test_a_pulse_is_measured_when_it_comes_and_not_when_it_is_connected(rc: Channels) -> None:
+    ticks(rc, PERIOD)
+    for channel in CHANNELS:
+        rc.connect(channel, Signal.pulses(1200))
+    assert rc.raw == (3750,) * 5
+    for values in zip(*ticks(rc, PERIOD), strict=True):
+        before = values.count(3750)
+        assert values == (3750,) * before + (3000,) * (PERIOD - before)
+        assert before < PERIOD
 
 
-@given(counts=st.integers(1250, 6250))
-def test_raw_counts_of_pulses_come_back(counts: int) -> None:
-    assert Signal.from_counts(counts, RC).measured(RC) == counts
+def test_a_bad_pulse_shows_at_the_next_pulse(rc: Channels) -> None:
+    ticks(rc, PERIOD)
+    rc.connect(4, Signal(SignalKind.BAD_PULSES))
+    assert rc.raw == (3750,) * 5
+    seen = ticks(rc, PERIOD)
+    assert seen[0][3] == 3750
+    assert seen[-1] == (3750, 3750, 3750, None, 3750)
+    assert rc.silent_for(4) > rc.silent_for(1)
 
 
-@given(counts=st.integers(0, 1023))
-def test_raw_counts_of_voltages_come_back(counts: int) -> None:
-    assert Signal.from_counts(counts, ANALOG).measured(ANALOG) == counts
+def test_a_good_pulse_after_a_bad_one_counts_again(rc: Channels) -> None:
+    rc.connect(1, Signal(SignalKind.BAD_PULSES))
+    ticks(rc, 4 * PERIOD)
+    rc.connect(1, Signal.pulses(1200))
+    assert rc.raw[:1] == (None,)
+    ticks(rc, PERIOD)
+    assert rc.raw[:1] == (3000,)
+    assert rc.silent_for(1) < PERIOD * TICK
 
 
-def test_a_silent_channel_keeps_its_value_for_a_tenth_of_a_second() -> None:
-    channels = Channels(RC)
-    channels.connect(1, Signal.pulses(1200))
-    channels.connect(1, Signal(SignalKind.SILENCE))
-    channels.advance(0.09)
-    assert channels.raw[:1] == (3000,)
-    channels.advance(0.02)
-    assert channels.raw[:1] == (None,)
-    assert channels.silent_for(1) == pytest.approx(0.11)
-    channels.connect(1, Signal.pulses(1500))
-    assert channels.raw[:1] == (3750,)
-    assert channels.silent_for(1) == 0
-
-
-def test_a_bad_pulse_shows_at_once() -> None:
-    channels = Channels(RC)
-    channels.connect(4, Signal(SignalKind.BAD_PULSES))
-    assert channels.raw == (3750, 3750, 3750, None, 3750)
-
-
-def test_a_reversed_channel_changes_its_sign_and_an_ignored_one_rests() -> None:
-    raw = [4500] * 5
-    plain = SETUP.remapped(raw)[0]
-    masked = ChannelSetup(SETUP.calibrations, reversed_=0b00010, ignored=0b00100)
-    assert masked.remapped(raw) == (plain, -plain, 0, plain, plain)
-
-
-def test_a_parabolic_channel_is_gentler() -> None:
-    raw = [4362] * 5
-    gentle = ChannelSetup(SETUP.calibrations, parabolic=0b00001).remapped(raw)
-    assert 0 < gentle[0] < gentle[1]
-
-
-@pytest.mark.parametrize(
-    ("raw", "active"), [(None, False), (3750, False), (3126, False), (3124, True), (2500, True)]
-)
-def test_a_switch_is_active_below_the_middle_of_its_lower_half(
-    raw: int | None, active: bool
+@pytest.mark.parametrize("text", ["silent", "2.5V", "1500us lost 1"])
+@pytest.mark.parametrize("channel", CHANNELS)
+def test_a_silent_channel_keeps_its_value_for_a_tenth_of_a_second(
+    rc: Channels, channel: int, text: str
 ) -> None:
-    assert SETUP.is_switched(5, raw) is active
+    rc.connect(channel, Signal.pulses(1200))
+    ticks(rc, PERIOD)
+    last_pulse = rc.silent_for(channel)
+    rc.connect(channel, Signal.parse(text, RC))
+    kept = [raw[channel - 1] for raw in ticks(rc, 60)]
+    frozen = kept.count(3000)
+    assert kept == [3000] * frozen + [None] * (60 - frozen)
+    assert last_pulse + frozen * TICK == pytest.approx(0.1, abs=1.5 * TICK)
+    assert rc.silent_for(channel) == pytest.approx(last_pulse + 0.15)
 
 
-def test_a_switch_that_is_ignored_or_reversed_obeys_that() -> None:
-    assert not ChannelSetup(SETUP.calibrations, ignored=0x10).is_switched(5, 2500)
-    turned = ChannelSetup(SETUP.calibrations, reversed_=0x08)
-    assert turned.is_switched(4, 5000)
-    assert not turned.is_switched(4, 2500)
+def test_a_lost_pulse_now_and_then_is_not_seen(rc: Channels) -> None:
+    rc.connect(1, Signal.parse("1500us lost 0.2", RC))
+    ticks(rc, 10 * PERIOD)
+    seen = [raw[0] for raw in ticks(rc, 200 * PERIOD)]
+    assert seen.count(3750) > 0.98 * len(seen)
 
 
-def test_without_jumper_and_switch_each_channel_has_its_motor() -> None:
-    assert motor_values((10, -20), mix=False, flip=False, joint=False) == (10, -20)
+def test_when_nearly_all_pulses_are_lost_the_value_goes(rc: Channels) -> None:
+    rc.connect(1, Signal.parse("1500us lost 0.95", RC))
+    seen = [raw[0] for raw in ticks(rc, 500 * PERIOD)]
+    assert 0 < seen.count(3750) < 0.5 * len(seen)
+    assert set(seen) == {None, 3750}
 
 
-def test_mixing_adds_the_turn_to_one_motor_and_takes_it_from_the_other() -> None:
-    assert motor_values((30, 100), mix=True, flip=False, joint=False) == (127, 70)
-    assert motor_values((127, -127), mix=True, flip=False, joint=False) == (0, -127)
+def test_a_voltage_is_the_average_of_the_last_fiftieth_of_a_second(analog: Channels) -> None:
+    analog.connect(1, Signal.voltage(0))
+    ticks(analog, PERIOD)
+    ticks(analog, PERIOD // 4)
+    analog.connect(1, Signal.voltage(5))
+    seen = [raw[0] for raw in ticks(analog, PERIOD - PERIOD // 4)]
+    assert seen[:-1] == [0] * (len(seen) - 1)
+    assert seen[-1] == pytest.approx(0.75 * 1023, abs=1)
+    assert ticks(analog, PERIOD)[-1][0] == 1023
 
 
-def test_flip_exchanges_and_turns_the_motors() -> None:
-    assert motor_values((10, -20), mix=False, flip=True, joint=False) == (20, -10)
-    assert motor_values((30, 50), mix=True, flip=True, joint=False) == (-20, -80)
+def test_averaging_takes_most_of_the_noise_away() -> None:
+    analog = Channels(ANALOG, seed=2)
+    analog.connect(1, Signal.parse("2.5V noise 100mV", ANALOG))  # 20 counts each
+    seen = [raw[0] or 0 for raw in ticks(analog, 500 * PERIOD)[PERIOD - 1 :: PERIOD]]
+    mean = sum(seen) / len(seen)
+    spread = (sum((value - mean) ** 2 for value in seen) / len(seen)) ** 0.5
+    assert mean == pytest.approx(511.5, abs=1)
+    assert spread == pytest.approx(20.46 / 4, rel=0.15)
 
 
-def test_joint_mode_does_not_mix() -> None:
-    assert motor_values((10, 50), mix=True, flip=False, joint=True) == (10, 50)
-    assert motor_values((10, 50), mix=True, flip=True, joint=True) == (-10, 50)
-
-
-@given(first=values, second=values, mix=st.booleans(), flip=st.booleans(), joint=st.booleans())
-def test_no_motor_is_asked_for_more_than_it_has(
-    first: int, second: int, mix: bool, flip: bool, joint: bool
-) -> None:
-    asked = motor_values((first, second), mix=mix, flip=flip, joint=joint)
-    assert all(abs(value) <= 127 for value in asked)
-
-
-@given(raw=st.lists(st.none() | st.integers(0, 0xFFFE), min_size=5, max_size=5))
-def test_whatever_is_measured_is_remapped(raw: list[int | None]) -> None:
-    remapped = SETUP.remapped(raw)
-    assert len(remapped) == len(CHANNELS)
-    assert all(-127 <= value <= 127 for value in remapped)
+def test_disconnecting_puts_every_input_at_rest(rc: Channels) -> None:
+    rc.connect(3, Signal.parse("1200us noise 2us", RC))
+    rc.disconnect()
+    assert [rc.signal(channel).text for channel in CHANNELS] == ["rest"] * 5

@@ -9,6 +9,11 @@ from trex_gui.emulator.control import GOODBYE, control
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
+from trex_gui.emulator.physics import CONSTANTS
+from trex_gui.protocol.flags import UartError
+
+PULSES = 0.025
+"""Seconds in which every input is renewed."""
 
 
 def show(line: Line, name: str = "") -> dict[str, Any]:
@@ -39,14 +44,38 @@ def two() -> Line:
     ],
 )
 def test_channels_are_set(line: Line, text: str, raw: int | None) -> None:
-    assert control(line, text).startswith("ok")
+    line.advance(PULSES)
+    assert control(line, text).startswith("ok channel 2 gets ")
+    assert show(line)["channels"][1]["raw"] == 3750
+    line.advance(PULSES)
     assert show(line)["channels"][1]["raw"] == raw
+
+
+@pytest.mark.parametrize(
+    ("text", "signal"),
+    [
+        ("1500us", "1500us"),
+        ("3750", "1500us"),
+        ("Silent", "silent"),
+        ("1500us noise 2us", "1500us noise 2us"),
+        ("1500us noise 2us lost 0.1", "1500us noise 2us lost 0.1"),
+        ("1500us lost 1", "1500us lost 1"),
+        ("2.5v noise 20mv", "2.5V noise 0.02V"),
+    ],
+)
+def test_the_answer_and_show_say_what_a_channel_gets(line: Line, text: str, signal: str) -> None:
+    assert control(line, f"channel 1 {text}") == f"ok channel 1 gets {signal}"
+    assert show(line)["channels"][0]["signal"] == signal
+    assert control(line, f"channel 1 {signal}") == f"ok channel 1 gets {signal}"
 
 
 def test_voltages_are_set_where_they_are_measured(line: Line) -> None:
     line.boards[0].eeprom.write("channel_input_source", 1)
     control(line, "power cycle")
-    assert control(line, "channel 5 2.5V") == "ok channel 5 reads 512"
+    assert control(line, "channel 5 2.5V") == "ok channel 5 gets 2.5V"
+    assert show(line)["channels"][4]["raw"] == 0
+    line.advance(PULSES)
+    assert show(line)["channels"][4]["raw"] == 512
     assert show(line)["mode"] == "a"
 
 
@@ -56,11 +85,13 @@ def test_jumpers(line: Line) -> None:
     control(line, "power cycle")
     assert show(line)["mode"] == "R"
     control(line, "channel 2 1750us")
+    line.advance(PULSES)
     assert show(line)["channels"][0]["remapped"] == 0
     assert control(line, "jumper mix on").startswith("ok")
     assert show(line)["channels"][0]["remapped"] > 0
     assert control(line, "jumper so-ground on").startswith("ok")
     assert line.boards[0].so_ground
+    assert show(line)["jumpers"] == {"mode": "rc", "mix": True, "so_ground": True}
 
 
 def test_power(line: Line) -> None:
@@ -108,6 +139,85 @@ def test_faults_of_the_wire(line: Line) -> None:
     assert line.plugged
 
 
+def test_the_battery_is_set_and_shown(line: Line) -> None:
+    ohm = CONSTANTS["trex"].battery_resistance
+    assert control(line, "battery 9") == f"ok battery 9 V, {ohm} ohm"
+    assert control(line, "battery 7.5V 0.25") == "ok battery 7.5 V, 0.25 ohm"
+    assert show(line)["battery"] == 7.5
+    line.advance(0.01)
+    assert show(line)["supply"] == 7.5
+
+
+def test_an_empty_battery_resets_the_board_and_a_full_one_starts_it(line: Line) -> None:
+    control(line, "battery 2")
+    line.advance(0.01)
+    assert show(line)["power"] is False
+    assert control(line, "power on") == "ok power off"
+    control(line, "battery 12")
+    line.advance(0.01)
+    shown = show(line)
+    assert shown["power"] is True
+    assert (shown["counters"]["brown_outs"], shown["counters"]["power_ups"]) == (1, 2)
+
+
+def test_a_cell_of_the_eeprom_acts_after_a_power_cycle(line: Line) -> None:
+    assert control(line, "eeprom uart_settings 0x0A") == (
+        "ok uart_settings is 10; power cycle to use it"
+    )
+    assert show(line)["parameters"]["uart_settings"] == 10
+    assert show(line)["active_uart"]["baud"] == 19200
+    control(line, "power cycle")
+    assert show(line)["active_uart"]["baud"] == 115200
+
+
+def test_back_to_the_factory(line: Line) -> None:
+    fresh = show(line)
+    for text in (
+        "eeprom device_number 3", "jumper mode analog", "jumper mix on", "channel 1 2V",
+        "battery 9 0.3", "load 1 5", "fault 1 on", "current 2 9", "power cycle",
+    ):  # fmt: skip
+        assert control(line, text).startswith("ok"), text
+    line.advance(1)
+    assert control(line, "factory") == "ok as new"
+    shown = show(line)
+    assert {key for key in shown if shown[key] != fresh[key]} == {"counters"}
+    line.advance(0.01)
+    assert show(line)["supply"] == 12.0
+
+
+def test_a_board_that_was_off_is_on_when_it_is_as_new(line: Line) -> None:
+    control(line, "power off")
+    assert control(line, "factory") == "ok as new"
+    assert show(line)["power"] is True
+
+
+@pytest.mark.parametrize(
+    ("text", "spoilt"),
+    [
+        ("line error framing", [UartError.FRAMING]),
+        ("line error overrun 2", [UartError.DATA_OVERRUN] * 2),
+        ("LINE ERROR PARITY 1", [UartError.PARITY]),
+        ("line error parity 0", []),
+    ],
+)
+def test_errors_that_a_uart_will_find(line: Line, text: str, spoilt: list[UartError]) -> None:
+    assert control(line, text).startswith("ok the next ")
+    assert list(line.to_spoil) == spoilt
+
+
+def test_errors_are_queued(line: Line) -> None:
+    for name in ("framing", "overrun"):
+        control(line, f"line error {name}")
+    assert list(line.to_spoil) == [UartError.FRAMING, UartError.DATA_OVERRUN]
+
+
+def test_show_tells_the_state_of_the_wire(line: Line) -> None:
+    assert show(line)["line"] == {"plugged": True, "mute": False, "noise": 0.0}
+    for text in ("line unplug", "line mute on", "line noise 0.5"):
+        control(line, text)
+    assert show(line)["line"] == {"plugged": False, "mute": True, "noise": 0.5}
+
+
 def test_show_counts_what_the_wire_did(line: Line) -> None:
     line.send(b"\x81")
     line.advance(1)
@@ -148,6 +258,27 @@ def test_a_board_keeps_its_name_when_its_number_changes(two: Line) -> None:
         "channel ² 1500us",
         "channel 1 9V",
         "channel 1 nan",
+        "channel 1 1500us noise",
+        "channel 1 1500us lost 2",
+        "channel 1 1500us noise 1V",
+        "battery",
+        "battery -1",
+        "battery 25",
+        "battery nan",
+        "battery 12 -1",
+        "battery 12 101",
+        "battery 12 0.1 x",
+        "eeprom",
+        "eeprom device_number",
+        "eeprom device_number 128",
+        "eeprom device_number seven",
+        "eeprom warp_factor 9",
+        "eeprom factory_reset 127",
+        "factory now",
+        "line error",
+        "line error noise",
+        "line error framing 10001",
+        "line error framing -1",
         "jumper",
         "jumper mode turbo",
         "jumper mix maybe",
@@ -187,6 +318,7 @@ def test_quit_is_answered(line: Line) -> None:
 
 
 COMMANDS = ["channel", "jumper", "power", "load", "current", "fault", "line", "show", "@7", "@9"]
+COMMANDS += ["battery", "eeprom", "factory", "error", "framing", "overrun", "lost", "device_number"]
 DETAILS = ["1", "5", "-1", "1e9", "on", "off", "cycle", "auto", "mode", "mix", "rc", "mute", "drop"]
 MORE = ["garbage", "noise", "unplug", "plug", "00", "ff", "0.5", "1500us", "2.5V", "silent"]
 words = st.sampled_from(COMMANDS + DETAILS + MORE)

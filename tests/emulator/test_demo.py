@@ -1,8 +1,8 @@
 from itertools import pairwise
 
-from trex_gui.emulator.channels import Signal
 from trex_gui.emulator.demo import Demo
 from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.signals import Signal
 
 
 def watch(board: Board, demo: Demo, seconds: float) -> list[tuple[int | None, ...]]:

@@ -1,4 +1,5 @@
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -97,13 +98,17 @@ def _document(**changes: Any) -> str:
         (_document(rc_calibration=[]), "rc_calibration is not a list of 5"),
         (_document(rc_calibration=[3] * 5), "rc_calibration, channel 1"),
         (
+            _document(analog_calibration=[{"minimum": 5, "neutral": 4, "maximum": 9}] * 5),
+            "analog_calibration, channel 1 does not have minimum",
+        ),
+        (
             _document(
-                analog_calibration=[
-                    {"minimum": 5, "neutral": 4, "maximum": 9, "deadband": 1},
+                rc_calibration=[
+                    {"minimum": 5, "neutral": 6, "maximum": 16384, "deadband": 1},
                 ]
                 * 5
             ),
-            "minimum 5 is above neutral 4",
+            "maximum is not a number from 0 to 16383",
         ),
         (
             _document(
@@ -126,6 +131,41 @@ def test_a_damaged_file_gives_one_sentence(tmp_path: Path, text: str, why: str) 
     assert why in message
     assert "\n" not in message
     assert path.read_text(encoding="utf-8") == text
+
+
+def test_calibrations_in_any_order_are_loaded(tmp_path: Path) -> None:
+    path = tmp_path / "eeprom.json"
+    row = {"minimum": 9, "neutral": 4, "maximum": 4, "deadband": 16383}
+    path.write_text(_document(analog_calibration=[row] * 5), encoding="utf-8")
+    eeprom = Eeprom.open(path)
+    assert eeprom.calibration(InputSource.ANALOG, 3) == Calibration(9, 4, 4, 16383)
+    assert eeprom.learned(InputSource.ANALOG) == 0b11111
+
+
+def test_back_from_the_factory_everything_is_as_new_in_the_file_too(tmp_path: Path) -> None:
+    path = tmp_path / "eeprom.json"
+    eeprom = Eeprom.open(path, "trexjr")
+    new = path.read_text(encoding="utf-8")
+    eeprom.write("uart_settings", 0x2A)
+    eeprom.write_calibration(InputSource.RC, 5, STICK)
+    eeprom.write_calibration(InputSource.ANALOG, 1, STICK)
+    eeprom.request_reset()
+    eeprom.make_new()
+    assert path.read_text(encoding="utf-8") == new
+    assert eeprom["uart_settings"] == 5
+    assert eeprom.learned(InputSource.RC) == eeprom.learned(InputSource.ANALOG) == 0
+    assert not eeprom.reset_pending
+
+
+@pytest.mark.parametrize("field", ["minimum", "neutral", "maximum", "deadband"])
+def test_one_value_of_a_calibration_is_written_and_lost_by_itself(field: str) -> None:
+    eeprom = Eeprom()
+    eeprom.write_calibration(InputSource.RC, 2, STICK)
+    eeprom.write_calibration_value(InputSource.RC, 2, field, 9)
+    assert eeprom.calibration(InputSource.RC, 2) == replace(STICK, **{field: 9})
+    eeprom.lose_calibration_value(InputSource.RC, 2, field)
+    factory = getattr(DEFAULT_CALIBRATION[InputSource.RC], field)
+    assert eeprom.calibration(InputSource.RC, 2) == replace(STICK, **{field: factory})
 
 
 @given(data=st.binary(max_size=60))

@@ -1,14 +1,15 @@
 import pytest
 
-from trex_gui.emulator.channels import Signal
+from tests.emulator.ports import SETTLED
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.motors import Direction
+from trex_gui.emulator.signals import Signal
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import ResultCode
-from trex_gui.protocol.flags import InputSource, Mode, Status, UartError
+from trex_gui.protocol.flags import InputSource, Mode, UartError
 
-FORWARD, REVERSE, BRAKE = Direction.FORWARD, Direction.REVERSE, Direction.BRAKE
+FORWARD = Direction.FORWARD
 
 
 def write(board: Board, key: str, value: int) -> None:
@@ -18,19 +19,12 @@ def write(board: Board, key: str, value: int) -> None:
     board.advance(0.005)
 
 
-def put(board: Board, channel: int, text: str) -> None:
-    board.connect(channel, Signal.parse(text, board.channels.source))
-
-
-def waits(board: Board) -> bool:
-    return board.safe_start
-
-
 @pytest.fixture
 def rc() -> Board:
     """A board in RC mode that has left safe-start."""
     board = Board(mode="rc")
-    board.advance(0.02)
+    board.advance(SETTLED)
+    assert not board.safe_start
     return board
 
 
@@ -88,6 +82,32 @@ class TestPower:
         eeprom.write("channel_input_source", 1)
         assert Board(eeprom=eeprom).mode is Mode.SERIAL_ANALOG
         assert Board(eeprom=eeprom, mode="rc").mode is Mode.RC
+
+    def test_back_from_the_factory_it_is_as_new_and_only_time_has_gone_on(self) -> None:
+        board = Board(mode="rc", mix=True)
+        board.eeprom.write("device_number", 9)
+        board.eeprom.write_calibration(InputSource.RC, 1, Calibration(1, 2, 3, 0))
+        board.eeprom.request_reset()
+        board.mode_jumper, board.mix, board.so_ground = "serial", False, True
+        board.connect(1, Signal.pulses(2000))
+        board.set_fault(2, fault=True)
+        board.force_current(1, 5.0)
+        board.physics[0].load = 9.0
+        board.machine.battery, board.machine.resistance = 9.0, 0.3
+        board.power_cycle()
+        board.advance(0.5)
+        board.make_new()
+        assert board.now == 0.5
+        new = Board(mode="rc", mix=True)
+        for each in (board, new):
+            each.advance(0.1)
+        left = {"counters", "leds"}
+        shown, wanted = (
+            {key: value for key, value in each.show().items() if key not in left}
+            for each in (board, new)
+        )
+        assert shown == wanted
+        assert board.memory.learned(InputSource.RC) == 0
 
     def test_time_in_small_steps_is_time_in_one(self) -> None:
         boards = Board(seed=3), Board(seed=3)
@@ -150,7 +170,8 @@ class TestParameters:
         assert board.memory.busy_for == 0
 
     def test_only_serial_mode_takes_them(self, rc: Board) -> None:
-        put(rc, 5, "1000us")
+        rc.connect(5, Signal.pulses(1000))
+        rc.advance(0.025)
         assert rc.serial.in_control
         assert rc.set_parameter(0x07, 1) is ResultCode.NOT_SERIAL_MODE
         code = rc.set_calibration(1, Calibration(1, 2, 3, 0))
@@ -187,262 +208,3 @@ class TestParameters:
     def test_a_calibration_out_of_order_is_refused(self, values: tuple[int, int, int]) -> None:
         code = Board().set_calibration(1, Calibration(*values, 0))
         assert code is ResultCode.BAD_VALUE
-
-
-class TestChannelControl:
-    def test_safe_start_ends_when_all_is_well(self) -> None:
-        board = Board(mode="rc")
-        put(board, 2, "1900us")
-        board.power_cycle()
-        board.advance(0.1)
-        assert waits(board)
-        assert board.motors[1].direction is BRAKE
-        put(board, 2, "1500us")
-        assert not waits(board)
-        put(board, 2, "1900us")
-        board.advance(0.02)
-        assert not waits(board)
-        assert board.motors[1].direction is FORWARD
-
-    @pytest.mark.parametrize(
-        ("channel", "text"), [(1, "invalid"), (1, "1300us"), (3, "1900us"), (5, "1000us")]
-    )
-    def test_safe_start_waits_for(self, channel: int, text: str) -> None:
-        board = Board(mode="rc")
-        put(board, channel, text)
-        board.power_cycle()
-        board.advance(1)
-        assert waits(board)
-
-    def test_a_channel_that_is_not_required_may_be_silent(self) -> None:
-        board = Board(mode="rc")
-        put(board, 2, "invalid")
-        board.power_cycle()
-        board.advance(1)
-        assert not waits(board)
-
-    def test_a_required_channel_that_falls_silent_stops_the_motors(self, rc: Board) -> None:
-        put(rc, 2, "2000us")
-        rc.advance(0.1)
-        assert rc.motors[1].speed == 127
-        put(rc, 1, "silent")
-        rc.advance(0.49)
-        assert not waits(rc)
-        rc.advance(0.03)
-        assert waits(rc)
-        assert (rc.motors[1].direction, rc.motors[1].speed) == (BRAKE, 127)
-        put(rc, 1, "1500us")
-        assert waits(rc)  # channel 2 is not at rest
-        put(rc, 2, "1500us")
-        assert not waits(rc)
-
-    def test_sticks_drive_the_motors_with_their_ramps(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("motor1_acceleration", 50)
-        board = Board(mode="rc", eeprom=eeprom)
-        board.advance(0.02)
-        put(board, 1, "1000us")
-        put(board, 3, "2000us")
-        board.advance(0.1)
-        assert (board.motors[0].direction, board.motors[0].speed) == (REVERSE, 50)
-        assert board.aux.speed == 127
-
-    def test_in_the_deadband_the_motor_is_braked_as_told(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("motor1_deadband_brake_pwm", 33)
-        board = Board(mode="rc", eeprom=eeprom)
-        board.advance(0.02)
-        assert (board.motors[0].direction, board.motors[0].speed) == (BRAKE, 33)
-
-    def test_the_mix_jumper_acts_at_once(self, rc: Board) -> None:
-        put(rc, 2, "1750us")
-        rc.mix = True
-        first, second, *_ = rc.remapped
-        assert first == second > 0
-        rc.advance(0.02)
-        assert rc.motors[0].speed == rc.motors[1].speed == first
-
-    def test_analog_mode_reads_voltages(self) -> None:
-        board = Board(mode="analog")
-        board.advance(0.02)
-        assert not waits(board)
-        put(board, 1, "5V")
-        board.advance(0.02)
-        assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
-
-
-class TestSerialOverride:
-    def test_channel_five_hands_control_to_the_latest_serial_orders(self, rc: Board) -> None:
-        rc.serial.drive(1, FORWARD, 10)
-        rc.serial.drive(1, FORWARD, 77)
-        rc.serial.drive(2, REVERSE, 55, accelerate=True)
-        rc.serial.drive_aux(44)
-        rc.advance(0.1)
-        assert rc.motors[0].direction is BRAKE
-        put(rc, 5, "1000us")
-        assert rc.override
-        assert rc.serial.in_control
-        assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 77)
-        assert rc.aux.speed == 44
-        assert rc.motors[1].speed != 55
-        rc.advance(0.01)
-        assert (rc.motors[1].direction, rc.motors[1].speed) == (REVERSE, 55)
-
-    def test_a_motor_without_an_order_stops(self, rc: Board) -> None:
-        put(rc, 1, "2000us")
-        rc.advance(0.05)
-        put(rc, 5, "1000us")
-        assert (rc.motors[0].direction, rc.motors[0].speed) == (BRAKE, 127)
-
-    def test_the_sticks_take_over_again(self, rc: Board) -> None:
-        rc.serial.drive(1, FORWARD, 77)
-        put(rc, 5, "1000us")
-        put(rc, 1, "1000us")
-        put(rc, 5, "2000us")
-        rc.advance(0.02)
-        assert not rc.serial.in_control
-        assert (rc.motors[0].direction, rc.motors[0].speed) == (REVERSE, 127)
-
-    def test_serial_mode_knows_no_override(self) -> None:
-        board = Board()
-        put(board, 5, "1000us")
-        board.advance(0.1)
-        assert not board.override
-        assert board.serial.in_control
-
-
-class TestSafety:
-    def test_motors_stop_when_the_host_falls_silent(self) -> None:
-        board = Board()
-        write(board, "serial_timeout", 5)
-        board.hear()
-        board.serial.drive(1, FORWARD, 100)
-        board.serial.drive_aux(100)
-        board.advance(0.49)
-        assert board.motors[0].speed == 100
-        board.advance(0.02)
-        assert (board.motors[0].direction, board.aux.speed) == (BRAKE, 0)
-        assert board.serial.take_uart_errors() == UartError.TIMEOUT
-        assert board.serial.take_status() == Status.UART_ERROR
-
-    def test_the_timeout_is_latched_once_for_each_silence(self) -> None:
-        board = Board()
-        write(board, "serial_timeout", 1)
-        board.hear()
-        board.advance(0.2)
-        assert board.serial.take_uart_errors()
-        board.advance(1)
-        assert not board.serial.take_uart_errors()
-        board.hear()
-        board.advance(0.2)
-        assert board.serial.take_uart_errors()
-
-    def test_every_byte_puts_the_timeout_off_and_the_next_order_starts_again(self) -> None:
-        board = Board()
-        write(board, "serial_timeout", 1)
-        board.serial.drive(1, FORWARD, 100)
-        for _ in range(50):
-            board.hear()
-            board.advance(0.09)
-        assert board.motors[0].speed == 100
-        board.advance(0.1)
-        assert board.motors[0].direction is BRAKE
-        board.hear()
-        board.serial.drive(1, REVERSE, 5)
-        assert (board.motors[0].direction, board.motors[0].speed) == (REVERSE, 5)
-
-    def test_an_old_order_of_a_silent_host_does_not_come_back(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("serial_timeout", 5)
-        board = Board(mode="rc", eeprom=eeprom)
-        board.advance(0.02)
-        board.hear()
-        board.serial.drive(1, FORWARD, 77)
-        board.advance(2)
-        assert not board.serial.uart_errors  # the channels are in control
-        put(board, 5, "1000us")
-        board.advance(0.02)
-        assert board.motors[0].direction is BRAKE
-        assert board.serial.uart_errors == UartError.TIMEOUT
-
-    @pytest.mark.parametrize(("setting", "speed"), [(0, 100), (1, 127)])
-    def test_a_line_error_stops_the_motors_if_told_so(self, setting: int, speed: int) -> None:
-        board = Board()
-        write(board, "uart_error_shutdown", setting)
-        board.serial.drive(1, FORWARD, 100)
-        board.report_error(UartError.FRAMING)
-        stopped = board.motors[0].direction is BRAKE
-        assert (stopped, board.motors[0].speed) == (bool(setting), speed)
-        assert board.serial.status == Status.UART_ERROR
-
-    def test_a_line_error_does_not_stop_what_the_sticks_drive(self, rc: Board) -> None:
-        put(rc, 1, "2000us")
-        rc.advance(0.05)
-        rc.report_error(UartError.FORMAT)
-        assert rc.motors[0].direction is FORWARD
-
-    def test_reading_clears_each_byte_by_itself(self) -> None:
-        board = Board()
-        board.report_error(UartError.CRC)
-        assert board.serial.take_status() == Status.UART_ERROR
-        assert board.serial.take_status() == 0
-        assert board.serial.take_uart_errors() == UartError.CRC
-        assert board.serial.take_uart_errors() == 0
-
-    def test_a_fault_is_latched_again_while_it_lasts(self) -> None:
-        board = Board()
-        board.set_fault(2, fault=True)
-        assert board.serial.take_status() == Status.MOTOR2_FAULT
-        board.advance(0.01)
-        assert board.serial.take_status() == Status.MOTOR2_FAULT
-        board.set_fault(2, fault=False)
-        board.advance(0.01)
-        assert board.serial.take_status() == 0
-
-
-class TestCurrents:
-    def test_the_limiter_slows_a_motor_that_draws_too_much(self) -> None:
-        board = Board()
-        write(board, "motor1_current_limit", 20)  # 40 counts, 6 A
-        write(board, "motor1_current_limit_p", 1)
-        write(board, "motor1_acceleration", 20)
-        board.physics[0].load = 12.0
-        board.serial.drive(1, FORWARD, 127, accelerate=True)
-        board.advance(5)
-        assert board.serial.take_status() == Status.MOTOR1_OVER_LIMIT
-        assert 30 < board.motors[0].speed < 110
-        assert board.physics[0].current < 8
-
-    @pytest.mark.parametrize(("mode", "rate"), [("rc", 80), ("analog", 50)])
-    def test_currents_are_renewed_as_often_as_documented(self, mode: str, rate: int) -> None:
-        board = Board(mode=mode)
-        board.physics[0].forced = 1.0
-        board.advance(1 / rate + 0.001)
-        assert board.physics[0].reading == 7
-        board.physics[0].forced = 2.0
-        board.advance(1 / rate - 0.003)
-        assert board.physics[0].reading == 7
-        board.advance(0.003)
-        assert board.physics[0].reading == 13
-
-    def test_joint_mode_has_one_motor_and_no_currents(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("motor_mode", 1)
-        board = Board(eeprom=eeprom)
-        board.serial.drive(1, FORWARD, 100)
-        board.serial.drive(2, FORWARD, 100)
-        board.force_current(1, 5.0)
-        board.advance(0.5)
-        assert (board.motors[0].speed, board.motors[1].speed) == (100, 0)
-        assert [physics.reading for physics in board.physics] == [0, 0]
-
-    def test_joint_mode_lets_the_sticks_drive_one_motor(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("motor_mode", 1)
-        board = Board(eeprom=eeprom, mode="rc", mix=True)
-        board.advance(0.02)
-        put(board, 1, "2000us")
-        put(board, 2, "2000us")
-        board.advance(0.05)
-        assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
-        assert board.motors[1].direction is BRAKE

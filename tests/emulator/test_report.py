@@ -2,8 +2,9 @@ import json
 
 import pytest
 
-from trex_gui.emulator.channels import Signal
+from tests.emulator.ports import ask
 from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.signals import Signal
 from trex_gui.emulator.uart import SerialPort
 from trex_gui.protocol.flags import InputSource
 
@@ -13,12 +14,19 @@ def test_show_has_what_scripts_rely_on() -> None:
     assert {
         "model", "firmware", "power", "mode", "serial_controls", "override", "safe_start",
         "motors", "aux", "channels", "parameters", "active_uart", "leds", "counters",
+        "jumpers", "battery", "supply",
     } <= set(shown)  # fmt: skip
     assert (shown["model"], shown["firmware"], shown["mode"]) == ("trexjr", "1.0", "R")
     assert [set(motor) for motor in shown["motors"]] == [
-        {"direction", "speed", "target_direction", "target_speed", "current", "fault"}
-    ] * 2
-    assert shown["channels"] == [{"raw": 3750, "remapped": 0}] * 5
+        {
+            "direction", "speed", "target_direction", "target_speed", "current", "fault",
+            "pwm_hz", "load", "stall", "rpm",
+        }
+    ] * 2  # fmt: skip
+    assert shown["channels"] == [{"raw": None, "remapped": 0, "signal": "rest"}] * 5
+    assert shown["jumpers"] == {"mode": "rc", "mix": False, "so_ground": False}
+    assert (shown["battery"], shown["supply"]) == (12.0, 12.0)
+    assert [motor["stall"] for motor in shown["motors"]] == [5.0, 5.0]
     assert "uart_response_delay" not in shown["parameters"]
     assert "factory_reset" not in shown["parameters"]
     expected = {"baud": 19200, "parity": "none", "stop_bits": 1, "crc": False}
@@ -42,8 +50,12 @@ def test_show_tells_the_line_settings_that_act(
 
 
 def test_an_invalid_channel_shows_as_null(board: Board) -> None:
+    board.advance(0.025)
+    assert board.show()["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "rest"}
     board.connect(1, Signal.parse("invalid", InputSource.RC))
-    assert board.show()["channels"][0] == {"raw": None, "remapped": 0}
+    assert board.show()["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "invalid"}
+    board.advance(0.025)
+    assert board.show()["channels"][0] == {"raw": None, "remapped": 0, "signal": "invalid"}
 
 
 def test_the_leds_tell_who_controls_and_flicker_with_packets(
@@ -64,6 +76,8 @@ def test_in_rc_mode_the_leds_change_places() -> None:
     board.advance(2)
     assert board.show()["leds"] == {"red": "off", "green": "fast flash"}
     board.connect(2, Signal.pulses(1500))
+    assert board.show()["leds"] == {"red": "off", "green": "fast flash"}
+    board.advance(0.03)
     assert board.show()["leds"] == {"red": "off", "green": "on"}
     SerialPort(board).feed(0x86)
     assert board.show()["leds"] == {"red": "on", "green": "on"}
@@ -86,3 +100,52 @@ def test_at_power_up_five_flashes_tell_the_learned_channels(board: Board) -> Non
 def test_without_power_no_led_is_lit(board: Board) -> None:
     board.power_off()
     assert board.show()["leds"] == {"red": "off", "green": "off"}
+
+
+# Prescaler, wire value of the maximum, and what both together give: prescalers divide 20 MHz by
+# 8, 64, 256 or 1024, and the wire carries the upper seven bits of the maximum.
+PWM = [
+    (0, 0x3F, 19531), (0, 0x7F, 9766),
+    (1, 0x3F, 2441), (1, 0x7F, 1221),
+    (2, 0x3F, 610), (2, 0x7F, 305),
+    (3, 0x3F, 153), (3, 0x7F, 76),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("number", [1, 2])
+@pytest.mark.parametrize(("prescaler", "maximum", "hertz"), PWM)
+def test_prescaler_and_maximum_change_the_pwm_frequency_at_once(
+    board: Board, port: SerialPort, number: int, prescaler: int, maximum: int, hertz: int
+) -> None:
+    before = board.show()["motors"][2 - number]["pwm_hz"]
+    assert ask(port, f"AF {8 + number:02X} {prescaler:02X} 55 2A") == "00"
+    assert ask(port, f"AF {10 + number:02X} {maximum:02X} 55 2A") == "00"
+    assert board.show()["motors"][number - 1]["pwm_hz"] == pytest.approx(hertz, abs=0.6)
+    assert board.show()["motors"][2 - number]["pwm_hz"] == before
+
+
+def test_the_pwm_of_a_new_board_is_the_one_that_was_measured(board: Board) -> None:
+    assert [motor["pwm_hz"] for motor in board.show()["motors"]] == [2441.4, 2441.4]
+
+
+def test_load_and_turns_of_a_motor_are_shown(board: Board, port: SerialPort) -> None:
+    board.physics[0].load = 4.0
+    ask(port, "C1 7F")
+    board.advance(2)
+    motor, other = board.show()["motors"]
+    assert motor["load"] == 4.0
+    assert -15_000 < motor["rpm"] < -10_000
+    assert other["rpm"] == 0
+    assert isinstance(motor["rpm"], int)
+
+
+def test_the_supply_is_shown_as_it_sags(board: Board, port: SerialPort) -> None:
+    ask(port, "D0 7F 7F")
+    board.advance(0.0025)
+    assert board.show()["supply"] == 12.0
+    ask(port, "DA 7F 7F")
+    board.advance(0.0025)
+    constants = board.machine.constants
+    both = constants.resistance / 2
+    expected = 12 * both / (both + constants.battery_resistance)
+    assert board.show()["supply"] == pytest.approx(expected, abs=0.01)

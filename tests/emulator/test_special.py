@@ -1,7 +1,8 @@
 import pytest
 
-from trex_gui.emulator.channels import Signal, SignalKind
+from tests.emulator.ports import ask
 from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.signals import Signal, SignalKind
 from trex_gui.emulator.uart import SerialPort
 from trex_gui.protocol.flags import InputSource
 
@@ -53,7 +54,7 @@ def test_the_hand_shake_of_the_boot_loader_restores_lost_serial_settings() -> No
 def test_a_board_that_waits_for_the_boot_loader_hears_nothing() -> None:
     board = start("serial")
     port = SerialPort(board)
-    assert port.feed(0x81) is None
+    assert ask(port, "81") == ""
     assert board.show()["counters"]["bytes_received"] == 0
 
 

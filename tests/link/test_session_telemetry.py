@@ -6,7 +6,7 @@ import pytest
 
 from tests.link.helpers import among, commands, moving, run_for, samples, staged, timed_run
 from tests.support.virtual import Stage
-from trex_gui.emulator.channels import Signal
+from trex_gui.emulator.signals import Signal
 from trex_gui.link.messages import Ask, Batch, Close, Connected, Occasion, Write
 from trex_gui.link.schedule import Topic, rates
 from trex_gui.link.telemetry import Control, Currents, ModeSeen, Raw, Remapped, Sample, StatusNews

@@ -7,16 +7,24 @@ import json
 import math
 from collections.abc import Callable
 
-from trex_gui.emulator.channels import Signal
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
+from trex_gui.emulator.signals import Signal
 from trex_gui.protocol.errors import TrexError
-from trex_gui.protocol.flags import CHANNELS
+from trex_gui.protocol.flags import CHANNELS, UartError
 
 GOODBYE = "ok bye"
 """The answer to `quit`; whoever runs the line ends after it."""
 
 _HIGHEST_CURRENT = 1000.0
+_HIGHEST_VOLTAGE = 24.0
+_HIGHEST_RESISTANCE = 100.0
+_MANY = 10_000
+_UART_ERRORS = {
+    "framing": UartError.FRAMING,
+    "parity": UartError.PARITY,
+    "overrun": UartError.DATA_OVERRUN,
+}
 _SWITCH = {"on": True, "off": False}
 
 
@@ -82,12 +90,11 @@ def _channel(board: Board, words: list[str]) -> str:
         raise _ControlError("channel NUMBER then counts, 1500us, 2.5V, invalid, silent or rest")
     number = _number_of(words[0], CHANNELS, "a channel")
     try:
-        signal = Signal.parse("".join(words[1:]), board.channels.source)
+        signal = Signal.parse(" ".join(words[1:]), board.channels.source)
     except ValueError as error:
         raise _ControlError(str(error)) from error
     board.connect(number, signal)
-    raw = board.channels.raw[number - 1]
-    return f"channel {number} reads {'invalid' if raw is None else raw}"
+    return f"channel {number} gets {signal.text}"
 
 
 def _jumper(board: Board, words: list[str]) -> str:
@@ -149,6 +156,37 @@ def _fault(board: Board, words: list[str]) -> str:
     return f"fault {number} {state}"
 
 
+def _battery(board: Board, words: list[str]) -> str:
+    if len(words) not in {1, 2}:
+        raise _ControlError("battery VOLTS or battery VOLTS OHMS")
+    volts = _float(words[0].lower().removesuffix("v"), "a battery in V", _HIGHEST_VOLTAGE)
+    if len(words) == 2:
+        board.machine.resistance = _float(words[1], "a resistance in ohm", _HIGHEST_RESISTANCE)
+    board.machine.battery = volts
+    return f"battery {volts:g} V, {board.machine.resistance:g} ohm"
+
+
+def _eeprom(board: Board, words: list[str]) -> str:
+    """Write a cell past the firmware, as a programmer would; it acts at the next power-up."""
+    if len(words) != 2:
+        raise _ControlError("eeprom KEY VALUE")
+    key, text = words
+    try:
+        board.eeprom.write(key, int(text, 0))
+    except KeyError:
+        raise _ControlError(f"there is no parameter {key!r}") from None
+    except ValueError as error:
+        raise _ControlError(str(error)) from error
+    return f"{key} is {board.eeprom[key]}; power cycle to use it"
+
+
+def _factory(board: Board, words: list[str]) -> str:
+    if words:
+        raise _ControlError("factory takes nothing more")
+    board.make_new()
+    return "as new"
+
+
 def _no_words(_board: Board, words: list[str]) -> str:
     if words:
         raise _ControlError("show takes nothing more")
@@ -158,6 +196,7 @@ def _no_words(_board: Board, words: list[str]) -> str:
 def _show(line: Line, board: Board) -> str:
     shown = board.show()
     shown["counters"]["line"] = dict(line.counters)
+    shown["line"] = {"plugged": line.plugged, "mute": line.mute, "noise": line.noise}
     return json.dumps(shown)
 
 
@@ -172,6 +211,13 @@ def _wire(line: Line, words: list[str]) -> str:
         case ["drop", number, "sent"]:
             line.to_drop_sent = _amount(number)
             return f"the next {line.to_drop_sent} bytes from the host get lost"
+        case ["error", ("framing" | "parity" | "overrun") as name]:
+            line.to_spoil.append(_UART_ERRORS[name])
+            return f"the next byte from the host has a {name} error"
+        case ["error", ("framing" | "parity" | "overrun") as name, number]:
+            amount = _amount(number, _MANY)
+            line.to_spoil.extend([_UART_ERRORS[name]] * amount)
+            return f"the next {amount} bytes from the host have a {name} error"
         case ["garbage", *digits] if digits:
             data = _hex("".join(digits))
             line.inject(data)
@@ -186,8 +232,8 @@ def _wire(line: Line, words: list[str]) -> str:
             line.plug()
             return "plugged"
     raise _ControlError(
-        "line mute on|off, line drop N [sent], line garbage HEX, line noise P, "
-        "line unplug or line plug"
+        "line mute on|off, line drop N [sent], line error framing|parity|overrun [N], "
+        "line garbage HEX, line noise P, line unplug or line plug"
     )
 
 
@@ -222,9 +268,9 @@ def _probability(text: str) -> float:
     return _float(text, "a probability", 1.0)
 
 
-def _amount(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and len(text) <= 9):
-        raise _ControlError(f"a number of bytes is a whole number, not {text!r}")
+def _amount(text: str, highest: int = 999_999_999) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
+        raise _ControlError(f"a number of bytes is 0 to {highest}, not {text!r}")
     return int(text)
 
 
@@ -242,6 +288,9 @@ _BOARD_COMMANDS: dict[str, Callable[[Board, list[str]], str]] = {
     "load": _load,
     "current": _current,
     "fault": _fault,
+    "battery": _battery,
+    "eeprom": _eeprom,
+    "factory": _factory,
     "show": _no_words,
 }
 

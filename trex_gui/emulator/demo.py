@@ -2,9 +2,8 @@
 
 import math
 
-from trex_gui.emulator.channels import Signal, SignalKind
 from trex_gui.emulator.firmware import Board
-from trex_gui.emulator.physics import MOTORS
+from trex_gui.emulator.signals import Signal, SignalKind
 from trex_gui.protocol.flags import InputSource
 
 _PERIOD = 0.02
@@ -24,7 +23,7 @@ class Demo:
         self._ours = {channel: board.channels.signal(channel) for channel in _SWINGS}
         self._next = 0.0
         for physics in board.physics:
-            physics.load = MOTORS[board.model.key].light_load
+            physics.load = physics.load_at_first = physics.constants.light_load
 
     def update(self) -> None:
         """Move the sticks to where they are by now, 50 times a second."""

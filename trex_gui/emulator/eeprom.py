@@ -3,6 +3,7 @@
 import json
 import os
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ from trex_gui.protocol.parameters import ParameterSpec, parameters_of
 
 _WHAT = "EEPROM of a simulated TReX"
 _CALIBRATION_KEYS = {InputSource.RC: "rc_calibration", InputSource.ANALOG: "analog_calibration"}
-_CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
+CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 
 
 class EepromError(TrexError):
@@ -38,9 +39,7 @@ class Eeprom:
         self._path = path
         self._specs = parameters_of(model, self.model.firmware[-1])
         self._values = self._factory_values()
-        self._calibrations = {
-            source: dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source]) for source in InputSource
-        }
+        self._calibrations = _factory_calibrations()
 
     @classmethod
     def open(cls, path: Path, model: str = "trex") -> "Eeprom":
@@ -89,6 +88,37 @@ class Eeprom:
             EepromError: the file cannot be written.
         """
         self._calibrations[source][channel] = calibration
+        self.save()
+
+    def write_calibration_value(
+        self, source: InputSource, channel: int, field: str, value: int
+    ) -> None:
+        """Store one of the four values of a calibration and save.
+
+        Raises:
+            EepromError: the file cannot be written.
+        """
+        calibration = replace(self._calibrations[source][channel], **{field: value})
+        self.write_calibration(source, channel, calibration)
+
+    def lose(self, which: str | int) -> None:
+        """Lose a parameter whose write was cut off.
+
+        Inferred, here and for calibrations: the cell is left erased, which no value is, and
+        the firmware takes the factory's value for it at the next power-up.
+        """
+        self.write(which, self._spec(which).default)
+
+    def lose_calibration_value(self, source: InputSource, channel: int, field: str) -> None:
+        """Lose one of the four values of a calibration whose write was cut off; see `lose`."""
+        value = getattr(DEFAULT_CALIBRATION[source], field)
+        self.write_calibration_value(source, channel, field, value)
+
+    def make_new(self) -> None:
+        """Put everything back to how it comes from the factory, calibrations too, and save."""
+        self._values = self._factory_values()
+        self._calibrations = _factory_calibrations()
+        self.reset_pending = False
         self.save()
 
     def learned(self, source: InputSource) -> int:
@@ -148,7 +178,7 @@ class Eeprom:
         }
         for source, key in _CALIBRATION_KEYS.items():
             document[key] = [
-                {field: getattr(calibration, field) for field in _CALIBRATION_FIELDS}
+                {field: getattr(calibration, field) for field in CALIBRATION_FIELDS}
                 for calibration in self._calibrations[source].values()
             ]
         return document
@@ -202,15 +232,16 @@ class Eeprom:
 
 
 def _read_calibration(name: str, row: object) -> Calibration:
-    if not isinstance(row, dict) or set(row) != set(_CALIBRATION_FIELDS):
-        raise ValueError(f"{name} does not have {', '.join(_CALIBRATION_FIELDS)}")
+    if not isinstance(row, dict) or set(row) != set(CALIBRATION_FIELDS):
+        raise ValueError(f"{name} does not have {', '.join(CALIBRATION_FIELDS)}")
     for field, value in row.items():
         if type(value) is not int or not 0 <= value <= HIGHEST_CODED:
             raise ValueError(f"{name}: {field} is not a number from 0 to {HIGHEST_CODED}")
-    calibration = Calibration(**row)
-    if problem := calibration.problem():
-        raise ValueError(f"{name}: {problem}")
-    return calibration
+    return Calibration(**row)  # in any order: a power cut may have mixed old and new values
+
+
+def _factory_calibrations() -> dict[InputSource, dict[int, Calibration]]:
+    return {source: dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source]) for source in InputSource}
 
 
 def _replace(path: Path, text: str) -> None:

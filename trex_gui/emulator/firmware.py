@@ -6,7 +6,8 @@ Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 from collections import Counter
 from typing import Any
 
-from trex_gui.emulator.channels import Channels, ChannelSetup, Signal, motor_values
+from trex_gui.emulator.channel_control import ChannelControl
+from trex_gui.emulator.channels import Channels
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.memory import Memory
 from trex_gui.emulator.motors import (
@@ -16,13 +17,14 @@ from trex_gui.emulator.motors import (
     Motor,
     MotorSettings,
 )
-from trex_gui.emulator.physics import MOTORS, MotorPhysics
+from trex_gui.emulator.physics import Drive, Machine
 from trex_gui.emulator.report import report
 from trex_gui.emulator.serial_control import SerialControl
+from trex_gui.emulator.signals import Signal
 from trex_gui.emulator.special import SpecialStart, special_start
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import ResultCode
-from trex_gui.protocol.flags import CHANNELS, InputSource, Mode, Status, UartError
+from trex_gui.protocol.flags import InputSource, Mode, Status, UartError
 
 MODE_JUMPERS = ("serial", "rc", "analog")
 
@@ -32,17 +34,17 @@ TICK = 0.0025
 _UPDATE_TICKS = 4  # motors and safety, 100 times a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
 
-_SIGNAL_REQUIRED_WITHIN = 0.5  # seconds; User's Guide 4.c
-_NEARLY_NEUTRAL = 8  # inferred: how far sticks may be from neutral when safe-start ends
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
 _FAULT = (Status.MOTOR1_FAULT, Status.MOTOR2_FAULT)
 _OVER_LIMIT = (Status.MOTOR1_OVER_LIMIT, Status.MOTOR2_OVER_LIMIT)
 _COUNTERS = (
     "power_ups",
+    "brown_outs",
     "bytes_received",
     "bytes_missed",
     "bytes_sent",
+    "bytes_garbled",
     "packets",
     "packets_for_others",
 )
@@ -62,9 +64,10 @@ class Board:
         powered: whether it has power.
         boots: how often it was powered up; what waits for an answer compares it.
         mode: as read at power-up.
-        channels, motors, aux, physics: its inputs, its outputs and what hangs on them.
+        channels, motors, aux: its inputs and outputs.
+        machine: battery and motors; `physics` are its two motors.
         serial: the serial side of motor control, and the latched bits.
-        override, safe_start: whether channel 5 hands control to serial; whether motors wait.
+        sticks: the channels' side of it, with serial override and safe-start.
         special: the special start that the jumpers asked for; no normal operation then.
         receiving: whether a packet has begun and not ended (it lights a LED).
         counters: what happened since it was made.
@@ -92,11 +95,11 @@ class Board:
         self.now = self.powered_at = 0.0
         self.powered = False
         self.boots = 0
-        self.channels = Channels(InputSource.RC)
-        self.physics = tuple(
-            MotorPhysics(MOTORS[self.model.key], self.model.current_unit, seed * 2 + index)
-            for index in range(2)
-        )
+        self.channels = Channels(InputSource.RC, seed)
+        self.machine = Machine(self.model.key, self.model.current_unit, seed)
+        self.physics = self.machine.motors
+        self._jumpers_at_first = (mode, mix)
+        self._is_starved = False
         self.counters: Counter[str] = Counter(dict.fromkeys(_COUNTERS, 0))
         self._ticks = 0
         self.power_on()
@@ -105,7 +108,8 @@ class Board:
 
     def power_on(self) -> None:
         """Switch on: jumpers are read, stored parameters become active, latches are clear."""
-        if self.powered:
+        self._is_starved = self.machine.is_too_low
+        if self.powered or self._is_starved:
             return
         self.powered = True
         self.powered_at = self.now
@@ -113,14 +117,16 @@ class Board:
         self.counters["power_ups"] += 1
         self.memory.load()
         self.mode = self._read_mode()
-        self.channels.measure_all(self.mode.source)
+        self.channels.begin(self.mode.source)
         self._forget()
-        self.safe_start = not self.mode.is_serial
         self.special: SpecialStart | None = special_start(self)
-        self.watch()
 
     def power_off(self) -> None:
         """Switch off: the motors coast, a write that is not finished is lost."""
+        self._is_starved = False
+        self._go_down()
+
+    def _go_down(self) -> None:
         self.powered = False
         self.special = None
         self.memory.lose_write()
@@ -133,6 +139,16 @@ class Board:
         self.power_off()
         self.power_on()
 
+    def make_new(self) -> None:
+        """Put everything back to how a new board comes, and start it; only time goes on."""
+        self.power_off()
+        self.eeprom.make_new()
+        self.mode_jumper, self.mix = self._jumpers_at_first
+        self.so_ground = False
+        self.channels.disconnect()
+        self.machine.make_new()
+        self.power_on()
+
     def _read_mode(self) -> Mode:
         jumpers = {"rc": Mode.RC, "analog": Mode.ANALOG}
         return jumpers.get(self.mode_jumper, self.memory.serial_source)
@@ -143,7 +159,7 @@ class Board:
         self.serial = SerialControl(
             self.motors, self.aux, joint=self.memory.is_joint, in_control=self.mode.is_serial
         )
-        self.override = False
+        self.sticks = ChannelControl(self.channels, self.memory, self.mode)
         self.receiving = False
 
     @property
@@ -178,10 +194,19 @@ class Board:
             self.channels.advance(TICK)
             if self._ticks % _UPDATE_TICKS == 0:
                 self._update()
-        for motor, physics in zip(self.motors, self.physics, strict=True):
-            _feel(motor, physics)
+        self.machine.advance(TICK, [_drive(motor) for motor in self.motors])
+        self._watch_supply()
         if self.powered and self._ticks % _CURRENT_TICKS[self.mode.source] == 0:
             self._measure_currents()
+
+    def _watch_supply(self) -> None:
+        """Reset when the battery sags too far, and start again when it has recovered."""
+        if self.powered and self.machine.is_too_low:
+            self.counters["brown_outs"] += 1
+            self._go_down()
+            self._is_starved = True
+        elif self._is_starved and not self.machine.is_too_low:
+            self.power_on()
 
     def _update(self) -> None:
         """Do what happens 100 times a second."""
@@ -190,10 +215,8 @@ class Board:
             if self.special.is_over:
                 self.special = None
             return
-        self.watch()
         self.serial.watch_silence(self.now, self.memory.active["serial_timeout"])
-        if not self.serial.in_control:
-            self._obey_channels()
+        self._watch()
         self._latch_faults()
         for index, (motor, physics) in enumerate(zip(self.motors, self.physics, strict=True)):
             if motor.update(self._motor_settings(index + 1), physics.reading):
@@ -219,80 +242,33 @@ class Board:
     # Channels
 
     @property
-    def channel_setup(self) -> ChannelSetup:
-        """Calibrations and masks as they act now."""
-        active = self.memory.active
-        return ChannelSetup(
-            tuple(self.calibration(channel) for channel in CHANNELS),
-            ignored=active["ignored_channels"],
-            reversed_=active["reversed_channels"],
-            parabolic=active["parabolic_channels"],
-        )
-
-    @property
     def remapped(self) -> tuple[int, ...]:
         """What 0x87 answers, -127 to 127: channels 1 and 2 as motors 1 and 2 would be set."""
-        raw = self.channels.raw
-        setup = self.channel_setup
-        plain = setup.remapped(raw)
-        flip = setup.is_switched(4, raw[3])
-        joint = self.memory.is_joint
-        return *motor_values(plain, mix=self.mix, flip=flip, joint=joint), *plain[2:]
+        return self.sticks.remapped(mix=self.mix)
+
+    @property
+    def override(self) -> bool:
+        """Whether channel 5 hands control to the serial port."""
+        return self.sticks.override
+
+    @property
+    def safe_start(self) -> bool:
+        """Whether the motors wait for sticks at rest."""
+        return self.sticks.safe_start
 
     def connect(self, channel: int, signal: Signal) -> None:
-        """Put a signal on a channel input (1-5); the board has measured it when this returns."""
+        """Put a signal on a channel input (1-5); the board measures it in up to 20 ms."""
         self.channels.connect(channel, signal)
-        self.watch()
 
-    def watch(self) -> None:
-        """Decide from the channels who controls the motors: safe-start, serial override."""
-        if not self.is_running:
+    def _watch(self) -> None:
+        """Decide who controls the motors, and let the channels drive when it is they."""
+        self.serial.hand_over(in_control=self.sticks.watch())
+        if self.serial.in_control:
             return
-        if not self.mode.is_serial:
-            self.override = self.channel_setup.is_switched(5, self.channels.raw[4])
-            if self._has_lost_required_channel():
-                self.safe_start = True
-            elif self.safe_start:
-                self.safe_start = not self._may_leave_safe_start()
-        # Inferred: safe-start wins over serial override.
-        overrides = self.override and not self.safe_start
-        self.serial.hand_over(in_control=self.mode.is_serial or overrides)
-
-    def _has_lost_required_channel(self) -> bool:
-        return self.mode is Mode.RC and any(
-            self.channels.silent_for(channel) > _SIGNAL_REQUIRED_WITHIN
-            for channel in self._required_channels()
-        )
-
-    def _required_channels(self) -> list[int]:
-        mask = self.memory.active["required_channels"]
-        return [channel for channel in CHANNELS if mask >> (channel - 1) & 1]
-
-    def _may_leave_safe_start(self) -> bool:
-        raw = self.channels.raw
-        if self.mode is Mode.RC and any(raw[c - 1] is None for c in self._required_channels()):
-            return False
-        if self.override:
-            return False
-        first, second, third = self.channel_setup.remapped(raw)[:3]
-        sticks = (first, third) if self.memory.is_joint else (first, second, third)
-        return all(abs(stick) <= _NEARLY_NEUTRAL for stick in sticks)
-
-    def _obey_channels(self) -> None:
-        """Let the sticks drive. Inferred: they act like accelerate commands."""
         if self.safe_start:
             self.serial.stop_motors()
-            return
-        remapped = self.remapped
-        for index in range(1 if self.memory.is_joint else 2):
-            value = remapped[index]
-            if value:
-                direction = Direction.FORWARD if value > 0 else Direction.REVERSE
-                self.motors[index].accelerate(direction, abs(value))
-            else:
-                brake = self.memory.active[f"motor{index + 1}_deadband_brake_pwm"]
-                self.motors[index].accelerate(Direction.BRAKE, brake)
-        self.aux.accelerate(abs(remapped[2]))  # inferred: it has one way, the sign is no matter
+        else:
+            self.sticks.drive(self.motors, self.aux, mix=self.mix)
 
     # What the serial port asks for
 
@@ -343,10 +319,9 @@ class Board:
         return report(self)
 
 
-def _feel(motor: Motor, physics: MotorPhysics) -> None:
-    """Let the motor behind an output feel it for one tick."""
+def _drive(motor: Motor) -> Drive:
+    """Return what an output does to its motor; inferred: duty is speed / 127."""
     share = motor.speed / FULL_SPEED
     if motor.direction is Direction.BRAKE:
-        physics.advance(TICK, 0.0, share)
-    else:
-        physics.advance(TICK, share if motor.direction is Direction.FORWARD else -share, 0.0)
+        return Drive(brake=share)
+    return Drive(share if motor.direction is Direction.FORWARD else -share)

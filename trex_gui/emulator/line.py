@@ -7,37 +7,18 @@ Nothing here waits: `advance` moves wire and boards forward together, event by e
 import heapq
 import math
 import random
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from itertools import count
 
 from trex_gui.emulator.firmware import Board
-from trex_gui.emulator.uart import Reply, SerialPort
+from trex_gui.emulator.station import Station
 from trex_gui.protocol.flags import UartError
-from trex_gui.protocol.line_settings import Detection, LineSettings
-
-_BAUD_TOLERANCE = 0.03
-"""How far two UARTs may be apart: half a bit in the ten of a byte, for both together."""
+from trex_gui.protocol.line_settings import LineSettings
 
 _EPSILON = 1e-12
-
-_PARITIES = {Detection.EVEN: "even", Detection.ODD: "odd"}
-
-
-@dataclass(slots=True, eq=False)
-class _Node:
-    """A board at the wire, and until when it transmits, unless its power goes before."""
-
-    board: Board
-    port: SerialPort
-    deaf_until: float = -math.inf
-    deaf_boot: int = 0
-
-    def is_deaf(self, now: float) -> bool:
-        """Whether it transmits, and so hears nothing."""
-        return now < self.deaf_until - _EPSILON and _is_up(self.board, self.deaf_boot)
 
 
 @dataclass(slots=True, eq=False)
@@ -47,7 +28,7 @@ class _Frame:
     start: float
     end: float
     value: int
-    senders: set[int] = field(default_factory=set)
+    senders: set[object] = field(default_factory=set)
 
 
 class Line:
@@ -66,6 +47,7 @@ class Line:
         noise: probability that a byte is spoilt on its way.
         to_drop: how many of the next bytes to the host get lost.
         to_drop_sent: how many of the next bytes from the host get lost.
+        to_spoil: what the boards' UARTs will find wrong with the next bytes from the host.
         now: seconds since the line was made.
         counters: what the wire did.
     """
@@ -81,6 +63,7 @@ class Line:
         if not boards:
             raise ValueError("a line needs a board")
         self.boards = tuple(boards)
+        self.now = 0.0
         self.numbers = tuple(board.eeprom["device_number"] for board in boards)
         self.echo = echo
         self.paced = paced
@@ -90,11 +73,12 @@ class Line:
         self.noise = 0.0
         self.to_drop = 0
         self.to_drop_sent = 0
+        self.to_spoil: deque[UartError] = deque()
         self.now = 0.0
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "spoilt", "garbled", "collisions"), 0)
         )
-        self._nodes = [_Node(board, SerialPort(board)) for board in boards]
+        self._stations = [Station(board, self) for board in boards]
         self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
         self._events: list[tuple[float, int, Callable[[], None]]] = []
         self._order = count()
@@ -106,11 +90,19 @@ class Line:
 
     def send(self, data: bytes) -> None:
         """Queue bytes that the host sends now."""
+        host = self.host
+        is_alien = host is not None and any(
+            station.is_other_rate(host) for station in self._stations
+        )
+        byte_time = self._host_byte_time()
         for byte in data:
             start = max(self.now, self._host_busy_until)
-            end = start + self._host_byte_time()
+            end = start + byte_time
             self._host_busy_until = end
-            self._at(end, partial(self._reach_boards, byte, self.host))
+            if is_alien and host is not None:
+                self.at(start, partial(self._carry_alien, byte, host, end))
+            else:
+                self.at(end, partial(self._carry, byte, host))
             if self.echo:
                 self._put_on_wire(_Frame(start, end, byte, {-1}))
 
@@ -149,6 +141,21 @@ class Line:
         self._move_to(end)
 
     @property
+    def _is_shared(self) -> bool:
+        """Whether several may talk to the host at the same time."""
+        return len(self.boards) + self.echo > 1
+
+    @property
+    def _is_grounded(self) -> bool:
+        """Whether a jumper holds SO to ground. Inferred: nothing reaches the host then."""
+        return any(board.so_ground for board in self.boards)
+
+    @property
+    def is_instant(self) -> bool:
+        """Whether bytes take no time and have nothing to collide with."""
+        return not self.paced and not self._is_shared and not self._is_grounded
+
+    @property
     def next_event(self) -> float | None:
         """When something happens on the wire next, if anything is under way."""
         return self._events[0][0] if self._events else None
@@ -167,7 +174,8 @@ class Line:
             for board in self.boards:
                 board.advance(seconds)
 
-    def _at(self, moment: float, action: Callable[[], None]) -> None:
+    def at(self, moment: float, action: Callable[[], None]) -> None:
+        """Do something when a moment has come."""
         heapq.heappush(self._events, (moment, next(self._order), action))
 
     # From the host to the boards
@@ -177,67 +185,52 @@ class Line:
             return 0.0
         if self.host is not None:
             return self.host.seconds(1)
-        return _byte_time(self.boards[0])
+        return self._stations[0].byte_time
 
-    def _reach_boards(self, byte: int, sender: LineSettings | None) -> None:
+    def _carry(self, byte: int, sender: LineSettings | None) -> None:
+        """Let a byte of the host arrive at the boards, which all run at its rate."""
+        if (fate := self._fate(byte)) is not None:
+            byte, error = fate
+            for station in self._stations:
+                station.hear(byte, sender, error)
+
+    def _carry_alien(self, byte: int, sender: LineSettings, end: float) -> None:
+        """Let a byte of the host begin that some boards cannot read."""
+        if (fate := self._fate(byte)) is None:
+            return
+        byte, error = fate
+        for station in self._stations:
+            if station.is_other_rate(sender):
+                station.sample(byte, sender)
+            else:
+                self.at(end, partial(station.hear, byte, sender, error))
+
+    def _fate(self, byte: int) -> tuple[int, UartError | None] | None:
+        """Return what the wire makes of a byte of the host; `None` when it is lost."""
         self.counters["sent"] += 1
         if not self.plugged:
-            return
+            return None
         if self.to_drop_sent:
             self.to_drop_sent -= 1
             self.counters["dropped"] += 1
-            return
-        error = None
-        if self._is_spoilt():
-            byte, error = self._spoil(byte)
-        for node in self._nodes:
-            self._reach_board(node, byte, sender, error)
-
-    def _reach_board(
-        self, node: _Node, byte: int, sender: LineSettings | None, error: UartError | None
-    ) -> None:
-        if node.is_deaf(self.now):
-            node.board.counters["bytes_missed"] += 1
-            return
-        parity_is_on = node.board.memory.line_settings.detection in _PARITIES
-        if error is UartError.PARITY and not parity_is_on:
-            error = None  # nobody notices the wrong bit
-        error = _misread(node.board, sender) or error
-        if error is not None:
-            node.port.feed_error(error)
-        elif (reply := node.port.feed(byte)) is not None:
-            self._answer(node, reply)
+            return None
+        if self.to_spoil:
+            return byte, self.to_spoil.popleft()
+        return self._spoil(byte) if self._is_spoilt() else (byte, None)
 
     # From the boards to the host
 
-    def _answer(self, node: _Node, reply: Reply) -> None:
-        boot = node.board.boots
-        self._at(self.now + reply.delay, partial(self._transmit, node, boot, reply.data))
+    def carry_to_host(
+        self, begin: float, end: float, byte: int, sender: object, alive: Callable[[], bool]
+    ) -> None:
+        """Carry a byte of a board; it arrives if the board is alive then."""
+        if not self._is_grounded:
+            self._put_on_wire(_Frame(begin, end, byte, {sender}), alive)
 
-    def _transmit(self, node: _Node, boot: int, data: bytes) -> None:
-        if not _is_up(node.board, boot):
-            return
-        byte_time = _byte_time(node.board) if self.paced else 0.0
-        begin = self.now
-        node.deaf_until, node.deaf_boot = begin + len(data) * byte_time, boot
-        sender = self._nodes.index(node)
-        garbled = _misread(node.board, self.host) is not None
-        for index, byte in enumerate(data):
-            start = begin + index * byte_time
-            self._at(start, partial(self._begin_byte, node, boot))
-            value = self._garble(byte) if garbled else byte
-            frame = _Frame(start, start + byte_time, value, {sender})
-            self._put_on_wire(frame, partial(_is_up, node.board, boot))
-        self._at(node.deaf_until, partial(self._resume, node, boot))
-
-    @staticmethod
-    def _begin_byte(node: _Node, boot: int) -> None:
-        if _is_up(node.board, boot):
-            node.board.counters["bytes_sent"] += 1
-
-    def _resume(self, node: _Node, boot: int) -> None:
-        if _is_up(node.board, boot) and (reply := node.port.resume()) is not None:
-            self._answer(node, reply)
+    def garble(self, byte: int) -> int:
+        """Return what a host with other settings makes of a byte: never the byte itself."""
+        self.counters["garbled"] += 1
+        return byte ^ self._random.randrange(1, 256)
 
     def _put_on_wire(self, frame: _Frame, alive: Callable[[], bool] = lambda: True) -> None:
         for other in self._in_flight:
@@ -246,30 +239,35 @@ class Line:
                 other.senders |= frame.senders
                 self.counters["collisions"] += 1
                 return
-        if len(self.boards) + self.echo > 1:  # else nobody is there to collide with
+        if self._is_shared:
             self._in_flight.append(frame)
-        self._at(frame.end, partial(self._reach_host, frame, alive))
+        self.at(frame.end, partial(self._reach_host, frame, alive))
 
     def _reach_host(self, frame: _Frame, alive: Callable[[], bool]) -> None:
-        self._in_flight = [other for other in self._in_flight if other is not frame]
-        if not alive() or not self.plugged or self.mute:
+        if self._in_flight:
+            self._in_flight = [other for other in self._in_flight if other is not frame]
+        if alive():
+            self.arrive(frame.value)
+
+    def arrive(self, byte: int) -> None:
+        """Let a byte reach the host, if the wire lets it."""
+        if not self.plugged or self.mute:
             return
         if self.to_drop:
             self.to_drop -= 1
             self.counters["dropped"] += 1
             return
-        value = frame.value
         if self._is_spoilt():
             self.counters["spoilt"] += 1
-            value ^= 1 << self._random.randrange(8)
-        self._received.append(value)
+            byte ^= 1 << self._random.randrange(8)
+        self._received.append(byte)
         self.counters["received"] += 1
 
     # Faults
 
     def inject(self, data: bytes) -> None:
         """Put bytes on the wire to the host that no board has sent."""
-        byte_time = _byte_time(self.boards[0]) if self.paced else 0.0
+        byte_time = self._stations[0].byte_time
         for index, byte in enumerate(data):
             start = self.now + index * byte_time
             self._put_on_wire(_Frame(start, start + byte_time, byte, {-2}))
@@ -293,37 +291,6 @@ class Line:
         if bit == 8:
             return byte, UartError.FRAMING
         return byte ^ 1 << bit, UartError.PARITY
-
-    def _garble(self, byte: int) -> int:
-        """Return what a host with other settings makes of a byte: never the byte itself."""
-        self.counters["garbled"] += 1
-        return byte ^ self._random.randrange(1, 256)
-
-
-def _byte_time(board: Board) -> float:
-    return board.memory.line_settings.bits_per_byte / board.memory.baud
-
-
-def _is_up(board: Board, boot: int) -> bool:
-    """Whether a board has had power without a break since that power-up."""
-    return board.powered and board.boots == boot
-
-
-def _misread(board: Board, host: LineSettings | None) -> UartError | None:
-    """Return the error that each byte gives when host and board are set differently.
-
-    A real receiver would take some of such bytes for good ones. Here none is: what a test
-    sees does not depend on luck, and no motor starts for it.
-    """
-    if host is None:
-        return None
-    own = board.memory.line_settings
-    if abs(host.baud / board.memory.baud - 1) > _BAUD_TOLERANCE:
-        return UartError.FRAMING
-    wanted, given = _PARITIES.get(own.detection), _PARITIES.get(host.detection)
-    if wanted != given:
-        return UartError.PARITY if wanted else UartError.FRAMING
-    return None if own.stop_bits == host.stop_bits else UartError.FRAMING
 
 
 def _collide(frame: _Frame, other: _Frame) -> bool:

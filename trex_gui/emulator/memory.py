@@ -1,10 +1,13 @@
 """Parameters and calibrations as the firmware handles them: stored, active, being written."""
 
+from collections import deque
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 
-from trex_gui.emulator.eeprom import Eeprom
+from trex_gui.emulator.eeprom import CALIBRATION_FIELDS, Eeprom
 from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.device_table import device_table
 from trex_gui.protocol.errors import ResultCode
 from trex_gui.protocol.flags import InputSource, Mode
 from trex_gui.protocol.line_settings import Detection, LineSettings
@@ -12,7 +15,26 @@ from trex_gui.protocol.parameters import parameters_of
 
 PARAMETER_WRITE = 0.004
 CALIBRATION_WRITE = 0.032
-"""Seconds that a write to the EEPROM takes (command documentation, 0xAF and 0xA0-0xA4)."""
+"""Seconds that a write to the EEPROM takes (command documentation, 0xAF and 0xA0-0xA4): 4 ms a
+byte, and the four values of a calibration have two each."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Step:
+    """One value on its way into the EEPROM.
+
+    Attributes:
+        seconds: how long it takes.
+        store: what has happened when it is over.
+        lose: what has happened when the power goes before that.
+    """
+
+    seconds: float
+    store: Callable[[], None]
+    lose: Callable[[], None]
+
+
+_EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
 
 class Memory:
@@ -31,8 +53,8 @@ class Memory:
         self.writes = 0
         self._eeprom = eeprom
         self._firmware = firmware
-        self._finish: Callable[[], None] | None = None
-        self._left = 0.0
+        self._steps: deque[_Step] = deque()
+        self._done = 0.0  # seconds spent on the first of them
         self.load()
 
     def load(self) -> None:
@@ -69,6 +91,12 @@ class Memory:
             return None
         return 0x80 | self.active["crc7_polynomial"]
 
+    def pwm_frequency(self, number: int) -> float:
+        """Return the PWM frequency in Hz of motor 1 or 2."""
+        prescaler = self.active[f"motor{number}_pwm_prescaler"]
+        maximum = self.active[f"motor{number}_pwm_maximum"]
+        return device_table().pwm.frequency(prescaler, maximum)
+
     @property
     def response_delay(self) -> float:
         """Seconds that each answer waits: 1 ms when the parameter says so (firmware 1.2+)."""
@@ -94,10 +122,11 @@ class Memory:
         if value not in spec.valid:
             return ResultCode.BAD_VALUE
         if not spec.readable:
-            self._begin(PARAMETER_WRITE, self._eeprom.request_reset)
+            step = _Step(PARAMETER_WRITE, self._eeprom.request_reset, lambda: None)
         else:
             store = partial(self._store, spec.key, value, at_once=not spec.needs_power_cycle)
-            self._begin(PARAMETER_WRITE, store)
+            step = _Step(PARAMETER_WRITE, store, partial(self._eeprom.lose, spec.key))
+        self._steps.append(step)
         return ResultCode.OK
 
     def calibration(self, source: InputSource, channel: int) -> Calibration:
@@ -115,8 +144,16 @@ class Memory:
         low, middle, high = calibration.minimum, calibration.neutral, calibration.maximum
         if not (low <= middle <= high and low < high):
             return ResultCode.BAD_VALUE
-        write = partial(self._eeprom.write_calibration, mode.source, channel, calibration)
-        self._begin(CALIBRATION_WRITE, write)
+        for field in CALIBRATION_FIELDS:
+            store = partial(
+                self._eeprom.write_calibration_value,
+                mode.source,
+                channel,
+                field,
+                getattr(calibration, field),
+            )
+            lose = partial(self._eeprom.lose_calibration_value, mode.source, channel, field)
+            self._steps.append(_Step(CALIBRATION_WRITE / len(CALIBRATION_FIELDS), store, lose))
         return ResultCode.OK
 
     def restore_line_settings(self) -> None:
@@ -127,25 +164,27 @@ class Memory:
     @property
     def busy_for(self) -> float:
         """Seconds until the write that is going on is finished; 0 when there is none."""
-        return self._left if self._finish else 0.0
+        return sum(step.seconds for step in self._steps) - self._done if self._steps else 0.0
 
     def advance(self, seconds: float) -> None:
         """Let time pass for the write that is going on."""
-        if self._finish is None:
+        if not self._steps:
             return
-        self._left -= seconds
-        if self._left <= 1e-9:  # swallows the rounding of summed times
-            finish, self._finish = self._finish, None
+        self._done += seconds
+        while self._steps and self._done >= self._steps[0].seconds - _EPSILON:
+            step = self._steps.popleft()
+            self._done -= step.seconds
+            step.store()
+        if not self._steps:
+            self._done = 0.0
             self.writes += 1
-            finish()
 
     def lose_write(self) -> None:
-        """Forget a write that is not finished: the power went."""
-        self._finish = None
-
-    def _begin(self, seconds: float, finish: Callable[[], None]) -> None:
-        self._finish = finish
-        self._left = seconds
+        """Do what a power cut does: the value being written is lost, those after it stay old."""
+        if self._steps:
+            self._steps[0].lose()
+        self._steps.clear()
+        self._done = 0.0
 
     def _store(self, key: str, value: int, *, at_once: bool) -> None:
         self._eeprom.write(key, value)

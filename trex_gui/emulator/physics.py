@@ -1,84 +1,134 @@
-"""What the motors and the current sensors do: a plain DC motor behind each output."""
+"""What hangs on the board: a battery, two DC motors with what they turn, current sensors.
 
+A motor is a resistance and a back-EMF that turn an inertia against dry friction, so its
+current rushes in at a start or a reversal, falls as it gains speed, follows the load, and
+stays at its highest while it is stalled. The battery sags under the sum of it.
+"""
+
+import math
 import random
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 HIGHEST_READING = 255
 
 
 @dataclass(frozen=True, slots=True)
-class MotorConstants:
-    """The motor that hangs on an output.
+class Constants:
+    """The machine that a board of one model drives.
 
     Attributes:
-        stall: current in A at full voltage and standstill.
-        free: current in A at full speed without load.
-        time_constant: seconds in which a motor without load reaches 63 % of its speed.
-        light_load: current in A at full speed of a robot that rolls on a floor.
+        battery: V without load.
+        battery_resistance: ohm, cables included.
+        brown_out: V below which the board resets.
+        resistance: ohm, of a motor with its driver and wires.
+        back_emf: V s/rad of a motor; the same figure in N m/A is its torque.
+        inertia: kg m2, of rotor and gears as seen from the rotor.
+        free: A that a motor draws without load: its own friction and that of its gears.
+        light_load: A that it draws when it drives a robot on a flat floor.
     """
 
-    stall: float
+    battery: float
+    battery_resistance: float
+    brown_out: float
+    resistance: float
+    back_emf: float
+    inertia: float
     free: float
-    time_constant: float
     light_load: float
 
+    @property
+    def stall(self) -> float:
+        """Current in A of a motor that stands still at full battery voltage."""
+        return self.battery / self.resistance
 
-MOTORS = {
-    # The driver peaks at 30 A and carries 13 A: a motor that a careful builder would take.
-    "trex": MotorConstants(stall=30.0, free=0.6, time_constant=0.15, light_load=3.0),
-    # The driver limits itself from 5.2 A on and carries 2.5 A.
-    "trexjr": MotorConstants(stall=5.0, free=0.2, time_constant=0.1, light_load=0.8),
+
+CONSTANTS = {
+    # Nothing here is the maker's but the figures for the drivers: any motor may hang on a
+    # board. Taken are motors as a careful builder chooses them, as large as the driver bears.
+    "trex": Constants(
+        battery=12.0,  # six lead cells
+        battery_resistance=0.04,  # a 7 Ah lead battery (25 mOhm) and a metre of cable
+        brown_out=6.0,  # inferred: a linear regulator for 5 V logic needs a volt more
+        resistance=0.4,  # stalls at 30 A; continuous rating 13 A (reference: VNH2SP30 carrier)
+        back_emf=7.33e-3,  # 15,000 turns a minute at 12 V, a motor of the 550 size
+        inertia=8e-6,  # speeds up with a time constant of 60 ms, usual for that size
+        free=1.2,  # 4 % of the stall current, usual with a gearbox
+        light_load=3.0,
+    ),
+    "trexjr": Constants(
+        battery=12.0,  # ten NiMH cells
+        battery_resistance=0.2,  # ten AA cells of 20 mOhm
+        brown_out=5.0,  # sourced: the Jr runs from 5 to 24 V
+        resistance=2.4,  # stalls at 5 A; continuous rating 2.5 A (sourced)
+        back_emf=1.1e-2,  # 10,000 turns a minute at 12 V, a small gear motor
+        inertia=3e-6,  # time constant 60 ms again
+        free=0.2,
+        light_load=0.8,
+    ),
 }
 
 _NOISE_COUNTS = 0.3
 """Standard deviation of a reading: an average of 64 samples rarely moves by a count."""
 
-_CRAWL = 0.02
-"""Speed at full voltage, of the free one, of a motor whose load nearly stalls it."""
-
 
 class MotorPhysics:
     """One motor with its load, its driver's fault state and its current sensor.
 
-    Speed is a fraction of the free speed, voltage of the supply. The current is what the
-    voltage that the motor's own does not oppose drives through it; it accelerates the motor
-    as far as the load does not need it. The load grows with the speed.
-
     Attributes:
-        load: current in A that the motor draws at full voltage once it runs.
+        load: current in A that it draws once it runs; dry friction, the same at all speeds.
+        load_at_first: the load that `make_new` gives it.
         forced: current in A that the sensor shows instead of the real one; `None` for none.
         fault: whether the driver has shut itself down.
-        speed: -1 to 1.
+        speed: rad/s, positive forward.
         reading: the last measurement in counts of 0x8D, 0-255.
     """
 
-    def __init__(self, constants: MotorConstants, current_unit: float, seed: int) -> None:
-        self.load = constants.free
+    def __init__(self, constants: Constants, current_unit: float, seed: int) -> None:
+        self.constants = constants
+        self.load_at_first = constants.free
+        self._unit = current_unit
+        self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
+        self._charge = 0.0  # A s since the last measurement
+        self._time = 0.0  # s
+        self.make_new()
+
+    def make_new(self) -> None:
+        """Put the first load back, take away fault and forced current, and stand still."""
+        self.load = self.load_at_first
         self.forced: float | None = None
         self.fault = False
         self.speed = 0.0
-        self.reading = 0
-        self._constants = constants
-        self._unit = current_unit
-        self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
-        self._charge = 0.0
-        self._time = 0.0
+        self.clear_reading()
 
-    def advance(self, seconds: float, voltage: float, brake: float) -> None:
-        """Let time pass with a voltage (-1 to 1), or without one and a duty of braking."""
-        stall = self._constants.stall
-        if voltage and not self.fault:
-            current = stall * (voltage - self.speed)
+    def current_at(self, volts: float) -> float:
+        """Return the current in A that a voltage drives through it now.
+
+        Inferred: between the pulses of the PWM the bridge lets the motor coast, so a current
+        against the voltage does not flow.
+        """
+        current = (volts - self.constants.back_emf * self.speed) / self.constants.resistance
+        return current if not self.fault and current * volts > 0 else 0.0
+
+    def advance(self, seconds: float, volts: float, brake: float) -> None:
+        """Let time pass with a voltage, or without one and a duty of braking (0-1)."""
+        constants = self.constants
+        if volts:
+            current = self.current_at(volts)
             self._charge += abs(current) * seconds
-        else:
-            # A braked motor drives its current through the low side, past the sensor.
-            current = 0.0 if self.fault else -stall * brake * self.speed
+        elif self.fault:
+            current = 0.0
+        else:  # the low side shorts the motor; that current passes the sensor by
+            current = -brake * constants.back_emf * self.speed / constants.resistance
         self._time += seconds
-        load = min(self.load, stall)
-        against = load * self.speed / max(1 - load / stall, _CRAWL)
-        self.speed += (current - against) / (stall * self._constants.time_constant) * seconds
-        if abs(self.speed) < 1e-4:
-            self.speed = 0.0
+        self._turn(seconds, current)
+
+    def _turn(self, seconds: float, current: float) -> None:
+        """Change the speed; friction slows down and never turns the motor."""
+        gain = self.constants.back_emf / self.constants.inertia * seconds
+        friction = gain * max(self.load, self.constants.free)
+        speed = self.speed + gain * current
+        self.speed = math.copysign(max(0.0, abs(speed) - friction), speed)
 
     def measure(self) -> None:
         """Take a reading: the average current since the last one."""
@@ -95,9 +145,85 @@ class MotorPhysics:
     def clear_reading(self) -> None:
         """Forget the measurement, as when the power goes or there is no sensing."""
         self.reading = 0
-        self._charge = self._time = 0.0
+        self._charge = 0.0
+        self._time = 0.0
 
     @property
     def current(self) -> float:
         """The last reading in A."""
         return self.reading * self._unit
+
+    @property
+    def rpm(self) -> float:
+        """Turns a minute of the rotor, positive forward."""
+        return self.speed * 30 / math.pi
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """What an output does to its motor: a share of the supply (-1 to 1), or of braking (0-1)."""
+
+    share: float = 0.0
+    brake: float = 0.0
+
+
+class Machine:
+    """A battery and the motors that share it.
+
+    Attributes:
+        motors: motors 1 and 2.
+        battery: V without load.
+        resistance: ohm of the battery and its cables.
+        volts: what is left of the battery's voltage at the board, by the last step.
+    """
+
+    def __init__(self, model: str, current_unit: float, seed: int) -> None:
+        self.constants = CONSTANTS[model]
+        self.motors = tuple(
+            MotorPhysics(self.constants, current_unit, seed * 2 + index) for index in range(2)
+        )
+        self.make_new()
+
+    def make_new(self) -> None:
+        """Charge the battery and free the motors."""
+        self.battery = self.constants.battery
+        self.resistance = self.constants.battery_resistance
+        self.volts = self.battery
+        for motor in self.motors:
+            motor.make_new()
+
+    @property
+    def is_too_low(self) -> bool:
+        """Whether the voltage is too low for the board to run."""
+        return self.volts < self.constants.brown_out
+
+    def advance(self, seconds: float, drives: Sequence[Drive]) -> None:
+        """Let time pass with what the outputs do to each motor."""
+        self.volts = self._volts(drives)
+        for motor, drive in zip(self.motors, drives, strict=True):
+            motor.advance(seconds, drive.share * self.volts, drive.brake)
+
+    def _volts(self, drives: Sequence[Drive]) -> float:
+        """Return the battery's voltage under the currents that it then drives.
+
+        Motor current is (share * volts - emf) / R, and the battery gives `share` of it; the
+        equation is linear in the voltage as long as no current would flow back.
+        """
+        taking = [
+            (motor, drive.share)
+            for motor, drive in zip(self.motors, drives, strict=True)
+            if drive.share and not motor.fault
+        ]
+        while True:
+            conductance = sum(share * share / motor.constants.resistance for motor, share in taking)
+            opposing = sum(
+                share * motor.constants.back_emf * motor.speed / motor.constants.resistance
+                for motor, share in taking
+            )
+            volts = (self.battery + self.resistance * opposing) / (
+                1 + self.resistance * conductance
+            )
+            still = [(motor, share) for motor, share in taking if motor.current_at(share * volts)]
+            if len(still) == len(taking):
+                return volts
+            taking = still

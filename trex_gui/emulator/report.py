@@ -61,14 +61,23 @@ def report(board: "Board") -> dict[str, Any]:
                 "target_speed": motor.target_speed,
                 "current": round(physics.current, 3),
                 "fault": physics.fault,
+                "pwm_hz": round(memory.pwm_frequency(number), 1),
+                "load": physics.load,
+                "stall": round(physics.constants.stall, 1),
+                "rpm": round(physics.rpm),
             }
-            for motor, physics in zip(board.motors, board.physics, strict=True)
+            for number, motor, physics in zip((1, 2), board.motors, board.physics, strict=True)
         ],
         "aux": {"speed": board.aux.speed, "target_speed": board.aux.target_speed},
         "channels": [
-            {"raw": raw, "remapped": remapped}
-            for raw, remapped in zip(board.channels.raw, board.remapped, strict=True)
+            {"raw": raw, "remapped": remapped, "signal": board.channels.signal(channel).text}
+            for channel, raw, remapped in zip(
+                CHANNELS, board.channels.raw, board.remapped, strict=True
+            )
         ],
+        "jumpers": {"mode": board.mode_jumper, "mix": board.mix, "so_ground": board.so_ground},
+        "battery": board.machine.battery,
+        "supply": round(board.machine.volts, 2),
         "parameters": memory.stored(),
         "active_uart": {
             "baud": memory.baud,

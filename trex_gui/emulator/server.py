@@ -105,8 +105,8 @@ def main(
 
     Prints "ready URL" with what a program has to open, then takes control lines on standard
     input and answers each with "ok ..." or "error ...": channel, jumper, power, load, current,
-    fault, line, show, quit. With several devices they begin with one of them, as in
-    "@9 power cycle".
+    fault, battery, eeprom, factory, line, show, quit. Each says what it wants when it is given
+    too little. With several devices they begin with one of them, as in "@9 power cycle".
     """
     if sum(option is not None for option in (link, tcp, rfc2217)) > 1:
         raise click.UsageError("only one of --link, --tcp and --rfc2217")

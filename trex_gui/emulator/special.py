@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from trex_gui.emulator.firmware import Board
 
 _NEUTRALS = 2.0  # seconds of watching
+_SETTLING = 0.1  # inferred: not watched at first, while the pulses of all channels come in
 _EXTREMES = 10.0
 _HELD = 50  # updates, 0.5 s: how long an extreme must be held
 _FLASH = 0.4  # inferred: seconds for each channel's result
@@ -39,6 +40,9 @@ class SpecialStart(Protocol):
 
     def update(self, seconds: float) -> None:
         """Do one update, 100 times a second."""
+
+    def answer(self, byte: int) -> bytes:
+        """Return what it says to a byte on the serial line."""
 
 
 def special_start(board: "Board") -> SpecialStart | None:
@@ -83,6 +87,13 @@ class BootLoader:
         elif not self._board.so_ground:
             self._ready = True
             self._board.memory.restore_line_settings()
+
+    def answer(self, byte: int) -> bytes:
+        """Echo what is no piece of firmware with a question mark (forum thread 5011).
+
+        Inferred: it does so at the rate that was set, and takes nothing for firmware.
+        """
+        return bytes([byte]) + b"?" if self._ready else b""
 
 
 class _Step(Enum):
@@ -141,7 +152,8 @@ class Learning:
             case _Step.WAITING:
                 self._wait(raw)
             case _Step.NEUTRALS:
-                self._watch(raw)
+                if self._time > _SETTLING:
+                    self._watch(raw)
                 if self._time >= _NEUTRALS:
                     self._learn_neutrals()
             case _Step.NEUTRALS_SHOWN:
@@ -153,6 +165,10 @@ class Learning:
                     self._learn_extremes()
             case _:
                 pass
+
+    def answer(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: it does not listen
+        """Say nothing."""
+        return b""
 
     def _begin(self, step: _Step) -> None:
         self._step = step

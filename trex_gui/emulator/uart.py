@@ -15,20 +15,18 @@ from trex_gui.protocol.errors import ResultCode
 from trex_gui.protocol.flags import UartError
 
 RECEIVE_BUFFER = 32
-"""Bytes that may wait while the board is busy. Inferred: the documents name no size."""
+SEND_BUFFER = 32
+"""Bytes that may wait, received ones for the program and answers for the wire. Inferred: the
+documents name no size; any that holds the longest packet and answer keeps their promise that
+a host which waits for its answers never overruns them."""
 
 _COMMAND_BIT = 0x80
 _EXPANDED = 0x80
 _NULL = 0xFF
+_GAP = -1
+"""Stands in the receive buffer for bytes that were bad or found no room."""
+
 _FORMAT_BYTES = b"\x55\x2a"
-
-
-@dataclass(frozen=True, slots=True)
-class Reply:
-    """What the board answers, and how many seconds it waits before the first byte."""
-
-    data: bytes
-    delay: float = 0.0
 
 
 def remainder(data: bytes, polynomial: int) -> int:
@@ -46,8 +44,13 @@ def remainder(data: bytes, polynomial: int) -> int:
 class SerialPort:
     """The UART of one board and the program behind it.
 
+    The program pauses for a write to the EEPROM and for the response delay. What comes
+    meanwhile gathers in the receive buffer, and is obeyed while the answer is being sent.
+
     Attributes:
         board: whose port it is.
+        outgoing: the send buffer; whoever runs the wire takes the bytes out.
+        pause: seconds until `resume` is due, as of the last byte; 0 while the program runs.
     """
 
     def __init__(self, board: Board) -> None:
@@ -55,53 +58,60 @@ class SerialPort:
         self._boot = board.boots
         self._start_over()
 
-    def feed(self, byte: int) -> Reply | None:
-        """Take a byte; return the answer when it completes a packet that has one.
+    def feed(self, byte: int) -> None:
+        """Take a byte; the answer, if it completes a packet that has one, is in `outgoing`.
 
-        After an answer with a delay, bytes only gather in the receive buffer until `resume`.
+        After a `pause` it is there when `resume` has been called.
         """
         if not self._listens():
-            return None
+            if self.board.special is not None:
+                self._send(self.board.special.answer(byte))
+            return
         self.board.hear()
-        if self._is_waiting or self.board.memory.busy_for:
-            if len(self._buffer) < RECEIVE_BUFFER:
-                self._buffer.append(byte)
-            else:
-                self.board.report_error(UartError.READ_OVERRUN)
-            return None
-        return self._take(byte)
+        if not self.pause:
+            self._take(byte)
+        elif len(self._buffer) - self._buffer.count(_GAP) < RECEIVE_BUFFER:
+            self._buffer.append(byte)
+        else:
+            self._leave_gap()
+            self.board.report_error(UartError.READ_OVERRUN)
 
     def feed_error(self, error: UartError) -> None:
         """Take a byte that the hardware found bad: its packet is lost."""
         if self._listens():
             self.board.hear()
-            self._begin()
+            if self.pause:
+                self._leave_gap()
+            else:
+                self._begin()
             self.board.report_error(error)
 
-    def resume(self) -> Reply | None:
-        """Go on after an answer has been sent, first with what waited in the buffer."""
+    def _leave_gap(self) -> None:
+        """Note that a byte is missing, so that its packet is not completed by later ones."""
+        if not self._buffer or self._buffer[-1] != _GAP:
+            self._buffer.append(_GAP)
+
+    def resume(self) -> None:
+        """Go on after a pause: answer, then obey what has gathered, until the next pause."""
         if not self._listens():
-            return None
-        self._is_waiting = False
-        while self._buffer and not self._is_waiting:
-            reply = self._take(self._buffer.popleft())
-            if reply is not None:
-                # More may wait behind this answer, so it has to be resumed as well.
-                self._is_waiting = True
-                return reply
-        return None
+            return
+        self.pause = 0.0
+        self._send(self._answer)
+        while self._buffer and not self.pause:
+            self._take(self._buffer.popleft())
 
     def _listens(self) -> bool:
-        if not self.board.is_running:
-            return False
+        """Whether packets are taken; a power-up since the last byte has emptied everything."""
         if self.board.boots != self._boot:
             self._boot = self.board.boots
             self._start_over()
-        return True
+        return self.board.is_running
 
     def _start_over(self) -> None:
         self._buffer: deque[int] = deque()
-        self._is_waiting = False
+        self.outgoing: deque[int] = deque()
+        self.pause = 0.0
+        self._answer = b""  # what is sent after the pause
         self._begin()
 
     def _begin(self) -> None:
@@ -110,29 +120,31 @@ class SerialPort:
         self._is_skipping = False
         self.board.receiving = False
 
-    def _take(self, byte: int) -> Reply | None:
-        if byte & _COMMAND_BIT:
-            return self._take_command_byte(byte)
-        if self._is_skipping:
-            return None  # a packet for another device, however long it is
-        if not self._packet:
+    def _take(self, byte: int) -> None:
+        if byte == _GAP:
+            self._begin()
+        elif byte & _COMMAND_BIT:
+            self._take_command_byte(byte)
+        elif self._is_skipping:
+            pass  # of a packet for another device, however long it is
+        elif not self._packet:
             self._reject()  # inferred: a data byte without a packet is a format error
-            return None
-        self._packet.append(byte)
-        return self._go_on()
+        else:
+            self._packet.append(byte)
+            self._go_on()
 
-    def _take_command_byte(self, byte: int) -> Reply | None:
+    def _take_command_byte(self, byte: int) -> None:
         if self._packet:
             # Inferred: the byte that breaks a packet off begins the next one.
             self._reject()
         self._begin()
         if byte == _NULL:
-            return None  # inferred: it carries no CRC either
+            return  # inferred: it carries no CRC either
         self._packet.append(byte)
         self.board.receiving = True
-        return self._go_on()
+        self._go_on()
 
-    def _go_on(self) -> Reply | None:
+    def _go_on(self) -> None:
         """Look whether the packet is complete, and then do what it says."""
         head = 1
         command = self._packet[0]
@@ -142,46 +154,55 @@ class SerialPort:
                 self.board.counters["packets_for_others"] += 1
                 self._begin()
                 self._is_skipping = True
-                return None
+                return
             if len(self._packet) < head:
-                return None
+                return
             command = self._packet[2] | _COMMAND_BIT
             if command == _NULL:
                 self._begin()
-                return None
+                return
         known = _COMMANDS.get(command)
         if known is None:
             self._reject()
-            return None
+            return
         polynomial = self.board.memory.crc_polynomial
         if len(self._packet) < head + known.size + (polynomial is not None):
-            return None
+            return
         packet = bytes(self._packet)
         self._begin()
         if polynomial is not None and remainder(packet[:-1], polynomial) != packet[-1]:
             self.board.report_error(UartError.CRC)
-            return None
-        return self._obey(known, command, packet[head : head + known.size])
+        else:
+            self._obey(known, command, packet[head : head + known.size])
 
     def _device_number(self) -> int:
         return self.board.memory.active["device_number"]
 
-    def _obey(self, known: "_Known", command: int, data: bytes) -> Reply | None:
+    def _obey(self, known: "_Known", command: int, data: bytes) -> None:
         try:
             answer = known.do(self.board, command, data)
         except _IllogicalData:
             self._reject()
-            return None
+            return
         self.board.counters["packets"] += 1
         if not answer:
-            return None
+            return
         memory = self.board.memory
         polynomial = memory.crc_polynomial
         if polynomial is not None:
             answer += bytes([remainder(answer, polynomial)])
-        delay = memory.busy_for + memory.response_delay
-        self._is_waiting = delay > 0
-        return Reply(answer, delay)
+        self.pause = memory.busy_for + memory.response_delay
+        if self.pause:
+            self._answer = answer
+        else:
+            self._send(answer)
+
+    def _send(self, answer: bytes) -> None:
+        """Put an answer into the send buffer; inferred: what finds no room is lost."""
+        room = SEND_BUFFER - len(self.outgoing)
+        self.outgoing.extend(answer[:room])
+        if len(answer) > room:
+            self.board.report_error(UartError.SEND_OVERRUN)
 
     def _reject(self) -> None:
         self._begin()

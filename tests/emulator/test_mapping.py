@@ -1,0 +1,75 @@
+"""What measured channels mean: remapping, switches, mixing."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.emulator.mapping import ChannelSetup, motor_values
+from trex_gui.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.protocol.flags import CHANNELS, InputSource
+
+SETUP = ChannelSetup((DEFAULT_CALIBRATION[InputSource.RC],) * 5)
+values = st.integers(-127, 127)
+
+
+def test_a_reversed_channel_changes_its_sign_and_an_ignored_one_rests() -> None:
+    raw = [4500] * 5
+    plain = SETUP.remapped(raw)[0]
+    masked = ChannelSetup(SETUP.calibrations, reversed_=0b00010, ignored=0b00100)
+    assert masked.remapped(raw) == (plain, -plain, 0, plain, plain)
+
+
+def test_a_parabolic_channel_is_gentler() -> None:
+    raw = [4362] * 5
+    gentle = ChannelSetup(SETUP.calibrations, parabolic=0b00001).remapped(raw)
+    assert 0 < gentle[0] < gentle[1]
+
+
+@pytest.mark.parametrize(
+    ("raw", "active"), [(None, False), (3750, False), (3126, False), (3124, True), (2500, True)]
+)
+def test_a_switch_is_active_below_the_middle_of_its_lower_half(
+    raw: int | None, active: bool
+) -> None:
+    assert SETUP.is_switched(5, raw) is active
+
+
+def test_a_switch_that_is_ignored_or_reversed_obeys_that() -> None:
+    assert not ChannelSetup(SETUP.calibrations, ignored=0x10).is_switched(5, 2500)
+    turned = ChannelSetup(SETUP.calibrations, reversed_=0x08)
+    assert turned.is_switched(4, 5000)
+    assert not turned.is_switched(4, 2500)
+
+
+def test_without_jumper_and_switch_each_channel_has_its_motor() -> None:
+    assert motor_values((10, -20), mix=False, flip=False, joint=False) == (10, -20)
+
+
+def test_mixing_adds_the_turn_to_one_motor_and_takes_it_from_the_other() -> None:
+    assert motor_values((30, 100), mix=True, flip=False, joint=False) == (127, 70)
+    assert motor_values((127, -127), mix=True, flip=False, joint=False) == (0, -127)
+
+
+def test_flip_exchanges_and_turns_the_motors() -> None:
+    assert motor_values((10, -20), mix=False, flip=True, joint=False) == (20, -10)
+    assert motor_values((30, 50), mix=True, flip=True, joint=False) == (-20, -80)
+
+
+def test_joint_mode_does_not_mix() -> None:
+    assert motor_values((10, 50), mix=True, flip=False, joint=True) == (10, 50)
+    assert motor_values((10, 50), mix=True, flip=True, joint=True) == (-10, 50)
+
+
+@given(first=values, second=values, mix=st.booleans(), flip=st.booleans(), joint=st.booleans())
+def test_no_motor_is_asked_for_more_than_it_has(
+    first: int, second: int, mix: bool, flip: bool, joint: bool
+) -> None:
+    asked = motor_values((first, second), mix=mix, flip=flip, joint=joint)
+    assert all(abs(value) <= 127 for value in asked)
+
+
+@given(raw=st.lists(st.none() | st.integers(0, 0xFFFE), min_size=5, max_size=5))
+def test_whatever_is_measured_is_remapped(raw: list[int | None]) -> None:
+    remapped = SETUP.remapped(raw)
+    assert len(remapped) == len(CHANNELS)
+    assert all(-127 <= value <= 127 for value in remapped)
