@@ -1,0 +1,82 @@
+"""From raw channel values to what the motors would be set to.
+
+The regions are the user guide's; the arithmetic within them is inferred (reference, section 3).
+Everything is whole numbers: a fraction is divided once, last, and rounded down.
+"""
+
+from typing import NamedTuple
+
+INVALID = 0xFFFF
+FULL = 127
+
+
+class Calibration(NamedTuple):
+    """In the order in which the board sends it."""
+
+    minimum: int
+    neutral: int
+    maximum: int
+    deadband: int
+
+    @property
+    def allowed(self) -> bool:
+        return self.minimum <= self.neutral <= self.maximum and self.minimum < self.maximum
+
+
+RC_DEFAULT = Calibration(2500, 3750, 5000, 75)
+ANALOG_DEFAULT = Calibration(0, 512, 1023, 20)
+
+
+def remapped(
+    raw: int,
+    calibration: Calibration,
+    *,
+    ignored: bool = False,
+    reverse: bool = False,
+    parabolic: bool = False,
+) -> int:
+    """The channel's value as a signed number, -127 to 127."""
+    if ignored or raw == INVALID:
+        return 0
+    minimum, neutral, maximum, deadband = calibration
+    distance = abs(raw - neutral)
+    if distance <= deadband:
+        return 0
+    sign = 1 if (raw > neutral) is not reverse else -1
+    if raw >= maximum or raw <= minimum:
+        return sign * FULL
+    # So the deadband is narrower than this side: it has been left and the end not reached.
+    span = maximum - neutral if raw > neutral else neutral - minimum
+    part, whole = distance - deadband, span - deadband
+    if parabolic:
+        part, whole = part * part, whole * whole
+    return sign * (FULL * part // whole)
+
+
+def coded(value: int) -> int:
+    """Bit 7 the direction, bits 6:0 the magnitude; zero has no direction (inferred)."""
+    return -value | 0x80 if value < 0 else value
+
+
+def switched_on(
+    raw: int, calibration: Calibration, *, ignored: bool = False, reverse: bool = False
+) -> bool:
+    """Whether channel 4 or 5, a switch, is active: beyond half-way from neutral to its end."""
+    if ignored or raw == INVALID:
+        return False
+    if reverse:
+        return 2 * raw > calibration.maximum + calibration.neutral
+    return 2 * raw < calibration.minimum + calibration.neutral
+
+
+def motors(first: int, second: int, *, mix: bool, joint: bool, flip: bool) -> tuple[int, int]:
+    """What channels 1 and 2 mean for motors 1 and 2."""
+    if joint:
+        return (-first if flip else first), second
+    if mix:
+        first, second = _clipped(second + first), _clipped(second - first)
+    return (-second, -first) if flip else (first, second)
+
+
+def _clipped(value: int) -> int:
+    return max(-FULL, min(FULL, value))
