@@ -37,6 +37,10 @@ STAMP_FILE = VENV / "bootstrap.json"
 PROJECT_FILE = ROOT / "pyproject.toml"
 CONSTRAINTS = ROOT / "packaging" / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
+
+SIDE_BY_SIDE = ("-n", "auto", "--maxprocesses", "4", "--dist", "worksteal")
+"""How the tests are shared out: many wait for bytes at their real pace, which costs no time
+together. More at once would disturb that pace."""
 SCREENSHOTS = ROOT / "demo-screenshots"
 
 # What Qt loads from the system, by the names of Debian 12; later releases still provide these
@@ -508,7 +512,7 @@ def checks(pytest_arguments: Sequence[str]) -> list[Check]:
         Check("ruff format", (ruff, "format", "--check", ".")),
         Check("mypy", (mypy,)),
         Check("lint-imports", (lint_imports,)),
-        Check("pytest", (pytest, *pytest_arguments)),
+        Check("pytest", (pytest, *SIDE_BY_SIDE, *pytest_arguments)),
     ]
 
 

@@ -211,6 +211,9 @@ def _wire(line: Line, words: list[str]) -> str:
         case ["drop", number, "sent"]:
             line.to_drop_sent = _amount(number)
             return f"the next {line.to_drop_sent} bytes from the host get lost"
+        case ["error", "off"]:
+            line.to_spoil.clear()
+            return "no byte has an error"
         case ["error", ("framing" | "parity" | "overrun") as name]:
             line.to_spoil.append(_UART_ERRORS[name])
             return f"the next byte from the host has a {name} error"
@@ -233,6 +236,7 @@ def _wire(line: Line, words: list[str]) -> str:
             return "plugged"
     raise _ControlError(
         "line mute on|off, line drop N [sent], line error framing|parity|overrun [N], "
+        "line error off, "
         "line garbage HEX, line noise P, line unplug or line plug"
     )
 

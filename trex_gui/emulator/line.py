@@ -74,7 +74,6 @@ class Line:
         self.to_drop = 0
         self.to_drop_sent = 0
         self.to_spoil: deque[UartError] = deque()
-        self.now = 0.0
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "spoilt", "garbled", "collisions"), 0)
         )

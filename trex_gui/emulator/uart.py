@@ -96,7 +96,8 @@ class SerialPort:
         if not self._listens():
             return
         self.pause = 0.0
-        self._send(self._answer)
+        answer, self._answer = self._answer, b""
+        self._send(answer)
         while self._buffer and not self.pause:
             self._take(self._buffer.popleft())
 

@@ -1,0 +1,287 @@
+"""User's Guide 5 and what else is sourced about the serial line, a test a sentence.
+
+Sources beside the guide are named as in the reference: forum threads (F), the manual (MH), the
+companion program of the maker (C-SHARP).
+"""
+
+from collections.abc import Iterator
+
+import pytest
+
+from tests.conformance.ends import TerminalEnd
+from tests.conformance.trex import RATES, Trex, Variant, only
+
+
+def at_the_terminal(variant: Variant) -> bool:
+    """For what only a wire has: rates, an echo, bytes that pass each other."""
+    return variant.end == "terminal"
+
+
+def in_compact_at_the_terminal(variant: Variant) -> bool:
+    """For rates: neither protocol nor CRC has to do with them, a CRC only proves the bytes."""
+    return variant.end == "terminal" and not variant.expanded and variant.crc
+
+
+def with_crc(variant: Variant) -> bool:
+    return variant.crc
+
+
+# 5.b, protocols
+
+
+@pytest.mark.parametrize("example", ["F0 7F", "80 07 70 7F"])
+def test_the_examples_set_the_auxiliary_motor_to_full_speed(trex: Trex, example: str) -> None:
+    """User's Guide 5.b: compact and Pololu protocol."""
+    trex.tell(trex.signed(bytes.fromhex(example)))
+    assert trex.show()["aux"]["speed"] == 127
+
+
+def test_the_board_responds_to_both_protocols_on_the_fly(trex: Trex) -> None:
+    """User's Guide 5.b: no jumper or parameter says which."""
+    for packet in ("82", "80 07 02", "82", "82", "80 07 02", "80 07 02"):
+        assert trex.ask(trex.signed(bytes.fromhex(packet)), 1) == "72"
+
+
+@pytest.mark.parametrize("number", [0, 8, 127])
+def test_the_compact_protocol_is_obeyed_whatever_the_device_number(trex: Trex, number: int) -> None:
+    """F20957: a board with number 8 answered a plain 0x81."""
+    trex.set_up(device_number=number)
+    assert trex.ask(trex.signed(b"\x82"), 1) == "72"
+    trex.device = number
+    assert trex.ask("82") == "72"
+
+
+# 5.b, errors
+
+
+def spoil(trex: Trex, error: str) -> None:
+    """Let a command that drives a motor go wrong."""
+    if error == "format":
+        trex.tell(trex.head("C2") + b"\xff")
+    elif error == "crc":
+        packet = trex.packet("C2 7F")
+        trex.tell(packet[:-1] + bytes([packet[-1] ^ 1]))
+    else:
+        trex.do(f"line error {error} 1")
+        trex.tell(b"\xff")
+
+
+ERRORS = ["format", "framing", "overrun"]
+
+
+def check_the_shutdown(trex: Trex, error: str) -> None:
+    trex.set_up(uart_error_shutdown=1)
+    trex.tell("D6 30 40", "F0 50")
+    spoil(trex, error)
+    trex.wait(0.012)
+    state = trex.show()
+    assert [motor["direction"] for motor in state["motors"]] == ["brake", "brake"]
+    assert state["aux"]["speed"] == 0
+
+
+@pytest.mark.parametrize("error", ERRORS)
+def test_if_the_parameter_is_set_a_serial_error_shuts_down_the_motors(
+    trex: Trex, error: str
+) -> None:
+    """User's Guide 5.b: parameter 0x08."""
+    check_the_shutdown(trex, error)
+
+
+@only(with_crc)
+def test_if_the_parameter_is_set_a_crc_error_shuts_down_the_motors(trex: Trex) -> None:
+    """User's Guide 5.b: "if a serial error occurs"."""
+    check_the_shutdown(trex, "crc")
+
+
+@pytest.mark.parametrize("error", ERRORS)
+def test_if_the_parameter_is_not_set_the_motors_run_on(trex: Trex, error: str) -> None:
+    """User's Guide 5.b."""
+    trex.set_up(uart_error_shutdown=0)
+    trex.tell("D6 30 40", "F0 50")
+    spoil(trex, error)
+    trex.wait(0.012)
+    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
+    assert trex.show()["aux"]["speed"] == 0x50
+    assert trex.ask("85") != "00"
+
+
+@pytest.mark.parametrize("error", ERRORS)
+def test_after_an_error_the_board_continues_running_and_accepting_commands(
+    trex: Trex, error: str
+) -> None:
+    """User's Guide 5.b."""
+    trex.set_up(uart_error_shutdown=1)
+    spoil(trex, error)
+    assert trex.ask("82") == "72"
+    trex.tell("C2 22")
+    assert trex.motor(1) == ("forward", 0x22)
+    assert trex.ask("AF 0E 05 55 2A") == "00"
+
+
+# 5, answers
+
+
+def test_it_never_says_anything_unasked(trex: Trex) -> None:
+    """User's Guide 5."""
+    trex.set_up(serial_timeout=1)
+    trex.tell("D6 30 40", "F0 50", b"\x88", b"\x01\x02")
+    trex.do("fault 1 on")
+    assert trex.unanswered(seconds=0.13)
+    trex.restart()
+    assert trex.unanswered()
+
+
+def test_the_null_command_has_no_answer_and_does_no_harm(trex: Trex) -> None:
+    """C-SHARP; inferred: that it raises no error."""
+    trex.tell("D6 30 40")
+    assert trex.unanswered(b"\xff" * 20)
+    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
+    assert trex.ask("84") == "00"
+
+
+@only(at_the_terminal)
+@pytest.mark.parametrize("baud", [19200, 115200])
+def test_while_it_replies_it_is_deaf(trex: Trex, baud: int) -> None:
+    """User's Guide 5: bytes sent meanwhile are lost."""
+    trex.run_at(baud)
+    for missed in ("82", "C2 7F"):
+        signature = trex.everything("81", missed)
+        assert len(signature) == 7 + trex.variant.crc
+    assert trex.motor(1) == ("brake", 0)
+    assert trex.ask("82") == "72"
+
+
+# 5.a, the line
+
+
+@only(at_the_terminal)
+def test_a_new_board_runs_at_19200_baud_without_error_detection(trex: Trex) -> None:
+    """User's Guide 5.a."""
+    trex.do("factory")
+    trex.host_at(19200)
+    assert trex.everything(b"\x82") == b"r"
+    assert trex.everything(b"\x80\x07\x01") == b"TReX1.2"
+
+
+@only(in_compact_at_the_terminal)
+@pytest.mark.parametrize("baud", [1200, 9600, 14400, 19200, 28800, 38400, 57600, 115200])
+def test_it_runs_at_each_of_its_rates(trex: Trex, baud: int) -> None:
+    """User's Guide 5.a: 1200 to 115200; those of the eleven that are sourced."""
+    trex.run_at(baud)
+    assert trex.ask("82") == "72"
+    assert trex.show()["active_uart"]["baud"] == baud
+
+
+@only(in_compact_at_the_terminal, firmware="1.0")
+@pytest.mark.parametrize(("chosen", "real"), [(38400, 19200), (28800, 14400)])
+def test_before_firmware_1_2_two_rates_are_half_of_what_is_chosen(
+    trex: Trex, chosen: int, real: int
+) -> None:
+    """F1491."""
+    trex.run_at(chosen)
+    assert trex.everything("82")[:1] != b"r"
+    trex.run_at(chosen)
+    trex.host_at(real)
+    assert trex.ask("82") == "72"
+
+
+@only(in_compact_at_the_terminal, firmware="1.0")
+@pytest.mark.parametrize("baud", [rate for rate in RATES[3:] if rate not in {28800, 38400}])
+def test_before_firmware_1_2_the_other_rates_are_fine(trex: Trex, baud: int) -> None:
+    """F1491."""
+    trex.run_at(baud)
+    assert trex.ask("82") == "72"
+
+
+# Response delay
+
+
+@only(firmware="1.2")
+def test_the_response_delay_holds_answers_back_for_1_ms(trex: Trex) -> None:
+    """F1491: for slow hosts."""
+    assert trex.ask("AF 17 01 55 2A") == "00"
+    assert trex.ask("9F 17") == "01"
+    took = []
+    for _ in range(20):  # a loaded machine adds to some
+        trex.ask("82")
+        took.append(trex.took)
+    assert 0.001 <= min(took) < 0.002
+
+
+@only(firmware="1.2")
+def test_without_the_response_delay_answers_come_at_once(trex: Trex) -> None:
+    """F1491: it is an option."""
+    assert trex.ask("AF 17 00 55 2A") == "00"
+    took = []
+    for _ in range(20):
+        trex.ask("82")
+        took.append(trex.took)
+    assert min(took) < 0.001
+
+
+@only(firmware="1.0")
+def test_before_firmware_1_2_there_is_no_parameter_17(trex: Trex) -> None:
+    """F1491 and a client's list; inferred: the code is that of a bad number."""
+    assert trex.ask("AF 17 01 55 2A") == "01"
+
+
+# RS-232, and several boards
+
+
+@only(at_the_terminal, echo=True)
+def test_everything_sent_on_rs_232_comes_back(trex: Trex) -> None:
+    """MH 15; the answer follows."""
+    query, drive = trex.packet("82"), trex.packet("C2 20")
+    assert trex.everything(drive) == drive
+    reply = trex.everything(query)
+    assert reply[: len(query) + 1] == query + b"r"
+    assert len(reply) == len(query) + 1 + trex.variant.crc
+
+
+@only(at_the_terminal, echo=True)
+def test_the_null_command_finds_out_that_there_is_an_echo(trex: Trex) -> None:
+    """C-SHARP: reading 0xFF back means RS-232."""
+    assert trex.everything(b"\xff") == b"\xff"
+
+
+def test_ttl_has_no_echo(trex: Trex) -> None:
+    """MH 15."""
+    assert trex.unanswered(b"\xff", "C2 20")
+
+
+@pytest.fixture(scope="module")
+def chain() -> Iterator[TerminalEnd]:
+    """Three boards on one line, one of them a TReX Jr."""
+    end = TerminalEnd("--device", "7", "--device", "9:trexjr", "--device", "127")
+    yield end
+    end.end()
+
+
+@pytest.mark.parametrize(
+    ("packet", "answer"),
+    [
+        (b"\x80\x07\x01", b"TReX1.2"),
+        (b"\x80\x09\x01", b"TReXJr1.2"),
+        (b"\x80\x7f\x1f\x00", b"\x7f"),
+        (b"\x80\x08\x01", b""),
+    ],
+)
+def test_of_several_boards_only_the_one_with_the_number_accepts_the_command(
+    chain: TerminalEnd, packet: bytes, answer: bytes
+) -> None:
+    """User's Guide 5.b: "all other Pololu devices will ignore the command".
+
+    At the terminal alone: in the parser there is one board. CRC has no part in it.
+    """
+    chain.write(packet)
+    assert chain.read(len(answer) + 1, 0.1) == answer
+
+
+def test_several_boards_do_not_confuse_each_other(chain: TerminalEnd) -> None:
+    """User's Guide 5.b: "without confusing the other devices on the line"."""
+    for motor_speed in (0x10, 0x7F):
+        chain.write(bytes([0x80, 0x07, 0x70, motor_speed]))
+        chain.write(bytes([0x80, 0x09, 0x42, motor_speed]))
+    for number in (0x07, 0x09, 0x7F):
+        chain.write(bytes([0x80, number, 0x04]))
+        assert chain.read(1, 1.0) == b"\x00"
