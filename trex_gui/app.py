@@ -81,6 +81,9 @@ def main(argv: list[str] | None = None) -> int:
     if arguments.settings is not None:
         program.open_when_connected(arguments.settings)
     code = app.exec()
+    # Hidden while Python is whole: Qt destroys what is still shown when half of it is gone.
+    for window in app.topLevelWidgets():
+        window.hide()
     if not program.connector.shut_down():
         # A thread hangs in a port. Qt would abort on destroying it; everything is saved.
         os._exit(code)

@@ -11,6 +11,7 @@ from trex_gui.model.device import Link
 from trex_gui.views.theme import Scheme, theme
 from trex_gui.window import Program
 
+_SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simulated board
 _SETTLE_MS = 2500
 _PATIENCE_MS = 15_000
 _SCHEMES: tuple[Scheme, ...] = ("light", "dark")
@@ -36,6 +37,7 @@ class Tour(QObject):
     def start(self) -> None:
         """Begin, as soon as the board is there."""
         self._folder.mkdir(parents=True, exist_ok=True)
+        self._program.window.resize(*_SIZE)
         self._deadline.start()
         self._program.device.state_changed.connect(self._on_state_changed)
 

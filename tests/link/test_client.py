@@ -377,9 +377,11 @@ def test_with_crc_a_request_is_answered_rightly_or_not_at_all(
     number: int | None,
 ) -> None:
     quiet, settings = staged(detection=Detection.CRC7)
+    quiet.line.advance(0.1)  # until every channel has had its first pulse
     expected = [quiet.client(settings).request(question) for question in questions]
 
     stage, _ = staged(detection=Detection.CRC7, echo=echo)
+    stage.line.advance(0.1)
     stage.line._random.seed(seed)
     stage.line.noise = noise
     client = stage.client(LinkSettings("virtual", settings.line, device_number=number))

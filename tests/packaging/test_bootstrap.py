@@ -354,7 +354,13 @@ def test_the_tests_come_last_and_take_the_arguments() -> None:
         "lint-imports",
         "pytest",
     ]
-    assert checks[-1].command[1:] == ("-k", "crc")
+    assert checks[-1].command[-2:] == ("-k", "crc")
+
+
+def test_the_tests_are_shared_out_but_not_without_end() -> None:
+    command = bootstrap.checks([])[-1].command
+    assert command[command.index("-n") + 1] == "auto"
+    assert int(command[command.index("--maxprocesses") + 1]) <= 4
 
 
 @pytest.fixture

@@ -56,6 +56,7 @@ class SerialPort:
     def __init__(self, board: Board) -> None:
         self.board = board
         self._boot = board.boots
+        self._answer = b""  # what is sent after the pause
         self._start_over()
 
     def feed(self, byte: int) -> None:
@@ -96,8 +97,8 @@ class SerialPort:
         if not self._listens():
             return
         self.pause = 0.0
-        answer, self._answer = self._answer, b""
-        self._send(answer)
+        self._send(self._answer)
+        self._answer = b""
         while self._buffer and not self.pause:
             self._take(self._buffer.popleft())
 
@@ -112,7 +113,7 @@ class SerialPort:
         self._buffer: deque[int] = deque()
         self.outgoing: deque[int] = deque()
         self.pause = 0.0
-        self._answer = b""  # what is sent after the pause
+        self._answer = b""
         self._begin()
 
     def _begin(self) -> None:

@@ -88,6 +88,7 @@ class SerialTransport:
 
     def __init__(self, settings: LinkSettings) -> None:
         self._url = settings.url
+        self._name = settings.name or settings.url
         self._port = _open(settings)
         remote = "://" in settings.url
         self._latency = _REMOTE_LATENCY if remote else _LOCAL_LATENCY
@@ -146,7 +147,7 @@ class SerialTransport:
 
     def _gone(self, error: Exception) -> PortUnavailable:
         log.info("the line %s is gone: %s", self._url, error)
-        return PortUnavailable(f"The line {self._url} is gone. Plug it in, then connect again.")
+        return PortUnavailable(f"The line to {self._name} is gone. Plug it in, then connect again.")
 
 
 def _port_errors() -> tuple[type[Exception], ...]:

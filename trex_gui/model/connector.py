@@ -5,6 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
 from trex_gui.link.settings import LinkSettings
+from trex_gui.model.demo_board import DemoBoard
 from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Port, PortKind, Ports
 from trex_gui.model.simulator import Simulator
@@ -23,11 +24,13 @@ class Connector(QObject):
     Signals:
         settings_changed: `settings` are others.
         port_changed: `port` is another.
+        demo_changed: `demo_in_use`.
         failed: why nothing was connected, for people.
     """
 
     settings_changed = Signal()
     port_changed = Signal()
+    demo_changed = Signal()
     failed = Signal(str)
 
     def __init__(self, device: Device, ports: Ports, parent: QObject | None = None) -> None:
@@ -38,7 +41,9 @@ class Connector(QObject):
         self._settings = self._read_settings()
         self._port: Port | None = None
         self._demo_wanted = False
+        self._demo_in_use = False
         self.simulator = Simulator(self)
+        self.demo_board = DemoBoard(self.simulator, self)
 
         self.simulator.ready.connect(self._on_simulator_ready)
         self.simulator.failed.connect(self._on_simulator_failed)
@@ -59,6 +64,14 @@ class Connector(QObject):
         """Whether the simulated board is being started, and will be connected to."""
         return self._demo_wanted
 
+    @property
+    def demo_in_use(self) -> bool:
+        """Whether the simulated board was chosen last, and not given up since.
+
+        A line that broke by itself gives nothing up: what mends it is on the board's panel.
+        """
+        return self._demo_in_use
+
     def set_settings(self, settings: LinkSettings) -> None:
         """Use, and remember, these line settings from the next connection on."""
         self._settings = replace(settings, url="", name="")
@@ -72,6 +85,7 @@ class Connector(QObject):
         """Connect to a port; a line that is open is closed first."""
         self._demo_wanted = port.kind is PortKind.DEMO
         self._set_port(port)
+        self._set_demo_in_use(self._demo_wanted)
         if self._demo_wanted:
             self.simulator.start()
         else:
@@ -80,6 +94,7 @@ class Connector(QObject):
     def disconnect_port(self) -> None:
         """Stop the motors if they were driven, and close the line."""
         self._demo_wanted = False
+        self._set_demo_in_use(False)
         if self._device.link is Link.NONE:
             self._set_port(None)
         self._device.disconnect_line()
@@ -99,9 +114,30 @@ class Connector(QObject):
             self._port = port
             self.port_changed.emit()
 
+    def _set_demo_in_use(self, in_use: bool) -> None:
+        if in_use != self._demo_in_use:
+            self._demo_in_use = in_use
+            self.demo_changed.emit()
+
+    def _give_demo_up(self, reason: str) -> None:
+        """Connect nothing; a line that was to make room for the simulated board closes too."""
+        self._demo_wanted = False
+        if self._device.link is Link.NONE:
+            self._set_port(None)
+        else:
+            self._device.disconnect_line()
+        self.failed.emit(reason)
+
     @Slot(str)
     def _on_simulator_ready(self, url: str) -> None:
-        if self._demo_wanted:
+        if self._demo_wanted and not self.simulator.plugged:
+            self._give_demo_up(
+                self.tr(
+                    "The cable of the Demo TReX is unplugged. Tick “Plugged in” on its panel, "
+                    "then connect again."
+                )
+            )
+        elif self._demo_wanted:
             self._demo_wanted = False
             # The simulated board begins with the factory's settings, whatever is chosen here.
             self._device.connect_to(LinkSettings(url, name=self.tr("the simulated board")))
@@ -109,9 +145,8 @@ class Connector(QObject):
     @Slot(str)
     def _on_simulator_failed(self, reason: str) -> None:
         if self._demo_wanted:
-            self._demo_wanted = False
-            self._set_port(None)
-            self.failed.emit(reason)
+            self._give_demo_up(reason)
+            self._set_demo_in_use(False)
 
     @Slot()
     def _on_link_changed(self) -> None:

@@ -1,6 +1,8 @@
 """The simulated board of the port list: a process of its own, started when it is wanted."""
 
 import sys
+from collections import deque
+from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QProcess, Signal, Slot
 
@@ -21,15 +23,19 @@ class Simulator(QObject):
     Signals:
         ready: the address to connect to.
         failed: why it did not start, for people.
+        ended: it runs no more; answers that were still awaited never come.
     """
 
     ready = Signal(str)
     failed = Signal(str)
+    ended = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._url = ""
+        self._plugged = True
         self._ending = False
+        self._awaited: deque[Callable[[str], None] | None] = deque()
         self._process = QProcess(self)
         self._process.setProcessChannelMode(QProcess.ProcessChannelMode.SeparateChannels)
         self._process.readyReadStandardOutput.connect(self._on_output)
@@ -38,8 +44,16 @@ class Simulator(QObject):
 
     @property
     def url(self) -> str:
-        """The address of the running simulator; empty while none runs."""
+        """The address of the running simulator; empty while none runs.
+
+        It is another one when the cable was pulled and put in again.
+        """
         return self._url
+
+    @property
+    def plugged(self) -> bool:
+        """Whether the cable between this computer and the simulated board is in."""
+        return self._plugged
 
     def start(self) -> None:
         """Start it, or announce it again when it runs."""
@@ -50,9 +64,13 @@ class Simulator(QObject):
             program, arguments = simulator_command()
             self._process.start(program, [*arguments, "--demo"])
 
-    def send(self, line: str) -> None:
-        """Send one control line, such as `channel 1 1500us`."""
+    def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
+        """Send one control line, such as `channel 1 1500us`.
+
+        `then` gets its answer, `ok ...` or `error ...`; answers come in the order of the lines.
+        """
         if self._url:
+            self._awaited.append(then)
             self._process.write(f"{line}\n".encode())
 
     def stop(self) -> None:
@@ -70,9 +88,21 @@ class Simulator(QObject):
     def _on_output(self) -> None:
         while self._process.canReadLine():
             line = bytes(self._process.readLine().data()).decode(errors="replace").strip()
-            if line.startswith("ready ") and not self._url:
+            if self._url:
+                self._take_answer(line)
+            elif line.startswith("ready "):
                 self._url = line.removeprefix("ready ")
+                self._plugged = True
                 self.ready.emit(self._url)
+
+    def _take_answer(self, answer: str) -> None:
+        match answer.split(maxsplit=2):
+            case ["ok", "unplugged"]:
+                self._plugged = False
+            case ["ok", "plugged", url]:
+                self._plugged, self._url = True, url
+        if self._awaited and (then := self._awaited.popleft()):
+            then(answer)
 
     @Slot(QProcess.ProcessError)
     def _on_error(self, error: QProcess.ProcessError) -> None:
@@ -82,6 +112,8 @@ class Simulator(QObject):
     @Slot()
     def _on_finished(self) -> None:
         was_running, self._url = bool(self._url), ""
+        self._awaited.clear()
+        self.ended.emit()
         if not was_running and not self._ending:
             said = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
             reason = said.strip().splitlines()[-1] if said.strip() else ""

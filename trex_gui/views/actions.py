@@ -55,6 +55,8 @@ def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
             ActionInfo("page3", tr("C&urrents"), "Ctrl+4"),
             ActionInfo("page4", tr("&Parameters"), "Ctrl+5"),
             SEPARATOR,
+            ActionInfo("demo", tr("&Demo TReX panel"), checkable=True),
+            SEPARATOR,
             ActionInfo("system", tr("Colours of the s&ystem"), checkable=True),
             ActionInfo("light", tr("L&ight colours"), checkable=True),
             ActionInfo("dark", tr("Dar&k colours"), checkable=True),

@@ -107,7 +107,8 @@ class ConnectionBar(QWidget):
         """Connect to the port used last, or to the only one; else let a person choose."""
         if self._device.link is not Link.NONE:
             return
-        port = self._ports.preferred
+        # A line to the simulated board that broke is taken up again: nobody has left it.
+        port = self._ports.demo if self._connector.demo_in_use else self._ports.preferred
         if port is not None:
             self._connect_to(port)
         else:

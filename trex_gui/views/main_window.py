@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QByteArray, QSettings, QUrl, Slot
+from PySide6.QtCore import QByteArray, QSettings, Qt, QUrl, Slot
 from PySide6.QtGui import QCloseEvent, QDesktopServices
 from PySide6.QtWidgets import (
     QApplication,
@@ -22,6 +22,7 @@ from trex_gui.protocol.errors import sentence
 from trex_gui.views.action_bar import ActionBar
 from trex_gui.views.actions import build_menus
 from trex_gui.views.connection_bar import ConnectionBar
+from trex_gui.views.demo.panel import DemoPanel
 from trex_gui.views.escape import EscapeWatch
 from trex_gui.views.icons import application_icon
 from trex_gui.views.pages.channels_page import ChannelsPage
@@ -80,6 +81,8 @@ class MainWindow(QMainWindow):
         layout.addWidget(self._tabs, 1)
         layout.addWidget(ActionBar(device, self))
         self.setCentralWidget(frame)
+        self._demo = DemoPanel(connector, self)
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._demo)
         self._files = SettingsFiles(device, self)
         self._actions = build_menus(self, self._slots())
 
@@ -88,6 +91,9 @@ class MainWindow(QMainWindow):
         self._connection.connecting.connect(self._banner.clear)
         parameters_page.reload_requested.connect(self._on_reload_requested)
         connector.failed.connect(self._banner.show_problem)
+        connector.demo_changed.connect(self._on_demo_changed)
+        connector.demo_board.refused.connect(self._banner.show_problem)
+        self._demo.wanted_changed.connect(self._on_demo_changed)
         device.failed.connect(self._banner.show_problem)
         device.applied.connect(self._on_applied)
         device.link_changed.connect(self._on_link_changed)
@@ -129,6 +135,7 @@ class MainWindow(QMainWindow):
             "reload": self._on_reload_requested,
             "apply": self._device.apply,
             **{f"page{index}": page(index) for index in range(self._tabs.count())},
+            "demo": self._demo.toggle,
             **{scheme: self._scheme_chooser(scheme) for scheme in _SCHEMES},
             "guide": lambda: QDesktopServices.openUrl(QUrl(GUIDE_URL)),
             "about": self._show_about,
@@ -159,6 +166,11 @@ class MainWindow(QMainWindow):
             "apply": up and self._device.pending > 0 and not self._device.applying,
         }.items():
             self._actions[key].setEnabled(possible)
+
+    @Slot()
+    def _on_demo_changed(self) -> None:
+        self._actions["demo"].setEnabled(self._connector.demo_in_use)
+        self._actions["demo"].setChecked(self._demo.wanted)
 
     @Slot(object)
     def _on_applied(self, results: tuple[Written, ...]) -> None:
@@ -210,6 +222,11 @@ class MainWindow(QMainWindow):
         geometry = self._store.value("window/geometry")
         if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):
             self.resize(1100, 760)
+        state = self._store.value("window/state")
+        if isinstance(state, QByteArray):
+            self.restoreState(state)
+        self._demo.show_if_wanted()
+        self._on_demo_changed()
         page = str(self._store.value("window/page", 0))
         self._tabs.setCurrentIndex(int(page) if page.isdigit() else 0)
         wanted = self._store.value("window/scheme", "system")
@@ -221,6 +238,8 @@ class MainWindow(QMainWindow):
         if not self._may_close():
             event.ignore()
             return
+        self._store.setValue("window/state", self.saveState())
+        self._demo.leave()
         self._store.setValue("window/geometry", self.saveGeometry())
         self._store.setValue("window/page", self._tabs.currentIndex())
         self._connector.shut_down()

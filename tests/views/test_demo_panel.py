@@ -1,0 +1,439 @@
+"""The panel of the Demo TReX: when it is there, what it says, how it takes the hand."""
+
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
+from PySide6.QtGui import QAction, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+from pytestqt.qtbot import QtBot
+
+from trex_gui.emulator.control import control
+from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.line import Line
+from trex_gui.model.demo_snapshot import (
+    DemoJumpers,
+    DemoLeds,
+    DemoMotor,
+    DemoSnapshot,
+    read_snapshot,
+)
+from trex_gui.model.ports import Port, PortKind
+from trex_gui.protocol.flags import Mode
+from trex_gui.views.demo.panel import DemoPanel
+from trex_gui.views.demo.words import (
+    PACKETS,
+    jumper_hint,
+    led_meaning,
+    led_patterns,
+    motor_text,
+    state_text,
+)
+from trex_gui.views.theme import theme
+from trex_gui.views.widgets.calm_combo_box import CalmComboBox
+from trex_gui.views.widgets.leds import Leds, is_lit
+from trex_gui.views.widgets.note import Note
+from trex_gui.views.widgets.stick_slider import StickSlider
+from trex_gui.window import Program, build
+
+# --- Words ------------------------------------------------------------------------------
+
+
+def _at_work() -> DemoSnapshot:
+    """A board whose LEDs have shown what is learned, in serial mode."""
+    line = Line([Board()])
+    line.advance(2)
+    return read_snapshot(control(line, "show").removeprefix("ok "))
+
+
+SERIAL = _at_work()
+RC = replace(
+    SERIAL,
+    mode=Mode.RC,
+    jumpers=DemoJumpers("rc", mix=False, so_ground=False),
+    serial_controls=False,
+    leds=DemoLeds("off", "on"),
+)
+
+
+@pytest.mark.parametrize("flicker", ["on", "off"])
+def test_the_led_of_packets_is_told_without_its_flicker(flicker: str) -> None:
+    assert led_patterns(replace(SERIAL, leds=DemoLeds("on", flicker))) == ("on", PACKETS)
+    assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
+
+
+@pytest.mark.parametrize(
+    ("snapshot", "pattern", "meaning"),
+    [
+        (SERIAL, "on", "serial commands control"),
+        (RC, "on", "the channels control"),
+        (RC, "fast flash", "safe-start, the motors wait"),
+        (RC, PACKETS, "while a packet comes in"),
+        (replace(RC, power=False), "off", "the power is off"),
+        (
+            replace(RC, special_start="learning: take the mix jumper off"),
+            "blink 1/s",
+            "take the Mix jumper off",
+        ),
+    ],
+)
+def test_what_a_led_means_is_told(snapshot: DemoSnapshot, pattern: str, meaning: str) -> None:
+    assert meaning in led_meaning(snapshot, pattern)
+
+
+@pytest.mark.parametrize(
+    ("snapshot", "words"),
+    [
+        (SERIAL, "Serial mode. Serial commands"),
+        (replace(SERIAL, mode=Mode.SERIAL_ANALOG), "inputs read as voltages"),
+        (RC, "RC mode. The sticks"),
+        (replace(RC, mode=Mode.ANALOG), "Analog mode."),
+        (replace(RC, safe_start=True), "Safe-start"),
+        (replace(RC, serial_controls=True, override=True), "Channel 5 hands control"),
+        (replace(RC, power=False), "nothing answers"),
+        (replace(SERIAL, special_start="waiting for firmware upgrade"), "Boot loader"),
+        (replace(SERIAL, special_start="dreaming"), "Dreaming."),
+    ],
+)
+def test_what_the_board_does_is_one_line(snapshot: DemoSnapshot, words: str) -> None:
+    assert words in state_text(snapshot)
+
+
+@pytest.mark.parametrize(
+    ("snapshot", "hint"),
+    [
+        (SERIAL, ""),
+        (RC, ""),
+        (replace(SERIAL, jumpers=RC.jumpers), "Power cycle to enter RC mode."),
+        (replace(RC, jumpers=SERIAL.jumpers), "Power cycle to enter serial mode."),
+        (replace(SERIAL, jumpers=RC.jumpers, power=False), "Power on to enter RC mode."),
+        (replace(RC, jumpers=DemoJumpers("rc", True, True)), "Power cycle to learn the inputs."),
+        (
+            replace(SERIAL, jumpers=DemoJumpers("serial", True, True)),
+            "Power cycle to start the boot loader.",
+        ),
+        (
+            replace(RC, jumpers=DemoJumpers("rc", True, True), special_start="learning: done"),
+            "",
+        ),
+    ],
+)
+def test_a_jumper_that_waits_for_power_is_told(snapshot: DemoSnapshot, hint: str) -> None:
+    assert jumper_hint(snapshot) == hint
+
+
+@pytest.mark.parametrize(
+    ("direction", "speed", "text"),
+    [
+        ("forward", 64, "forward 64, 3.1\u00a0A"),
+        ("reverse", 127, "reverse 127, 3.1\u00a0A"),
+        ("brake", 127, "brake 127, 3.1\u00a0A"),
+        ("brake", 0, "coast, 3.1\u00a0A"),
+    ],
+)
+def test_what_a_motor_does_is_told(direction: str, speed: int, text: str) -> None:
+    motor = DemoMotor(direction, speed, current=3.14, load=3.0, stall=30.0, fault=False)
+    assert motor_text(motor) == text
+
+
+# --- LEDs -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("pattern", "lit", "dark"),
+    [
+        ("blink 1/s", 0.2, 0.7),
+        ("blink 4/s", 0.05, 0.2),
+        ("alternate 1/s", 0.2, 0.7),
+        ("short flash 1/s", 0.05, 0.5),
+        ("fast flash", 0.01, 0.1),
+    ],
+)
+def test_a_pattern_is_lit_and_dark_in_turn(pattern: str, lit: float, dark: float) -> None:
+    assert is_lit(pattern, lit)
+    assert is_lit(pattern, lit + 3)
+    assert not is_lit(pattern, dark)
+
+
+def test_alternating_leds_are_never_lit_together() -> None:
+    for tenth in range(40):
+        seconds = tenth / 10
+        first = is_lit("alternate 1/s", seconds)
+        assert is_lit("alternate 1/s", seconds, second=True) is not first
+
+
+@pytest.mark.parametrize(("pattern", "lit"), [("on", True), ("off", False), ("purple", False)])
+def test_what_is_no_pattern_stays(pattern: str, lit: bool) -> None:
+    assert is_lit(pattern, 0.3) is is_lit(pattern, 0.8) is lit
+
+
+def test_leds_blink_and_say_why(qtbot: QtBot) -> None:
+    leds = Leds()
+    qtbot.addWidget(leds)
+    leds.show()
+    leds.show_patterns(("on", "blink 4/s"), ("on", "blink 4/s"), ("on: because", "blink 4/s: so"))
+    red, green = leds.lamps
+    qtbot.waitUntil(lambda: green.lit)
+    qtbot.waitUntil(lambda: not green.lit)
+    assert red.lit
+    assert red.accessibleName() == red.toolTip() == "Red LED: on: because"
+    assert green.accessibleName() == "Green LED: blink 4/s: so"
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_lit_led_looks_unlike_a_dark_one_without_colour(
+    qtbot: QtBot, qapp: QApplication, scheme: str
+) -> None:
+    theme().install(qapp)
+    theme().set_scheme("dark" if scheme == "dark" else "light")
+    leds = Leds()
+    qtbot.addWidget(leds)
+    green = leds.lamps[1]
+    pictures = []
+    for lit in (False, True):
+        green.set_lit(lit)
+        image = green.grab().toImage()
+        middle, side = image.pixelColor(image.rect().center()), image.width() // 3
+        pictures.append((middle.lightness(), image.pixelColor(side, side).lightness()))
+    theme().set_scheme("light")
+    assert pictures[0] != pictures[1]
+    assert pictures[1][0] != pictures[1][1], "a lit one has a glint"
+    assert pictures[0][0] == pictures[0][1]
+
+
+# --- Slider and note --------------------------------------------------------------------
+
+
+@pytest.fixture
+def slider(qtbot: QtBot) -> StickSlider:
+    slider = StickSlider(900, 2100, 1500, "bar")
+    qtbot.addWidget(slider)
+    slider.resize(200, slider.sizeHint().height())
+    slider.show()
+    return slider
+
+
+def test_a_double_click_goes_to_rest(slider: StickSlider, qtbot: QtBot) -> None:
+    slider.setValue(2000)
+    with qtbot.waitSignal(slider.valueChanged):
+        QTest.mouseDClick(slider, Qt.MouseButton.LeftButton)
+    assert slider.value() == 1500
+    assert not slider.isSliderDown()
+
+
+def test_following_is_silent_and_leaves_a_held_handle_alone(
+    slider: StickSlider, qtbot: QtBot
+) -> None:
+    with qtbot.assertNotEmitted(slider.valueChanged):
+        slider.follow(1800)
+        slider.set_scale(900, 2100, 1400)
+    assert slider.value() == 1800
+    slider.setSliderDown(True)
+    slider.follow(1000)
+    assert slider.value() == 1800
+
+
+def wheel(widget: QWidget) -> None:
+    place = QPointF(widget.rect().center())
+    event = QWheelEvent(
+        place,
+        QPointF(widget.mapToGlobal(place.toPoint())),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(widget, event)
+
+
+def test_the_wheel_turns_only_what_has_the_focus(slider: StickSlider, qtbot: QtBot) -> None:
+    slider.clearFocus()
+    wheel(slider)
+    assert slider.value() == 1500
+    slider.activateWindow()
+    slider.setFocus()
+    qtbot.waitUntil(slider.hasFocus)
+    wheel(slider)
+    assert slider.value() > 1500
+
+
+def test_the_wheel_passes_over_a_list(qtbot: QtBot) -> None:
+    combo = CalmComboBox()
+    qtbot.addWidget(combo)
+    combo.addItems(["a", "b", "c"])
+    combo.setCurrentIndex(1)
+    combo.show()
+    combo.clearFocus()
+    wheel(combo)
+    assert combo.currentIndex() == 1
+    combo.activateWindow()
+    combo.setFocus()
+    qtbot.waitUntil(combo.hasFocus)
+    wheel(combo)
+    assert combo.currentIndex() == 0
+
+
+def test_a_note_keeps_its_room_and_stands_out_when_it_alarms(
+    qtbot: QtBot, qapp: QApplication
+) -> None:
+    theme().install(qapp)
+    note = Note(2)
+    qtbot.addWidget(note)
+    note.show_note("short")
+    assert note.minimumHeight() == 2 * note.fontMetrics().lineSpacing()
+    note.show_note("now!", alarming=True)
+    assert note.font().bold()
+    assert note.palette().color(note.foregroundRole()) == theme().color("warning")
+    note.show_note("calm")
+    assert not note.font().bold()
+    assert note.palette().color(note.foregroundRole()) == theme().color("window_text")
+
+
+# --- When it is there -------------------------------------------------------------------
+
+
+def panel_of(program: Program) -> DemoPanel:
+    panel = program.window.findChild(QDockWidget, "demoPanel")
+    assert isinstance(panel, DemoPanel)
+    return panel
+
+
+def action_of(program: Program) -> QAction:
+    action = program.window.findChild(QAction, "demoAction")
+    assert isinstance(action, QAction)
+    return action
+
+
+@pytest.fixture
+def panel(program: Program) -> DemoPanel:
+    return panel_of(program)
+
+
+def test_without_the_demo_there_is_no_panel(program: Program, panel: DemoPanel) -> None:
+    assert panel.isHidden()
+    assert not action_of(program).isEnabled()
+
+
+def test_the_panel_comes_and_goes_with_the_demo(program: Program, panel: DemoPanel) -> None:
+    program.connector.connect_to(program.ports.demo)
+    assert panel.isVisible()
+    assert program.window.dockWidgetArea(panel) is Qt.DockWidgetArea.RightDockWidgetArea
+    assert action_of(program).isEnabled()
+    assert action_of(program).isChecked()
+    program.connector.disconnect_port()
+    assert panel.isHidden()
+
+
+def test_the_panel_goes_when_another_port_is_chosen(program: Program, panel: DemoPanel) -> None:
+    program.connector.connect_to(program.ports.demo)
+    program.connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
+    assert panel.isHidden()
+
+
+def test_a_closed_panel_stays_closed_until_the_menu_brings_it_back(
+    program: Program, panel: DemoPanel
+) -> None:
+    program.connector.connect_to(program.ports.demo)
+    panel.close()
+    assert not action_of(program).isChecked()
+    program.connector.disconnect_port()
+    program.connector.connect_to(program.ports.demo)
+    assert panel.isHidden()
+    action_of(program).trigger()
+    assert panel.isVisible()
+    assert action_of(program).isChecked()
+    action_of(program).trigger()
+    assert panel.isHidden()
+
+
+@pytest.fixture
+def restart(program: Program, qtbot: QtBot) -> Callable[[], Program]:
+    """End the program and begin it again."""
+
+    def again() -> Program:
+        program.window.close()
+        second = build()
+        qtbot.addWidget(second.window)
+        second.window.show()
+        return second
+
+    return again
+
+
+def test_that_it_was_closed_is_remembered(
+    program: Program, panel: DemoPanel, restart: Callable[[], Program]
+) -> None:
+    program.connector.connect_to(program.ports.demo)
+    panel.close()
+    second = restart()
+    second.connector.connect_to(second.ports.demo)
+    assert panel_of(second).isHidden()
+    second.connector.shut_down()
+
+
+def test_its_place_is_remembered(
+    program: Program, panel: DemoPanel, restart: Callable[[], Program]
+) -> None:
+    program.connector.connect_to(program.ports.demo)
+    program.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, panel)
+    second = restart()
+    assert panel_of(second).isHidden()
+    second.connector.connect_to(second.ports.demo)
+    assert panel_of(second).isVisible()
+    where = second.window.dockWidgetArea(panel_of(second))
+    assert where is Qt.DockWidgetArea.LeftDockWidgetArea
+    second.connector.shut_down()
+
+
+def test_the_window_takes_back_the_room_that_it_gave(
+    program: Program, panel: DemoPanel, qtbot: QtBot
+) -> None:
+    program.window.setGeometry(0, 0, 780, 620)  # of the 800 that the screen has
+    before = program.window.width()
+    program.connector.connect_to(program.ports.demo)
+    qtbot.waitUntil(panel.isVisible)
+    program.connector.disconnect_port()
+    qtbot.waitUntil(lambda: program.window.width() == before)
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support")  # said by offscreen
+def test_a_floating_panel_does_not_outlive_the_window(
+    program: Program, panel: DemoPanel, qtbot: QtBot
+) -> None:
+    program.connector.connect_to(program.ports.demo)
+    panel.setFloating(True)
+    program.window.close()
+    assert panel.isHidden()
+    assert QSettings().value("window/state") is not None
+
+
+def test_while_the_board_starts_nothing_can_be_handled(program: Program, panel: DemoPanel) -> None:
+    program.connector.connect_to(program.ports.demo)
+    slider = panel.findChild(StickSlider, "demoInput1")
+    assert slider is not None
+    assert not slider.isEnabled()
+    state = panel.findChild(Note, "demoState")
+    assert state is not None
+    assert "is being started" in state.text()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="closeEvent of native windows differs")
+def test_nothing_moves_that_nobody_sees(program: Program, qtbot: QtBot) -> None:
+    leds = Leds()
+    qtbot.addWidget(leds)
+    leds.show_patterns(("off", "blink 4/s"), ("", ""), ("", ""))
+    with qtbot.waitExposed(leds):
+        leds.show()
+    green = leds.lamps[1]
+    qtbot.waitUntil(lambda: green.lit)
+    QApplication.sendEvent(leds, QEvent(QEvent.Type.HideToParent))
+    leds.hide()
+    lit = green.lit
+    with qtbot.assertNotEmitted(theme().changed, wait=300):
+        pass
+    assert green.lit is lit
