@@ -152,7 +152,7 @@ def test_an_empty_battery_resets_the_board_and_a_full_one_starts_it(line: Line) 
     control(line, "battery 2")
     line.advance(0.01)
     assert show(line)["power"] is False
-    assert control(line, "power on") == "ok power off"
+    assert control(line, "power on").startswith("ok power on, but the battery is too low")
     control(line, "battery 12")
     line.advance(0.01)
     shown = show(line)

@@ -52,7 +52,9 @@ class Watched:
         self.device.connect_to(LinkSettings(url))
         if again:
             self.until(lambda: self.device.link is not Link.UP)
-        self.until_link(Link.UP)
+        failed = len(self.failures)
+        self.until(lambda: self.device.link is Link.UP or len(self.failures) > failed)
+        assert self.device.link is Link.UP, self.failures[failed:]
 
     def edit(self, key: str, wire: int) -> None:
         assert self.device.parameters.setData(self.device.parameters.index_of(key), wire)

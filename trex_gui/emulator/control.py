@@ -20,6 +20,7 @@ _HIGHEST_CURRENT = 1000.0
 _HIGHEST_VOLTAGE = 24.0
 _HIGHEST_RESISTANCE = 100.0
 _MANY = 10_000
+_NOTICED = {"framing": "", "overrun": "", "parity": ", which a board without parity does not see"}
 _UART_ERRORS = {
     "framing": UartError.FRAMING,
     "parity": UartError.PARITY,
@@ -107,7 +108,11 @@ def _jumper(board: Board, words: list[str]) -> str:
             return f"mix jumper {state}"
         case ["so-ground", ("on" | "off") as state]:
             board.so_ground = _SWITCH[state]
-            return f"so-ground jumper {state}; read at power-up"
+            if board.so_ground:
+                return (
+                    "so-ground jumper on; read at power-up, and no answer gets out until it is off"
+                )
+            return "so-ground jumper off"
     raise _ControlError(
         "jumper mode serial|rc|analog, jumper mix on|off or jumper so-ground on|off"
     )
@@ -123,6 +128,8 @@ def _power(board: Board, words: list[str]) -> str:
             board.power_cycle()
         case _:
             raise _ControlError("power on, power off or power cycle")
+    if board.is_starved:
+        return "power on, but the battery is too low for the board to start"
     return "power on" if board.powered else "power off"
 
 
@@ -163,6 +170,8 @@ def _battery(board: Board, words: list[str]) -> str:
     if len(words) == 2:
         board.machine.resistance = _float(words[1], "a resistance in ohm", _HIGHEST_RESISTANCE)
     board.machine.battery = volts
+    if not board.powered:
+        board.machine.volts = volts  # nothing draws a current
     return f"battery {volts:g} V, {board.machine.resistance:g} ohm"
 
 
@@ -177,6 +186,7 @@ def _eeprom(board: Board, words: list[str]) -> str:
         raise _ControlError(f"there is no parameter {key!r}") from None
     except ValueError as error:
         raise _ControlError(str(error)) from error
+    _require_saved(board)
     return f"{key} is {board.eeprom[key]}; power cycle to use it"
 
 
@@ -184,7 +194,13 @@ def _factory(board: Board, words: list[str]) -> str:
     if words:
         raise _ControlError("factory takes nothing more")
     board.make_new()
+    _require_saved(board)
     return "as new"
+
+
+def _require_saved(board: Board) -> None:
+    if board.eeprom.unsaved is not None:
+        raise _ControlError(f"done, but not saved: {board.eeprom.unsaved}")
 
 
 def _no_words(_board: Board, words: list[str]) -> str:
@@ -216,13 +232,15 @@ def _wire(line: Line, words: list[str]) -> str:
             return "no byte has an error"
         case ["error", ("framing" | "parity" | "overrun") as name]:
             line.to_spoil.append(_UART_ERRORS[name])
-            return f"the next byte from the host has a {name} error"
+            return f"the next byte from the host has a {name} error{_NOTICED[name]}"
         case ["error", ("framing" | "parity" | "overrun") as name, number]:
             amount = _amount(number, _MANY)
             line.to_spoil.extend([_UART_ERRORS[name]] * amount)
-            return f"the next {amount} bytes from the host have a {name} error"
+            return f"the next {amount} bytes from the host have a {name} error{_NOTICED[name]}"
         case ["garbage", *digits] if digits:
             data = _hex("".join(digits))
+            if len(data) > _MANY:
+                raise _ControlError(f"garbage is at most {_MANY} bytes, not {len(data)}")
             line.inject(data)
             return f"{len(data)} bytes on their way to the host"
         case ["noise", probability]:

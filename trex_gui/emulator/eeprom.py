@@ -31,11 +31,13 @@ class Eeprom:
     Attributes:
         model: the kind of board whose memory it is.
         reset_pending: whether the next power-up puts the parameters back to the factory's.
+        unsaved: why the file does not have what was stored last; `None` when it does.
     """
 
     def __init__(self, model: str = "trex", *, path: Path | None = None) -> None:
         self.model = device_table().model(model)
         self.reset_pending = False
+        self.unsaved: EepromError | None = None
         self._path = path
         self._specs = parameters_of(model, self.model.firmware[-1])
         self._values = self._factory_values()
@@ -69,11 +71,10 @@ class Eeprom:
         Raises:
             KeyError: there is no such cell.
             ValueError: the parameter cannot be this value.
-            EepromError: the file cannot be written.
         """
         spec = self._spec(which)
         self._values[spec.key] = spec.check(value)
-        self.save()
+        self._keep()
 
     def calibration(self, source: InputSource, channel: int) -> Calibration:
         """Return the calibration of a channel (1-5) for one kind of input."""
@@ -82,22 +83,14 @@ class Eeprom:
     def write_calibration(
         self, source: InputSource, channel: int, calibration: Calibration
     ) -> None:
-        """Store a channel's calibration and save.
-
-        Raises:
-            EepromError: the file cannot be written.
-        """
+        """Store a channel's calibration and save."""
         self._calibrations[source][channel] = calibration
-        self.save()
+        self._keep()
 
     def write_calibration_value(
         self, source: InputSource, channel: int, field: str, value: int
     ) -> None:
-        """Store one of the four values of a calibration and save.
-
-        Raises:
-            EepromError: the file cannot be written.
-        """
+        """Store one of the four values of a calibration and save."""
         calibration = replace(self._calibrations[source][channel], **{field: value})
         self.write_calibration(source, channel, calibration)
 
@@ -119,7 +112,7 @@ class Eeprom:
         self._values = self._factory_values()
         self._calibrations = _factory_calibrations()
         self.reset_pending = False
-        self.save()
+        self._keep()
 
     def learned(self, source: InputSource) -> int:
         """Return the mask of channels whose calibration differs from the default (0x95)."""
@@ -130,7 +123,7 @@ class Eeprom:
     def request_reset(self) -> None:
         """Mark the parameters for a reset at the next power-up, and save."""
         self.reset_pending = True
-        self.save()
+        self._keep()
 
     def reset_if_pending(self) -> None:
         """Do at power-up what 0x7F asked for.
@@ -140,7 +133,16 @@ class Eeprom:
         if self.reset_pending:
             self._values = self._factory_values()
             self.reset_pending = False
+            self._keep()
+
+    def _keep(self) -> None:
+        """Save; when that fails the board goes on with what it has, as a board does."""
+        try:
             self.save()
+        except EepromError as error:
+            self.unsaved = error
+        else:
+            self.unsaved = None
 
     def save(self) -> None:
         """Write the file, if there is one, so that it is never seen half written.

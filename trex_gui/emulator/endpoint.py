@@ -31,7 +31,13 @@ Arrival = tuple[HostSettings | None, bytes]
 
 
 class Endpoint(Protocol):
-    """A connection that a host can open, and open again after it has left."""
+    """A connection that a host can open, and open again after it has left.
+
+    Attributes:
+        hosts_left: how many hosts have left, where that can be seen.
+    """
+
+    hosts_left: int
 
     @property
     def url(self) -> str:
@@ -66,6 +72,7 @@ class TcpEndpoint:
         self._port = port
         self._listener: socket.socket | None = None
         self._client: socket.socket | None = None
+        self.hosts_left = 0
         self.plug()
 
     @property
@@ -138,6 +145,7 @@ class TcpEndpoint:
         if self._client is not None:
             self._client.close()
             self._client = None
+            self.hosts_left += 1
 
     def _accept(self, listener: socket.socket) -> None:
         with contextlib.suppress(OSError):  # it may have gone again

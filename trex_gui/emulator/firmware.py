@@ -61,7 +61,8 @@ class Board:
         mode_jumper: `serial` (no jumper), `rc` or `analog`.
         mix, so_ground: whether these jumpers are set.
         now, powered_at: seconds since the board was made, and when the power came.
-        powered: whether it has power.
+        powered: whether it has power and runs.
+        is_starved: whether it is switched on and waits for a better battery.
         boots: how often it was powered up; what waits for an answer compares it.
         mode: as read at power-up.
         channels, motors, aux: its inputs and outputs.
@@ -99,7 +100,7 @@ class Board:
         self.machine = Machine(self.model.key, self.model.current_unit, seed)
         self.physics = self.machine.motors
         self._jumpers_at_first = (mode, mix)
-        self._is_starved = False
+        self.is_starved = False
         self.counters: Counter[str] = Counter(dict.fromkeys(_COUNTERS, 0))
         self._ticks = 0
         self.power_on()
@@ -108,8 +109,8 @@ class Board:
 
     def power_on(self) -> None:
         """Switch on: jumpers are read, stored parameters become active, latches are clear."""
-        self._is_starved = self.machine.is_too_low
-        if self.powered or self._is_starved:
+        self.is_starved = self.machine.is_too_low
+        if self.powered or self.is_starved:
             return
         self.powered = True
         self.powered_at = self.now
@@ -123,13 +124,14 @@ class Board:
 
     def power_off(self) -> None:
         """Switch off: the motors coast, a write that is not finished is lost."""
-        self._is_starved = False
+        self.is_starved = False
         self._go_down()
 
     def _go_down(self) -> None:
         self.powered = False
         self.special = None
         self.memory.lose_write()
+        self.channels.begin(self.mode.source)
         self._forget()
         for physics in self.physics:
             physics.clear_reading()
@@ -157,7 +159,10 @@ class Board:
         self.motors = (Motor(), Motor())
         self.aux = AuxiliaryMotor()
         self.serial = SerialControl(
-            self.motors, self.aux, joint=self.memory.is_joint, in_control=self.mode.is_serial
+            self.motors,
+            self.aux,
+            joint=self.memory.is_joint,
+            in_control=self.powered and self.mode.is_serial,
         )
         self.sticks = ChannelControl(self.channels, self.memory, self.mode)
         self.receiving = False
@@ -204,8 +209,8 @@ class Board:
         if self.powered and self.machine.is_too_low:
             self.counters["brown_outs"] += 1
             self._go_down()
-            self._is_starved = True
-        elif self._is_starved and not self.machine.is_too_low:
+            self.is_starved = True
+        elif self.is_starved and not self.machine.is_too_low:
             self.power_on()
 
     def _update(self) -> None:
@@ -215,8 +220,8 @@ class Board:
             if self.special.is_over:
                 self.special = None
             return
-        self.serial.watch_silence(self.now, self.memory.active["serial_timeout"])
         self._watch()
+        self.serial.watch_silence(self.now, self.memory.active["serial_timeout"])
         self._latch_faults()
         for index, (motor, physics) in enumerate(zip(self.motors, self.physics, strict=True)):
             if motor.update(self._motor_settings(index + 1), physics.reading):
@@ -262,7 +267,8 @@ class Board:
 
     def _watch(self) -> None:
         """Decide who controls the motors, and let the channels drive when it is they."""
-        self.serial.hand_over(in_control=self.sticks.watch())
+        timeout = self.memory.active["serial_timeout"]
+        self.serial.hand_over(self.now, timeout, in_control=self.sticks.watch())
         if self.serial.in_control:
             return
         if self.safe_start:

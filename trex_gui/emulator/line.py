@@ -9,33 +9,20 @@ import math
 import random
 from collections import Counter, deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 from functools import partial
 from itertools import count
 
 from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.shared_wire import Frame, SharedWire
 from trex_gui.emulator.station import Station
 from trex_gui.protocol.flags import UartError
 from trex_gui.protocol.line_settings import LineSettings
 
-_EPSILON = 1e-12
-
-
-@dataclass(slots=True, eq=False)
-class _Frame:
-    """A byte on its way to the host, and who puts it on the wire."""
-
-    start: float
-    end: float
-    value: int
-    senders: set[object] = field(default_factory=set)
+_EPSILON = 1e-12  # seconds; swallows the rounding of summed times
 
 
 class Line:
     """One wire, the boards on it and the faults it has.
-
-    The outputs of several boards are ANDed, as they must be on a real wire: what two of them
-    say at the same time arrives as the AND of it.
 
     Attributes:
         boards, numbers: the boards, and the device numbers they had at first; these name them.
@@ -82,7 +69,10 @@ class Line:
         self._events: list[tuple[float, int, Callable[[], None]]] = []
         self._order = count()
         self._host_busy_until = 0.0
-        self._in_flight: list[_Frame] = []
+        self._host_turn = 0
+        self._plugged_at = -math.inf
+        self._injecting_until = 0.0
+        self._shared = SharedWire(self.at, self.arrive, self._host_settings, self.counters)
         self._received = bytearray()
 
     # The host's end
@@ -98,12 +88,27 @@ class Line:
             start = max(self.now, self._host_busy_until)
             end = start + byte_time
             self._host_busy_until = end
-            if is_alien and host is not None:
-                self.at(start, partial(self._carry_alien, byte, host, end))
-            else:
-                self.at(end, partial(self._carry, byte, host))
             if self.echo:
-                self._put_on_wire(_Frame(start, end, byte, {-1}))
+                self._while_wanted(start, partial(self._echo, byte, end))
+            if is_alien and host is not None:
+                self._while_wanted(start, partial(self._carry_alien, byte, host, end))
+            else:
+                self._while_wanted(end, partial(self._carry, byte, host, start))
+
+    def drop_unsent(self) -> None:
+        """Forget what the host has queued: its port was closed, or set anew."""
+        self._host_turn += 1
+        self._host_busy_until = self.now
+
+    def _while_wanted(self, moment: float, action: Callable[[], None]) -> None:
+        """Do something for the host at a moment, unless what it had queued is dropped before."""
+        turn = self._host_turn
+
+        def act() -> None:
+            if turn == self._host_turn:
+                action()
+
+        self.at(moment, act)
 
     def receive(self) -> bytes:
         """Take what has reached the host so far."""
@@ -140,21 +145,6 @@ class Line:
         self._move_to(end)
 
     @property
-    def _is_shared(self) -> bool:
-        """Whether several may talk to the host at the same time."""
-        return len(self.boards) + self.echo > 1
-
-    @property
-    def _is_grounded(self) -> bool:
-        """Whether a jumper holds SO to ground. Inferred: nothing reaches the host then."""
-        return any(board.so_ground for board in self.boards)
-
-    @property
-    def is_instant(self) -> bool:
-        """Whether bytes take no time and have nothing to collide with."""
-        return not self.paced and not self._is_shared and not self._is_grounded
-
-    @property
     def next_event(self) -> float | None:
         """When something happens on the wire next, if anything is under way."""
         return self._events[0][0] if self._events else None
@@ -186,28 +176,29 @@ class Line:
             return self.host.seconds(1)
         return self._stations[0].byte_time
 
-    def _carry(self, byte: int, sender: LineSettings | None) -> None:
+    def _carry(self, byte: int, sender: LineSettings | None, begun: float) -> None:
         """Let a byte of the host arrive at the boards, which all run at its rate."""
-        if (fate := self._fate(byte)) is not None:
+        if (fate := self._fate(byte, begun)) is not None:
             byte, error = fate
             for station in self._stations:
-                station.hear(byte, sender, error)
+                station.hear(byte, sender, error, begun)
 
     def _carry_alien(self, byte: int, sender: LineSettings, end: float) -> None:
         """Let a byte of the host begin that some boards cannot read."""
-        if (fate := self._fate(byte)) is None:
+        begun = self.now
+        if (fate := self._fate(byte, begun)) is None:
             return
         byte, error = fate
         for station in self._stations:
             if station.is_other_rate(sender):
                 station.sample(byte, sender)
             else:
-                self.at(end, partial(station.hear, byte, sender, error))
+                self._while_wanted(end, partial(station.hear, byte, sender, error, begun))
 
-    def _fate(self, byte: int) -> tuple[int, UartError | None] | None:
+    def _fate(self, byte: int, begun: float) -> tuple[int, UartError | None] | None:
         """Return what the wire makes of a byte of the host; `None` when it is lost."""
         self.counters["sent"] += 1
-        if not self.plugged:
+        if not self._is_whole(begun):
             return None
         if self.to_drop_sent:
             self.to_drop_sent -= 1
@@ -217,40 +208,49 @@ class Line:
             return byte, self.to_spoil.popleft()
         return self._spoil(byte) if self._is_spoilt() else (byte, None)
 
+    def _is_whole(self, begun: float) -> bool:
+        """Whether the cable is in, and was when a byte began."""
+        return self.plugged and begun >= self._plugged_at - _EPSILON
+
+    def _echo(self, byte: int, end: float) -> None:
+        """Let a byte of the host begin to come back."""
+        if self.paced:
+            self._shared.put(Frame(self.now, end, byte, *self._host_settings()))
+        else:
+            self.arrive(byte, self.now)
+
+    def _host_settings(self) -> tuple[LineSettings, int]:
+        """Return how the host's port is set, as far as that is known, and its rate."""
+        if self.host is not None:
+            return self.host, self.host.baud
+        memory = self.boards[0].memory
+        return memory.line_settings, memory.baud
+
     # From the boards to the host
 
-    def carry_to_host(
-        self, begin: float, end: float, byte: int, sender: object, alive: Callable[[], bool]
-    ) -> None:
-        """Carry a byte of a board; it arrives if the board is alive then."""
-        if not self._is_grounded:
-            self._put_on_wire(_Frame(begin, end, byte, {sender}), alive)
+    @property
+    def is_grounded(self) -> bool:
+        """Whether a jumper holds SO to ground. Inferred: nothing reaches the host then."""
+        return any(board.so_ground for board in self.boards)
+
+    @property
+    def is_instant(self) -> bool:
+        """Whether bytes take no time and have nothing to collide with."""
+        return not self.paced and len(self.boards) == 1
+
+    def put(self, frame: Frame) -> None:
+        """Let a byte of a board begin now."""
+        if not self.is_grounded:
+            self._shared.put(frame)
 
     def garble(self, byte: int) -> int:
         """Return what a host with other settings makes of a byte: never the byte itself."""
         self.counters["garbled"] += 1
         return byte ^ self._random.randrange(1, 256)
 
-    def _put_on_wire(self, frame: _Frame, alive: Callable[[], bool] = lambda: True) -> None:
-        for other in self._in_flight:
-            if _collide(frame, other):
-                other.value &= frame.value
-                other.senders |= frame.senders
-                self.counters["collisions"] += 1
-                return
-        if self._is_shared:
-            self._in_flight.append(frame)
-        self.at(frame.end, partial(self._reach_host, frame, alive))
-
-    def _reach_host(self, frame: _Frame, alive: Callable[[], bool]) -> None:
-        if self._in_flight:
-            self._in_flight = [other for other in self._in_flight if other is not frame]
-        if alive():
-            self.arrive(frame.value)
-
-    def arrive(self, byte: int) -> None:
-        """Let a byte reach the host, if the wire lets it."""
-        if not self.plugged or self.mute:
+    def arrive(self, byte: int, begun: float) -> None:
+        """Let a byte reach the host that began at a moment, if the wire lets it."""
+        if self.mute or not self._is_whole(begun):
             return
         if self.to_drop:
             self.to_drop -= 1
@@ -265,11 +265,18 @@ class Line:
     # Faults
 
     def inject(self, data: bytes) -> None:
-        """Put bytes on the wire to the host that no board has sent."""
+        """Put bytes on the wire to the host that no board has sent, behind those before."""
         byte_time = self._stations[0].byte_time
-        for index, byte in enumerate(data):
-            start = self.now + index * byte_time
-            self._put_on_wire(_Frame(start, start + byte_time, byte, {-2}))
+        for byte in data:
+            start = max(self.now, self._injecting_until)
+            self._injecting_until = start + byte_time
+            self.at(start, partial(self._begin_injected, byte, start + byte_time))
+
+    def _begin_injected(self, byte: int, end: float) -> None:
+        if self.paced:
+            self._shared.put(Frame(self.now, end, byte, *self._host_settings()))
+        else:
+            self.arrive(byte, self.now)
 
     def unplug(self) -> None:
         """Pull the cable: nothing passes until it is back in."""
@@ -277,8 +284,10 @@ class Line:
         self._received.clear()
 
     def plug(self) -> None:
-        """Put the cable back in."""
-        self.plugged = True
+        """Put the cable back in; of bytes that are under way nothing is whole."""
+        if not self.plugged:
+            self.plugged = True
+            self._plugged_at = self.now
 
     def _is_spoilt(self) -> bool:
         return self.noise > 0 and self._random.random() < self.noise
@@ -290,12 +299,3 @@ class Line:
         if bit == 8:
             return byte, UartError.FRAMING
         return byte ^ 1 << bit, UartError.PARITY
-
-
-def _collide(frame: _Frame, other: _Frame) -> bool:
-    """Whether two bytes of different senders are on the wire at the same time."""
-    if frame.senders & other.senders:
-        return False
-    if frame.start == frame.end:  # not paced: bytes pair in their order
-        return frame.start == other.start
-    return frame.start < other.end - _EPSILON and other.start < frame.end - _EPSILON

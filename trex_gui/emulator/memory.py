@@ -122,6 +122,8 @@ class Memory:
         if value not in spec.valid:
             return ResultCode.BAD_VALUE
         if not spec.readable:
+            # Inferred: 0x7F only leaves a mark, and the next power-up does the rest. What is
+            # written between is reset with everything else.
             step = _Step(PARAMETER_WRITE, self._eeprom.request_reset, lambda: None)
         else:
             store = partial(self._store, spec.key, value, at_once=not spec.needs_power_cycle)
@@ -144,22 +146,25 @@ class Memory:
         low, middle, high = calibration.minimum, calibration.neutral, calibration.maximum
         if not (low <= middle <= high and low < high):
             return ResultCode.BAD_VALUE
-        for field in CALIBRATION_FIELDS:
-            store = partial(
-                self._eeprom.write_calibration_value,
-                mode.source,
-                channel,
-                field,
-                getattr(calibration, field),
-            )
-            lose = partial(self._eeprom.lose_calibration_value, mode.source, channel, field)
-            self._steps.append(_Step(CALIBRATION_WRITE / len(CALIBRATION_FIELDS), store, lose))
+        self.store_calibration(mode.source, channel, calibration)
         return ResultCode.OK
 
+    def store_calibration(
+        self, source: InputSource, channel: int, calibration: Calibration
+    ) -> None:
+        """Begin to write a calibration, behind what is being written."""
+        for field in CALIBRATION_FIELDS:
+            value = getattr(calibration, field)
+            store = partial(self._eeprom.write_calibration_value, source, channel, field, value)
+            lose = partial(self._eeprom.lose_calibration_value, source, channel, field)
+            self._steps.append(_Step(CALIBRATION_WRITE / len(CALIBRATION_FIELDS), store, lose))
+
     def restore_line_settings(self) -> None:
-        """Store the factory's serial settings, as the recovery by jumpers does."""
+        """Begin to write the factory's serial settings, as the recovery by jumpers does."""
         for key in ("uart_settings", "crc7_polynomial"):
-            self._eeprom.write(key, self.parameters[key].default)
+            store = partial(self._store, key, self.parameters[key].default, at_once=False)
+            lose = partial(self._eeprom.lose, key)
+            self._steps.append(_Step(PARAMETER_WRITE, store, lose))
 
     @property
     def busy_for(self) -> float:

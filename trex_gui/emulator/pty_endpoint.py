@@ -39,6 +39,7 @@ class PtyEndpoint:
         self._master: int | None = None
         self._slave: int | None = None
         self._path = ""
+        self.hosts_left = 0
         self.plug()
 
     @property
@@ -72,6 +73,7 @@ class PtyEndpoint:
             if end is not None:
                 os.close(end)
         self._master = self._slave = None
+        self.hosts_left += 1
         self._remove_link()
 
     def plug(self) -> None:

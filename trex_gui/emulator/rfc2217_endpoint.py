@@ -19,13 +19,22 @@ class _Port:
 
     cts = dsr = cd = True
     ri = False
-    bytesize = serial.EIGHTBITS
     xonxoff = rtscts = dtr = rts = break_condition = False
 
     def __init__(self, baud: int) -> None:
         self.baudrate = baud
         self._parity = serial.PARITY_NONE
         self._stopbits = serial.STOPBITS_ONE
+
+    @property
+    def bytesize(self) -> int:
+        """8."""
+        return serial.EIGHTBITS
+
+    @bytesize.setter
+    def bytesize(self, bits: int) -> None:
+        if bits != serial.EIGHTBITS:
+            raise ValueError("eight data bits")
 
     @property
     def parity(self) -> str:

@@ -25,11 +25,12 @@ class Heard:
     """What a receiver makes of the levels.
 
     Attributes:
-        at: when it had the last bit, in seconds.
+        begun, at: when it saw the start bit and when it had the last bit, in seconds.
         value: the byte.
         error: what it noticed to be wrong with it.
     """
 
+    begun: float
     at: float
     value: int
     error: UartError | None = None
@@ -51,11 +52,13 @@ class Receiver:
     the bytes that it is told about the wire rests high.
 
     Attributes:
+        baud: its rate.
         known_until: until when, in seconds, it has been told.
     """
 
     def __init__(self, settings: LineSettings, baud: int, now: float = 0.0) -> None:
         self.known_until = now
+        self.baud = baud
         self._bit = 1 / baud
         self._detection = settings.detection
         self._bits_wanted = 1 + _DATA_BITS + (self._detection in _PARITIES) + 1
@@ -78,7 +81,7 @@ class Receiver:
         yield from self.rest(begin)
         bits = levels(byte, settings)
         for index, level in enumerate(bits):
-            yield from self._hold(level, begin + (index + 1) / baud)
+            yield from self.take(level, begin + (index + 1) / baud)
 
     def hear_alone(self, byte: int, settings: LineSettings, baud: int) -> Iterator[Heard]:
         """Take a byte after which the wire rests; yield all that is made of it."""
@@ -87,10 +90,10 @@ class Receiver:
 
     def rest(self, until: float) -> Iterator[Heard]:
         """Let the wire rest high until a moment; yield what is complete by then."""
-        yield from self._hold(_HIGH, until)
+        yield from self.take(_HIGH, until)
 
-    def _hold(self, level: int, until: float) -> Iterator[Heard]:
-        """Let the wire keep a level until a moment."""
+    def take(self, level: int, until: float) -> Iterator[Heard]:
+        """Let the wire keep a level until a moment; yield what is complete by then."""
         if until <= self.known_until:
             return
         falls = level < self._level
@@ -109,6 +112,7 @@ class Receiver:
         self.known_until = until
 
     def _complete(self, at: float) -> Heard:
+        begun = at if self._begun is None else self._begun
         bits, self._bits, self._begun = self._bits, [], None
         data = bits[1 : 1 + _DATA_BITS]
         value = sum(bit << index for index, bit in enumerate(data))
@@ -119,4 +123,4 @@ class Receiver:
             wanted = sum(data) % 2 ^ _PARITIES[self._detection]
             if bits[1 + _DATA_BITS] != wanted:
                 error = UartError.PARITY
-        return Heard(at, value, error)
+        return Heard(begun, at, value, error)

@@ -71,14 +71,16 @@ class SerialControl:
         if self.in_control:
             self._give_aux_order()
 
-    def hand_over(self, *, in_control: bool) -> None:
+    def hand_over(self, now: float, timeout: int, *, in_control: bool) -> None:
         """Give or take control; on taking it each motor obeys its latest order, however old.
 
-        Inferred: a motor that never had an order stops.
+        Inferred: a motor that never had an order stops; so do all when the host has been
+        silent for longer than the serial timeout (tenths of a second, 0 for none).
         """
         begins = in_control and not self.in_control
         self.in_control = in_control
         if begins:
+            self.watch_silence(now, timeout)
             for order, motor in zip(self._orders, self._motors, strict=True):
                 order.give(motor)
             self._give_aux_order()

@@ -110,8 +110,8 @@ def main(
     """
     if sum(option is not None for option in (link, tcp, rfc2217)) > 1:
         raise click.UsageError("only one of --link, --tcp and --rfc2217")
-    if eeprom is not None and len({device.number for device in devices}) < len(devices):
-        raise click.UsageError("with --eeprom each --device needs a number of its own")
+    if len({device.number for device in devices}) < len(devices):
+        raise click.UsageError("each --device needs a number of its own; control lines use it")
     try:
         boards = [
             Board(

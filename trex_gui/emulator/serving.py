@@ -28,7 +28,14 @@ _SUSPENDED = 2.0
 """A gap of so many seconds is time in which the process did not run; it is not made up for."""
 
 _FULL_ENOUGH = 0.02
-"""Seconds of bytes that may wait for the wire before no more are taken from the host."""
+"""Seconds of bytes that are given to the wire ahead; the rest waits here, where it can be dropped
+when the host leaves or sets its port anew."""
+
+_MOST_WAITING = 65_536
+"""Bytes of a host that may wait; what a slow line cannot carry is lost then."""
+
+_SLICE = 16
+"""Bytes that are given to the wire at a time."""
 
 _IN_LUMPS = 0.001
 """Seconds for which the bytes of a host that streams are dealt with together. Waking for each
@@ -46,6 +53,9 @@ class Server:
         self._demos = demos
         self._origin = time.monotonic()
         self._ended = False
+        self._waiting = bytearray()
+        self._hosts_left = 0
+        self._told: set[str] = set()
         self._control_lines: deque[str | None] = deque()
         self._waker, self._wake = socket.socketpair()
         self._waker.setblocking(False)
@@ -75,24 +85,56 @@ class Server:
         self._catch_up()
         if answer := self._line.receive():
             self._endpoint.write(answer)
-        sources = [self._waker.fileno()]
-        if self._line.backlog < _FULL_ENOUGH:
-            sources += self._endpoint.waiting_for()
+        sources = [self._waker.fileno(), *self._endpoint.waiting_for()]
         ready, _, _ = select.select(sources, [], [], self._patience())
         self._catch_up()
+        self._note_departure()  # before anything of the next host is taken
         for settings, data in self._endpoint.take(ready):
-            self._line.host = self._host_settings(settings)
-            self._line.send(data)
+            self._receive(settings, data)
+        self._note_departure()
+        self._send_ahead()
+        self._tell_of_unsaved()
         if self._waker.fileno() in ready:
             self._drain()
             self._obey()
+
+    def _receive(self, seen: HostSettings | None, data: bytes) -> None:
+        """Take bytes of the host; what it sent before it set its port anew is gone."""
+        settings = self._host_settings(seen)
+        if settings != self._line.host:
+            self._drop_waiting()
+            self._line.host = settings
+        self._waiting += data[: _MOST_WAITING - len(self._waiting)]
+
+    def _send_ahead(self) -> None:
+        """Give the wire what it can carry in the next moments."""
+        while self._waiting and self._line.backlog < _FULL_ENOUGH:
+            self._line.send(bytes(self._waiting[:_SLICE]))
+            del self._waiting[:_SLICE]
+
+    def _tell_of_unsaved(self) -> None:
+        """Say once for each reason that a board's memory is not in its file."""
+        for board in self._line.boards:
+            reason = str(board.eeprom.unsaved or "")
+            if reason and reason not in self._told:
+                self._told.add(reason)
+                sys.stderr.write(f"{reason}; the board goes on without it\n")
+
+    def _note_departure(self) -> None:
+        if self._endpoint.hosts_left != self._hosts_left:
+            self._hosts_left = self._endpoint.hosts_left
+            self._drop_waiting()
+
+    def _drop_waiting(self) -> None:
+        self._waiting.clear()
+        self._line.drop_unsent()
 
     def _patience(self) -> float:
         """Return the seconds until something is due."""
         idle = _DEMO_IDLE if self._demos else _IDLE
         event = self._line.next_event
         if event is None:
-            return idle
+            return 0.0 if self._waiting else idle
         wait = self._origin + event - time.monotonic()
         if self._line.backlog > _IN_LUMPS:
             wait = max(wait, _IN_LUMPS)

@@ -198,7 +198,7 @@ class Learning:
             if calibration is None:
                 self._learned.discard(channel)
             else:
-                self._board.eeprom.write_calibration(source, channel, calibration)
+                self._board.memory.store_calibration(source, channel, calibration)
         self._begin(_Step.DONE)
 
 

@@ -7,12 +7,15 @@ from typing import Protocol
 
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.sampling import Heard, Receiver
+from trex_gui.emulator.shared_wire import Frame
 from trex_gui.emulator.uart import SerialPort
 from trex_gui.protocol.flags import UartError
 from trex_gui.protocol.line_settings import Detection, LineSettings
 
 _RATE_TOLERANCE = 0.03
 """How far two UARTs may be apart: half a bit in the ten of a byte, for both together."""
+
+_EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
 _PARITIES = {Detection.EVEN: "even", Detection.ODD: "odd"}
 
@@ -28,16 +31,18 @@ class Wire(Protocol):
     def is_instant(self) -> bool:
         """Whether bytes take no time and have nothing to collide with."""
 
+    @property
+    def is_grounded(self) -> bool:
+        """Whether the wire to the host is held low."""
+
     def at(self, moment: float, action: Callable[[], None]) -> None:
         """Do something at a moment that is not over."""
 
-    def carry_to_host(
-        self, begin: float, end: float, byte: int, sender: object, alive: Callable[[], bool]
-    ) -> None:
-        """Carry a byte from now on, as long as its sender is alive."""
+    def put(self, frame: Frame) -> None:
+        """Let a byte to the host begin now."""
 
-    def arrive(self, byte: int) -> None:
-        """Let a byte reach the host now."""
+    def arrive(self, byte: int, begun: float) -> None:
+        """Let a byte reach the host now that began at a moment."""
 
     def garble(self, byte: int) -> int:
         """Return what a host with other parity or stop bits makes of a byte."""
@@ -55,6 +60,8 @@ class Station:
         self.port = SerialPort(board)
         self._wire = wire
         self._boot = board.boots
+        self._ahead = wire.now - board.now  # the board may be older than the wire
+        self._hears_since = wire.now
         self._forget()
 
     def _forget(self) -> None:
@@ -68,6 +75,7 @@ class Station:
         if self._boot == self.board.boots:
             return False
         self._boot = self.board.boots
+        self._hears_since = self.board.powered_at + self._ahead
         self._forget()
         return True
 
@@ -81,13 +89,15 @@ class Station:
         """Whether a host runs at a rate at which neither understands the other."""
         return abs(host.baud / self.board.memory.baud - 1) > _RATE_TOLERANCE
 
-    def hear(self, byte: int, host: LineSettings | None, error: UartError | None) -> None:
+    def hear(
+        self, byte: int, host: LineSettings | None, error: UartError | None, begun: float
+    ) -> None:
         """Take a byte of a host that runs at its rate, at its end."""
         if error is UartError.PARITY and not self._has_parity:
             error = None  # nobody notices the wrong bit
         if host is not None:
             error = self._misread(host) or error
-        self._take(byte, error)
+        self._take(byte, error, begun)
 
     def sample(self, byte: int, host: LineSettings) -> None:
         """Take from the wire what it can of a byte that a host at another rate begins."""
@@ -97,7 +107,7 @@ class Station:
             self._ear = Receiver(memory.line_settings, memory.baud)
         if not self._wire.paced:  # bytes take no time: each comes by itself
             for heard in self._ear.hear_alone(byte, host, host.baud):
-                self._take(heard.value, heard.error)
+                self._take(heard.value, heard.error, self._wire.now)
             return
         for heard in self._ear.hear(self._wire.now, byte, host, host.baud):
             self._wire.at(heard.at, partial(self._take_sampled, self._ear, heard))
@@ -111,11 +121,12 @@ class Station:
 
     def _take_sampled(self, ear: Receiver, heard: Heard) -> None:
         if not self._is_new_boot() and ear is self._ear:
-            self._take(heard.value, heard.error)
+            self._take(heard.value, heard.error, heard.begun)
 
-    def _take(self, byte: int, error: UartError | None) -> None:
+    def _take(self, byte: int, error: UartError | None, begun: float) -> None:
+        """Take a byte that has ended; one that began while it was deaf or off is lost."""
         self._is_new_boot()
-        if self._is_talking:
+        if self._is_talking or begun < self._hears_since - _EPSILON:
             self.board.counters["bytes_missed"] += 1
         elif error is not None:
             self.port.feed_error(error)
@@ -170,13 +181,16 @@ class Station:
         self.board.counters["bytes_sent"] += len(outgoing)
         is_misread = wire.host is not None and self._misread(wire.host)
         for byte in outgoing:
-            wire.arrive(wire.garble(byte) if is_misread else byte)
+            if wire.is_grounded:
+                break
+            wire.arrive(wire.garble(byte) if is_misread else byte, wire.now)
         outgoing.clear()
 
     def _talk(self) -> None:
         """Put the next byte of the send buffer on the wire, or fall silent."""
         if not self.port.outgoing:
             self._is_talking = False
+            self._hears_since = self._wire.now
             mouth, self._mouth = self._mouth, None
             if mouth is not None:
                 self._carry(mouth.rest(math.inf))
@@ -192,8 +206,9 @@ class Station:
         else:
             if wire.host is not None and self._misread(wire.host):
                 byte = wire.garble(byte)
+            memory, alive = self.board.memory, self._is_up(self.board.boots)
             end = wire.now + self.byte_time
-            wire.carry_to_host(wire.now, end, byte, self, self._is_up(self.board.boots))
+            wire.put(Frame(wire.now, end, byte, memory.line_settings, memory.baud, alive))
         wire.at(wire.now + self.byte_time, self._while_up(self._talk))
 
     def _carry(self, heard: Iterable[Heard]) -> None:
@@ -205,7 +220,8 @@ class Station:
         for each in heard:
             self.board.counters["bytes_garbled"] += 1
             at = max(wire.now, each.at) if wire.paced else wire.now
-            wire.carry_to_host(at, at, each.value, self, self._is_up(self.board.boots))
+            begun = each.begun if wire.paced else wire.now
+            wire.at(at, self._while_up(partial(wire.arrive, each.value, begun)))
 
     def _is_up(self, boot: int) -> Callable[[], bool]:
         """Return whether the board will have had power without a break since that power-up."""

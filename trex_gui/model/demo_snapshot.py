@@ -82,6 +82,7 @@ class DemoSnapshot:
 
     Attributes:
         mode: as read at the last power-up.
+        required: mask of the channels that RC mode cannot do without.
         special_start: what it does instead of its normal work; empty for nothing.
         battery, supply: V of the battery, and what is left of it at the board under load.
     """
@@ -93,6 +94,7 @@ class DemoSnapshot:
     safe_start: bool
     override: bool
     serial_controls: bool
+    required: int
     special_start: str
     channels: tuple[DemoChannel, ...]
     motors: tuple[DemoMotor, ...]
@@ -122,6 +124,7 @@ def read_snapshot(text: str) -> DemoSnapshot:
         safe_start=shown["safe_start"],
         override=shown["override"],
         serial_controls=shown["serial_controls"],
+        required=shown["parameters"]["required_channels"],
         special_start=shown["special_start"] or "",
         channels=tuple(DemoChannel(row["signal"], row["raw"]) for row in shown["channels"]),
         motors=tuple(_motor(row) for row in shown["motors"]),

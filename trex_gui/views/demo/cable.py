@@ -55,7 +55,10 @@ class DemoCable(Rows):
         self._spoil = QPushButton(self.tr("Spoil one byte"), self)
         self._spoil.setObjectName("demoSpoil")
         self._spoil.setToolTip(
-            self.tr("The next byte reaches the board with this error; the Status page counts it")
+            self.tr(
+                "The next byte reaches the board with this error; the Status page counts it. "
+                "A parity error is only seen by a board that uses parity."
+            )
         )
 
         self.add_wide(side_by_side(self, (self._plugged, 1), (self._mute, 1)))

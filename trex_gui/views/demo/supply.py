@@ -101,7 +101,7 @@ class DemoSupply(Rows):
         self._so_ground.setChecked(snapshot.jumpers.so_ground)
         hint = jumper_hint(snapshot)
         self._hint.show_note(
-            hint or self.tr("Read at power-up; Mix acts at once."), alarming=bool(hint)
+            hint or self.tr("Mode is read at power-up; Mix acts at once."), alarming=bool(hint)
         )
 
     def controls(self) -> list[QWidget]:

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.model.demo_snapshot import DemoMotor, DemoSnapshot
-from trex_gui.protocol.flags import Mode
+from trex_gui.protocol.flags import Mode, channels_in
 
 PACKETS = "with packets"
 """What a LED shows that lights while a packet comes in; not a pattern of the simulator's."""
@@ -53,7 +53,7 @@ def state_text(snapshot: DemoSnapshot) -> str:
         Mode.SERIAL_ANALOG: tr("Serial mode, inputs read as voltages."),
     }[snapshot.mode]
     if snapshot.safe_start:
-        doing = tr("Safe-start: the motors wait until the sticks are centred.")
+        doing = _safe_start_text(snapshot)
     elif snapshot.mode.is_serial:
         doing = tr("Serial commands control the motors.")
     elif snapshot.serial_controls:
@@ -61,6 +61,22 @@ def state_text(snapshot: DemoSnapshot) -> str:
     else:
         doing = tr("The sticks control the motors.")
     return f"{mode} {doing}"
+
+
+def _safe_start_text(snapshot: DemoSnapshot) -> str:
+    """Say what keeps the motors waiting."""
+    missing = [
+        str(channel)
+        for channel in channels_in(snapshot.required if snapshot.mode is Mode.RC else 0)
+        if snapshot.channels[channel - 1].raw is None
+    ]
+    if missing:
+        return tr("Safe-start: the motors wait for a signal on input {0}.").format(
+            ", ".join(missing)
+        )
+    if snapshot.override:
+        return tr("Safe-start: the motors wait until channel 5 stops calling for override.")
+    return tr("Safe-start: the motors wait until the sticks are centred.")
 
 
 def _special_text(name: str) -> str:
@@ -90,6 +106,8 @@ def jumper_hint(snapshot: DemoSnapshot) -> str:
     if jumpers.mode != snapshot.mode_jumper_in_force:
         wanted = {"serial": tr("serial"), "rc": tr("RC"), "analog": tr("analog")}
         return tr("{0} to enter {1} mode.").format(when, wanted.get(jumpers.mode, jumpers.mode))
+    if jumpers.so_ground:
+        return tr("SO–G holds the serial output to ground: no answer gets out.")
     return ""
 
 
