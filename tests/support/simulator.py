@@ -3,14 +3,26 @@
 import json
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
 from typing import Any
 
 
+_OWN_PLACES = {"--link", "--tcp", "--rfc2217"}
+
+
 class SimulatorProcess:
-    """`trex-sim` in a process of its own, and its control line."""
+    """`trex-sim` in a process of its own, and its control line.
+
+    Its pseudo-terminal has a name of its own: the number of one that was unplugged may become
+    that of another simulator, of a test that runs at the same time.
+    """
 
     def __init__(self, *arguments: str) -> None:
+        self._folder = tempfile.TemporaryDirectory(prefix="trex-sim")
         command = [sys.executable, "-m", "trex_gui.emulator", *arguments]
+        if sys.platform != "win32" and not _OWN_PLACES & set(arguments):
+            command += ["--link", str(Path(self._folder.name) / "port")]
         self._process = subprocess.Popen(
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
         )
@@ -35,6 +47,7 @@ class SimulatorProcess:
     def end(self) -> None:
         self._process.terminate()
         self._process.wait(5)
+        self._folder.cleanup()
         for stream in (self._process.stdin, self._process.stdout):
             if stream is not None:
                 stream.close()
