@@ -7,7 +7,6 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-
 _OWN_PLACES = {"--link", "--tcp", "--rfc2217"}
 
 
