@@ -6,6 +6,7 @@ turn small files into large ones, are refused.
 """
 
 import re
+from dataclasses import dataclass
 from typing import ClassVar
 
 import yaml
@@ -18,7 +19,7 @@ LARGEST_FILE = 256 * 1024
 MOST_NODES = 2000
 """Words and groups of words; a complete settings file has about 160."""
 
-_LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
+LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
 _PLAIN_YAML = "settings are plain 'key: value' lines"
 _MERGE_TAG = "tag:yaml.org,2002:merge"
 
@@ -64,7 +65,7 @@ def compose(text: str, name: str) -> yaml.MappingNode:
     try:
         loader = _Loader(text)
     except yaml.reader.ReaderError as error:
-        line = len(_LINE_END.findall(text, 0, error.position)) + 1
+        line = len(LINE_END.findall(text, 0, error.position)) + 1
         character = f"U+{ord(text[error.position]):04X}"
         message = f"the character {character} has no place in a text file"
         raise _refusal(name, line, message) from None
@@ -89,6 +90,33 @@ def compose(text: str, name: str) -> yaml.MappingNode:
     if not isinstance(node, yaml.MappingNode):
         raise _refusal(name, line_of(node), f"this is no setting; {_PLAIN_YAML}")
     return node
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A piece of text that is neither space nor comment: a value, a colon, a brace.
+
+    Attributes:
+        start: where it begins, in characters.
+        end: where it ends.
+    """
+
+    kind: type[yaml.Token]
+    start: int
+    end: int
+
+
+def words_of(text: str) -> list[Word]:
+    """Return the words of a text that `compose` takes, in their order.
+
+    Between two of them there are only white space and comments.
+    """
+    found = []
+    for token in yaml.scan(text, yaml.SafeLoader):
+        start, end = token.start_mark, token.end_mark
+        if start is not None and end is not None and end.index > start.index:
+            found.append(Word(type(token), start.index, end.index))
+    return found
 
 
 def _refusal(name: str, line: int | None, message: str) -> SettingsError:

@@ -29,7 +29,7 @@ def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> st
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have.
     """
-    _check_keys(settings)
+    check_keys(settings)
     head = [f"product: {settings.product.name}"]
     head += [_comment(part) for line in title_lines for part in line.splitlines() or [""]]
     if settings.firmware is not None:
@@ -38,7 +38,12 @@ def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> st
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
-def _check_keys(settings: Settings) -> None:
+def check_keys(settings: Settings) -> None:
+    """Make sure that a file can hold every key of the settings.
+
+    Raises:
+        BadRequest: their model and firmware do not have one; names it.
+    """
     known = {spec.key for spec in settings.specs.readable}
     strangers = [key for key in settings.parameters if key not in known]
     places = set(CALIBRATION_KEYS.values())
@@ -54,21 +59,28 @@ def _check_keys(settings: Settings) -> None:
 
 def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
     specs = [spec for spec in settings.specs.readable if spec.key in settings.parameters]
-    # As wide as the widest line can be, so that a change of one value changes one line.
-    width = max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
     groups = list(dict.fromkeys(spec.group for spec in specs))
     specs.sort(key=lambda spec: groups.index(spec.group))
     for group, members in groupby(specs, key=lambda spec: spec.group):
-        lines = [_parameter_line(spec, settings.parameters[spec.key], width) for spec in members]
+        lines = [parameter_line(spec, settings.parameters[spec.key]) for spec in members]
         yield [f"# {group.capitalize()}", *lines]
 
 
-def _parameter_line(spec: ParameterSpec, wire: int, width: int) -> str:
+def parameter_line(spec: ParameterSpec, wire: int) -> str:
+    """Return a parameter's line: a setting, or a comment where the board would refuse it."""
     setting = f"{spec.key}: {wire}"
     if problem := spec.problem(wire):
         return _refused(setting, problem)
+    text = parameter_text(spec, wire)
+    # As wide as the widest line can be, so that a change of one value changes one line.
+    width = max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
+    return f"{setting:{width}}  # {text}" if text else setting
+
+
+def parameter_text(spec: ParameterSpec, wire: int) -> str:
+    """Return what stands as a comment beside a value; empty where it would repeat it."""
     text = spec.text(wire)
-    return setting if text == str(wire) else f"{setting:{width}}  # {text}"
+    return "" if text == str(wire) else text
 
 
 def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
@@ -80,23 +92,27 @@ def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
         }
         if not found:
             continue
-        flows = {key: f"{key}: {_flow(calibration)}" for key, calibration in found.items()}
-        width = max(map(len, flows.values()))
-        lines = [
-            _refused(flows[key], problem)
-            if (problem := calibration.problem())
-            else f"{flows[key]:{width}}  # {_calibration_text(source, calibration)}"
-            for key, calibration in found.items()
-        ]
+        width = max(len(_flow_setting(key, calibration)) for key, calibration in found.items())
+        lines = [calibration_line(key, calibration, width) for key, calibration in found.items()]
         yield [f"# {_CALIBRATION_TITLES[source]}", *lines]
 
 
-def _flow(calibration: Calibration) -> str:
+def calibration_line(key: str, calibration: Calibration, width: int = 0) -> str:
+    """Return a calibration's line: a setting, or a comment where the board would refuse it."""
+    setting = _flow_setting(key, calibration)
+    if problem := calibration.problem():
+        return _refused(setting, problem)
+    source, _ = CALIBRATION_KEYS[key]
+    return f"{setting:{width}}  # {calibration_text(source, calibration)}"
+
+
+def _flow_setting(key: str, calibration: Calibration) -> str:
     parts = (f"{name}: {getattr(calibration, name)}" for name in CALIBRATION_FIELDS)
-    return "{" + ", ".join(parts) + "}"
+    return f"{key}: {{{', '.join(parts)}}}"
 
 
-def _calibration_text(source: InputSource, calibration: Calibration) -> str:
+def calibration_text(source: InputSource, calibration: Calibration) -> str:
+    """Return a calibration in µs or V, as it stands in a comment."""
     points = (calibration.minimum, calibration.neutral, calibration.maximum)
     numbers = " / ".join(source.text(point).removesuffix(f" {source.unit}") for point in points)
     return f"{numbers} {source.unit}, deadband {source.text(calibration.deadband)}"
