@@ -35,9 +35,12 @@ def stage(board: Board) -> Stage:
 
 
 @pytest.fixture(autouse=True)
-def _own_settings(tmp_path_factory: pytest.TempPathFactory) -> None:
+def _own_settings(
+    tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Keep what the program remembers in a folder of the test's own."""
     folder = tmp_path_factory.mktemp("settings")
+    monkeypatch.setenv("TREX_STUDIO_DATA", str(folder))
     QCoreApplication.setOrganizationName("TReX Studio tests")
     QCoreApplication.setApplicationName("TReX Studio")
     QSettings.setDefaultFormat(QSettings.Format.IniFormat)

@@ -3,6 +3,7 @@
 import sys
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -14,6 +15,7 @@ from trex_gui.model.device import Device, Link
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import Status, UartError
 from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.settings.history import History
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -164,6 +166,33 @@ def test_an_edit_is_applied_and_proved(up: Watched, quick_simulator: SimulatorPr
     assert up.device.pending == 0
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
     assert up.device.calibrations.stored(2) == LEARNED
+
+
+def test_what_the_board_stored_is_kept_before_it_is_changed(up: Watched) -> None:
+    up.edit("serial_timeout", 15)
+    up.edit("motor_mode", 1)
+    up.apply()
+    (snapshot,) = up.device.history.snapshots()
+    assert snapshot.product == "TReX"
+    assert snapshot.reason == "Apply of 2 settings"
+    assert snapshot.adapter
+    kept = up.device.history.load(snapshot)
+    assert kept.parameters["serial_timeout"] == 0
+    assert kept.parameters["motor_mode"] == 0
+    assert len(kept.calibrations) == 5
+
+
+def test_without_a_snapshot_nothing_is_written(
+    up: Watched, quick_simulator: SimulatorProcess, tmp_path: Path
+) -> None:
+    (tmp_path / "taken").write_text("a file where the folder should be", encoding="utf-8")
+    up.device.history = History(tmp_path / "taken")
+    up.edit("serial_timeout", 15)
+    up.device.apply()
+    assert "Nothing was written" in up.failures[-1]
+    assert up.device.pending == 1
+    assert not up.device.applying
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
 
 
 def test_nothing_to_apply_is_nothing_done(up: Watched) -> None:

@@ -3,8 +3,10 @@
 from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoStack
 
 from trex_gui.link.writing import Written
+from trex_gui.model.undo import Edit
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.flags import InputSource
@@ -12,6 +14,8 @@ from trex_gui.protocol.flags import InputSource
 
 class Calibrations(QObject):
     """Stored beside edited, by channel; the board shows only one of its two sets at a time.
+
+    Every edit goes over the undo stack that it is given (or has one of its own).
 
     Signals:
         changed: a stored or an edited calibration.
@@ -21,8 +25,9 @@ class Calibrations(QObject):
     changed = Signal()
     pending_changed = Signal(int)
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
+        self._undo = undo or QUndoStack(self)
         self._model_key = ""
         self._source = InputSource.RC
         self._stored: dict[int, Calibration] = {}
@@ -65,15 +70,31 @@ class Calibrations(QObject):
         """
         if problem := wanted.problem():
             raise BadRequest(f"calibration of channel {channel}: {problem}")
-        if self._stored.get(channel) == wanted:
+        before = self._edited.get(channel, self._stored.get(channel))
+        if wanted != before:
+            text = self.tr("Calibration of channel {0}").format(channel)
+            self._undo.push(Edit(text, self._put, (self._source, channel), before, wanted))
+
+    def discard_edits(self) -> None:
+        """Go back to what is stored; this can be undone."""
+        if not self._edited:
+            return
+        self._undo.beginMacro(self.tr("Discard edits"))
+        for channel, edited in self.pending:
+            text = self.tr("Calibration of channel {0}").format(channel)
+            place = (self._source, channel)
+            self._undo.push(Edit(text, self._put, place, edited, self._stored.get(channel)))
+        self._undo.endMacro()
+
+    def _put(self, place: tuple[InputSource, int], wanted: Calibration | None) -> None:
+        """Put a calibration in its place; one of the input source that is hidden now is not."""
+        source, channel = place
+        if source is not self._source:
+            return
+        if wanted is None or self._stored.get(channel) == wanted:
             self._edited.pop(channel, None)
         else:
             self._edited[channel] = wanted
-        self._announce()
-
-    def discard_edits(self) -> None:
-        """Forget every edit."""
-        self._edited.clear()
         self._announce()
 
     def take_results(self, results: Sequence[Written]) -> None:

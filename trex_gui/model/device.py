@@ -2,12 +2,14 @@
 
 import itertools
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from enum import Enum, auto
 from typing import cast
 
 from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtGui import QUndoStack
 
 from trex_gui.link.client import Counters
 from trex_gui.link.explain import who_controls
@@ -36,8 +38,11 @@ from trex_gui.model.errors import ErrorLog
 from trex_gui.model.motors import Motors
 from trex_gui.model.parameters import Column, ParameterModel
 from trex_gui.model.telemetry import Telemetry
-from trex_gui.protocol.errors import TrexError
+from trex_gui.protocol.errors import TrexError, sentence
 from trex_gui.protocol.flags import InputSource
+from trex_gui.settings.errors import SettingsError
+from trex_gui.settings.history import History
+from trex_gui.settings.snapshot import settings_of
 from trex_gui.worker.line_worker import LineWorker
 
 log = logging.getLogger(__name__)
@@ -66,6 +71,10 @@ class Device(QObject):
         failed: why a connection ended or something asked did not work, for people.
         applied: the `Written` of everything that Apply tried.
         pending_changed: how many edits of parameters and calibrations wait for Apply.
+
+    Attributes:
+        undo: every edit of parameters and calibrations since this kind of board was there.
+        history: what boards stored before each Apply.
     """
 
     link_changed = Signal()
@@ -79,8 +88,10 @@ class Device(QObject):
         super().__init__(parent)
         self.telemetry = Telemetry(self)
         self.errors = ErrorLog(self)
-        self.parameters = ParameterModel(self)
-        self.calibrations = Calibrations(self)
+        self.undo = QUndoStack(self)
+        self.history = History()
+        self.parameters = ParameterModel(self, self.undo)
+        self.calibrations = Calibrations(self, self.undo)
         self.motors = Motors(self)
         self._link = Link.NONE
         self._status = self.tr("Not connected.")
@@ -210,12 +221,30 @@ class Device(QObject):
         self._ask(Reload, self._on_reloaded)
 
     def apply(self) -> None:
-        """Write every pending edit and read it back; `applied` tells how it went."""
-        if self.pending and not self._applying and self._worker is not None:
+        """Write every pending edit and read it back; `applied` tells how it went.
+
+        A snapshot of what the board stores is saved first; without one nothing is written.
+        """
+        if not self.pending or self._applying or self._state is None:
+            return
+        if self._worker is not None and self._keep(self._state):
             parameters, calibrations = self.parameters.pending, self.calibrations.pending
             self._applying = True
             self._ask(lambda number: Write(number, parameters, calibrations), self._on_applied)
             self.link_changed.emit()
+
+    def _keep(self, state: DeviceState) -> bool:
+        """Save what the board stores before it is changed; return whether that worked."""
+        settings = self._settings
+        adapter = "" if settings is None else settings.name or settings.url
+        reason = self.tr("Apply of {0} settings").format(self.pending)
+        try:
+            self.history.take(settings_of(state), adapter=adapter, reason=reason)
+        except SettingsError as error:
+            text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
+            self.failed.emit(text.format(sentence(error)))
+            return False
+        return True
 
     @property
     def pending(self) -> int:
@@ -223,9 +252,20 @@ class Device(QObject):
         return len(self.parameters.pending) + len(self.calibrations.pending)
 
     def discard_edits(self) -> None:
-        """Forget every edit that waits."""
-        self.parameters.discard_edits()
-        self.calibrations.discard_edits()
+        """Go back to what the board stores; one step to undo."""
+        if self.pending:
+            with self.one_edit(self.tr("Discard edits")):
+                self.parameters.discard_edits()
+                self.calibrations.discard_edits()
+
+    @contextmanager
+    def one_edit(self, text: str) -> Iterator[None]:
+        """Let all edits made within be one step to undo and redo, under this name."""
+        self.undo.beginMacro(text)
+        try:
+            yield
+        finally:
+            self.undo.endMacro()
 
     # --- Requests and their outcomes ----------------------------------------------------
 
@@ -341,6 +381,8 @@ class Device(QObject):
             self._may_move = report.may_move
             self.motors.allow(False)
         self.telemetry.note_control(state.serial_controls)
+        if self.parameters.model_key != state.signature.model.key:
+            self.undo.clear()  # what was edited belonged to another kind of board
         self.parameters.load(
             state.specs, state.parameters, state.unread, power_cycled=occasion.power_cycled
         )

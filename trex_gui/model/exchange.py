@@ -51,6 +51,11 @@ def stage(device: Device, state: DeviceState, settings: Settings) -> Staged:
     if settings.product.key != model.key:
         message = f"the file is for a {settings.product.name}, and this board is a {model.name}"
         raise BadRequest(message)
+    with device.one_edit("Open settings file"):
+        return _stage(device, state, settings)
+
+
+def _stage(device: Device, state: DeviceState, settings: Settings) -> Staged:
     changed, equal, left_out = 0, 0, []
     for key, wire in settings.parameters.items():
         index = device.parameters.index_of(key)

@@ -12,9 +12,11 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
+from PySide6.QtGui import QUndoStack
 
 from trex_gui.link.writing import Written
 from trex_gui.model.draft import Draft
+from trex_gui.model.undo import Edit
 from trex_gui.protocol.device_table import device_table
 from trex_gui.protocol.errors import BadRequest, sentence
 from trex_gui.protocol.parameters import Kind, ParameterSet, ParameterSpec
@@ -46,6 +48,8 @@ class Role(IntEnum):
 class ParameterModel(QAbstractTableModel):
     """One row a parameter; edits wait in a draft until they are applied.
 
+    Every edit goes over the undo stack that it is given (or has one of its own).
+
     Signals:
         pending_changed: how many edits wait.
         refused: why an edit was not taken, for people.
@@ -54,8 +58,9 @@ class ParameterModel(QAbstractTableModel):
     pending_changed = Signal(int)
     refused = Signal(str)
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
+        self._undo = undo or QUndoStack(self)
         self._specs: tuple[ParameterSpec, ...] = ()
         self._draft = Draft()
         self._problems: dict[str, str] = {}
@@ -130,17 +135,48 @@ class ParameterModel(QAbstractTableModel):
         return self._draft.pending
 
     @property
+    def model_key(self) -> str:
+        """The kind of board that the rows are of; empty before the first."""
+        return self._model_key
+
+    @property
     def waiting_for_power(self) -> tuple[str, ...]:
         """Names of the parameters that are stored and act only after a power cycle."""
         return tuple(spec.name for spec in self._specs if spec.key in self._draft.active)
 
     def discard_edits(self) -> None:
-        """Forget every edit."""
-        edited = [row for row, spec in enumerate(self._specs) if spec.key in self._draft.edited]
-        self._draft.edited.clear()
-        for row in edited:
+        """Go back to what is stored; this can be undone."""
+        if not self._draft.edited:
+            return
+        self._undo.beginMacro(self.tr("Discard edits"))
+        for key in list(self._draft.edited):
+            self.edit(key, self._draft.stored[key])
+        self._undo.endMacro()
+
+    def edit(self, key: str, wire: int) -> None:
+        """Wish for a wire value; wishing for the stored one forgets the edit.
+
+        Raises:
+            BadRequest: the table does not allow the value.
+            KeyError: there is no such parameter, or it was not read.
+        """
+        row = self._row_of(key)
+        if row is None or not self._is_known(row):
+            raise KeyError(key)
+        spec = self._specs[row]
+        before = self._draft.value(key)
+        if wire != before and wire != self._draft.stored[key]:
+            spec.check(wire)
+        if before is not None and wire != before:
+            self._undo.push(Edit(spec.name, self._put, key, before, wire))
+
+    def _put(self, key: str, wire: int) -> None:
+        """Put a value in its place; a board that no longer has the parameter is left alone."""
+        row = self._row_of(key)
+        if row is not None and self._is_known(row):
+            self._draft.edit(self._specs[row], wire)
             self._announce_rows(row, row)
-        self.pending_changed.emit(0)
+            self.pending_changed.emit(len(self._draft.edited))
 
     def value_of(self, key: str) -> int | None:
         """Wire value that would be in the device after Apply; `None` when it was not read."""
@@ -224,15 +260,13 @@ class ParameterModel(QAbstractTableModel):
             return False
         spec = self._specs[index.row()]
         try:
-            self._draft.edit(spec, int(value))
+            self.edit(spec.key, int(value))
         except BadRequest as error:
             self.refused.emit(sentence(error))
             return False
         except (TypeError, ValueError, OverflowError):
             self.refused.emit(f"{spec.name} is {spec.range_text()}, not {value}.")
             return False
-        self._announce_rows(index.row(), index.row())
-        self.pending_changed.emit(len(self._draft.edited))
         return True
 
     # --- Text ---------------------------------------------------------------------------

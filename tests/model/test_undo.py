@@ -1,0 +1,134 @@
+"""Every edit can be taken back, wherever it was made, and what the board says is no edit."""
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from PySide6.QtGui import QUndoStack
+from pytestqt.qtbot import QtBot
+
+from trex_gui.link.writing import Written
+from trex_gui.model.calibrations import Calibrations
+from trex_gui.model.device import Device
+from trex_gui.model.parameters import ParameterModel
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.errors import BadRequest
+from trex_gui.protocol.flags import InputSource
+from trex_gui.protocol.parameters import parameters_of
+
+SPECS = parameters_of("trex", "1.2")
+FACTORY = {spec.key: spec.default for spec in SPECS.readable}
+OLD = Calibration(2500, 3750, 5000, 75)
+NEW = Calibration(2600, 3700, 4900, 60)
+
+
+@pytest.fixture
+def device(qtbot: QtBot) -> Device:
+    device = Device()
+    device.parameters.load(SPECS, FACTORY, {}, power_cycled=True)
+    device.calibrations.load("trex", InputSource.RC, dict.fromkeys(range(1, 6), OLD))
+    return device
+
+
+def test_the_last_edit_is_undone_first_across_parameters_and_calibrations(device: Device) -> None:
+    device.parameters.edit("serial_timeout", 5)
+    device.calibrations.edit(2, NEW)
+    device.parameters.edit("motor_mode", 1)
+    assert device.undo.undoText() == "Motor Mode"
+    device.undo.undo()
+    assert device.undo.undoText() == "Calibration of channel 2"
+    device.undo.undo()
+    assert not device.calibrations.pending
+    assert device.parameters.pending == (("serial_timeout", 5),)
+    device.undo.redo()
+    assert device.calibrations.pending == ((2, NEW),)
+
+
+def test_discarded_edits_come_back_at_once(device: Device) -> None:
+    device.parameters.edit("serial_timeout", 5)
+    device.calibrations.edit(1, NEW)
+    device.discard_edits()
+    assert device.pending == 0
+    device.undo.undo()
+    assert device.pending == 2
+
+
+def test_nothing_to_discard_leaves_nothing_to_undo(device: Device) -> None:
+    device.discard_edits()
+    assert not device.undo.canUndo()
+
+
+def test_an_edit_to_the_same_value_is_none(device: Device) -> None:
+    device.parameters.edit("serial_timeout", FACTORY["serial_timeout"])
+    device.calibrations.edit(1, OLD)
+    assert not device.undo.canUndo()
+
+
+def test_a_value_that_is_refused_is_nothing_to_undo(device: Device) -> None:
+    with pytest.raises(BadRequest):
+        device.parameters.edit("serial_timeout", 128)
+    with pytest.raises(BadRequest):
+        device.calibrations.edit(1, Calibration(5000, 3750, 2500, 0))
+    assert not device.undo.canUndo()
+
+
+def test_after_apply_undoing_makes_the_old_value_an_edit(device: Device) -> None:
+    device.parameters.edit("serial_timeout", 5)
+    device.parameters.take_results([Written("serial_timeout", 5)])
+    assert device.pending == 0
+    device.undo.undo()
+    assert device.parameters.pending == (("serial_timeout", FACTORY["serial_timeout"]),)
+
+
+def test_what_was_read_again_is_no_edit(device: Device) -> None:
+    device.parameters.load(SPECS, {**FACTORY, "serial_timeout": 9}, {}, power_cycled=True)
+    assert not device.undo.canUndo()
+
+
+def test_calibrations_of_the_hidden_set_are_left_alone(device: Device) -> None:
+    device.calibrations.edit(1, NEW)
+    analog = Calibration(0, 512, 1023, 20)
+    device.calibrations.load("trex", InputSource.ANALOG, dict.fromkeys(range(1, 6), analog))
+    device.undo.undo()
+    assert device.calibrations.pending == ()
+    assert device.calibrations.stored(1) == analog
+
+
+def test_a_parameter_that_the_board_lacks_now_is_left_alone(device: Device) -> None:
+    device.parameters.edit("uart_response_delay", 1)
+    older = parameters_of("trex", "1.0")
+    stored = {spec.key: spec.default for spec in older.readable}
+    device.parameters.load(older, stored, {}, power_cycled=True)
+    device.undo.undo()
+    assert device.pending == 0
+
+
+def test_models_alone_have_a_stack_of_their_own(qtbot: QtBot) -> None:
+    parameters, calibrations = ParameterModel(), Calibrations()
+    parameters.load(SPECS, FACTORY, {}, power_cycled=True)
+    calibrations.load("trex", InputSource.RC, {1: OLD})
+    parameters.edit("serial_timeout", 5)
+    calibrations.edit(1, NEW)
+    assert parameters.pending
+    assert calibrations.pending
+
+
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
+@given(data=st.data())
+def test_undoing_everything_ends_where_it_began(qtbot: QtBot, data: st.DataObject) -> None:
+    undo = QUndoStack()
+    model = ParameterModel(undo=undo)
+    model.load(SPECS, FACTORY, {}, power_cycled=True)
+    states = [model.pending]
+    for _ in range(data.draw(st.integers(1, 12))):
+        spec = data.draw(st.sampled_from(SPECS.readable))
+        wire = data.draw(st.sampled_from(sorted(spec.valid)))
+        count = undo.count()
+        model.edit(spec.key, wire)
+        if undo.count() > count:
+            states.append(model.pending)
+    for state in reversed(states[:-1]):
+        undo.undo()
+        assert dict(model.pending) == dict(state)
+    for state in states[1:]:
+        undo.redo()
+        assert dict(model.pending) == dict(state)
