@@ -69,6 +69,10 @@ WINDOW_PACKAGES = (
 )
 QT_PACKAGES = OFFSCREEN_PACKAGES + WINDOW_PACKAGES
 
+# Programs that tests want, and the packages that hold them: what is exported as code is compiled
+# there. Tests skip without them.
+COMPILERS = {"gcc": "gcc", "g++": "g++"}
+
 # pip builds the project with these from `.venv/`, where the constraints hold, instead of in an
 # isolated environment, where they do not.
 BUILD_REQUIREMENTS = ("hatchling", "editables")
@@ -218,6 +222,11 @@ def find_debian() -> Debian | None:
     if not (shutil.which("dpkg-query") and shutil.which("apt-get")):
         return None
     return Debian(run_captured, is_root=hasattr(os, "geteuid") and os.geteuid() == 0)
+
+
+def missing_compilers() -> list[str]:
+    """Return the packages of the compilers that are not here, wherever they may have come from."""
+    return [package for program, package in COMPILERS.items() if shutil.which(program) is None]
 
 
 # --- Does Qt start? ----------------------------------------------------------------------------
@@ -527,6 +536,9 @@ def summary(results: Iterable[CheckResult]) -> str:
 def command_test(pytest_arguments: Sequence[str]) -> int:
     """Run every check, also after one has failed."""
     set_up()
+    debian = find_debian() if missing_compilers() else None
+    if debian:
+        debian.supply(missing_compilers())
     results = []
     for check in checks(pytest_arguments):
         say(f"\n--- {check.name}")

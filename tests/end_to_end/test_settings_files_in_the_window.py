@@ -3,12 +3,15 @@
 from pathlib import Path
 
 import pytest
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
+from trex_gui.export.language import Language
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
+from trex_gui.protocol.calibration import Calibration
 from trex_gui.window import Program
 
 
@@ -92,3 +95,69 @@ def test_analog_calibrations_are_left_out_and_named_while_inputs_are_rc(
 def test_a_missing_file_is_a_sentence(connected: Program, tmp_path: Path) -> None:
     connected.window.files.open_file(tmp_path / "nowhere.txt")
     assert "was not opened" in banner(connected)
+
+
+def action(program: Program, name: str) -> QAction:
+    found = program.window.findChild(QAction, f"{name}Action")
+    assert found is not None
+    return found
+
+
+def test_edits_are_undone_and_redone_from_the_menu_whatever_page_made_them(
+    connected: Program, tmp_path: Path
+) -> None:
+    undo, redo = action(connected, "undo"), action(connected, "redo")
+    assert not undo.isEnabled()
+    connected.device.parameters.edit("serial_timeout", 5)
+    connected.device.calibrations.edit(2, Calibration(2600, 3700, 4900, 60))
+    assert undo.text().endswith("Calibration of channel 2")
+    undo.trigger()
+    assert undo.text().endswith("Serial Timeout")
+    undo.trigger()
+    assert connected.device.pending == 0
+    assert not undo.isEnabled()
+    redo.trigger()
+    redo.trigger()
+    assert connected.device.pending == 2
+
+
+def test_a_file_that_was_opened_is_one_step_to_undo(connected: Program, tmp_path: Path) -> None:
+    path = tmp_path / "rover.txt"
+    path.write_text("product: TReX\nserial_timeout: 5\nmotor_mode: 1\n", encoding="utf-8")
+    connected.window.files.open_file(path)
+    assert connected.device.pending == 2
+    action(connected, "undo").trigger()
+    assert connected.device.pending == 0
+
+
+def test_what_was_stored_before_an_apply_comes_back_from_its_snapshot(
+    connected: Program, qtbot: QtBot, simulator: SimulatorProcess
+) -> None:
+    connected.device.parameters.edit("serial_timeout", 5)
+    connected.device.apply()
+    qtbot.waitUntil(lambda: connected.device.pending == 0)
+    (snapshot,) = connected.device.history.snapshots()
+    connected.window.files.open_file(snapshot.path, remember=False)
+    assert connected.device.parameters.pending == (("serial_timeout", 0),)
+    connected.device.apply()
+    qtbot.waitUntil(lambda: connected.device.pending == 0)
+    assert simulator.show()["parameters"]["serial_timeout"] == 0
+    assert len(connected.device.history.snapshots()) == 2
+
+
+@pytest.mark.parametrize("language", list(Language))
+def test_the_settings_shown_are_exported_as_code(
+    connected: Program, tmp_path: Path, language: Language
+) -> None:
+    connected.device.parameters.edit("serial_timeout", 5)
+    path = tmp_path / f"board{language.suffix}"
+    connected.window.files.export_file(path, language)
+    text = path.read_text(encoding="utf-8")
+    assert "Serial Timeout" in text
+    assert "0.5 s" in text
+    assert "applies and checks" in banner(connected)
+
+
+def test_a_place_that_cannot_be_written_is_told(connected: Program, tmp_path: Path) -> None:
+    connected.window.files.export_file(tmp_path / "missing" / "board.py", Language.PYTHON)
+    assert "was not written" in banner(connected)

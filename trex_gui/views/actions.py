@@ -33,9 +33,17 @@ def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
     return {
         tr("&File"): (
             ActionInfo("open", tr("&Open settings file…"), "Ctrl+O", "open"),
+            ActionInfo("snapshot", tr("Open s&napshot…")),
             ActionInfo("save", tr("&Save settings file…"), "Ctrl+S", "save"),
+            ActionInfo("export", tr("&Export as code…"), "", "console"),
             SEPARATOR,
             ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit),
+        ),
+        tr("&Edit"): (
+            ActionInfo("undo", tr("&Undo"), QKeySequence.StandardKey.Undo, "undo"),
+            ActionInfo("redo", tr("&Redo"), QKeySequence.StandardKey.Redo, "redo"),
+            SEPARATOR,
+            ActionInfo("discard", tr("&Discard all edits"), "", "clear"),
         ),
         tr("&Device"): (
             ActionInfo("connect", tr("&Connect"), "Ctrl+K", "connect"),

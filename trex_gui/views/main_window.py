@@ -99,6 +99,7 @@ class MainWindow(QMainWindow):
         device.link_changed.connect(self._on_link_changed)
         device.motors.changed.connect(self._on_possibilities_changed)
         device.pending_changed.connect(self._on_possibilities_changed)
+        device.undo.indexChanged.connect(self._on_undo_changed)
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -125,8 +126,13 @@ class MainWindow(QMainWindow):
 
         return {
             "open": self._files.ask_and_open,
+            "snapshot": self._files.ask_and_open_snapshot,
             "save": self._files.ask_and_save,
+            "export": self._files.ask_and_export,
             "quit": self.close,
+            "undo": self._device.undo.undo,
+            "redo": self._device.undo.redo,
+            "discard": self._device.discard_edits,
             "connect": self._connection.connect_preferred,
             "disconnect": self._connector.disconnect_port,
             "line": self._connection.edit_line,
@@ -160,12 +166,25 @@ class MainWindow(QMainWindow):
             "disconnect": link not in {Link.NONE, Link.CLOSING},
             "reload": up and not self._device.applying,
             "open": up and not self._device.applying,
+            "snapshot": up and not self._device.applying,
             "save": up,
+            "export": up,
             "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
             "run": motors.can_arm and not motors.armed,
             "apply": up and self._device.pending > 0 and not self._device.applying,
+            "discard": up and self._device.pending > 0 and not self._device.applying,
+            "undo": up and self._device.undo.canUndo() and not self._device.applying,
+            "redo": up and self._device.undo.canRedo() and not self._device.applying,
         }.items():
             self._actions[key].setEnabled(possible)
+
+    @Slot()
+    def _on_undo_changed(self) -> None:
+        """Say in the menu what would be undone."""
+        undo = self._device.undo
+        self._actions["undo"].setText(self.tr("&Undo {0}").format(undo.undoText()).strip())
+        self._actions["redo"].setText(self.tr("&Redo {0}").format(undo.redoText()).strip())
+        self._on_possibilities_changed()
 
     @Slot()
     def _on_demo_changed(self) -> None:

@@ -6,6 +6,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings, QStandardPaths, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from trex_gui.export.code import export_code, file_name
+from trex_gui.export.language import Language
 from trex_gui.model.device import Device
 from trex_gui.model.exchange import shown_settings, stage
 from trex_gui.protocol.errors import BadRequest
@@ -43,6 +45,18 @@ class SettingsFiles(QObject):
         if chosen:
             self.open_file(Path(chosen))
 
+    def ask_and_open_snapshot(self) -> None:
+        """Let a person choose what a board stored before an Apply, to load as edits."""
+        folder = self._device.history.folder
+        if not self._device.history.snapshots():
+            self.told.emit(self.tr("There are no snapshots yet; each Apply saves one first."))
+            return
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._window, self.tr("Open snapshot"), str(folder), _FILTER
+        )
+        if chosen:
+            self.open_file(Path(chosen), remember=False)
+
     def ask_and_save(self) -> None:
         """Let a person choose where to save the settings shown."""
         state = self._device.state
@@ -54,8 +68,41 @@ class SettingsFiles(QObject):
         if chosen:
             self.save_file(Path(chosen))
 
-    def open_file(self, path: Path) -> None:
-        """Make the values of a file edits that wait for Apply; all of it or nothing."""
+    def ask_and_export(self) -> None:
+        """Let a person choose where to save the settings shown as a program, and its language."""
+        state = self._device.state
+        if state is None:
+            return
+        settings = shown_settings(self._device, state)
+        filters = {f"{language.title} (*{language.suffix})": language for language in Language}
+        name = self._folder() / file_name(settings, next(iter(filters.values())))
+        chosen, kind = QFileDialog.getSaveFileName(
+            self._window, self.tr("Export as code"), str(name), ";;".join(filters)
+        )
+        if chosen:
+            path = Path(chosen)
+            written = {language.suffix: language for language in Language}
+            self.export_file(path, written.get(path.suffix.lower(), filters[kind]))
+
+    def export_file(self, path: Path, language: Language) -> None:
+        """Write a program that applies the settings shown and drives the motors."""
+        state, link = self._device.state, self._device.settings
+        if state is None or link is None:
+            return
+        try:
+            save(path, export_code(shown_settings(self._device, state), link, language))
+        except (SettingsError, BadRequest) as error:
+            self.refused.emit(self.tr("{0} was not written: {1}").format(path.name, error))
+            return
+        self._store.setValue(_FOLDER, str(path.parent))
+        text = self.tr("{0} applies and checks the settings shown; read its first lines.")
+        self.told.emit(text.format(path))
+
+    def open_file(self, path: Path, *, remember: bool = True) -> None:
+        """Make the values of a file edits that wait for Apply; all of it or nothing.
+
+        With `remember`, its folder is where the next file is looked for.
+        """
         state = self._device.state
         if state is None:
             return
@@ -65,7 +112,8 @@ class SettingsFiles(QObject):
         except (SettingsError, BadRequest) as error:
             self.refused.emit(self.tr("{0} was not opened: {1}").format(path.name, error))
             return
-        self._store.setValue(_FOLDER, str(path.parent))
+        if remember:
+            self._store.setValue(_FOLDER, str(path.parent))
         notes = " ".join(str(finding) for finding in warnings)
         self.told.emit(f"{path.name}: {staged.text()} {notes}".strip())
 

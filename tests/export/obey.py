@@ -1,0 +1,63 @@
+"""An exported Python program, obeying lines on standard input: obey.py PROGRAM PORT."""
+
+import importlib.util
+import sys
+from pathlib import Path
+from typing import Any
+
+
+def load(path: Path) -> Any:
+    """Import a file by its path."""
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def obey(module: Any, trex: Any, word: str, a: int, b: int) -> None:
+    """Do what one line says."""
+    match word:
+        case "check":
+            trex.check_board()
+        case "calibrate":
+            trex.apply_calibration(*module.CALIBRATIONS[0])
+        case "parameter":
+            trex.apply_parameter(*module.PARAMETERS[0])
+        case "apply":
+            trex.apply()
+        case "set":
+            trex.set_motor(a, b)
+        case "accelerate":
+            trex.accelerate_motor(a, b)
+        case "brake":
+            trex.brake(a, b)
+        case "both":
+            trex.set_motors(a, b)
+        case "aux":
+            trex.set_aux(a)
+        case "stop":
+            trex.stop()
+        case "status":
+            say(trex.status())
+        case "currents":
+            say(*(round(ampere * 1000) for ampere in trex.currents()))
+
+
+def say(*words: object) -> None:
+    """Write a line that is to be seen at once."""
+    sys.stdout.write(" ".join(map(str, words)) + "\n")
+    sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    module = load(Path(sys.argv[1]))
+    trex = module.Trex(sys.argv[2])
+    for line in sys.stdin:
+        word, a, b = line.split()
+        try:
+            obey(module, trex, word, int(a), int(b))
+        except module.TrexError as error:
+            say(error)
+        say("done")

@@ -1,0 +1,1 @@
+"""Export as code: settings and the line in force as a program that stands alone."""
