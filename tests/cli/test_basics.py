@@ -1,39 +1,26 @@
 """trexcmd against a simulated board in a process of its own."""
 
 import json
-import subprocess
-import sys
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 
+from tests.cli.conftest import Run
 from tests.support.simulator import SimulatorProcess
 from trex_gui.cli import main
 
-Run = Callable[..., Result]
 
-
-@pytest.fixture
-def trexcmd(simulator: SimulatorProcess) -> Run:
-    def run(*words: str, **environment: str) -> Result:
-        variables = {"TREX_PORT": simulator.url, **environment}
-        return CliRunner().invoke(main, list(words), env=variables)
-
-    return run
-
-
-def test_list_names_the_board_on_a_port(trexcmd: Run, simulator: SimulatorProcess) -> None:
+def test_list_names_the_board_on_a_port(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
     result = trexcmd("list")
     assert result.exit_code == 0
-    assert result.stdout == f"{simulator.url}\tTReX 1.2\n"
+    assert result.stdout == f"{quick_simulator.url}\tTReX 1.2\n"
 
 
-def test_list_moves_nothing(trexcmd: Run, simulator: SimulatorProcess) -> None:
-    before = simulator.show()["motors"]
+def test_list_moves_nothing(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+    before = quick_simulator.show()["motors"]
     trexcmd("list")
-    assert simulator.show()["motors"] == before
+    assert quick_simulator.show()["motors"] == before
 
 
 def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: Run) -> None:
@@ -50,8 +37,10 @@ def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: Run) -> 
     assert report["parameters"]["uart_settings"]["value"] == 5
 
 
-def test_status_as_text_names_latched_errors(trexcmd: Run, simulator: SimulatorProcess) -> None:
-    simulator.do("fault 1 on")
+def test_status_as_text_names_latched_errors(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("fault 1 on")
     result = trexcmd("status")
     assert "Errors: Motor 1 fault" in result.stdout
 
@@ -65,11 +54,11 @@ def test_get_shows_wire_value_and_meaning(trexcmd: Run) -> None:
     ("typed", "wire"), [("15", 15), ("1.5 s", 15), ("1500 ms", 15), ("off", 0)]
 )
 def test_set_takes_wire_values_and_physical_ones(
-    trexcmd: Run, simulator: SimulatorProcess, typed: str, wire: int
+    trexcmd: Run, quick_simulator: SimulatorProcess, typed: str, wire: int
 ) -> None:
     result = trexcmd("set", "serial_timeout", typed)
     assert result.exit_code == 0
-    assert simulator.show()["parameters"]["serial_timeout"] == wire
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == wire
 
 
 def test_set_says_when_a_value_waits_for_power(trexcmd: Run) -> None:
@@ -95,24 +84,28 @@ def test_what_makes_no_sense_for_the_board_is_refused_with_a_sentence(
     assert "Traceback" not in result.stderr
 
 
-def test_set_in_rc_mode_explains_the_refusal(trexcmd: Run, simulator: SimulatorProcess) -> None:
-    simulator.do("jumper mode rc")
-    simulator.do("power cycle")
+def test_set_in_rc_mode_explains_the_refusal(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
     result = trexcmd("set", "serial_timeout", "5")
     assert result.exit_code == 1
     assert "not in serial mode" in result.stderr
 
 
-def test_stop_brakes_running_motors(trexcmd: Run, simulator: SimulatorProcess) -> None:
+def test_stop_brakes_running_motors(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
     trexcmd("raw", "C2 50")
-    assert simulator.show()["motors"][0]["speed"] == 0x50
+    assert quick_simulator.show()["motors"][0]["speed"] == 0x50
     assert trexcmd("stop").exit_code == 0
-    motor = simulator.show()["motors"][0]
+    motor = quick_simulator.show()["motors"][0]
     assert (motor["direction"], motor["speed"]) == ("brake", 127)
 
 
-def test_stop_that_nobody_heard_is_a_failure(trexcmd: Run, simulator: SimulatorProcess) -> None:
-    simulator.do("power off")
+def test_stop_that_nobody_heard_is_a_failure(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("power off")
     result = trexcmd("stop")
     assert result.exit_code == 1
     assert "No TReX answers" in result.stderr
@@ -157,11 +150,3 @@ def test_crc_and_device_number_reach_a_board_that_wants_them(
     for number in ("9", "12"):
         result = CliRunner().invoke(main, ["get", "device_number", "--device", number, *words])
         assert result.stdout == f"{number}\t{number}\n"
-
-
-def test_trexcmd_needs_no_qt(tmp_path: Path) -> None:
-    code = "import sys, trex_gui.cli; print([m for m in sys.modules if 'PySide' in m])"
-    result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True
-    )
-    assert result.stdout.strip() == "[]"

@@ -1,0 +1,74 @@
+"""calibration get and set."""
+
+import json
+
+import pytest
+
+from tests.cli.conftest import Run
+from tests.support.simulator import SimulatorProcess
+
+
+def test_calibrations_are_shown_in_counts_and_physical_units(trexcmd: Run) -> None:
+    lines = trexcmd("calibration", "get").stdout.splitlines()
+    assert lines[0] == ("1\t2500 3750 5000 75\t1000 µs / 1500 µs / 2000 µs / 30 µs  (default)")
+    assert len(lines) == 5
+
+
+def test_calibrations_come_as_json(trexcmd: Run) -> None:
+    report = json.loads(trexcmd("calibration", "get", "--json").stdout)
+    assert (report["source"], report["unit"]) == ("RC", "µs")
+    first = report["channels"][0]
+    assert (first["minimum"], first["deadband"]) == (2500, 75)
+    assert not first["differs_from_default"]
+
+
+@pytest.mark.parametrize(
+    "words", [("2400", "3700", "5100", "60"), ("960us", "1480 µs", "2.04ms", "24us")]
+)
+def test_a_calibration_is_stored_and_read_back(trexcmd: Run, words: tuple[str, ...]) -> None:
+    result = trexcmd("calibration", "set", "2", *words)
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout.startswith("2\t2400 3700 5100 60\t")
+    second = json.loads(trexcmd("calibration", "get", "--json").stdout)["channels"][1]
+    assert second["differs_from_default"]
+
+
+def test_voltages_calibrate_an_analog_board(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    assert trexcmd("set", "channel_input_source", "1").exit_code == 0
+    quick_simulator.do("power cycle")
+    result = trexcmd("calibration", "set", "1", "0.5V", "2.5V", "4500mV", "100mV")
+    assert result.stdout.startswith("1\t102 512 921 20\t")
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("1V", "2V", "3V", "1V"), "measures its inputs as RC now"),
+        (("5000", "3750", "2500", "75"), "minimum 5000 is above neutral 3750"),
+        (("0", "1", "99999", "75"), "0 to 16383"),
+    ],
+)
+def test_what_the_board_would_refuse_is_refused(
+    trexcmd: Run, words: tuple[str, ...], sentence: str
+) -> None:
+    result = trexcmd("calibration", "set", "1", *words)
+    assert result.exit_code == 1
+    assert sentence in result.stderr
+
+
+@pytest.mark.parametrize(
+    "words",
+    [("6", "1", "2", "3", "4"), ("1", "x", "2", "3", "4"), ("1", "1.5", "2", "3", "4"), ("1", "2")],
+)
+def test_what_makes_no_sense_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]) -> None:
+    assert trexcmd("calibration", "set", *words).exit_code == 2
+
+
+def test_a_calibration_needs_serial_mode(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    result = trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")
+    assert result.exit_code == 1
+    assert "not in serial mode" in result.stderr

@@ -1,0 +1,200 @@
+"""motor: it runs, and it stops, whatever happens."""
+
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+
+import pytest
+
+from tests.cli.conftest import Run, Start, becomes, outputs
+from tests.support.simulator import SimulatorProcess
+
+
+def runs(process: "subprocess.Popen[str]", simulator: SimulatorProcess, *speeds: int) -> bool:
+    """Wait until the motors run at these speeds, or the program has ended."""
+    wanted = list(speeds)
+    becomes(lambda: outputs(simulator) == wanted or process.poll() is not None, True)
+    if process.poll() is not None:
+        _, errors = process.communicate()
+        pytest.fail(f"it has ended: {errors}")
+    return outputs(simulator) == wanted
+
+
+def braked(simulator: SimulatorProcess) -> bool:
+    motors = simulator.show()["motors"]
+    return all((m["direction"], m["speed"]) == ("brake", 127) for m in motors)
+
+
+@pytest.mark.parametrize(
+    ("words", "speeds"),
+    [
+        (("1", "50"), (50, 0, 0)),
+        (("2", "-127"), (0, -127, 0)),
+        (("aux", "30"), (0, 0, 30)),
+        (("2", "40", "--accelerate"), (0, 40, 0)),
+    ],
+)
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+def test_a_motor_runs_until_it_is_interrupted(
+    words: tuple[str, ...],
+    speeds: tuple[int, ...],
+    start: Start,
+    quick_simulator: SimulatorProcess,
+) -> None:
+    process = start("motor", *words)
+    assert runs(process, quick_simulator, *speeds)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=20)
+    assert (process.returncode, "Stopped." in errors) == (0, True)
+    assert "Traceback" not in errors
+    assert outputs(quick_simulator) == [0, 0, 0]
+    assert braked(quick_simulator)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP"])
+def test_every_way_to_end_the_program_stops_the_motor(
+    name: str, start: Start, quick_simulator: SimulatorProcess
+) -> None:
+    process = start("motor", "1", "60")
+    assert runs(process, quick_simulator, 60, 0, 0)
+    process.send_signal(getattr(signal, name))
+    process.communicate(timeout=20)
+    assert braked(quick_simulator)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+def test_an_impatient_person_does_not_keep_the_motor_from_stopping(
+    start: Start, quick_simulator: SimulatorProcess
+) -> None:
+    process = start("motor", "1", "60")
+    assert runs(process, quick_simulator, 60, 0, 0)
+    for _ in range(5):
+        process.send_signal(signal.SIGINT)
+    process.communicate(timeout=20)
+    assert braked(quick_simulator)
+
+
+def test_a_motor_runs_for_some_seconds_and_stops(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    result = trexcmd("motor", "1", "50", "--seconds", "0.2")
+    assert result.exit_code == 0, result.stderr
+    assert "Stopped." in result.stderr
+    assert braked(quick_simulator)
+
+
+def test_a_missing_timeout_is_warned_of(trexcmd: Run) -> None:
+    assert "Serial Timeout is off" in trexcmd("motor", "1", "5", "--seconds", "0.01").stderr
+
+
+def test_a_short_timeout_of_the_board_is_fed(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    assert trexcmd("set", "serial_timeout", "0.2 s").exit_code == 0
+    result = trexcmd("motor", "1", "50", "--seconds", "1")
+    assert result.exit_code == 0, result.stderr
+    assert "Serial Timeout" not in result.stderr
+    assert "Serial timeout" not in result.stderr
+
+
+def test_a_motor_can_be_braked(
+    trexcmd: Run, start: Start, quick_simulator: SimulatorProcess
+) -> None:
+    process = start("motor", "1", "33", "--brake")
+    assert becomes(
+        lambda: [quick_simulator.show()["motors"][0][key] for key in ("direction", "speed")],
+        ["brake", 33],
+    )
+    process.terminate()
+    process.communicate(timeout=20)
+
+
+def test_where_serial_does_not_control_the_motors_nothing_is_sent(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    result = trexcmd("motor", "1", "50", "--seconds", "0.1")
+    assert result.exit_code == 1
+    assert "RC channels control the motors" in result.stderr
+    assert "Running" not in result.stderr
+
+
+def test_joint_mode_is_told_where_motor_2_is_asked_for(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    trexcmd("set", "motor_mode", "joint")
+    quick_simulator.do("power cycle")
+    assert "motor 2 is ignored" in trexcmd("motor", "2", "5", "--seconds", "0.01").stderr
+
+
+def test_a_fault_of_the_driver_ends_the_run(
+    start: Start, quick_simulator: SimulatorProcess
+) -> None:
+    process = start("motor", "1", "60")
+    assert runs(process, quick_simulator, 60, 0, 0)
+    quick_simulator.do("fault 1 on")
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 1
+    assert "Motor 1 fault" in errors
+    assert braked(quick_simulator)
+
+
+def test_damage_on_the_line_does_not_end_the_run(
+    start: Start, quick_simulator: SimulatorProcess
+) -> None:
+    process = start("motor", "1", "60", "--seconds", "3")
+    assert runs(process, quick_simulator, 60, 0, 0)
+    quick_simulator.do("line drop 1")
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 0, errors
+    assert braked(quick_simulator)
+
+
+def test_a_board_that_falls_silent_ends_the_run_with_a_sentence(
+    start: Start, quick_simulator: SimulatorProcess
+) -> None:
+    process = start("motor", "1", "60", patience=0.05)
+    assert runs(process, quick_simulator, 60, 0, 0)
+    quick_simulator.do("line mute on")
+    _, errors = process.communicate(timeout=30)
+    assert process.returncode == 1
+    assert "does not confirm" in errors
+    assert "cut its power" in errors
+    assert braked(quick_simulator)  # it has heard what it could not confirm
+
+
+def test_a_cable_that_is_pulled_ends_the_run_with_a_sentence(
+    start: Start, start_simulator: Callable[..., SimulatorProcess]
+) -> None:
+    simulator = start_simulator("--unpaced")
+    process = start("motor", "1", "60", url=simulator.url)
+    assert runs(process, simulator, 60, 0, 0)
+    simulator.do("line unplug")
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 1
+    assert "is gone" in errors
+    assert "cut its power" in errors
+    assert "Traceback" not in errors
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("1", "128"),
+        ("1", "-128"),
+        ("3", "10"),
+        ("aux", "-1"),
+        ("aux", "128"),
+        ("aux", "5", "--brake"),
+        ("1", "-5", "--brake"),
+        ("1", "fast"),
+        ("1",),
+        ("1", "5", "--seconds", "0"),
+        ("1", "5", "--secnds", "1"),
+    ],
+)
+def test_what_no_motor_can_do_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]) -> None:
+    assert trexcmd("motor", *words).exit_code == 2

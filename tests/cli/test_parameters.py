@@ -1,0 +1,37 @@
+"""restore-defaults."""
+
+from tests.cli.conftest import Run
+from tests.support.simulator import SimulatorProcess
+
+
+def test_defaults_come_back_with_the_next_power_up(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    trexcmd("set", "serial_timeout", "15")
+    trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")
+    result = trexcmd("restore-defaults", "--yes")
+    assert result.exit_code == 0
+    assert "Switch it off and on" in result.stderr
+    assert "19200 baud" in result.stderr
+    quick_simulator.do("power cycle")
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
+    assert "2400 3700 5100 60" in trexcmd("calibration", "get").stdout
+
+
+def test_nothing_is_restored_unless_a_person_says_yes(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    trexcmd("set", "serial_timeout", "15")
+    for answer in ("n\n", ""):
+        assert trexcmd("restore-defaults", stdin=answer).exit_code == 1
+    quick_simulator.do("power cycle")
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
+    assert trexcmd("restore-defaults", stdin="y\n").exit_code == 0
+
+
+def test_restoring_needs_serial_mode(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    result = trexcmd("restore-defaults", "--yes")
+    assert result.exit_code == 1
+    assert "not in serial mode" in result.stderr

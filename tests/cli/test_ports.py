@@ -1,0 +1,112 @@
+"""list and find: what answers where, and how a lost board is set."""
+
+import json
+import signal
+import sys
+from collections.abc import Callable
+
+import pytest
+from click.testing import CliRunner
+
+from tests.cli.conftest import Run, Start, outputs
+from tests.support.simulator import SimulatorProcess
+from trex_gui.cli import main
+from trex_gui.protocol.line_settings import Detection, LineSettings
+
+StartSimulator = Callable[..., SimulatorProcess]
+
+
+def test_list_as_json_names_port_and_board(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+    (row,) = json.loads(trexcmd("list", "--json").stdout)
+    assert row["port"] == quick_simulator.url
+    assert (row["product"], row["firmware"]) == ("TReX", "1.2")
+
+
+def test_list_refuses_a_port_that_is_not_there(trexcmd: Run) -> None:
+    result = trexcmd("list", "--port", "/dev/ttyNOTHERE")
+    assert result.exit_code == 1
+    assert "There is no port" in result.stdout
+
+
+def test_find_prints_the_options_that_reach_the_board(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    result = trexcmd("find")
+    assert result.exit_code == 0
+    assert result.stdout == f"--port {quick_simulator.url} --baud 19200\n"
+    assert "TReX 1.2" in result.stderr
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+@pytest.mark.parametrize("line", [LineSettings(9600), LineSettings(57600)])
+def test_what_find_prints_works_behind_a_command(
+    line: LineSettings, trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    works_behind_a_command(line, trexcmd, quick_simulator)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+def test_what_find_prints_for_crc_works_too(
+    trexcmd: Run, quick_simulator: SimulatorProcess, only_when_asked_for: None
+) -> None:
+    works_behind_a_command(LineSettings(57600, Detection.CRC7), trexcmd, quick_simulator)
+
+
+def works_behind_a_command(
+    line: LineSettings, trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    assert trexcmd("set", "uart_settings", str(line.to_wire())).exit_code == 0
+    quick_simulator.do("power cycle")
+    found = trexcmd("find", "--json")
+    assert found.exit_code == 0, found.stderr
+    (row,) = json.loads(found.stdout)
+    assert (row["baud"], row["detection"]) == (line.baud, line.detection.name.lower())
+    assert trexcmd("get", "device_number", *row["options"].split()).stdout == "7\t7\n"
+    assert outputs(quick_simulator) == [0, 0, 0]
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(120)
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
+def test_find_sees_parity_where_the_port_shows_it(
+    start_simulator: StartSimulator, only_when_asked_for: None
+) -> None:
+    simulator = start_simulator("--rfc2217", "127.0.0.1:0")
+    port = ("--port", simulator.url)
+    wire = LineSettings(19200, Detection.EVEN).to_wire()
+    assert CliRunner().invoke(main, ["set", *port, "uart_settings", str(wire)]).exit_code == 0
+    simulator.do("power cycle")
+    result = CliRunner().invoke(main, ["find", *port])
+    assert result.stdout == f"--port {simulator.url} --baud 19200 --parity even\n"
+    assert outputs(simulator) == [0, 0, 0]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+def test_an_interrupted_search_ends_soon(start: Start, quick_simulator: SimulatorProcess) -> None:
+    quick_simulator.do("power off")
+    process = start("find")
+    assert process.stderr is not None
+    assert process.stderr.readline().startswith("Searching")
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=5)
+    assert process.returncode == 1
+    assert "broken off" in errors
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(120)
+def test_find_without_a_board_says_what_to_look_at(
+    trexcmd: Run, quick_simulator: SimulatorProcess, only_when_asked_for: None
+) -> None:
+    quick_simulator.do("power off")
+    result = trexcmd("find")
+    assert result.exit_code == 1
+    assert result.stdout == ""
+    assert "an LED is lit" in result.stderr
+
+
+def test_find_on_a_port_that_is_not_there_is_refused(trexcmd: Run) -> None:
+    result = trexcmd("find", "--port", "/dev/ttyNOTHERE")
+    assert result.exit_code == 1
+    assert "There is no port" in result.stderr

@@ -1,0 +1,100 @@
+"""The program as a whole: its table of commands, what it loads, completion."""
+
+import subprocess
+import sys
+
+import pytest
+from click.testing import CliRunner
+
+from trex_gui.cli import main
+from trex_gui.cli.program import COMMANDS
+
+_LOADED = """
+import sys
+from click.testing import CliRunner
+from trex_gui.cli import main
+assert CliRunner().invoke(main, {words!r}).exit_code == 0
+print(*sys.modules)
+"""
+
+
+def loaded_by(*words: str) -> set[str]:
+    """Return the modules that a fresh interpreter has after these words."""
+    code = _LOADED.format(words=list(words))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return {name for line in done.stdout.splitlines()[-1:] for name in line.split()}
+
+
+def test_help_loads_neither_the_line_nor_a_command() -> None:
+    modules = loaded_by("--help")
+    assert not modules & {"serial", "yaml", "trex_gui.link", "trex_gui.protocol"}
+    assert not {name for name in modules if name.startswith("trex_gui.cli.")} - {
+        "trex_gui.cli.program"
+    }
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_no_command_needs_qt_or_what_it_does_not_use(command: str) -> None:
+    modules = loaded_by(command, "--help")
+    assert not {name for name in modules if name.startswith(("PySide6", "pyqtgraph", "numpy"))}
+    if "settings" not in command and command != "diff":
+        assert "yaml" not in modules
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_the_list_of_commands_names_each_as_it_calls_itself(command: str) -> None:
+    loaded = main.get_command(
+        main.make_context("trexcmd", ["--help"], resilient_parsing=True), command
+    )
+    assert loaded is not None
+    assert loaded.name == command
+    assert loaded.help
+    result = CliRunner().invoke(main, ["--help"])
+    assert f"  {command} " in result.stdout
+    assert COMMANDS[command].help.replace("\n", " ") in " ".join(result.stdout.split())
+
+
+def test_a_slip_is_guessed() -> None:
+    result = CliRunner().invoke(main, ["get-setings"])
+    assert result.exit_code == 2
+    assert "Did you mean get-settings?" in result.stderr
+
+
+def test_the_version_is_told() -> None:
+    result = CliRunner().invoke(main, ["--version"])
+    assert result.exit_code == 0
+    assert result.stdout.startswith("trexcmd, version ")
+
+
+@pytest.mark.parametrize(
+    ("words", "offered"),
+    [
+        ("get-s", "get-settings"),
+        ("get serial_", "serial_timeout"),
+        ("set motor1_a", "motor1_acceleration"),
+        ("status --baud 115", "115200"),
+        ("status --par", "--parity"),
+        ("calibration s", "set"),
+        ("completion z", "zsh"),
+    ],
+)
+def test_a_shell_is_offered_commands_options_and_parameter_names(words: str, offered: str) -> None:
+    line = f"trexcmd {words}"
+    environment = {
+        "_TREXCMD_COMPLETE": "bash_complete",
+        "COMP_WORDS": line,
+        "COMP_CWORD": str(len(line.split()) - 1),
+    }
+    result = CliRunner().invoke(main, [], prog_name="trexcmd", env=environment)
+    assert f"plain,{offered}" in result.stdout.splitlines()
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_the_completion_script_of_a_shell_is_printed(shell: str) -> None:
+    result = CliRunner().invoke(main, ["completion", shell])
+    assert result.exit_code == 0
+    assert f"_TREXCMD_COMPLETE={shell}_complete" in result.stdout
+
+
+def test_another_shell_is_wrong_usage() -> None:
+    assert CliRunner().invoke(main, ["completion", "tcsh"]).exit_code == 2

@@ -1,0 +1,154 @@
+"""stream: what the board measures, as rows."""
+
+import csv
+import io
+import json
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.cli.conftest import Run, Start, becomes
+from tests.support.simulator import SimulatorProcess
+
+
+def rows_of(text: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_rows_have_units_in_the_head_and_nothing_missing(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("channel 2 1250us")
+    quick_simulator.do("current 1 3.0")
+    result = trexcmd("stream", "--seconds", "0.5")
+    assert result.exit_code == 0, result.stderr
+    rows = rows_of(result.stdout)
+    assert len(rows) > 10
+    for row in rows:
+        assert (row["channel_2_raw"], row["channel_2_us"]) == ("3125", "1250.0")
+        assert int(row["channel_2_remapped"]) < -50
+        assert row["motor_1_current_A"] == "3.0"
+        assert row["serial_controls"] == "1"
+    times = [float(row["time_s"]) for row in rows]
+    assert times == sorted(times)
+    assert times[-1] < 0.6
+    assert f"{len(rows)} rows." in result.stderr
+
+
+def test_a_channel_without_a_signal_is_empty(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("channel 3 invalid")
+    assert becomes(lambda: quick_simulator.show()["channels"][2]["raw"], None)
+    row = rows_of(trexcmd("stream", "--seconds", "0.6").stdout)[-1]
+    assert (row["channel_3_raw"], row["channel_3_us"]) == ("", "")
+
+
+def test_an_analog_board_is_measured_in_volts(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("jumper mode analog")
+    quick_simulator.do("power cycle")
+    quick_simulator.do("channel 1 2.5V")
+    row = rows_of(trexcmd("stream", "--seconds", "0.6").stdout)[-1]
+    assert float(row["channel_1_V"]) == pytest.approx(2.5, abs=0.01)
+
+
+def test_an_error_stands_in_one_row(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+    trexcmd("raw", "41")
+    rows = rows_of(trexcmd("stream", "--seconds", "0.6").stdout)
+    assert [row["uart_format"] for row in rows].count("1") == 1
+    assert [row["status_uart_error"] for row in rows].count("1") == 1
+
+
+def test_json_is_an_object_a_line(trexcmd: Run) -> None:
+    result = trexcmd("stream", "--seconds", "0.6", "--json")
+    rows = [json.loads(line) for line in result.stdout.splitlines()]
+    assert rows[0]["channel_1_us"] == 1500.0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+def test_an_interrupted_stream_has_whole_rows(
+    start: Start, quick_simulator: SimulatorProcess, tmp_path: Path
+) -> None:
+    file = tmp_path / "log.csv"
+    process = start("stream", "--csv", str(file))
+    assert becomes(lambda: file.exists() and file.stat().st_size > 2000, True)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 0, errors
+    text = file.read_text(encoding="utf-8")
+    assert text.endswith("\n")
+    assert f"{len(rows_of(text))} rows." in errors
+    assert all(None not in row.values() for row in rows_of(text))
+
+
+def test_a_reader_that_leaves_is_no_traceback(
+    start: Start, quick_simulator: SimulatorProcess
+) -> None:
+    process = start("stream")
+    assert process.stdout is not None
+    assert process.stderr is not None
+    assert process.stdout.readline().startswith("time_s,")
+    process.stdout.close()
+    errors = process.stderr.read()
+    process.stderr.close()
+    assert process.wait(20) == 1
+    assert "Traceback" not in errors
+    assert "Exception" not in errors
+
+
+def test_a_cable_that_is_pulled_leaves_what_was_read(
+    start: Start, start_simulator: Callable[..., SimulatorProcess], tmp_path: Path
+) -> None:
+    simulator = start_simulator("--unpaced")
+    file = tmp_path / "log.csv"
+    process = start("stream", "--csv", str(file), url=simulator.url)
+    assert becomes(lambda: file.exists() and file.stat().st_size > 2000, True)
+    simulator.do("line unplug")
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 1
+    assert "is gone" in errors
+    assert len(rows_of(file.read_text(encoding="utf-8"))) > 5
+
+
+def test_a_board_that_falls_silent_ends_the_stream(
+    start: Start, quick_simulator: SimulatorProcess, tmp_path: Path
+) -> None:
+    file = tmp_path / "log.csv"
+    process: subprocess.Popen[str] = start("stream", "--csv", str(file), patience=0.05)
+    assert becomes(lambda: file.exists() and file.stat().st_size > 2000, True)
+    quick_simulator.do("power off")
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 1
+    assert "stopped answering" in errors
+
+
+def test_another_mode_ends_the_stream(
+    start: Start, quick_simulator: SimulatorProcess, tmp_path: Path
+) -> None:
+    file = tmp_path / "log.csv"
+    process = start("stream", "--csv", str(file))
+    assert becomes(lambda: file.exists() and file.stat().st_size > 2000, True)
+    quick_simulator.do("jumper mode analog")
+    quick_simulator.do("power cycle")
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 1
+    assert "mode has changed" in errors
+
+
+def test_a_file_that_cannot_be_written_is_refused(trexcmd: Run, tmp_path: Path) -> None:
+    result = trexcmd("stream", "--seconds", "1", "--csv", str(tmp_path / "missing" / "log.csv"))
+    assert result.exit_code == 1
+    assert "cannot be written" in result.stderr
+
+
+@pytest.mark.parametrize(
+    "words", [("--seconds", "0"), ("--seconds", "x"), ("--json", "--csv", "-")]
+)
+def test_what_makes_no_sense_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]) -> None:
+    assert trexcmd("stream", *words).exit_code == 2

@@ -1,0 +1,114 @@
+"""calibration get, calibration set: what the channels' counts mean."""
+
+import json
+import re
+from typing import Any
+
+import click
+
+from trex_gui.cli.common import identify, json_option, link_options, link_settings, open_line
+from trex_gui.cli.talk import Usage
+from trex_gui.link.reading import ask
+from trex_gui.link.writing import write_calibration
+from trex_gui.protocol.calibration import HIGHEST_CODED, Calibration
+from trex_gui.protocol.commands import GetCalibratedChannels, GetCalibration, GetMode
+from trex_gui.protocol.errors import BadRequest
+from trex_gui.protocol.flags import CHANNELS, InputSource, channels_in
+
+_FIELDS = ("minimum", "neutral", "maximum", "deadband")
+_UNITS = {
+    "us": (InputSource.RC, 1.0),
+    "µs": (InputSource.RC, 1.0),
+    "μs": (InputSource.RC, 1.0),
+    "ms": (InputSource.RC, 1000.0),
+    "v": (InputSource.ANALOG, 1.0),
+    "mv": (InputSource.ANALOG, 0.001),
+}
+_VALUE = re.compile(r"(\d+(?:\.\d+)?)\s*([a-zµμ]*)", re.IGNORECASE)
+
+
+@click.group()
+def calibration() -> None:
+    """Show or store channel calibrations, for the input source in force."""
+
+
+@calibration.command("get")
+@link_options
+@json_option
+def get_command(as_json: bool, **options: Any) -> None:
+    """Show the calibration of each channel, in counts and in physical units."""
+    with open_line(link_settings(options)) as client:
+        identify(client)
+        source = ask(client.request, GetMode()).source
+        rows = {channel: ask(client.request, GetCalibration(channel)) for channel in CHANNELS}
+        learned = channels_in(ask(client.request, GetCalibratedChannels()))
+    if as_json:
+        report = {
+            "source": source.value,
+            "unit": source.unit,
+            "channels": [
+                {
+                    "channel": channel,
+                    "differs_from_default": channel in learned,
+                    **{name: getattr(row, name) for name in _FIELDS},
+                    "physical": {name: source.text(getattr(row, name)) for name in _FIELDS},
+                }
+                for channel, row in rows.items()
+            ],
+        }
+        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+        return
+    for channel, row in rows.items():
+        click.echo(_text(channel, row, source) + ("" if channel in learned else "  (default)"))
+
+
+@calibration.command("set")
+@link_options
+@click.argument("channel", type=click.IntRange(CHANNELS[0], CHANNELS[-1]))
+@click.argument("minimum")
+@click.argument("neutral")
+@click.argument("maximum")
+@click.argument("deadband")
+def set_command(channel: int, **options: Any) -> None:
+    """Store the calibration of a channel and read it back.
+
+    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages.
+    """
+    given = {name: _parse(name, options.pop(name)) for name in _FIELDS}
+    with open_line(link_settings(options)) as client:
+        identify(client)
+        source = ask(client.request, GetMode()).source
+        counts = {name: _counts(name, value, source) for name, value in given.items()}
+        stored = write_calibration(client.request, channel, Calibration(**counts))
+    click.echo(_text(channel, stored, source))
+
+
+def _parse(name: str, text: str) -> tuple[float, str]:
+    """Read a number and its unit, which may be empty.
+
+    Raises:
+        Usage: it is no such thing.
+    """
+    found = _VALUE.fullmatch(text.strip())
+    unit = found[2].lower() if found else ""
+    if found is None or (unit and unit not in _UNITS) or (not unit and "." in found[1]):
+        raise Usage(f"{name.upper()} is counts (3750), or like 1500us or 2.5V, not {text!r}.")
+    return float(found[1]), unit
+
+
+def _counts(name: str, value: tuple[float, str], source: InputSource) -> int:
+    number, unit = value
+    if not unit:
+        return int(min(number, HIGHEST_CODED + 1))
+    measured, factor = _UNITS[unit]
+    if measured is not source:
+        raise BadRequest(
+            f"The board measures its inputs as {source.value} now, so {name} is in {source.unit}."
+        )
+    return min(source.counts(number * factor), HIGHEST_CODED + 1)
+
+
+def _text(channel: int, row: Calibration, source: InputSource) -> str:
+    counts = " ".join(str(getattr(row, name)) for name in _FIELDS)
+    physical = " / ".join(source.text(getattr(row, name)) for name in _FIELDS)
+    return f"{channel}\t{counts}\t{physical}"

@@ -1,0 +1,272 @@
+"""get-settings, set-settings, check-settings, diff: a board's settings as a file."""
+
+import json
+from dataclasses import replace
+from typing import Any
+
+import click
+
+from trex_gui import __version__
+from trex_gui.cli.common import (
+    identify,
+    json_option,
+    link_options,
+    link_settings,
+    open_line,
+    refusals,
+)
+from trex_gui.cli.settings_io import FILE, content_of, name_of, read_file, save_file
+from trex_gui.cli.talk import ProgressLine, Usage, refuse, say
+from trex_gui.link.client import Client
+from trex_gui.link.reading import DeviceState, read_everything
+from trex_gui.link.writing import Written, write_all
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.errors import Rejected, ResultCode
+from trex_gui.settings.comparison import Comparison, Row, compare
+from trex_gui.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
+from trex_gui.settings.errors import Finding, SettingsError, Severity
+from trex_gui.settings.reader import read_settings
+from trex_gui.settings.rules import Context, advise
+from trex_gui.settings.snapshot import settings_of
+from trex_gui.settings.writer import write_settings
+
+
+@click.command("get-settings")
+@link_options
+@click.argument("file", type=FILE)
+def get_settings(file: str, **options: Any) -> None:
+    """Save the board's settings to FILE; - is standard output.
+
+    All parameters, and the calibrations of the input source in force: the board does not show
+    the others. A file that is there already is replaced.
+    """
+    with open_line(link_settings(options)) as client:
+        state = _read(client)
+    settings = settings_of(state)
+    text = write_settings(settings, title_lines=[f"Read from the board by trexcmd {__version__}"])
+    for key, reason in state.unread.items():
+        say(f"Warning: {key} could not be read and is left out: {reason}")
+    save_file(file, text)
+    if file != "-":
+        say(
+            f"{len(settings.parameters)} parameters and {len(settings.calibrations)} calibrations "
+            f"of {state.signature} saved to {file}."
+        )
+
+
+@click.command("set-settings")
+@link_options
+@click.argument("file", type=FILE)
+@click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
+def set_settings(file: str, dry_run: bool, **options: Any) -> None:
+    """Give the board the settings of FILE; - is standard input.
+
+    Checks the file, writes only what differs, the serial settings last, and reads each value
+    back.
+    """
+    wanted = read_file(file)
+    chosen = link_settings(options)
+    with open_line(chosen) as client:
+        identify(client)
+        state = _read(client)
+        wanted = _fitted(file, wanted, state)
+        there = settings_of(state)
+        result = compare(there, wanted)
+        say(f"{result.summary()}.")
+        after = replace(there, parameters={**there.parameters, **wanted.parameters})
+        _warn(after, Context(used_by_line=chosen.line))
+        if dry_run:
+            _print(result)
+            return
+        if not result.changed:
+            return
+        if not state.mode.is_serial:
+            raise Rejected("These settings", ResultCode.NOT_SERIAL_MODE)
+        _write(client, state, [row for row in result.rows if row.changed])
+
+
+@click.command("check-settings")
+@click.argument("file", metavar="IN", type=FILE)
+@click.argument("out", required=False, type=FILE)
+@json_option
+def check_settings(file: str, out: str | None, as_json: bool) -> None:
+    """Check a settings file without a board; with OUT, write it anew in the usual form.
+
+    Says on standard error what is wrong, line by line; - is standard input or output.
+    """
+    if as_json and out == "-":
+        raise Usage("--json and OUT cannot both have standard output.")
+    settings: Settings | None = None
+    with refusals():
+        data = content_of(file)
+    try:
+        settings, findings = read_settings(data, name_of(file))
+    except SettingsError as error:
+        findings = error.findings
+    advice = advise(settings) if settings is not None else ()
+    for finding in findings:
+        say(f"{name_of(file)}: {finding}")
+    for odd in advice:
+        say(f"{name_of(file)}: warning: {odd.message}")
+    if as_json:
+        report = {
+            "usable": settings is not None,
+            "findings": [
+                {
+                    "line": finding.line,
+                    "key": finding.key,
+                    "severity": finding.severity.value,
+                    "message": finding.message,
+                }
+                for finding in findings
+            ],
+            "advice": [
+                {"rule": odd.rule, "keys": list(odd.keys), "message": odd.message} for odd in advice
+            ],
+        }
+        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+    if settings is None:
+        errors = sum(finding.severity is Severity.ERROR for finding in findings)
+        refuse(f"{name_of(file)} has {errors} error{'' if errors == 1 else 's'}.")
+    if out is not None:
+        save_file(out, write_settings(settings))
+
+
+@click.command()
+@link_options
+@click.argument("first", metavar="FILE", type=FILE)
+@click.argument("second", metavar="[FILE]", required=False, type=FILE)
+@json_option
+def diff(first: str, second: str | None, as_json: bool, **options: Any) -> None:
+    """Show how the second FILE differs from the first, or FILE from the board.
+
+    Prints nothing when they are equal; old values stand left of new ones.
+    """
+    if second is not None:
+        result = compare(read_file(first), read_file(second))
+    else:
+        wanted = read_file(first)
+        with open_line(link_settings(options)) as client:
+            identify(client)
+            state = _read(client)
+        result = compare(settings_of(state), _visible(wanted, state))
+    say(f"{result.summary()}.")
+    if as_json:
+        rows = [_json_row(row) for row in result.differing]
+        report = {"differing": rows, "left_out": list(result.left_out)}
+        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+    else:
+        _print(result)
+
+
+def _warn(settings: Settings, context: Context) -> None:
+    for odd in advise(settings, context):
+        say(f"Warning: {odd.message}" + (f" {odd.proposal}." if odd.proposal else ""))
+
+
+# --- The board --------------------------------------------------------------------------
+
+
+def _read(client: Client) -> DeviceState:
+    with ProgressLine("Reading") as line:
+        return read_everything(client.request, line)
+
+
+def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
+    """Return what of a file's settings can be given to this board.
+
+    Raises:
+        SettingsError: they are for another model, or need another firmware.
+    """
+    board = state.signature
+    if wanted.product != board.model:
+        message = f"these are settings of a {wanted.product.name}, the board is a {board}"
+        raise SettingsError(name_of(file), [Finding(1, "product", message)])
+    known = {spec.key for spec in state.specs.readable}
+    if strangers := [key for key in wanted.parameters if key not in known]:
+        message = f"{board} does not have it"
+        raise SettingsError(name_of(file), [Finding(None, key, message) for key in strangers])
+    if wanted.firmware not in {None, board.firmware}:
+        say(f"Warning: these settings are for firmware {wanted.firmware}, the board is a {board}.")
+    return replace(_visible(wanted, state), firmware=board.firmware)
+
+
+def _visible(wanted: Settings, state: DeviceState) -> Settings:
+    """Leave out the calibrations that the board neither shows nor takes now."""
+    places = wanted.calibrations
+    kept = {at: found for at, found in places.items() if at[0] is state.source}
+    if len(kept) < len(places):
+        others = ", ".join(
+            key for key, at in CALIBRATION_KEYS.items() if at in places.keys() - kept
+        )
+        say(
+            f"Warning: {others} left out: only the calibrations for {state.source.value} inputs, "
+            "the ones in force, can be read and written."
+        )
+    return replace(wanted, calibrations=kept)
+
+
+def _write(client: Client, state: DeviceState, rows: list[Row]) -> None:
+    names = {row.key: row.name for row in rows}
+    parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]
+    calibrations: list[tuple[int, Calibration]] = []
+    for row in rows:
+        if isinstance(row.after, Calibration):
+            channel = CALIBRATION_KEYS[row.key][1]
+            calibrations.append((channel, row.after))
+            names[f"channel {channel}"] = row.name
+    with ProgressLine("Writing") as line:
+        results = write_all(client.request, state.specs, parameters, calibrations, line)
+    failed = [result for result in results if result.error is not None]
+    _say_failures(failed, names)
+    say(f"{len(results) - len(failed)} of {len(results)} changes are stored and read back.")
+    written = {result.what for result in results if result.error is None}
+    waiting = [
+        state.specs[key].name
+        for key in written & {key for key, _ in parameters}
+        if state.specs[key].needs_power_cycle
+    ]
+    if waiting:
+        say(f"{', '.join(sorted(waiting))}: in force when the board is switched off and on.")
+    if failed:
+        refuse("Not everything was stored; the rest of the board's settings is as it was.")
+
+
+def _say_failures(failed: list[Written], names: dict[str, str]) -> None:
+    """Name what did not stick; what was not tried after a fatal error is only listed."""
+    said: set[int] = set()
+    untried: list[str] = []
+    for result in failed:
+        if id(result.error) in said:
+            untried.append(names[result.what])
+            continue
+        said.add(id(result.error))
+        text = str(result.error)
+        name = names[result.what]
+        say(text if text.startswith(name) else f"{name}: {text}")
+    if untried:
+        say(f"Not tried after that: {', '.join(untried)}.")
+
+
+# --- Differences ------------------------------------------------------------------------
+
+
+def _print(result: Comparison) -> None:
+    if text := result.report():
+        click.echo(text)
+
+
+def _json_row(row: Row) -> dict[str, Any]:
+    def plain(value: int | Calibration | None) -> Any:
+        if isinstance(value, Calibration):
+            return {name: getattr(value, name) for name in CALIBRATION_FIELDS}
+        return value
+
+    return {
+        "key": row.key,
+        "name": row.name,
+        "before": plain(row.before),
+        "after": plain(row.after),
+        "text_before": row.text_before,
+        "text_after": row.text_after,
+    }

@@ -1,0 +1,162 @@
+"""list, find: which ports there are, what answers on them, how a lost board is set."""
+
+import json
+from functools import partial
+from typing import Any
+
+import click
+from serial.tools import list_ports
+
+from trex_gui.cli.common import (
+    as_options,
+    json_option,
+    link_options,
+    link_settings,
+    port_option,
+    timeout_option,
+)
+from trex_gui.cli.talk import Interruption, ProgressLine, Refused, say
+from trex_gui.link.client import Client
+from trex_gui.link.discovery import Found, Search, Step, find
+from trex_gui.link.reading import ask
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import SerialTransport
+from trex_gui.protocol.commands import GetSignature, Signature
+from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
+
+
+def _ports(chosen: str | None) -> list[str]:
+    if chosen:
+        return [chosen]
+    ports = sorted(port.device for port in list_ports.comports())
+    if not ports:
+        say("This computer has no serial ports; give --port for another kind.")
+    return ports
+
+
+@click.command("list")
+@link_options
+@json_option
+def list_command(as_json: bool, **options: Any) -> None:
+    """List the ports of this computer and what answers on them.
+
+    Only asks; never moves a motor. With --port, looks at that port alone. A board that is not
+    set to these line settings is found by `trexcmd find`.
+    """
+    rows: list[dict[str, Any]] = []
+    unreachable = False
+    for url in _ports(options["port"]):
+        settings = link_settings(options, url)
+        row: dict[str, Any] = {"port": url, "product": None, "firmware": None}
+        try:
+            answer = _what_answers(settings)
+        except PortUnavailable as error:
+            row["answer"], unreachable = str(error), True
+        else:
+            row["answer"] = str(answer)
+            if isinstance(answer, Signature):
+                row |= {"product": answer.model.name, "firmware": answer.firmware}
+        rows.append(row)
+        if not as_json:
+            click.echo(f"{url}\t{row['answer']}")
+    if as_json:
+        click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
+    if unreachable and options["port"]:
+        raise Refused(f"{options['port']} could not be looked at.")
+
+
+def _what_answers(settings: LinkSettings) -> Signature | str:
+    """Return in a few words what a port holds.
+
+    Raises:
+        PortUnavailable: it cannot be opened, or went away.
+    """
+    client = Client(SerialTransport(settings), settings)
+    try:
+        client.detect_echo()
+        return ask(client.request, GetSignature())
+    except NoReply:
+        return "echo only" if client.echo else "nothing answers"
+    except BadReply as error:
+        return f"no TReX: {error}"
+    finally:
+        client.close()
+
+
+@click.command("find")
+@port_option
+@click.option(
+    "--full",
+    is_flag=True,
+    help="Try every CRC polynomial too (some minutes), and ask for every device number where "
+    "something answers. All boards on the line must run at the same rate.",
+)
+@timeout_option
+@json_option
+def find_command(port: str | None, full: bool, patience: float, as_json: bool) -> None:
+    """Find a board whose serial settings are unknown.
+
+    Tries every baud rate with every parity and with CRC-7, the likely ones first, on one port
+    or on all; prints the options that reach the board. Never moves a motor, and changes
+    nothing; a board that hears bytes at a wrong rate latches UART errors, and stops its motors
+    where it is set to do so.
+    """
+    rows: list[dict[str, Any]] = []
+    with Interruption() as interrupted:
+        for url in _ports(port):
+            if interrupted:
+                break
+            say(f"Searching {url} ...")
+            with ProgressLine(f"Searching {url}") as line:
+                try:
+                    search = find(
+                        LinkSettings(url, patience=patience),
+                        progress=partial(_show, line),
+                        cancelled=interrupted.__bool__,
+                        full=full,
+                    )
+                except PortUnavailable as error:
+                    line.clear()
+                    say(error)
+                    continue
+            rows += [_row(found) for found in search.found]
+            _report(search, as_json=as_json)
+    if as_json:
+        click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
+    if not rows:
+        raise Refused("The search was broken off." if interrupted else "No board was found.")
+
+
+def _show(line: ProgressLine, step: Step) -> None:
+    line(step.done, step.total, step.line.text())
+
+
+def _report(search: Search, *, as_json: bool) -> None:
+    if not search.found and not search.cancelled:
+        say(search.verdict())
+    for found in search.found:
+        where = found.settings.text()
+        number = f", device number {found.device_number}" if found.device_number is not None else ""
+        side = " (RS-232 side)" if found.echo else ""
+        say(f"{found.signature} on {where}{number}{side}.")
+        if found.note:
+            say(found.note)
+        if not as_json:
+            click.echo(as_options(found.settings))
+
+
+def _row(found: Found) -> dict[str, Any]:
+    line = found.settings.line
+    return {
+        "port": found.settings.url,
+        "product": found.signature.model.name,
+        "firmware": found.signature.firmware,
+        "baud": line.baud,
+        "detection": line.detection.name.lower(),
+        "polynomial": f"{found.settings.polynomial:02X}",
+        "stop_bits": line.stop_bits,
+        "device_number": found.device_number,
+        "echo": found.echo,
+        "note": found.note,
+        "options": as_options(found.settings),
+    }

@@ -1,0 +1,97 @@
+"""How the program talks to a person: messages, refusals, progress, being interrupted."""
+
+import signal
+import sys
+from types import FrameType
+from typing import Any, NoReturn, Self
+
+import click
+
+
+class Refused(click.ClickException):
+    """The device, the line or a file said no: exit code 1."""
+
+    exit_code = 1
+
+    def __init__(self, message: object) -> None:
+        super().__init__(str(message))
+
+
+class Usage(click.UsageError):
+    """What was asked for makes no sense: exit code 2."""
+
+
+def say(message: object) -> None:
+    """Tell a person something beside the data."""
+    click.echo(str(message), err=True)
+
+
+def refuse(message: object) -> NoReturn:
+    """End with exit code 1."""
+    raise Refused(message)
+
+
+class ProgressLine:
+    """One line on a terminal that says how far something is; nothing elsewhere."""
+
+    def __init__(self, what: str) -> None:
+        self._what = what
+        self._shown = 0
+        self._is_terminal = sys.stderr.isatty()
+
+    def __call__(self, done: int, total: int, step: str) -> None:
+        """Show a step."""
+        if not self._is_terminal:
+            return
+        width = 20
+        filled = width * done // max(total, 1)
+        text = f"{self._what} [{'#' * filled}{'.' * (width - filled)}] {done}/{total} {step}"
+        text = text[:100]
+        sys.stderr.write("\r" + text.ljust(self._shown))
+        sys.stderr.flush()
+        self._shown = len(text)
+
+    def clear(self) -> None:
+        """Take the line away."""
+        if self._shown:
+            sys.stderr.write("\r" + " " * self._shown + "\r")
+            sys.stderr.flush()
+            self._shown = 0
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.clear()
+
+
+class Interruption:
+    """Notes that the program was asked to end (Ctrl-C, SIGTERM, a closed terminal).
+
+    It is only noted, so that no transaction breaks off in the middle. Unless the work is too
+    `precious` for that, a second request ends the program as usual.
+    """
+
+    def __init__(self, *, precious: bool = False) -> None:
+        self._precious = precious
+        self._asked = False
+        self._before: dict[int, Any] = {}
+
+    def __bool__(self) -> bool:
+        return self._asked
+
+    def __enter__(self) -> Self:
+        for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
+            if (number := getattr(signal, name, None)) is not None:
+                self._before[number] = signal.signal(number, self._note)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+
+    def _note(self, number: int, frame: FrameType | None) -> None:
+        del number, frame
+        if self._asked and not self._precious:
+            raise KeyboardInterrupt
+        self._asked = True
