@@ -16,6 +16,7 @@ from trex_gui.cli.common import (
     refusals,
 )
 from trex_gui.cli.settings_io import FILE, content_of, name_of, read_file, save_file
+from trex_gui.cli.snapshots import keep
 from trex_gui.cli.talk import ProgressLine, Usage, refuse, say
 from trex_gui.link.client import Client
 from trex_gui.link.reading import DeviceState, read_everything
@@ -61,8 +62,8 @@ def get_settings(file: str, **options: Any) -> None:
 def set_settings(file: str, dry_run: bool, **options: Any) -> None:
     """Give the board the settings of FILE; - is standard input.
 
-    Checks the file, writes only what differs, the serial settings last, and reads each value
-    back.
+    Checks the file, keeps a snapshot of what the board stores, writes only what differs, the
+    serial settings last, and reads each value back.
     """
     wanted = read_file(file)
     chosen = link_settings(options)
@@ -82,6 +83,7 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
             return
         if not state.mode.is_serial:
             raise Rejected("These settings", ResultCode.NOT_SERIAL_MODE)
+        keep(there, chosen, f"trexcmd set-settings {name_of(file)}")
         _write(client, state, [row for row in result.rows if row.changed])
 
 

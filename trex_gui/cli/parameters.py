@@ -1,4 +1,4 @@
-"""get, set, restore-defaults: parameters one by one, and all back to the factory's."""
+"""get, set: parameters one by one."""
 
 import json
 from typing import Any
@@ -17,11 +17,9 @@ from trex_gui.cli.talk import say
 from trex_gui.link.client import Client
 from trex_gui.link.reading import ask
 from trex_gui.link.writing import write_parameter
-from trex_gui.protocol.commands import GetMode, GetParameter, GetSignature
-from trex_gui.protocol.errors import BadRequest, Rejected, ResultCode
+from trex_gui.protocol.commands import GetParameter
+from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.parameters import ParameterSpec, parameters_of
-
-_HOW_TO_REACH = ("uart_settings", "device_number")
 
 
 def _spec(client: Client, name: str) -> ParameterSpec:
@@ -64,33 +62,3 @@ def set_command(name: str, value: str, **options: Any) -> None:
     click.echo(f"{stored}\t{spec.text(stored)}")
     if spec.needs_power_cycle:
         say("Stored; it takes effect when the board is switched off and on.")
-
-
-@click.command("restore-defaults")
-@link_options
-@click.option("--yes", is_flag=True, help="Do not ask.")
-def restore_defaults(yes: bool, **options: Any) -> None:
-    """Put every parameter back to the factory's value.
-
-    The board does it when it is switched off and on. Channel calibrations stay as they are.
-    """
-    with open_line(link_settings(options)) as client:
-        spec = _spec(client, "factory_reset")
-        mode = ask(client.request, GetMode())
-        if not mode.is_serial:
-            raise Rejected("Restoring the defaults", ResultCode.NOT_SERIAL_MODE)
-        if not yes:
-            click.confirm(
-                "Put every parameter of this board back to the factory's value?",
-                abort=True,
-                err=True,
-            )
-        write_parameter(client.request, spec, spec.maximum)
-        signature = ask(client.request, GetSignature())
-    specs = parameters_of(signature.model.key, signature.firmware)
-    line, number = (specs[key].text(specs[key].default) for key in _HOW_TO_REACH)
-    say(
-        "The board has taken the order. Switch it off and on: then every parameter is the "
-        f"factory's again, it runs at {line} and is device number {number}. The channel "
-        "calibrations stay as they are."
-    )

@@ -25,7 +25,7 @@ import serial
 from trex_gui.link.client import Client
 from trex_gui.link.reading import ask
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import _PARITIES, _PORT_ERRORS, SerialTransport, Transport
+from trex_gui.link.transport import PARITIES, PORT_ERRORS, SerialTransport, Transport
 from trex_gui.protocol.commands import GetParameter, GetSignature, Signature
 from trex_gui.protocol.crc7 import DEFAULT_POLYNOMIAL, crc7
 from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, PortUnavailable
@@ -119,14 +119,14 @@ class SerialWire(SerialTransport):
         port = self._port
         wanted = {
             "baudrate": line.baud,
-            "parity": _PARITIES.get(line.detection, serial.PARITY_NONE),
+            "parity": PARITIES.get(line.detection, serial.PARITY_NONE),
             "stopbits": serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE,
         }
         try:
             for name, value in wanted.items():
                 if getattr(port, name) != value:
                     setattr(port, name, value)
-        except _PORT_ERRORS as error:
+        except PORT_ERRORS as error:
             raise BadRequest(f"the port cannot be set to {line.text()}") from error
 
 

@@ -34,7 +34,7 @@ _LOCAL_LATENCY = 0.06
 _REMOTE_LATENCY = 0.5
 """Allowance for a port behind a network."""
 
-_PARITIES = {Detection.EVEN: serial.PARITY_EVEN, Detection.ODD: serial.PARITY_ODD}
+PARITIES = {Detection.EVEN: serial.PARITY_EVEN, Detection.ODD: serial.PARITY_ODD}
 
 
 class Transport(Protocol):
@@ -103,7 +103,7 @@ class SerialTransport:
     def write(self, data: bytes) -> None:
         try:
             self._port.write(data)
-        except _PORT_ERRORS as error:
+        except PORT_ERRORS as error:
             raise self._gone(error) from error
 
     def read(self, size: int, seconds: float) -> bytes:
@@ -114,7 +114,7 @@ class SerialTransport:
                 received += self._port.read(size - len(received))
                 if time.monotonic() >= deadline:
                     break
-        except _PORT_ERRORS as error:
+        except PORT_ERRORS as error:
             raise self._gone(error) from error
         return bytes(received)
 
@@ -128,7 +128,7 @@ class SerialTransport:
                     raise BadReply(
                         f"It sends without being asked ({stale[:12].hex(' ').upper()} …)."
                     )
-        except _PORT_ERRORS as error:
+        except PORT_ERRORS as error:
             raise self._gone(error) from error
         return bytes(stale)
 
@@ -139,10 +139,10 @@ class SerialTransport:
     def close(self) -> None:
         # pyserial forgets to close the socket of a remote port that the other side has left.
         remote = getattr(self._port, "_socket", None)
-        with contextlib.suppress(*_PORT_ERRORS):
+        with contextlib.suppress(*PORT_ERRORS):
             self._port.close()
         if remote is not None:
-            with contextlib.suppress(*_PORT_ERRORS):
+            with contextlib.suppress(*PORT_ERRORS):
                 remote.close()
 
     def _gone(self, error: Exception) -> PortUnavailable:
@@ -168,7 +168,7 @@ def _port_errors() -> tuple[type[Exception], ...]:
     return tuple(kinds)
 
 
-_PORT_ERRORS = _port_errors()
+PORT_ERRORS = _port_errors()
 
 
 def _open(settings: LinkSettings) -> serial.Serial:
@@ -177,7 +177,7 @@ def _open(settings: LinkSettings) -> serial.Serial:
         port = serial.serial_for_url(settings.url, do_not_open=True)
         port.baudrate = line.baud
         port.bytesize = serial.EIGHTBITS
-        port.parity = _PARITIES.get(line.detection, serial.PARITY_NONE)
+        port.parity = PARITIES.get(line.detection, serial.PARITY_NONE)
         port.stopbits = serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE
         port.timeout = _SLICE
         if not settings.url.startswith("rfc2217://"):  # which cannot do it
@@ -185,7 +185,7 @@ def _open(settings: LinkSettings) -> serial.Serial:
         if "://" not in settings.url and sys.platform != "win32":
             port.exclusive = True
         port.open()
-    except _PORT_ERRORS as error:
+    except PORT_ERRORS as error:
         raise PortUnavailable(why_not_open(settings.url, line, error)) from error
     # FTDI adapters hold bytes back up to 16 ms; the Linux driver can be asked not to.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):

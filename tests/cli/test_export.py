@@ -1,0 +1,77 @@
+"""export: the board's settings as a program; and the snapshots that changes leave."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.conftest import Run
+from tests.support.simulator import SimulatorProcess
+from trex_gui.export.language import Language
+from trex_gui.settings.history import History
+
+
+@pytest.mark.parametrize("language", list(Language))
+def test_the_board_is_exported_in_each_language(
+    trexcmd: Run, quick_simulator: SimulatorProcess, tmp_path: Path, language: Language
+) -> None:
+    assert trexcmd("set", "serial_timeout", "5").exit_code == 0
+    path = tmp_path / f"board{language.suffix}"
+    result = trexcmd("export", "--as", language.value, str(path))
+    assert result.exit_code == 0, result.stderr
+    text = path.read_text(encoding="utf-8")
+    assert "Serial Timeout" in text
+    assert "0.5 s" in text
+    assert trexcmd("export", "--as", language.value, "-").stdout == text
+    assert quick_simulator.show()["motors"][0]["target_speed"] == 0
+
+
+def test_a_language_is_needed_and_must_be_known(trexcmd: Run) -> None:
+    assert trexcmd("export", "-").exit_code == 2
+    assert trexcmd("export", "--as", "pascal", "-").exit_code == 2
+
+
+def test_a_place_that_cannot_be_written_is_refused(trexcmd: Run, tmp_path: Path) -> None:
+    result = trexcmd("export", "--as", "c", str(tmp_path / "missing" / "board.c"))
+    assert result.exit_code == 1
+    assert "missing" in result.stderr
+
+
+def test_what_the_board_stored_is_kept_before_a_file_changes_it(
+    trexcmd: Run, tmp_path: Path
+) -> None:
+    path = tmp_path / "wish.txt"
+    path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
+    assert trexcmd("set-settings", "--dry-run", str(path)).exit_code == 0
+    assert not History().snapshots()
+    result = trexcmd("set-settings", str(path))
+    assert result.exit_code == 0, result.stderr
+    (snapshot,) = History().snapshots()
+    assert str(snapshot.path) in result.stderr
+    assert History().load(snapshot).parameters["serial_timeout"] == 0
+    assert trexcmd("set-settings", str(snapshot.path)).exit_code == 0
+    assert trexcmd("get", "serial_timeout").stdout.startswith("0\t")
+
+
+def test_what_changes_nothing_leaves_no_snapshot(trexcmd: Run, tmp_path: Path) -> None:
+    path = tmp_path / "wish.txt"
+    path.write_text("product: TReX\nserial_timeout: 0\n", encoding="utf-8")
+    assert trexcmd("set-settings", str(path)).exit_code == 0
+    assert not History().snapshots()
+
+
+def test_restoring_the_defaults_keeps_what_was_there(trexcmd: Run) -> None:
+    assert trexcmd("set", "serial_timeout", "5").exit_code == 0
+    assert trexcmd("restore-defaults", "--yes").exit_code == 0
+    (snapshot,) = History().snapshots()
+    assert History().load(snapshot).parameters["serial_timeout"] == 5
+
+
+def test_without_a_snapshot_nothing_is_written(trexcmd: Run, tmp_path: Path) -> None:
+    path = tmp_path / "wish.txt"
+    path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
+    place = tmp_path / "file"
+    place.write_text("", encoding="utf-8")
+    result = trexcmd("set-settings", str(path), TREX_STUDIO_DATA=str(place))
+    assert result.exit_code == 1
+    assert "snapshots cannot be made" in result.stderr
+    assert trexcmd("get", "serial_timeout").stdout.startswith("0\t")

@@ -1,0 +1,16 @@
+"""What a board stored before a command changed it."""
+
+from trex_gui.cli.talk import say
+from trex_gui.link.settings import LinkSettings
+from trex_gui.settings.document import Settings
+from trex_gui.settings.history import History
+
+
+def keep(settings: Settings, link: LinkSettings, reason: str) -> None:
+    """Save a snapshot where the window keeps its own, and say where.
+
+    Raises:
+        SettingsError: it cannot be saved; nothing must be written to the board then.
+    """
+    snapshot = History().take(settings, adapter=link.name or link.url, reason=reason)
+    say(f"What the board stores now is kept in {snapshot.path}.")
