@@ -23,6 +23,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatorProcess
 from trex_gui.model.device import Link
 from trex_gui.model.exchange import shown_settings
+from trex_gui.model.parameter_filter import ParameterFilter
 from trex_gui.model.parameters import Column
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
@@ -84,7 +85,9 @@ class Person:
     def type_into(self, key: str, typed: str) -> QSpinBox:
         """Open the editor of a parameter with the mouse, type, press Enter."""
         view = self.find(QTableView, "parametersView")
-        index = self.program.device.parameters.index_of(key, Column.VALUE)
+        rows = view.model()
+        assert isinstance(rows, ParameterFilter)
+        index = rows.mapFromSource(self.program.device.parameters.index_of(key, Column.VALUE))
         view.scrollTo(index)
         place = view.visualRect(index).center()
         QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=place)
@@ -216,7 +219,9 @@ def test_escape_in_the_editor_of_a_table_stops_the_motors(
     person.wait(lambda: simulator.show()["motors"][1]["speed"] == 100)
     person.open_page("parametersPage")
     view = person.find(QTableView, "parametersView")
-    view.edit(person.program.device.parameters.index_of("serial_timeout"))
+    rows = view.model()
+    assert isinstance(rows, ParameterFilter)
+    view.edit(rows.mapFromSource(person.program.device.parameters.index_of("serial_timeout")))
     window = person.program.window.windowHandle()
     person.qtbot.waitUntil(lambda: window.isActive() or window.isExposed())
     QTest.keyClick(window, Qt.Key.Key_Escape)

@@ -29,11 +29,13 @@ from PySide6.QtWidgets import (
 
 from trex_gui.link.writing import Written
 from trex_gui.model.device import Device, Link
+from trex_gui.model.parameter_filter import ParameterFilter
 from trex_gui.model.parameters import Column, Role
 from trex_gui.protocol.parameters import ParameterSpec
 from trex_gui.views.icons import icon, set_icon
 from trex_gui.views.theme import theme
 from trex_gui.views.widgets.parameter_editors import Editor, NumberEditor, editor_for
+from trex_gui.views.widgets.parameter_filters import ParameterFilters
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -126,7 +128,9 @@ class ParametersPage(QWidget):
         self.setObjectName("parametersPage")
         self._device = device
         self._model = device.parameters
+        self._rows = ParameterFilter(self._model, self)
 
+        self._filters = ParameterFilters(self._rows, self)
         self._notice = QLabel(self)
         self._notice.setObjectName("parametersNotice")
         self._notice.setWordWrap(True)
@@ -153,6 +157,7 @@ class ParametersPage(QWidget):
         top.addWidget(self._reload)
         layout = QVBoxLayout(self)
         layout.addLayout(top)
+        layout.addWidget(self._filters)
         layout.addWidget(self._view, 1)
         layout.addWidget(self._help)
 
@@ -172,7 +177,7 @@ class ParametersPage(QWidget):
         view = QTableView(self)
         view.setObjectName("parametersView")
         view.setAccessibleName(self.tr("Parameters"))
-        view.setModel(self._model)
+        view.setModel(self._rows)
         delegate = ParameterDelegate(view)
         delegate.refused.connect(self._on_refused)
         view.setItemDelegate(delegate)
@@ -218,6 +223,7 @@ class ParametersPage(QWidget):
     def _on_link_changed(self) -> None:
         up = self._device.link is Link.UP
         self._reload.setEnabled(up)
+        self._filters.setEnabled(self._model.rowCount() > 0)
         self._view.setEnabled(up)
         if self._model.rowCount() == 0:
             self._notice.setText(self.tr("Connect to a board to see its parameters."))
@@ -225,7 +231,7 @@ class ParametersPage(QWidget):
         elif up:
             self._on_pending_changed(len(self._model.pending))
             if not self._view.currentIndex().isValid():
-                self._view.setCurrentIndex(self._model.index(0, Column.VALUE))
+                self._view.setCurrentIndex(self._rows.index(0, Column.VALUE))
         else:
             self._notice.setText(
                 self.tr("No board answers. Edits are kept for when the same kind of board is back.")
@@ -285,7 +291,9 @@ class ParametersPage(QWidget):
     def _on_applied(self, results: tuple[Written, ...]) -> None:
         failed = [result for result in results if result.error is not None]
         if failed:
-            self._view.setCurrentIndex(self._model.index_of(failed[0].what))
+            self._filters.clear()
+            place = self._model.index_of(failed[0].what)
+            self._view.setCurrentIndex(self._rows.mapFromSource(place))
             text = self.tr("{0} of {1} did not stick; they are marked below.").format(
                 len(failed), len(results)
             )

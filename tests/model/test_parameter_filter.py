@@ -1,0 +1,90 @@
+"""What is shown of the parameter table."""
+
+import pytest
+from pytestqt.modeltest import ModelTester
+from pytestqt.qtbot import QtBot
+
+from trex_gui.model.parameter_filter import ParameterFilter
+from trex_gui.model.parameters import Column, ParameterModel, Role
+from trex_gui.protocol.parameters import parameters_of
+
+SPECS = parameters_of("trex", "1.2")
+FACTORY = {spec.key: spec.default for spec in SPECS.readable}
+
+
+@pytest.fixture
+def model(qtbot: QtBot) -> ParameterModel:
+    model = ParameterModel()
+    model.load(SPECS, {**FACTORY, "serial_timeout": 5}, {}, power_cycled=True)
+    return model
+
+
+@pytest.fixture
+def rows(model: ParameterModel) -> ParameterFilter:
+    return ParameterFilter(model)
+
+
+def shown(rows: ParameterFilter) -> list[str]:
+    return [rows.index(row, Column.VALUE).data(Role.SPEC).key for row in range(rows.rowCount())]
+
+
+def test_qt_finds_nothing_wrong_with_it(rows: ParameterFilter, qtmodeltester: ModelTester) -> None:
+    rows.set_words("motor")
+    qtmodeltester.check(rows)  # type: ignore[no-untyped-call] # of pytest-qt
+
+
+def test_without_wishes_everything_is_shown_in_its_order(rows: ParameterFilter) -> None:
+    assert shown(rows) == [spec.key for spec in SPECS.readable]
+
+
+@pytest.mark.parametrize("words", ["serial timeout", "TIMEOUT serial", "serial_timeout"])
+def test_words_are_found_in_any_order_and_case(rows: ParameterFilter, words: str) -> None:
+    rows.set_words(words)
+    assert "serial_timeout" in shown(rows)
+    assert "motor_mode" not in shown(rows)
+
+
+def test_words_are_found_in_descriptions_too(rows: ParameterFilter) -> None:
+    rows.set_words("compact packets are obeyed")
+    assert shown(rows) == ["device_number"]
+
+
+def test_words_that_stand_nowhere_leave_nothing(rows: ParameterFilter) -> None:
+    rows.set_words("flux capacitor")
+    assert shown(rows) == []
+    rows.set_words("")
+    assert len(shown(rows)) == len(SPECS.readable)
+
+
+@pytest.mark.parametrize("group", ["motors", "channels", "serial"])
+def test_a_group_is_shown_alone(rows: ParameterFilter, group: str) -> None:
+    rows.set_group(group)
+    assert shown(rows) == [spec.key for spec in SPECS.readable if spec.group == group]
+
+
+def test_only_what_waits_for_apply_follows_the_edits(
+    rows: ParameterFilter, model: ParameterModel
+) -> None:
+    rows.set_modified_only(True)
+    assert shown(rows) == []
+    model.edit("motor_mode", 1)
+    assert shown(rows) == ["motor_mode"]
+    model.discard_edits()
+    assert shown(rows) == []
+
+
+def test_only_what_is_not_the_factorys(rows: ParameterFilter, model: ParameterModel) -> None:
+    rows.set_not_default_only(True)
+    assert shown(rows) == ["serial_timeout"]
+    model.edit("serial_timeout", FACTORY["serial_timeout"])
+    model.edit("motor_mode", 1)
+    assert shown(rows) == ["motor_mode"]
+
+
+def test_wishes_add_up(rows: ParameterFilter, model: ParameterModel) -> None:
+    model.edit("motor1_acceleration", 4)
+    model.edit("device_number", 9)
+    rows.set_modified_only(True)
+    rows.set_group("motors")
+    rows.set_words("acceleration")
+    assert shown(rows) == ["motor1_acceleration"]
