@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QByteArray, QSettings, Qt, QUrl, Slot
+from PySide6.QtCore import QByteArray, QObject, QSettings, Qt, QUrl, Slot
 from PySide6.QtGui import QCloseEvent, QDesktopServices
 from PySide6.QtWidgets import (
     QApplication,
@@ -99,7 +99,7 @@ class MainWindow(QMainWindow):
         device.link_changed.connect(self._on_link_changed)
         device.motors.changed.connect(self._on_possibilities_changed)
         device.pending_changed.connect(self._on_possibilities_changed)
-        device.undo.indexChanged.connect(self._on_undo_changed)
+        self._undo_watch = device.undo.indexChanged.connect(self._on_undo_changed)
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -257,6 +257,7 @@ class MainWindow(QMainWindow):
         if not self._may_close():
             event.ignore()
             return
+        QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
         self._store.setValue("window/state", self.saveState())
         self._demo.leave()
         self._store.setValue("window/geometry", self.saveGeometry())

@@ -28,12 +28,14 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.link.writing import Written
+from trex_gui.model.adviser import Adviser
 from trex_gui.model.device import Device, Link
 from trex_gui.model.parameter_filter import ParameterFilter
 from trex_gui.model.parameters import Column, Role
 from trex_gui.protocol.parameters import ParameterSpec
 from trex_gui.views.icons import icon, set_icon
 from trex_gui.views.theme import theme
+from trex_gui.views.widgets.advice_list import AdviceList
 from trex_gui.views.widgets.parameter_editors import Editor, NumberEditor, editor_for
 from trex_gui.views.widgets.parameter_filters import ParameterFilters
 
@@ -131,6 +133,7 @@ class ParametersPage(QWidget):
         self._rows = ParameterFilter(self._model, self)
 
         self._filters = ParameterFilters(self._rows, self)
+        self._advice = AdviceList(Adviser(device, self), self)
         self._notice = QLabel(self)
         self._notice.setObjectName("parametersNotice")
         self._notice.setWordWrap(True)
@@ -159,6 +162,7 @@ class ParametersPage(QWidget):
         layout.addLayout(top)
         layout.addWidget(self._filters)
         layout.addWidget(self._view, 1)
+        layout.addWidget(self._advice)
         layout.addWidget(self._help)
 
         self._reload.clicked.connect(self.reload_requested)
@@ -258,6 +262,7 @@ class ParametersPage(QWidget):
         spec = cast("ParameterSpec | None", current.data(Role.SPEC))
         self._help.setText("" if spec is None else self._help_text(spec, current))
         self._view.scrollTo(current)
+        self._view.scrollTo(current.siblingAtColumn(Column.NAME))  # which row it is, above all
 
     def _help_text(self, spec: ParameterSpec, index: QModelIndex) -> str:
         parts = [f"<b>{spec.name}</b> ({spec.number:#04x}, <code>{spec.key}</code>)"]

@@ -1,0 +1,69 @@
+"""The window says what is odd about the settings together, and what would mend it."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.device import Link
+from trex_gui.window import Program
+
+
+@pytest.fixture
+def connected(program: Program, qtbot: QtBot, quick_simulator: SimulatorProcess) -> Program:
+    program.device.connect_to(LinkSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: program.device.link is Link.UP)
+    program.window.pages.setCurrentIndex(4)
+    return program
+
+
+def messages(program: Program) -> list[str]:
+    window = program.window
+    found = [window.findChild(QLabel, f"advice{index}") for index in range(3)]
+    return [label.text() for label in found if label is not None and label.isVisible()]
+
+
+def shown(program: Program) -> bool:
+    advice = program.window.findChild(QWidget, "adviceList")
+    assert advice is not None
+    return advice.isVisible()
+
+
+def test_of_a_new_board_there_is_nothing_to_say(connected: Program) -> None:
+    assert not shown(connected)
+
+
+def test_an_odd_pair_is_told_and_accepting_makes_an_edit(connected: Program, qtbot: QtBot) -> None:
+    device = connected.device
+    device.parameters.edit("ignored_channels", 1)
+    assert len(messages(connected)) == 1
+    accept = connected.window.findChild(QPushButton, "acceptAdvice0")
+    assert accept is not None
+    QTest.mouseClick(accept, Qt.MouseButton.LeftButton)
+    assert device.parameters.value_of("required_channels") == 0
+    qtbot.waitUntil(lambda: not shown(connected))
+    assert device.pending == 2
+    device.undo.undo()
+    assert device.pending == 1
+    assert len(messages(connected)) == 1
+
+
+def test_who_drives_is_told_of_the_serial_timeout(connected: Program, qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: connected.device.motors.can_arm)
+    connected.device.motors.arm()
+    qtbot.waitUntil(lambda: shown(connected))
+    accept = connected.window.findChild(QPushButton, "acceptAdvice0")
+    assert accept is not None
+    QTest.mouseClick(accept, Qt.MouseButton.LeftButton)
+    assert connected.device.parameters.value_of("serial_timeout") == 5
+
+
+def test_without_a_board_there_is_nothing_to_say(connected: Program, qtbot: QtBot) -> None:
+    connected.device.parameters.edit("ignored_channels", 1)
+    assert shown(connected)
+    connected.connector.disconnect_port()
+    qtbot.waitUntil(lambda: connected.device.link is Link.NONE)
+    assert not shown(connected)
