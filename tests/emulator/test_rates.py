@@ -163,3 +163,21 @@ def test_a_power_cut_in_the_middle_of_a_strange_byte_forgets_it() -> None:
     line.advance(0.1)
     line.host = LineSettings(115200)
     assert ask(line, "82") == b"r"
+
+
+def garbage(host: int, *, so_ground: bool) -> bytes:
+    """Return what a host at this rate hears when it sends every byte there is."""
+    board = a_board()
+    board.so_ground = so_ground
+    line = Line([board])
+    line.host = LineSettings(host)
+    for byte in range(256):
+        line.send(bytes([byte]))
+        line.advance(0.02)
+    return line.receive()
+
+
+def test_with_so_grounded_not_even_garbage_gets_out() -> None:
+    rates = [rate for rate in baud_rates() if rate >= 9600 and rate != 19200]
+    assert any(garbage(rate, so_ground=False) for rate in rates)
+    assert not any(garbage(rate, so_ground=True) for rate in rates)

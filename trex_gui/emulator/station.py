@@ -218,6 +218,8 @@ class Station:
         """
         wire = self._wire
         for each in heard:
+            if wire.is_grounded:
+                continue
             self.board.counters["bytes_garbled"] += 1
             at = max(wire.now, each.at) if wire.paced else wire.now
             begun = each.begun if wire.paced else wire.now

@@ -25,7 +25,7 @@ class Adviser(QObject):
         device.state_changed.connect(self._on_changed)
         device.link_changed.connect(self._on_changed)
         device.pending_changed.connect(self._on_changed)
-        device.motors.changed.connect(self._on_changed)
+        device.motors.changed.connect(self._on_motors_changed)
 
     @property
     def advice(self) -> tuple[Advice, ...]:
@@ -38,6 +38,12 @@ class Adviser(QObject):
             with self._device.one_edit(advice.proposal):
                 for key, wire in advice.change.items():
                     self._device.parameters.edit(key, wire)
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        """Only that they are driven matters, not each move of a slider."""
+        if self._device.motors.armed and not self._drove:
+            self._on_changed()
 
     @Slot()
     def _on_changed(self) -> None:

@@ -266,6 +266,10 @@ class Device(QObject):
             yield
         finally:
             self.undo.endMacro()
+            step = self.undo.command(self.undo.count() - 1)
+            if step.childCount() == 0:  # nothing was another value: there is nothing to undo
+                step.setObsolete(True)
+                self.undo.undo()
 
     # --- Requests and their outcomes ----------------------------------------------------
 
