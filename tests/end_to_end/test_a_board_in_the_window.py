@@ -22,7 +22,6 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
 from trex_gui.model.device import Link
-from trex_gui.model.exchange import shown_settings
 from trex_gui.model.parameter_filter import ParameterFilter
 from trex_gui.model.parameters import Column
 from trex_gui.protocol.calibration import Calibration
@@ -312,7 +311,8 @@ def test_what_was_written_is_what_every_page_shows_and_what_is_saved(
     person.wait(lambda: device.pending == 0 and not device.applying)
     assert device.state is not None
     assert device.state.calibrations[1] == wanted
-    assert shown_settings(device, device.state).calibrations[InputSource.RC, 1] == wanted
+    assert device.draft.stored is not None
+    assert device.draft.stored.calibrations[InputSource.RC, 1] == wanted
     assert device.parameters.stored_of("motor1_current_limit") == 10
 
 

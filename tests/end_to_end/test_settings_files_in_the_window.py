@@ -33,7 +33,8 @@ def test_what_was_saved_opens_as_no_change(connected: Program, tmp_path: Path) -
     connected.window.files.save_file(path)
     assert path.read_text(encoding="utf-8").startswith("product: TReX\n")
     connected.window.files.open_file(path)
-    assert "0 will change, 33 match" in banner(connected)
+    assert "28 parameters: 0 will change, 28 match" in banner(connected)
+    assert "5 calibrations: 0 will change, 5 match" in banner(connected)
     assert connected.device.pending == 0
 
 
@@ -49,7 +50,8 @@ def test_a_file_becomes_edits_and_apply_writes_them(
         encoding="utf-8",
     )
     connected.window.files.open_file(path)
-    assert "3 settings: 2 will change, 1 match" in banner(connected)
+    assert "parameters: 1 will change, 1 match" in banner(connected)
+    assert "calibrations: 1 will change, 0 match" in banner(connected)
     assert simulator.show()["parameters"]["serial_timeout"] == 0
     connected.device.apply()
     qtbot.waitUntil(lambda: connected.device.pending == 0)
@@ -75,7 +77,7 @@ def test_a_file_for_another_model_changes_nothing(connected: Program, tmp_path: 
     path = tmp_path / "junior.txt"
     path.write_text("product: TReX Jr\nserial_timeout: 5\n", encoding="utf-8")
     connected.window.files.open_file(path)
-    assert "for a TReX Jr" in banner(connected)
+    assert "settings of a TReX Jr" in banner(connected)
     assert connected.device.pending == 0
 
 
@@ -89,7 +91,7 @@ def test_analog_calibrations_are_left_out_and_named_while_inputs_are_rc(
         encoding="utf-8",
     )
     connected.window.files.open_file(path)
-    assert "analog calibrations of the file are left out" in banner(connected)
+    assert "analog calibrations are left out" in banner(connected)
 
 
 def test_a_missing_file_is_a_sentence(connected: Program, tmp_path: Path) -> None:

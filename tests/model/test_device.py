@@ -15,7 +15,6 @@ from trex_gui.model.device import Device, Link
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import Status, UartError
 from trex_gui.protocol.line_settings import LineSettings
-from trex_gui.settings.history import History
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -186,7 +185,7 @@ def test_without_a_snapshot_nothing_is_written(
     up: Watched, quick_simulator: SimulatorProcess, tmp_path: Path
 ) -> None:
     (tmp_path / "taken").write_text("a file where the folder should be", encoding="utf-8")
-    up.device.history = History(tmp_path / "taken")
+    up.device.history.folder = tmp_path / "taken"
     up.edit("serial_timeout", 15)
     up.device.apply()
     assert "Nothing was written" in up.failures[-1]

@@ -59,7 +59,7 @@ def test_nothing_to_discard_leaves_nothing_to_undo(device: Device) -> None:
 
 def test_a_step_in_which_nothing_changed_is_none(device: Device) -> None:
     device.parameters.edit("motor_mode", 1)
-    with device.one_edit("Open settings file"):
+    with device.draft.one_edit("Open settings file"):
         device.parameters.edit("serial_timeout", FACTORY["serial_timeout"])
     assert device.undo.undoText() == "Motor Mode"
     assert device.undo.count() == 1

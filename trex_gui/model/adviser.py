@@ -3,7 +3,7 @@
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.model.device import Device, Link
-from trex_gui.model.exchange import shown_settings
+from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.settings.rules import Advice, Context, advise
 
 
@@ -16,45 +16,64 @@ class Adviser(QObject):
 
     changed = Signal()
 
-    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+    def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._device = device
+        self._draft = draft
         self._advice: tuple[Advice, ...] = ()
-        self._drove = False
+        self._context: Context | None = Context()
 
-        device.state_changed.connect(self._on_changed)
-        device.link_changed.connect(self._on_changed)
-        device.pending_changed.connect(self._on_changed)
-        device.motors.changed.connect(self._on_motors_changed)
+        draft.loaded.connect(self._on_changed)
+        draft.pending_changed.connect(self._on_changed)
+        self._on_changed()
 
     @property
     def advice(self) -> tuple[Advice, ...]:
-        """What is odd now; nothing while no board answers."""
+        """What is odd now."""
         return self._advice
+
+    def set_context(self, context: Context | None) -> None:
+        """Say what is known beside the settings; `None`: nothing is to be said of them now."""
+        if context != self._context:
+            self._context = context
+            self._on_changed()
 
     def accept(self, advice: Advice) -> None:
         """Make the proposed values edits that wait for Apply; one step to undo."""
         if advice.change:
-            with self._device.one_edit(advice.proposal):
+            with self._draft.one_edit(advice.proposal):
                 for key, wire in advice.change.items():
-                    self._device.parameters.edit(key, wire)
-
-    @Slot()
-    def _on_motors_changed(self) -> None:
-        """Only that they are driven matters, not each move of a slider."""
-        if self._device.motors.armed and not self._drove:
-            self._on_changed()
+                    self._draft.parameters.edit(key, wire)
 
     @Slot()
     def _on_changed(self) -> None:
-        state, settings = self._device.state, self._device.settings
         advice: tuple[Advice, ...] = ()
-        if state is not None and settings is not None and self._device.link is Link.UP:
-            self._drove |= self._device.motors.armed
-            context = Context(drives_from_computer=self._drove)
-            advice = advise(shown_settings(self._device, state), context)
-        else:
-            self._drove = False
+        shown = self._draft.shown
+        if shown is not None and self._context is not None:
+            advice = advise(shown, self._context)
         if advice != self._advice:
             self._advice = advice
             self.changed.emit()
+
+
+class BoardAdviser(Adviser):
+    """Knows of the line and of the motors; has nothing to say while no board answers."""
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(device.draft, parent)
+        self._device = device
+        self._drove = False
+
+        device.link_changed.connect(self._on_board_changed)
+        device.motors.changed.connect(self._on_board_changed)
+        self._on_board_changed()
+
+    @Slot()
+    def _on_board_changed(self) -> None:
+        settings = self._device.settings
+        if settings is None or self._device.link is not Link.UP:
+            self._drove = False
+            self.set_context(None)
+            return
+        self._drove |= self._device.motors.armed
+        context = Context(drives_from_computer=self._drove, used_by_line=settings.line)
+        self.set_context(context)

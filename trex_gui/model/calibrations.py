@@ -1,4 +1,4 @@
-"""The channel calibrations: what the board stores for the input source in force, and edits."""
+"""The channel calibrations: what is stored, for each input source, and the edits of it."""
 
 from collections.abc import Mapping, Sequence
 
@@ -11,11 +11,15 @@ from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.flags import InputSource
 
+Place = tuple[InputSource, int]
+"""An input source and a channel, 1-5: what one calibration is for."""
+
 
 class Calibrations(QObject):
-    """Stored beside edited, by channel; the board shows only one of its two sets at a time.
+    """Stored beside edited; a board shows one of its two sets at a time, a file may hold both.
 
-    Every edit goes over the undo stack that it is given (or has one of its own).
+    Where no input source is named, the one in force is meant. Every edit goes over the undo
+    stack that it is given (or has one of its own).
 
     Signals:
         changed: a stored or an edited calibration.
@@ -30,39 +34,61 @@ class Calibrations(QObject):
         self._undo = undo or QUndoStack(self)
         self._model_key = ""
         self._source = InputSource.RC
-        self._stored: dict[int, Calibration] = {}
-        self._edited: dict[int, Calibration] = {}
+        self._stored: dict[Place, Calibration] = {}
+        self._edited: dict[Place, Calibration] = {}
 
     @property
     def source(self) -> InputSource:
-        """The input source that the calibrations belong to."""
+        """The input source in force: a board takes calibrations for this one only."""
         return self._source
 
     @property
     def pending(self) -> tuple[tuple[int, Calibration], ...]:
-        """What Apply would write: channel and calibration."""
-        return tuple(sorted(self._edited.items()))
+        """What Apply would write: channel and calibration, of the input source in force."""
+        edits = sorted(self._edited.items(), key=lambda item: item[0][1])
+        return tuple((channel, c) for (source, channel), c in edits if source is self._source)
 
     @property
-    def all_stored(self) -> dict[int, Calibration]:
-        """What the board stores, by channel."""
+    def edited(self) -> dict[Place, Calibration]:
+        """Every edit, whatever input source it is for."""
+        return dict(self._edited)
+
+    @property
+    def all_stored(self) -> dict[Place, Calibration]:
+        """What is stored, as far as it is known."""
         return dict(self._stored)
 
-    def stored(self, channel: int) -> Calibration | None:
-        """What the board stores for a channel; `None` when it was not read."""
-        return self._stored.get(channel)
+    @property
+    def all_shown(self) -> dict[Place, Calibration]:
+        """What would be stored after Apply."""
+        return {**self._stored, **self._edited}
+
+    def stored(self, channel: int, source: InputSource | None = None) -> Calibration | None:
+        """What is stored for a channel; `None` when it is not known."""
+        return self._stored.get((source or self._source, channel))
+
+    def shown(self, channel: int, source: InputSource | None = None) -> Calibration | None:
+        """What would be stored for a channel after Apply; `None` when it is not known."""
+        place = (source or self._source, channel)
+        return self._edited.get(place, self._stored.get(place))
 
     def load(self, model_key: str, source: InputSource, stored: Mapping[int, Calibration]) -> None:
-        """Take what was read; edits stay while model and input source are the same."""
+        """Take what was read of a board; edits stay while model and input source are the same."""
+        self.load_all(model_key, source, {(source, c): found for c, found in stored.items()})
+
+    def load_all(
+        self, model_key: str, source: InputSource, stored: Mapping[Place, Calibration]
+    ) -> None:
+        """Take what was read for both input sources; `source` is the one in force."""
         if (model_key, source) != (self._model_key, self._source):
             self._edited.clear()
         self._model_key = model_key
         self._source = source
         self._stored = dict(stored)
-        self._edited = {c: e for c, e in self._edited.items() if self._stored.get(c) != e}
+        self._edited = {p: e for p, e in self._edited.items() if self._stored.get(p) != e}
         self._announce()
 
-    def edit(self, channel: int, wanted: Calibration) -> None:
+    def edit(self, channel: int, wanted: Calibration, source: InputSource | None = None) -> None:
         """Take an edit; editing back to what is stored forgets it.
 
         Raises:
@@ -70,41 +96,42 @@ class Calibrations(QObject):
         """
         if problem := wanted.problem():
             raise BadRequest(f"calibration of channel {channel}: {problem}")
-        before = self._edited.get(channel, self._stored.get(channel))
+        place = (source or self._source, channel)
+        before = self._edited.get(place, self._stored.get(place))
         if wanted != before:
-            text = self.tr("Calibration of channel {0}").format(channel)
-            self._undo.push(Edit(text, self._put, (self._source, channel), before, wanted))
+            self._undo.push(Edit(self._text(channel), self._put, place, before, wanted))
 
     def discard_edits(self) -> None:
         """Go back to what is stored; this can be undone."""
         if not self._edited:
             return
         self._undo.beginMacro(self.tr("Discard edits"))
-        for channel, edited in self.pending:
-            text = self.tr("Calibration of channel {0}").format(channel)
-            place = (self._source, channel)
-            self._undo.push(Edit(text, self._put, place, edited, self._stored.get(channel)))
+        for place, edited in sorted(self._edited.items(), key=lambda item: item[0][1]):
+            stored = self._stored.get(place)
+            self._undo.push(Edit(self._text(place[1]), self._put, place, edited, stored))
         self._undo.endMacro()
 
-    def _put(self, place: tuple[InputSource, int], wanted: Calibration | None) -> None:
-        """Put a calibration in its place; one of the input source that is hidden now is not."""
-        source, channel = place
-        if source is not self._source:
+    def _text(self, channel: int) -> str:
+        return self.tr("Calibration of channel {0}").format(channel)
+
+    def _put(self, place: Place, wanted: Calibration | None) -> None:
+        """Put a calibration in its place; one that is not known now is left alone."""
+        if place[0] is not self._source and place not in self._stored:
             return
-        if wanted is None or self._stored.get(channel) == wanted:
-            self._edited.pop(channel, None)
+        if wanted is None or self._stored.get(place) == wanted:
+            self._edited.pop(place, None)
         else:
-            self._edited[channel] = wanted
+            self._edited[place] = wanted
         self._announce()
 
     def take_results(self, results: Sequence[Written]) -> None:
         """Take what was read back after a write."""
         for result in results:
             if isinstance(result.stored, Calibration):
-                channel = int(result.what.removeprefix("channel "))
-                self._stored[channel] = result.stored
-                if self._edited.get(channel) == result.stored:
-                    del self._edited[channel]
+                place = (self._source, int(result.what.removeprefix("channel ")))
+                self._stored[place] = result.stored
+                if self._edited.get(place) == result.stored:
+                    del self._edited[place]
         self._announce()
 
     def _announce(self) -> None:

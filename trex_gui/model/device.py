@@ -2,14 +2,11 @@
 
 import itertools
 import logging
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Collection
 from dataclasses import replace
 from enum import Enum, auto
-from typing import cast
 
 from PySide6.QtCore import QObject, Signal, Slot
-from PySide6.QtGui import QUndoStack
 
 from trex_gui.link.client import Counters
 from trex_gui.link.explain import who_controls
@@ -33,16 +30,15 @@ from trex_gui.link.reading import DeviceState
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import StatusNews
 from trex_gui.link.writing import Written
-from trex_gui.model.calibrations import Calibrations
+from trex_gui.model.apply import Apply
 from trex_gui.model.errors import ErrorLog
 from trex_gui.model.motors import Motors
-from trex_gui.model.parameters import Column, ParameterModel
+from trex_gui.model.parameters import Column
+from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.model.telemetry import Telemetry
-from trex_gui.protocol.errors import TrexError, sentence
+from trex_gui.protocol.errors import TrexError
 from trex_gui.protocol.flags import InputSource
-from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.history import History
-from trex_gui.settings.snapshot import settings_of
 from trex_gui.worker.line_worker import LineWorker
 
 log = logging.getLogger(__name__)
@@ -73,7 +69,8 @@ class Device(QObject):
         pending_changed: how many edits of parameters and calibrations wait for Apply.
 
     Attributes:
-        undo: every edit of parameters and calibrations since this kind of board was there.
+        draft: what the board stores and the edits of it; `parameters`, `calibrations` and `undo`
+            are its parts.
         history: what boards stored before each Apply.
     """
 
@@ -88,10 +85,12 @@ class Device(QObject):
         super().__init__(parent)
         self.telemetry = Telemetry(self)
         self.errors = ErrorLog(self)
-        self.undo = QUndoStack(self)
+        self.draft = SettingsDraft(self)
+        self.undo = self.draft.undo
+        self.parameters = self.draft.parameters
+        self.calibrations = self.draft.calibrations
         self.history = History()
-        self.parameters = ParameterModel(self, self.undo)
-        self.calibrations = Calibrations(self, self.undo)
+        self._apply = Apply(self.draft, self.history, self._ask, self)
         self.motors = Motors(self)
         self._link = Link.NONE
         self._status = self.tr("Not connected.")
@@ -99,7 +98,6 @@ class Device(QObject):
         self._state: DeviceState | None = None
         self._echo = False
         self._counters = Counters()
-        self._applying = False
         self._may_move = False
         self._worker: LineWorker | None = None
         self._next: LinkSettings | None = None
@@ -108,8 +106,10 @@ class Device(QObject):
 
         self.motors.requested.connect(self._on_drive_requested)
         self.motors.stop_requested.connect(self._on_stop_requested)
-        self.parameters.pending_changed.connect(self._on_pending_changed)
-        self.calibrations.pending_changed.connect(self._on_pending_changed)
+        self.draft.pending_changed.connect(self.pending_changed)
+        self._apply.started.connect(self.link_changed)
+        self._apply.finished.connect(self._on_applied)
+        self._apply.failed.connect(self._on_apply_failed)
 
     # --- What is known ------------------------------------------------------------------
 
@@ -170,7 +170,7 @@ class Device(QObject):
     @property
     def applying(self) -> bool:
         """Whether edits are being written."""
-        return self._applying
+        return self._apply.running
 
     # --- What a person does -------------------------------------------------------------
 
@@ -220,56 +220,22 @@ class Device(QObject):
         """Read everything from the board again."""
         self._ask(Reload, self._on_reloaded)
 
-    def apply(self) -> None:
-        """Write every pending edit and read it back; `applied` tells how it went.
+    def apply(self, only: Collection[str] | None = None) -> None:
+        """Write every edit, or those with these keys, and read it back; see `Apply.start`.
 
-        A snapshot of what the board stores is saved first; without one nothing is written.
+        `applied` tells how it went.
         """
-        if not self.pending or self._applying or self._state is None:
-            return
-        if self._worker is not None and self._keep(self._state):
-            parameters, calibrations = self.parameters.pending, self.calibrations.pending
-            self._applying = True
-            self._ask(lambda number: Write(number, parameters, calibrations), self._on_applied)
-            self.link_changed.emit()
-
-    def _keep(self, state: DeviceState) -> bool:
-        """Save what the board stores before it is changed; return whether that worked."""
-        settings = self._settings
-        adapter = "" if settings is None else settings.name or settings.url
-        reason = self.tr("Apply of {0} settings").format(self.pending)
-        try:
-            self.history.take(settings_of(state), adapter=adapter, reason=reason)
-        except SettingsError as error:
-            text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
-            self.failed.emit(text.format(sentence(error)))
-            return False
-        return True
+        if self._state is not None and self._worker is not None:
+            self._apply.start(self._state, self._settings, only)
 
     @property
     def pending(self) -> int:
         """How many edits of parameters and calibrations wait for Apply."""
-        return len(self.parameters.pending) + len(self.calibrations.pending)
+        return self.draft.pending
 
     def discard_edits(self) -> None:
         """Go back to what the board stores; one step to undo."""
-        if self.pending:
-            with self.one_edit(self.tr("Discard edits")):
-                self.parameters.discard_edits()
-                self.calibrations.discard_edits()
-
-    @contextmanager
-    def one_edit(self, text: str) -> Iterator[None]:
-        """Let all edits made within be one step to undo and redo, under this name."""
-        self.undo.beginMacro(text)
-        try:
-            yield
-        finally:
-            self.undo.endMacro()
-            step = self.undo.command(self.undo.count() - 1)
-            if step.childCount() == 0:  # nothing was another value: there is nothing to undo
-                step.setObsolete(True)
-                self.undo.undo()
+        self.draft.discard_edits()
 
     # --- Requests and their outcomes ----------------------------------------------------
 
@@ -306,17 +272,16 @@ class Device(QObject):
         if outcome.error is not None:
             self.failed.emit(self.tr("Reading again failed. {0}").format(outcome.error))
 
-    def _on_applied(self, outcome: Outcome) -> None:
-        self._applying = False
-        if outcome.error is not None:
-            self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
-            return
-        results = cast("tuple[Written, ...]", outcome.value)
-        self.parameters.take_results(results)
-        self.calibrations.take_results(results)
+    @Slot(object)
+    def _on_applied(self, results: tuple[Written, ...]) -> None:
         self._note_written(results)
         self.link_changed.emit()
         self.applied.emit(results)
+
+    @Slot(str)
+    def _on_apply_failed(self, reason: str) -> None:
+        self.link_changed.emit()
+        self.failed.emit(reason)
 
     def _note_written(self, results: tuple[Written, ...]) -> None:
         """Let `state` say what the board holds now."""
@@ -326,7 +291,8 @@ class Device(QObject):
         for result in results:
             if isinstance(result.stored, int):
                 parameters[result.what] = result.stored
-        calibrations |= self.calibrations.all_stored
+            elif result.stored is not None:
+                calibrations[int(result.what.removeprefix("channel "))] = result.stored
         self._state = replace(self._state, parameters=parameters, calibrations=calibrations)
         self.state_changed.emit()
 
@@ -385,13 +351,8 @@ class Device(QObject):
             self._may_move = report.may_move
             self.motors.allow(False)
         self.telemetry.note_control(state.serial_controls)
-        if self.parameters.model_key != state.signature.model.key:
-            self.undo.clear()  # what was edited belonged to another kind of board
-        self.parameters.load(
-            state.specs, state.parameters, state.unread, power_cycled=occasion.power_cycled
-        )
+        self.draft.take_state(state, power_cycled=occasion.power_cycled)
         self.parameters.note_in_force(self._in_force(state))
-        self.calibrations.load(state.signature.model.key, state.source, state.calibrations)
         self._set_link(Link.UP, self.tr("Connected to {0}.").format(state.signature))
         self._allow_driving()
         self.state_changed.emit()
@@ -445,7 +406,7 @@ class Device(QObject):
     def _forget(self) -> None:
         """Know nothing of any board any more."""
         self._state = None
-        self._applying = False
+        self._apply.forget()
         self._waiting.clear()
         self.motors.allow(False)
         self.telemetry.forget()
@@ -457,10 +418,6 @@ class Device(QObject):
         self._set_link(Link.NONE, self.tr("Not connected."))
         if error is not None:
             self.failed.emit(str(error))
-
-    @Slot()
-    def _on_pending_changed(self) -> None:
-        self.pending_changed.emit(self.pending)
 
     def _set_link(self, link: Link, status: str) -> None:
         self._link = link

@@ -135,6 +135,27 @@ class ParameterModel(QAbstractTableModel):
         return self._draft.pending
 
     @property
+    def all_stored(self) -> dict[str, int]:
+        """What is stored, as far as it was read: wire values by key, in the order of the table."""
+        return {s.key: self._draft.stored[s.key] for s in self._specs if self._is_stored(s.key)}
+
+    @property
+    def all_shown(self) -> dict[str, int]:
+        """What would be stored after Apply, likewise."""
+        return {**self.all_stored, **self._draft.edited}
+
+    def spec_of(self, key: str) -> ParameterSpec:
+        """Return the entry of the parameter table.
+
+        Raises:
+            KeyError: there is no such parameter here.
+        """
+        row = self._row_of(key)
+        if row is None:
+            raise KeyError(key)
+        return self._specs[row]
+
+    @property
     def model_key(self) -> str:
         """The kind of board that the rows are of; empty before the first."""
         return self._model_key
@@ -307,7 +328,10 @@ class ParameterModel(QAbstractTableModel):
     # --- Small things -------------------------------------------------------------------
 
     def _is_known(self, row: int) -> bool:
-        return self._specs[row].key in self._draft.stored
+        return self._is_stored(self._specs[row].key)
+
+    def _is_stored(self, key: str) -> bool:
+        return key in self._draft.stored
 
     def _row_of(self, key: str) -> int | None:
         return next((row for row, spec in enumerate(self._specs) if spec.key == key), None)

@@ -1,6 +1,6 @@
 """The row below the pages, the same on every page: stop, run, apply."""
 
-from PySide6.QtCore import Slot
+from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
 
 from trex_gui.model.device import Device, Link
@@ -9,7 +9,13 @@ from trex_gui.views.theme import theme, tint
 
 
 class ActionBar(QWidget):
-    """Stop motor in red, Run motor in green, what state they are in, Apply settings."""
+    """Stop motor in red, Run motor in green, what state they are in, Apply settings.
+
+    Signals:
+        apply_requested: a person wants the edits written.
+    """
+
+    apply_requested = Signal()
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -51,7 +57,7 @@ class ActionBar(QWidget):
 
         self._stop.clicked.connect(device.motors.stop)
         self._run.clicked.connect(device.motors.arm)
-        self._apply.clicked.connect(device.apply)
+        self._apply.clicked.connect(self.apply_requested)
         device.link_changed.connect(self._on_changed)
         device.motors.changed.connect(self._on_changed)
         device.pending_changed.connect(self._on_changed)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from trex_gui.export.code import export_code, file_name
 from trex_gui.export.language import Language
 from trex_gui.model.device import Device
-from trex_gui.model.exchange import shown_settings, stage
+from trex_gui.model.exchange import what_changes
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.files import load, save
@@ -70,10 +70,9 @@ class SettingsFiles(QObject):
 
     def ask_and_export(self) -> None:
         """Let a person choose where to save the settings shown as a program, and its language."""
-        state = self._device.state
-        if state is None:
+        settings = self._device.draft.shown
+        if settings is None:
             return
-        settings = shown_settings(self._device, state)
         filters = {f"{language.title} (*{language.suffix})": language for language in Language}
         name = self._folder() / file_name(settings, next(iter(filters.values())))
         chosen, kind = QFileDialog.getSaveFileName(
@@ -86,11 +85,11 @@ class SettingsFiles(QObject):
 
     def export_file(self, path: Path, language: Language) -> None:
         """Write a program that applies the settings shown and drives the motors."""
-        state, link = self._device.state, self._device.settings
-        if state is None or link is None:
+        settings, link = self._device.draft.shown, self._device.settings
+        if settings is None or link is None:
             return
         try:
-            save(path, export_code(shown_settings(self._device, state), link, language))
+            save(path, export_code(settings, link, language))
         except (SettingsError, BadRequest) as error:
             self.refused.emit(self.tr("{0} was not written: {1}").format(path.name, error))
             return
@@ -103,29 +102,29 @@ class SettingsFiles(QObject):
 
         With `remember`, its folder is where the next file is looked for.
         """
-        state = self._device.state
-        if state is None:
+        if self._device.state is None:
             return
+        draft = self._device.draft
         try:
             settings, warnings = read_settings(load(path), path.name)
-            staged = stage(self._device, state, settings)
+            changes = what_changes(draft, settings)
+            draft.stage(changes.rows, self.tr("Open settings file"))
         except (SettingsError, BadRequest) as error:
             self.refused.emit(self.tr("{0} was not opened: {1}").format(path.name, error))
             return
         if remember:
             self._store.setValue(_FOLDER, str(path.parent))
         notes = " ".join(str(finding) for finding in warnings)
-        self.told.emit(f"{path.name}: {staged.text()} {notes}".strip())
+        text = f"{path.name}: {changes.summary()}. {' '.join(changes.left_out)} {notes}"
+        self.told.emit(" ".join(text.split()))
 
     def save_file(self, path: Path) -> None:
         """Write the settings shown, edits included."""
-        state = self._device.state
-        if state is None:
+        settings = self._device.draft.shown
+        if settings is None:
             return
         now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
-        text = write_settings(
-            shown_settings(self._device, state), title_lines=[f"Saved by TReX Studio, {now}."]
-        )
+        text = write_settings(settings, title_lines=[f"Saved by TReX Studio, {now}."])
         try:
             save(path, text)
         except SettingsError as error:

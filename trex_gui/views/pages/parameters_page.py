@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.link.writing import Written
-from trex_gui.model.adviser import Adviser
+from trex_gui.model.adviser import BoardAdviser
 from trex_gui.model.device import Device, Link
 from trex_gui.model.parameter_filter import ParameterFilter
 from trex_gui.model.parameters import Column, Role
@@ -133,7 +133,7 @@ class ParametersPage(QWidget):
         self._rows = ParameterFilter(self._model, self)
 
         self._filters = ParameterFilters(self._rows, self)
-        self._advice = AdviceList(Adviser(device, self), self)
+        self._advice = AdviceList(BoardAdviser(device, self), self)
         self._notice = QLabel(self)
         self._notice.setObjectName("parametersNotice")
         self._notice.setWordWrap(True)

@@ -1,0 +1,99 @@
+"""Writing edits into the board: a snapshot first, then every value written and read back."""
+
+from collections.abc import Callable, Collection
+from typing import cast
+
+from PySide6.QtCore import QObject, Signal
+
+from trex_gui.link.messages import Outcome, Write
+from trex_gui.link.reading import DeviceState
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.writing import Written
+from trex_gui.model.settings_draft import SettingsDraft
+from trex_gui.protocol.errors import sentence
+from trex_gui.settings.errors import SettingsError
+from trex_gui.settings.history import History
+from trex_gui.settings.snapshot import settings_of
+
+Ask = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
+"""Sends a request that it gives a number, and calls back with its outcome."""
+
+
+class Apply(QObject):
+    """One Apply after another; what did not stick stays an edit.
+
+    Signals:
+        started: it is being written.
+        finished: the `Written` of everything that was tried; the draft has taken them in.
+        failed: why nothing, or nothing more, was written, for people.
+    """
+
+    started = Signal()
+    finished = Signal(object)
+    failed = Signal(str)
+
+    def __init__(
+        self, draft: SettingsDraft, history: History, ask: Ask, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._draft = draft
+        self._history = history
+        self._ask = ask
+        self._running = False
+
+    @property
+    def running(self) -> bool:
+        """Whether edits are being written."""
+        return self._running
+
+    def start(
+        self, state: DeviceState, link: LinkSettings | None, only: Collection[str] | None = None
+    ) -> None:
+        """Write the edits, or those of them with the keys that a settings file would give them.
+
+        A snapshot of what the board stores is saved first; without one nothing is written.
+        """
+        source = state.source.value.lower()
+        parameters = tuple(
+            (key, wire)
+            for key, wire in self._draft.parameters.pending
+            if only is None or key in only
+        )
+        calibrations = tuple(
+            (channel, wanted)
+            for channel, wanted in self._draft.calibrations.pending
+            if only is None or f"{source}_channel_{channel}" in only
+        )
+        count = len(parameters) + len(calibrations)
+        reason = self.tr("Apply of {0} settings").format(count)
+        if count == 0 or self._running or not self.keep(state, link, reason):
+            return
+        self._running = True
+        self._ask(lambda number: Write(number, parameters, calibrations), self._on_written)
+        if self._running:
+            self.started.emit()
+
+    def keep(self, state: DeviceState, link: LinkSettings | None, reason: str) -> bool:
+        """Save what the board stores before it is changed; return whether that worked."""
+        adapter = "" if link is None else link.name or link.url
+        try:
+            self._history.take(settings_of(state), adapter=adapter, reason=reason)
+        except SettingsError as error:
+            text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
+            self.failed.emit(text.format(sentence(error)))
+            return False
+        return True
+
+    def forget(self) -> None:
+        """Expect no answer any more: the line is closed, which others tell."""
+        self._running = False
+
+    def _on_written(self, outcome: Outcome) -> None:
+        self._running = False
+        if outcome.error is not None:
+            self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
+            return
+        results = cast("tuple[Written, ...]", outcome.value)
+        self._draft.parameters.take_results(results)
+        self._draft.calibrations.take_results(results)
+        self.finished.emit(results)
