@@ -5,6 +5,7 @@ from typing import Any
 import click
 
 from trex_gui.cli.common import identify, link_options, link_settings, open_line
+from trex_gui.cli.reaching import say_how_to_reach
 from trex_gui.cli.snapshots import keep
 from trex_gui.cli.talk import say
 from trex_gui.link.reading import ask, read_everything
@@ -42,9 +43,11 @@ def restore_defaults(yes: bool, **options: Any) -> None:
             )
         keep(settings_of(read_everything(client.request)), link, "trexcmd restore-defaults")
         write_parameter(client.request, spec, spec.maximum)
+    defaults = {one.key: one.default for one in specs.readable}
     line, number = (specs[key].text(specs[key].default) for key in _HOW_TO_REACH)
     say(
         "The board has taken the order. Switch it off and on: then every parameter is the "
         f"factory's again, it runs at {line} and is device number {number}. The channel "
         "calibrations stay as they are."
     )
+    say_how_to_reach(link, defaults, signature.firmware)

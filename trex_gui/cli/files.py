@@ -8,6 +8,7 @@ import click
 
 from trex_gui import __version__
 from trex_gui.cli.common import (
+    as_options,
     identify,
     json_option,
     link_options,
@@ -15,14 +16,17 @@ from trex_gui.cli.common import (
     open_line,
     refusals,
 )
+from trex_gui.cli.reaching import say_how_to_reach
 from trex_gui.cli.settings_io import FILE, content_of, name_of, read_file, save_file
 from trex_gui.cli.snapshots import keep
-from trex_gui.cli.talk import ProgressLine, Usage, refuse, say
+from trex_gui.cli.talk import Interruption, ProgressLine, Usage, refuse, say
 from trex_gui.link.client import Client
 from trex_gui.link.reading import DeviceState, read_everything
-from trex_gui.link.writing import Written, write_all
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.writing import NotTried, Written, write_all
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import Rejected, ResultCode
+from trex_gui.settings.amend import amend
 from trex_gui.settings.comparison import Comparison, Row, compare
 from trex_gui.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
 from trex_gui.settings.errors import Finding, SettingsError, Severity
@@ -63,7 +67,8 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
     """Give the board the settings of FILE; - is standard input.
 
     Checks the file, keeps a snapshot of what the board stores, writes only what differs, the
-    serial settings last, and reads each value back.
+    serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
+    being written.
     """
     wanted = read_file(file)
     chosen = link_settings(options)
@@ -84,7 +89,7 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
         if not state.mode.is_serial:
             raise Rejected("These settings", ResultCode.NOT_SERIAL_MODE)
         keep(there, chosen, f"trexcmd set-settings {name_of(file)}")
-        _write(client, state, [row for row in result.rows if row.changed])
+        _write(client, chosen, state, [row for row in result.rows if row.changed])
 
 
 @click.command("check-settings")
@@ -92,9 +97,10 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
 @click.argument("out", required=False, type=FILE)
 @json_option
 def check_settings(file: str, out: str | None, as_json: bool) -> None:
-    """Check a settings file without a board; with OUT, write it anew in the usual form.
+    """Check a settings file without a board; with OUT, write it there as it should be.
 
-    Says on standard error what is wrong, line by line; - is standard input or output.
+    Says on standard error what is wrong, line by line; - is standard input or output. Comments
+    and order stay; only what can be mended is changed, such as a last line without an end.
     """
     if as_json and out == "-":
         raise Usage("--json and OUT cannot both have standard output.")
@@ -131,7 +137,19 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
         errors = sum(finding.severity is Severity.ERROR for finding in findings)
         refuse(f"{name_of(file)} has {errors} error{'' if errors == 1 else 's'}.")
     if out is not None:
-        save_file(out, write_settings(settings))
+        save_file(out, _mended(data, settings))
+
+
+def _mended(data: bytes, settings: Settings) -> str:
+    """Return a file's text as it should be; what a person wrote around the values stays."""
+    try:
+        text = amend(data.decode("utf-8"), settings)
+    except SettingsError as error:
+        say(f"Comments and order could not be kept: {error}")
+        return write_settings(settings)
+    if text.endswith(("\n", "\r")):
+        return text
+    return text + ("\r\n" if "\r\n" in text else "\n")
 
 
 @click.command()
@@ -208,7 +226,7 @@ def _visible(wanted: Settings, state: DeviceState) -> Settings:
     return replace(wanted, calibrations=kept)
 
 
-def _write(client: Client, state: DeviceState, rows: list[Row]) -> None:
+def _write(client: Client, chosen: LinkSettings, state: DeviceState, rows: list[Row]) -> None:
     names = {row.key: row.name for row in rows}
     parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]
     calibrations: list[tuple[int, Calibration]] = []
@@ -217,21 +235,32 @@ def _write(client: Client, state: DeviceState, rows: list[Row]) -> None:
             channel = CALIBRATION_KEYS[row.key][1]
             calibrations.append((channel, row.after))
             names[f"channel {channel}"] = row.name
-    with ProgressLine("Writing") as line:
-        results = write_all(client.request, state.specs, parameters, calibrations, line)
+    with ProgressLine("Writing") as line, Interruption() as interrupted:
+        results = write_all(
+            client.request,
+            state.specs,
+            parameters,
+            calibrations,
+            line,
+            source=state.source,
+            cancelled=interrupted.__bool__,
+        )
     failed = [result for result in results if result.error is not None]
+    stored = {result.what: result.stored for result in results if result.error is None}
     _say_failures(failed, names)
-    say(f"{len(results) - len(failed)} of {len(results)} changes are stored and read back.")
-    written = {result.what for result in results if result.error is None}
-    waiting = [
-        state.specs[key].name
-        for key in written & {key for key, _ in parameters}
-        if state.specs[key].needs_power_cycle
-    ]
+    if failed and stored:
+        say(f"Stored: {', '.join(names[what] for what in stored)}.")
+    say(f"{len(stored)} of {len(results)} changes are stored and read back.")
+    after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
+    waiting = [state.specs[key].name for key in after if state.specs[key].needs_power_cycle]
     if waiting:
         say(f"{', '.join(sorted(waiting))}: in force when the board is switched off and on.")
+    if client.settings != chosen:
+        say(f"Reach the board with {as_options(client.settings)} from now on.")
+    say_how_to_reach(client.settings, {**state.parameters, **after}, state.signature.firmware)
     if failed:
-        refuse("Not everything was stored; the rest of the board's settings is as it was.")
+        begun = "Interrupted: not" if interrupted else "Not"
+        refuse(f"{begun} everything was stored; what was not tried is as it was.")
 
 
 def _say_failures(failed: list[Written], names: dict[str, str]) -> None:
@@ -239,15 +268,15 @@ def _say_failures(failed: list[Written], names: dict[str, str]) -> None:
     said: set[int] = set()
     untried: list[str] = []
     for result in failed:
-        if id(result.error) in said:
-            untried.append(names[result.what])
+        name, text = names[result.what], str(result.error)
+        if id(result.error) in said or isinstance(result.error, NotTried):
+            untried.append(name)
             continue
         said.add(id(result.error))
-        text = str(result.error)
-        name = names[result.what]
         say(text if text.startswith(name) else f"{name}: {text}")
     if untried:
-        say(f"Not tried after that: {', '.join(untried)}.")
+        after = " after that" if said else ""
+        say(f"Not tried{after}: {', '.join(untried)}.")
 
 
 # --- Differences ------------------------------------------------------------------------

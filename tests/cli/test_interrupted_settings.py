@@ -1,0 +1,317 @@
+"""set-settings and restore-defaults that are disturbed, and how the board is reached after them."""
+
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import pytest
+
+from tests.cli.conftest import Run, Start, becomes
+from tests.support.simulator import SimulatorProcess
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.flags import CHANNELS, InputSource
+from trex_gui.protocol.parameters import parameters_of
+from trex_gui.settings.document import Settings
+from trex_gui.settings.errors import Finding, SettingsError
+from trex_gui.settings.history import History
+from trex_gui.settings.reader import read_settings
+from trex_gui.settings.writer import write_settings
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+SPECS = parameters_of("trex", "1.2")
+NAMES = {spec.name: spec.key for spec in SPECS.readable}
+
+when_some_are_stored = pytest.mark.parametrize(
+    "key", ["required_channels", "motor1_pwm_maximum", "serial_timeout"]
+)
+
+
+@dataclass
+class Writing:
+    """A file on its way to a board, up to a parameter that has just been stored."""
+
+    process: "subprocess.Popen[str]"
+    board: SimulatorProcess
+    file: Path
+    before: Settings
+    wanted: Settings
+
+    def end(self) -> str:
+        """Wait for the end; return what was said of a file that is not stored as a whole."""
+        _, said = self.process.communicate(timeout=30)
+        assert self.process.returncode == 1
+        assert "Traceback" not in said
+        return said
+
+    def require_named(self, said: str) -> None:
+        """What is said to be stored is; of the rest everything is named."""
+        stored = self.board.show()["parameters"]
+        given = {key for key in self.wanted.parameters if self.differs(key)}
+        named_stored = named(said, "Stored: ")
+        untried = named(said, "Not tried: ") | named(said, "Not tried after that: ")
+        assert named_stored
+        assert untried
+        assert all(stored[key] == self.wanted.parameters[key] for key in named_stored)
+        assert all(stored[key] == self.before.parameters[key] for key in untried)
+        assert len(given - named_stored - untried) <= 1
+        assert re.search(r"\d+ of \d+ changes are stored and read back", said)
+        assert "not everything was stored" in said.lower()
+
+    def differs(self, key: str) -> bool:
+        return self.wanted.parameters[key] != self.before.parameters[key]
+
+    def require_kept(self) -> None:
+        """The snapshot holds what the board stored before, whole."""
+        (snapshot,) = History().snapshots()
+        assert History().load(snapshot) == self.before
+
+
+def named(said: str, beginning: str) -> set[str]:
+    """Return the keys of the parameters in a sentence that lists them."""
+    lines = [line for line in said.splitlines() if line.startswith(beginning)]
+    names = lines[0].removeprefix(beginning).removesuffix(".").split(", ") if lines else []
+    return {NAMES[name] for name in names if name in NAMES}
+
+
+def other(before: Settings) -> Settings:
+    """Return settings that differ in all but how the board is reached."""
+    values = {
+        spec.key: max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid)
+        for spec in SPECS.readable
+        if spec.key not in {"uart_settings", "crc7_polynomial", "device_number"}
+    }
+    places = {(InputSource.RC, channel) for channel in CHANNELS[:2]}
+    return replace(
+        before,
+        parameters={**before.parameters, **values},
+        calibrations={
+            **before.calibrations,
+            **dict.fromkeys(places, Calibration(2400, 3700, 5100, 60)),
+        },
+    )
+
+
+Begin = Callable[[str], Writing]
+
+
+@pytest.fixture
+def begin(
+    start: Start,
+    trexcmd: Run,
+    start_simulator: Callable[..., SimulatorProcess],
+    tmp_path: Path,
+) -> Begin:
+    """Begin to write other settings into a board whose bytes take their time."""
+
+    def until(key: str) -> Writing:
+        board = start_simulator()
+        file = tmp_path / "wanted.txt"
+        text = trexcmd("get-settings", "-", "--port", board.url).stdout
+        before = read_settings(text)[0]
+        wanted = other(before)
+        file.write_text(write_settings(wanted), encoding="utf-8")
+        process = start("set-settings", str(file), url=board.url)
+        value = wanted.parameters[key]
+        assert becomes(lambda: board.show()["parameters"][key], value)
+        return Writing(process, board, file, before, wanted)
+
+    return until
+
+
+@when_some_are_stored
+def test_ctrl_c_ends_the_writing_between_two_settings(begin: Begin, trexcmd: Run, key: str) -> None:
+    writing = begin(key)
+    writing.process.send_signal(signal.SIGINT)
+    said = writing.end()
+    assert "Interrupted: not everything was stored; what was not tried is as it was." in said
+    writing.require_named(said)
+    writing.require_kept()
+    again = trexcmd("set-settings", str(writing.file), "--port", writing.board.url)
+    assert again.exit_code == 0, again.stderr
+    assert writing.board.show()["parameters"] == writing.wanted.parameters
+
+
+@when_some_are_stored
+def test_a_cable_that_is_pulled_leaves_nothing_unsaid(begin: Begin, trexcmd: Run, key: str) -> None:
+    writing = begin(key)
+    writing.board.do("line unplug")
+    said = writing.end()
+    assert "gone" in said
+    writing.require_named(said)
+    writing.require_kept()
+    url = writing.board.do("line plug").split()[-1]
+    again = trexcmd("set-settings", str(writing.file), "--port", url)
+    assert again.exit_code == 0, again.stderr
+    assert writing.board.show()["parameters"] == writing.wanted.parameters
+
+
+# --- How the board is reached after its next start --------------------------------------
+
+
+def given(trexcmd: Run, path: Path, **values: int) -> str:
+    """Give the simulated board a file with these values; return what is said."""
+    lines = "".join(f"{key}: {wire}\n" for key, wire in values.items())
+    path.write_text(f"product: TReX\n{lines}", encoding="utf-8")
+    result = trexcmd("set-settings", str(path))
+    assert result.exit_code == 0, result.stderr
+    return result.stderr
+
+
+@pytest.mark.parametrize(
+    ("values", "options"),
+    [
+        ({"uart_settings": 0x48}, "--baud 57600 --parity even"),
+        ({"uart_settings": 0x7A}, "--baud 115200 --parity odd --stop-bits 2"),
+        ({"uart_settings": 0x21}, "--baud 2400 --crc"),
+        ({"uart_settings": 0x2A, "crc7_polynomial": 0x15}, "--baud 115200 --crc --polynomial 95"),
+    ],
+)
+def test_whoever_changes_the_line_is_told_how_to_reach_the_board(
+    trexcmd: Run,
+    quick_simulator: SimulatorProcess,
+    tmp_path: Path,
+    values: dict[str, int],
+    options: str,
+) -> None:
+    said = given(trexcmd, tmp_path / "line.txt", **values)
+    sentence = f"Switched off and on, it is reached with --port {quick_simulator.url} {options}\n"
+    assert sentence in said
+
+
+def test_the_options_that_were_told_reach_the_board(
+    trexcmd: Run, quick_simulator: SimulatorProcess, tmp_path: Path
+) -> None:
+    said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
+    (told,) = re.findall("is reached with (.*)", said)
+    quick_simulator.do("power cycle")
+    assert trexcmd("get", "crc7_polynomial", *told.split()).exit_code == 0
+    restored = trexcmd("restore-defaults", "--yes", *told.split())
+    (told,) = re.findall("is reached with (.*)", restored.stderr)
+    quick_simulator.do("power cycle")
+    assert trexcmd("get", "crc7_polynomial", *told.split()).exit_code == 0
+
+
+def test_a_rate_that_old_firmware_halves_is_told_as_it_will_be(
+    trexcmd: Run, start_simulator: Callable[..., SimulatorProcess], tmp_path: Path
+) -> None:
+    old = start_simulator("--firmware", "1.0", "--unpaced")
+    file = tmp_path / "line.txt"
+    file.write_text("product: TReX\nuart_settings: 6\n", encoding="utf-8")  # 28800 baud
+    said = trexcmd("set-settings", str(file), "--port", old.url).stderr
+    assert f"is reached with --port {old.url} --baud 14400\n" in said
+
+
+def test_a_new_number_is_told_to_whoever_calls_the_board_by_number(
+    trexcmd: Run, quick_simulator: SimulatorProcess, tmp_path: Path
+) -> None:
+    file = tmp_path / "number.txt"
+    file.write_text("product: TReX\ndevice_number: 9\nuart_settings: 8\n", encoding="utf-8")
+    result = trexcmd("set-settings", str(file), "--protocol", "expanded")
+    url = quick_simulator.url
+    now = f"Reach the board with --port {url} --baud 19200 --protocol expanded --device 9 from"
+    later = f"it is reached with --port {url} --baud 57600 --protocol expanded --device 9\n"
+    assert now in result.stderr
+    assert later in result.stderr
+
+
+@pytest.mark.parametrize("values", [{"serial_timeout": 5}, {"device_number": 9}])
+def test_where_the_line_stays_nothing_is_said_of_it(
+    trexcmd: Run, tmp_path: Path, values: dict[str, int]
+) -> None:
+    said = given(trexcmd, tmp_path / "same.txt", **values)
+    assert "each the board" not in said
+    assert "is reached" not in said
+
+
+def test_whoever_restores_the_defaults_is_told_how_to_reach_the_board(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("eeprom device_number 9")
+    quick_simulator.do("power cycle")
+    words = ("--protocol", "expanded", "--device", "9")
+    result = trexcmd("restore-defaults", "--yes", *words)
+    assert result.exit_code == 0, result.stderr
+    url = quick_simulator.url
+    assert (
+        f"Switched off and on, it is reached with --port {url} --baud 19200 --protocol expanded "
+        "--device 7\n"
+    ) in result.stderr
+
+
+def test_defaults_that_change_nothing_of_the_line_need_no_options(trexcmd: Run) -> None:
+    assert "is reached with" not in trexcmd("restore-defaults", "--yes").stderr
+
+
+# --- check-settings IN OUT --------------------------------------------------------------
+
+COMMENTED = """\
+# The rover of the school, front axle.
+product: TReX
+motor_mode: 0        # two motors
+
+serial_timeout: 0x0F # so that it stops when the cable breaks
+# Do not change without asking:
+motor1_acceleration: 12
+"""
+
+
+@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
+@pytest.mark.parametrize("mark", ["", "\ufeff"])
+def test_a_persons_comments_order_and_spelling_survive_a_check(
+    trexcmd: Run, tmp_path: Path, line_end: str, mark: str
+) -> None:
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    data = (mark + COMMENTED.replace("\n", line_end)).encode()
+    file.write_bytes(data)
+    assert trexcmd("check-settings", str(file), str(out)).exit_code == 0
+    assert out.read_bytes() == data
+
+
+@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
+def test_a_last_line_without_an_end_gets_one(trexcmd: Run, tmp_path: Path, line_end: str) -> None:
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    whole = COMMENTED.replace("\n", line_end).encode()
+    file.write_bytes(whole.rstrip())
+    result = trexcmd("check-settings", str(file), str(out))
+    assert result.exit_code == 0
+    assert "the last line has no end" in result.stderr
+    assert out.read_bytes() == whole
+    assert "no end" not in trexcmd("check-settings", str(out)).stderr
+
+
+def test_a_file_that_cannot_be_amended_is_written_anew_with_a_word(
+    trexcmd: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No such file is known; the one who amends may refuse one all the same."""
+
+    def refuse(text: str, settings: Settings) -> str:
+        del text, settings
+        raise SettingsError("settings", [Finding(None, None, "it cannot be changed in place")])
+
+    monkeypatch.setattr("trex_gui.cli.files.amend", refuse)
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    file.write_text(COMMENTED, encoding="utf-8")
+    result = trexcmd("check-settings", str(file), str(out))
+    assert result.exit_code == 0
+    assert "Comments and order could not be kept: " in result.stderr
+    assert out.read_text(encoding="utf-8") == write_settings(read_settings(COMMENTED)[0])
+
+
+def test_a_file_may_be_checked_in_its_place(trexcmd: Run, tmp_path: Path) -> None:
+    file = tmp_path / "in.txt"
+    file.write_bytes(COMMENTED.encode())
+    assert trexcmd("check-settings", str(file), str(file)).exit_code == 0
+    assert file.read_bytes() == COMMENTED.encode()
+
+
+def test_a_file_that_cannot_be_used_writes_nothing(trexcmd: Run, tmp_path: Path) -> None:
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    file.write_text(COMMENTED.replace("0x0F", "200"), encoding="utf-8")
+    assert trexcmd("check-settings", str(file), str(out)).exit_code == 1
+    assert not out.exists()
