@@ -19,16 +19,8 @@ from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
 from trex_gui.emulator.sampling import _SAMPLE_AT, Receiver
 from trex_gui.emulator.serial_control import SerialControl
-from trex_gui.link.discovery import (
-    RINSE,
-    RINSE_LINE,
-    Attempt,
-    Found,
-    Search,
-    Step,
-    attempts,
-    find,
-)
+from trex_gui.link.discovery import Found, Search, Step, attempts, find
+from trex_gui.link.looking import RINSE, RINSE_LINE, Attempt
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.commands import COMMANDS
 from trex_gui.protocol.errors import BadRequest, PortUnavailable
@@ -361,6 +353,23 @@ def test_a_search_can_be_cancelled() -> None:
     assert result.cancelled
     assert len(steps) == 4
     assert wire.closed
+
+
+def test_asking_for_each_number_is_told_and_can_be_cancelled() -> None:
+    steps: list[Step] = []
+    wire = wire_of(a_board(9))
+    result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) > 11, full=True)
+    assert result.cancelled
+    assert only(result).device_number == 9
+    assert [step.number for step in steps] == [None, *range(11)]
+
+
+def test_behind_a_network_port_of_fixed_rate_one_question_is_asked() -> None:
+    wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
+    wire.can_be_tuned = False
+    result = search(wire)
+    assert bytes(wire.sent) == RINSE + b"\x81"
+    assert "set at the other end" in result.verdict()
 
 
 def test_a_trex_jr_on_the_rs232_side_is_found_by_its_number() -> None:

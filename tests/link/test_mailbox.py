@@ -11,6 +11,7 @@ from trex_gui.link.mailbox import Mailbox
 from trex_gui.link.messages import (
     Ask,
     Close,
+    Expect,
     Reload,
     Request,
     SetAuxiliary,
@@ -18,6 +19,7 @@ from trex_gui.link.messages import (
     Stop,
     Write,
 )
+from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.commands import (
     Drive,
     DriveAuxiliary,
@@ -213,3 +215,10 @@ def test_what_is_abandoned_is_named_once() -> None:
     assert sorted(mail.abandon()) == [1, 2, 3, 4, 5]
     assert mail.abandon() == []
     assert not mail.drives
+
+
+def test_what_is_expected_last_counts() -> None:
+    here, there = LinkSettings("here"), LinkSettings("there")
+    assert mailbox().expected == ()
+    assert mailbox(Expect((here,)), Stop(1), Expect((there, here))).expected == (there, here)
+    assert mailbox(Expect((here,)), Expect(())).expected == ()

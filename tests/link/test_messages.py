@@ -13,6 +13,7 @@ from trex_gui.link.messages import (
     Close,
     Closed,
     Connected,
+    Expect,
     Outcome,
     Progress,
     Reload,
@@ -62,6 +63,7 @@ REQUESTS: list[Request] = [
     Stop(5),
     Write(6, (("serial_timeout", 5),), ((1, LEARNED),)),
     Reload(7),
+    Expect((LinkSettings("", LineSettings(9600)),)),
     Close(),
 ]
 

@@ -9,12 +9,14 @@ from trex_gui.link.client import Client
 from trex_gui.link.messages import Close, Report, Request
 from trex_gui.link.session import Session
 from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.line_settings import LineSettings
 
 
 class VirtualTransport:
     """The host's end of a simulated wire; time passes only while somebody reads or waits."""
 
     latency = 0.005
+    can_be_tuned = True
 
     def __init__(self, line: Line) -> None:
         self.line = line
@@ -24,6 +26,14 @@ class VirtualTransport:
 
     def clock(self) -> float:
         return self.line.now
+
+    def rates(self) -> frozenset[int] | None:
+        return None
+
+    def tune(self, line: LineSettings) -> None:
+        if self.fail:
+            raise self.fail
+        self.line.host = line
 
     def write(self, data: bytes) -> None:
         if self.fail:

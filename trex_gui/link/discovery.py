@@ -1,81 +1,41 @@
 """Finding a board whose serial settings nobody knows, without moving anything.
 
-A board at another rate hears other bytes than those that were sent, and keeps what it takes
-for the beginning of a packet: a question now and another one later, each harmless by itself,
-can make a motor command between them. Two things keep this search from that.
-
-- Only 81 is asked, alone or with its checksum: the signature, which changes nothing.
-- Before each question goes FF, slowly (1200 baud). A board at that rate takes it for nothing
-  at all, one at any other for a byte that no packet may have there. Whatever began ends, so
-  what a question does never hangs on what was sent before, nor on the order of the rates.
-
-The tests go through every board and every question: no motor command is heard, at any rate,
-with any polynomial and any device number.
+Every question is put as `looking` does it: harmless to a board at any settings, whatever was
+asked before.
 """
 
 import contextlib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
-from enum import Enum, auto
 from itertools import product
-from typing import Protocol
-
-import serial
 
 from trex_gui.link.client import Client
+from trex_gui.link.looking import RINSE_LINE, Answer, Attempt, Heard, checksum, put_question, rinse
 from trex_gui.link.reading import ask
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import PARITIES, PORT_ERRORS, SerialTransport, Transport
+from trex_gui.link.transport import SerialTransport, Transport
 from trex_gui.protocol.commands import GetParameter, GetSignature, Signature
-from trex_gui.protocol.crc7 import DEFAULT_POLYNOMIAL, crc7
+from trex_gui.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.protocol.parameters import parameter_number
 
-RINSE = b"\xff"
-RINSE_LINE = LineSettings(1200)
-"""What ends every packet that a board may have begun, and how it is sent."""
-
-QUIET = 0.13
-"""Seconds after a question in which nothing is sent: a misread question may be answered, and
-a board that answers is deaf. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
-
 _LIKELY = (19200, 115200, 9600, 38400, 57600)
-_NAME = b"TReX"
+
+_NUMBERS = 128
 
 _LOADER = b"?"
 """What a board that waits for firmware answers to anything, behind an echo."""
 
-
-_ASK = GetSignature().opcode.to_bytes()
 _LOOK = 0.3
 """Seconds to listen for something that talks by itself."""
-
-_UNSAFE = set(product((14400, 28800), (0x2E, 0x4E)))
-"""Rates and checksums that are not asked with: a board at 8/3 of the rate (38400, 76800 baud)
-with odd parity may hear 81 2E as F0 0E, which starts the auxiliary motor; 81 4E likewise. So ten
-of the polynomials are not found at these two rates."""
-
-
-@dataclass(frozen=True, slots=True)
-class Attempt:
-    """One question: how it is sent, and the polynomials that its checksum may stand for."""
-
-    line: LineSettings
-    polynomials: tuple[int, ...] = ()
-
-    @property
-    def question(self) -> bytes:
-        """The bytes that ask for the signature."""
-        if not self.polynomials:
-            return _ASK
-        return _ASK + bytes([crc7(_ASK, self.polynomials[0])])
 
 
 def attempts(*, full: bool = False) -> Iterator[Attempt]:
     """Return every question in the order in which to ask, the likely ones first.
 
-    `full` adds every other CRC-7 polynomial than the factory's, which takes some minutes.
+    `full` adds every other CRC-7 polynomial than the factory's, which takes some minutes; ten of
+    them cannot be asked for safely at two of the rates (`looking.UNSAFE`).
     """
     rates = sorted(baud_rates(), key=lambda baud: (baud not in _LIKELY, _rank(baud)))
     for stop_bits in (1, 2):
@@ -90,44 +50,15 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
     alike: dict[int, list[int]] = {}
     for polynomial in range(0x80, 0x100):
         if polynomial != DEFAULT_POLYNOMIAL:
-            alike.setdefault(crc7(_ASK, polynomial), []).append(polynomial)
-    for stop_bits, baud, (checksum, polynomials) in product((1, 2), rates, alike.items()):
-        if (baud, checksum) not in _UNSAFE:
-            yield Attempt(LineSettings(baud, Detection.CRC7, stop_bits), tuple(polynomials))
+            alike.setdefault(checksum(polynomial), []).append(polynomial)
+    for stop_bits, baud, polynomials in product((1, 2), rates, alike.values()):
+        attempt = Attempt(LineSettings(baud, Detection.CRC7, stop_bits), tuple(polynomials))
+        if not attempt.is_unsafe:
+            yield attempt
 
 
 def _rank(baud: int) -> int:
     return _LIKELY.index(baud) if baud in _LIKELY else -baud
-
-
-class Wire(Transport, Protocol):
-    """A line whose settings can be changed while it is open."""
-
-    def tune(self, line: LineSettings) -> None:
-        """Go on with these settings.
-
-        Raises:
-            BadRequest: the port cannot be set so.
-        """
-        ...
-
-
-class SerialWire(SerialTransport):
-    """A port that stays open, and no other program's, for the whole search."""
-
-    def tune(self, line: LineSettings) -> None:
-        port = self._port
-        wanted = {
-            "baudrate": line.baud,
-            "parity": PARITIES.get(line.detection, serial.PARITY_NONE),
-            "stopbits": serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE,
-        }
-        try:
-            for name, value in wanted.items():
-                if getattr(port, name) != value:
-                    setattr(port, name, value)
-        except PORT_ERRORS as error:
-            raise BadRequest(f"the port cannot be set to {line.text()}") from error
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,23 +80,17 @@ class Found:
     note: str = ""
 
 
-class Answer(Enum):
-    """What came back to a question."""
-
-    NOTHING = auto()
-    ECHO = auto()
-    STRANGE = auto()
-    SEVERAL = auto()
-    BOARD = auto()
-
-
 @dataclass(frozen=True, slots=True)
 class Step:
-    """How far a search is: `done` of `total` questions; `line` is asked on next."""
+    """How far a search is: `done` of `total` questions; `line` is asked on next.
+
+    `number` is the device number that is asked for, where a board has answered already.
+    """
 
     done: int
     total: int
     line: LineSettings
+    number: int | None = None
 
 
 @dataclass(slots=True)
@@ -177,6 +102,7 @@ class Search:
         echo: whether what was sent came back.
         strange: what answered otherwise, and at which settings, first things first.
         skipped: settings that the port cannot have.
+        fixed: whether somebody else sets the rate, so that only one question could be asked.
         cancelled: whether it ended early because it was asked to.
     """
 
@@ -186,6 +112,7 @@ class Search:
     strange: list[tuple[LineSettings, bytes]] = field(default_factory=list)
     several: LineSettings | None = None
     skipped: list[LineSettings] = field(default_factory=list)
+    fixed: bool = False
     cancelled: bool = False
 
     def verdict(self) -> str:
@@ -213,6 +140,11 @@ class Search:
                 "Either this is the RS-232 side of a board that is off, or the adapter's TX and "
                 "RX are joined."
             )
+        if self.fixed:
+            return (
+                f"No TReX answers on {self.url}. Its baud rate is set at the other end of the "
+                "network, so only that one could be tried, without parity and without CRC."
+            )
         return (
             f"No TReX answers on {self.url} at any baud rate, with any parity or with CRC. Check "
             "that the board has power (an LED is lit), that the adapter's TX goes to SI and its "
@@ -231,7 +163,7 @@ def _never() -> bool:
 
 def find(
     settings: LinkSettings,
-    open_wire: Callable[[LinkSettings], Wire] = SerialWire,
+    open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
     progress: Callable[[Step], None] = _silent,
     cancelled: Callable[[], bool] = _never,
     *,
@@ -250,11 +182,12 @@ def find(
     Raises:
         PortUnavailable: the port cannot be opened, or is gone.
     """
-    plan = list(attempts(full=full))
     wire = open_wire(replace(settings, line=RINSE_LINE, device_number=None))
-    search = Search(settings.name or settings.url)
+    search = Search(settings.name or settings.url, fixed=not wire.can_be_tuned)
+    # A separator that is as fast as the question does not keep two kinds of questions apart.
+    plan = [Attempt(LineSettings())] if search.fixed else list(attempts(full=full))
     try:
-        seeker = _Seeker(wire, settings, search)
+        seeker = _Seeker(wire, settings, search, progress, cancelled)
         seeker.listen()
         for done, attempt in enumerate(plan):
             if cancelled():
@@ -276,7 +209,16 @@ def find(
 class _Seeker:
     """Asks on one line, and remembers in a search what it saw."""
 
-    def __init__(self, wire: Wire, settings: LinkSettings, search: Search) -> None:
+    def __init__(
+        self,
+        wire: Transport,
+        settings: LinkSettings,
+        search: Search,
+        progress: Callable[[Step], None],
+        cancelled: Callable[[], bool],
+    ) -> None:
+        self._progress = progress
+        self._cancelled = cancelled
         self._wire = wire
         self._settings = settings
         self._search = search
@@ -290,56 +232,29 @@ class _Seeker:
 
     def try_out(self, attempt: Attempt, *, full: bool) -> bool:
         """Ask once; return whether the search is over."""
-        self._rinse()
+        rinse(self._wire, self._settings.patience)
         try:
             self._wire.tune(attempt.line)
         except BadRequest:
             self._search.skipped.append(attempt.line)
             return False
-        answer, data = self._ask(attempt)
-        found = self._confirm(attempt) if answer is Answer.BOARD else None
+        heard = put_question(self._wire, attempt, self._settings.patience)
+        self._search.echo = self._search.echo or heard.echo
+        return self._judge(attempt, heard, full=full)
+
+    def _judge(self, attempt: Attempt, heard: Heard, *, full: bool) -> bool:
+        found = self._confirm(attempt) if heard.answer is Answer.BOARD else None
         if found is not None:
             self._search.found.append(found)
-        elif answer is Answer.SEVERAL:
+        elif heard.answer is Answer.SEVERAL:
             self._search.several = attempt.line
         else:
-            if answer in {Answer.STRANGE, Answer.BOARD}:
-                self._search.strange.append((attempt.line, data))
+            if heard.answer in {Answer.STRANGE, Answer.BOARD}:
+                self._search.strange.append((attempt.line, heard.data))
             return False
         if full:
             self._ask_each_number(attempt)
         return True
-
-    def _rinse(self) -> None:
-        self._wire.tune(RINSE_LINE)
-        self._wire.write(RINSE)
-        self._wire.wait(RINSE_LINE.seconds(len(RINSE)) + self._slack)
-
-    @property
-    def _slack(self) -> float:
-        """Seconds that a byte may take from the program to the wire, or back."""
-        return self._wire.latency + self._settings.patience
-
-    def _ask(self, attempt: Attempt) -> tuple[Answer, bytes]:
-        question = attempt.question
-        with contextlib.suppress(BadReply):
-            self._wire.discard()
-        self._wire.write(question)
-        seconds = attempt.line.seconds(len(question)) + self._slack + QUIET
-        data = self._wire.read(64, seconds)
-        answer = data
-        if data.startswith(question):
-            answer = data[len(question) :]
-            self._search.echo = True
-        if not answer:
-            return Answer.ECHO if data else Answer.NOTHING, data
-        body = answer[:-1] if attempt.polynomials else answer
-        try:
-            GetSignature().parse(body)
-        except BadReply:
-            several = answer.startswith(_NAME)
-            return Answer.SEVERAL if several else Answer.STRANGE, answer
-        return Answer.BOARD, answer
 
     def _confirm(self, attempt: Attempt) -> Found | None:
         """Ask a board that answered for more, at settings which it now is known to have."""
@@ -363,7 +278,11 @@ class _Seeker:
         polynomial = self._search.found[0].settings.polynomial if self._search.found else None
         polynomial = polynomial or (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         by_number: list[Found] = []
-        for number in range(128):
+        for number in range(_NUMBERS):
+            if self._cancelled():
+                self._search.cancelled = True
+                break
+            self._progress(Step(number, _NUMBERS, attempt.line, number))
             settings = replace(
                 self._settings, line=attempt.line, device_number=number, polynomial=polynomial
             )

@@ -8,6 +8,7 @@ from trex_gui.link.drives import DriveSlots
 from trex_gui.link.messages import (
     Ask,
     Close,
+    Expect,
     Reload,
     Request,
     SetAuxiliary,
@@ -15,6 +16,7 @@ from trex_gui.link.messages import (
     Stop,
     Write,
 )
+from trex_gui.link.settings import LinkSettings
 
 
 class Inbox(Protocol):
@@ -33,6 +35,7 @@ class Mailbox:
         stops: stops that were asked for and not yet sent.
         drives: the newest wish for each motor.
         jobs: everything else, first come first served.
+        expected: settings at which to look for a board that has fallen silent.
         closing: whether the session was asked to end.
     """
 
@@ -40,6 +43,7 @@ class Mailbox:
     stops: list[Stop] = field(default_factory=list)
     drives: DriveSlots = field(default_factory=DriveSlots)
     jobs: deque[Ask | Write | Reload] = field(default_factory=deque)
+    expected: tuple[LinkSettings, ...] = ()
     closing: bool = False
 
     def collect(self, seconds: float = 0.0) -> None:
@@ -57,6 +61,8 @@ class Mailbox:
                     self.drives.clear()
                 case SetDrive() | SetAuxiliary():
                     self.drives.put(request)
+                case Expect(settings=settings):
+                    self.expected = settings
                 case Ask() | Write() | Reload():
                     self.jobs.append(request)
             request = self.inbox.get(0.0)

@@ -9,6 +9,7 @@ from enum import Enum, auto
 
 from trex_gui.link.client import Counters
 from trex_gui.link.reading import DeviceState
+from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import Sample
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import Command, Drive
@@ -70,11 +71,23 @@ class Reload:
 
 
 @dataclass(frozen=True, slots=True)
+class Expect:
+    """When the board falls silent, look for it at these settings too; has no outcome.
+
+    Replaces what was expected before; without any settings nothing is expected. A board that
+    comes back elsewhere is expected nowhere else from then on. Where a board stores its UART
+    settings, this belongs before the `Write`: its power may fail right behind it.
+    """
+
+    settings: tuple[LinkSettings, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Close:
     """Stop the motors if they were driven, give the port back, end."""
 
 
-Request = Ask | SetDrive | SetAuxiliary | Stop | Write | Reload | Close
+Request = Ask | SetDrive | SetAuxiliary | Stop | Write | Reload | Expect | Close
 
 # --- Out --------------------------------------------------------------------------------
 
@@ -106,14 +119,19 @@ class Occasion(Enum):
 class Connected:
     """A board answers, and this is what it says; sent again whenever it is read anew.
 
-    `echo` says that everything sent comes back: the RS-232 side of the board. `may_move` says
-    that motors were driven and no stop was proved since.
+    Attributes:
+        echo: whether everything sent comes back: the RS-232 side of the board.
+        settings: how the line is set and the board addressed now.
+        may_move: whether motors were driven and no stop was proved since.
+        port_rates: the baud rates that this computer's port can do; `None`: unknown.
     """
 
     state: DeviceState
     echo: bool
     occasion: Occasion
+    settings: LinkSettings
     may_move: bool = False
+    port_rates: frozenset[int] | None = None
 
 
 @dataclass(frozen=True, slots=True)

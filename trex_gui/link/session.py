@@ -6,12 +6,14 @@ may send unasked.
 """
 
 import logging
+from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
 from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
 from trex_gui.link.drives import packets
+from trex_gui.link.looking import look_at, places_to_look
 from trex_gui.link.mailbox import Inbox, Mailbox
 from trex_gui.link.messages import (
     Ask,
@@ -95,6 +97,9 @@ class Session:
         self._failures = 0
         self._silent = False
         self._retry_at = 0.0
+        self._places: deque[LinkSettings] = deque()
+        self._has_looked = False
+        self._port_rates: frozenset[int] | None = None
 
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes; then report `Closed`.
@@ -103,11 +108,13 @@ class Session:
         is given back and every request gets its outcome.
         """
         error: TrexError | None = None
-        client: Client | None = None
+        is_open = False
         try:
             _ = self._settings.framing  # impossible settings must not open the port
             transport = self._open_transport(self._settings)
-            client = self._client = Client(transport, self._settings)
+            self._port_rates = transport.rates()
+            self._client = Client(transport, self._settings)
+            is_open = True
             self._status = StatusReader(transport.clock)
             self._connect()
             while True:
@@ -119,8 +126,8 @@ class Session:
         except Exception as reason:
             log.exception("the line session failed")
             error = TrexError(f"The program made a mistake on this line: {reason!r}")
-        if client is not None:
-            self._leave_safely(client)
+        if is_open:
+            self._leave_safely()
         self._finish(error)
 
     # --- Beginning and end --------------------------------------------------------------
@@ -139,22 +146,31 @@ class Session:
         self._state = read_everything(self._request, self._progress)
         self._schedule.start(rates(self._state.source), self._now())
         self._failures = 0
-        self._silent = False
+        self._silent = self._has_looked = False
         self._flush()
-        self._emit(Connected(self._state, self._client.echo, occasion, self._may_move))
+        self._emit(
+            Connected(
+                self._state,
+                self._client.echo,
+                occasion,
+                self._client.settings,
+                self._may_move,
+                self._port_rates,
+            )
+        )
 
-    def _leave_safely(self, client: Client) -> None:
+    def _leave_safely(self) -> None:
         """Stop what was driven and give the port back, whatever the line does."""
         try:
             if self._may_move or self._mail.stops:
                 self._stop(_CLOSING_ATTEMPTS)
-            client.drain()
+            self._client.drain()
         except TrexError:
             log.info("the line was left without a proved stop", exc_info=True)
         except Exception:
             log.exception("leaving the line failed")
         self._flush()
-        client.close()
+        self._client.close()
 
     def _finish(self, error: TrexError | None) -> None:
         self._mail.collect()
@@ -223,7 +239,7 @@ class Session:
     @property
     def _drive_interval(self) -> float:
         """Seconds between motor packets; leaves half of a slow line to everything else."""
-        return max(_DRIVE_INTERVAL, 2 * self._settings.line.seconds(_LONGEST_DRIVE))
+        return max(_DRIVE_INTERVAL, 2 * self._client.settings.line.seconds(_LONGEST_DRIVE))
 
     def _drive(self) -> None:
         wishes = self._mail.drives.take()
@@ -274,12 +290,19 @@ class Session:
         try:
             value: object = None
             match job:
+                case _ if self._looks_around:
+                    self._refuse()
                 case Ask(command=command):
                     self._may_move = self._may_move or command.moves
                     value = self._request(command)
                 case Write(parameters=parameters, calibrations=calibrations):
                     value = write_all(
-                        self._request, self._specs, parameters, calibrations, self._progress
+                        self._request,
+                        self._specs,
+                        parameters,
+                        calibrations,
+                        self._progress,
+                        source=None if self._state is None else self._state.source,
                     )
                 case Reload():
                     returned = Occasion.RETURNED if self._silent else Occasion.RELOADED
@@ -292,6 +315,10 @@ class Session:
             raise
         else:
             self._emit(Outcome(job.id, value))
+
+    def _refuse(self) -> None:
+        """Let nothing that a person asks reach a board at settings which nobody knows."""
+        raise NoReply("No board answers; it is being looked for.")
 
     @property
     def _specs(self) -> ParameterSet:
@@ -323,6 +350,7 @@ class Session:
 
     def _fall_silent(self, reason: str) -> None:
         self._silent = True
+        self._places.clear()
         self._retry_at = self._now() + _RETRY_INTERVAL
         if self._may_move:
             # It may hear us although we do not hear it.
@@ -335,12 +363,51 @@ class Session:
         try:
             if self._may_move:
                 send_stop(self._client)
-            self._client.request(GetMode())
+            if not self._looks_around:
+                self._client.request(GetMode())
+            elif not self._look_at_next_place():
+                return
             if self._may_move:
                 self._stop_and_prove()
             self._read_everything(Occasion.RETURNED)
         except (NoReply, BadReply):
             self._retry_at = self._now() + _RETRY_INTERVAL
+
+    @property
+    def _looks_around(self) -> bool:
+        """Whether a silent board may be at other settings.
+
+        Then nothing goes out but stops and what is harmless to a board at any rate.
+        """
+        can = self._client.transport.can_be_tuned
+        return self._silent and can and (self._has_looked or bool(self._mail.expected))
+
+    def _look_at_next_place(self) -> bool:
+        """Put one question; return whether the board answered. The session goes on there."""
+        self._has_looked = True
+        if not self._places:
+            self._places.extend(places_to_look(self._client.settings, self._mail.expected))
+        place, transport = self._places.popleft(), self._client.transport
+        try:
+            found = look_at(transport, place, echo=self._client.echo)
+        except BadRequest as error:
+            log.info("%s: %s", place.text(), error)
+            found = False
+        if found and place != self._client.settings:
+            self._go_on_at(place)
+        elif not found:
+            # A stop must find the line as the board was heard last.
+            transport.tune(self._client.settings.line)
+            self._retry_at = self._now() + (0.0 if self._places else _RETRY_INTERVAL)
+        return found
+
+    def _go_on_at(self, place: LinkSettings) -> None:
+        """Talk to a board that has come back at other settings."""
+        before = self._client
+        self._client = Client(before.transport, place, echo=before.echo)
+        self._client.counters = before.counters
+        self._mail.expected = ()
+        log.info("the board came back at %s", place.text())
 
     def _flush(self) -> None:
         self._flushed_at = self._now()

@@ -34,6 +34,13 @@ class LinkSettings:
         crc = self.line.detection is Detection.CRC7
         return Framing(self.device_number, self.polynomial if crc else None)
 
+    @property
+    def short(self) -> str:
+        """How the line is set, as terminal programs write it: `57600 8E1`, `57600 8N1 CRC`."""
+        parity = {Detection.EVEN: "E", Detection.ODD: "O"}.get(self.line.detection, "N")
+        crc = " CRC" if self.line.detection is Detection.CRC7 else ""
+        return f"{self.line.baud} 8{parity}{self.line.stop_bits}{crc}"
+
     def text(self) -> str:
         """Short text for people: port and line."""
         return f"{self.name or self.url} at {self.line.text()}"

@@ -16,9 +16,10 @@ from typing import Protocol
 import serial
 from serial.tools import list_ports
 
+from trex_gui.link.port_rates import rates_of
 from trex_gui.link.settings import LinkSettings
-from trex_gui.protocol.errors import BadReply, PortUnavailable
-from trex_gui.protocol.line_settings import Detection, LineSettings
+from trex_gui.protocol.errors import BadReply, BadRequest, PortUnavailable
+from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
 
 log = logging.getLogger(__name__)
 
@@ -43,6 +44,27 @@ class Transport(Protocol):
     @property
     def latency(self) -> float:
         """Seconds that a byte may be late for reasons that are not the wire's."""
+        ...
+
+    @property
+    def can_be_tuned(self) -> bool:
+        """Whether `tune` changes how bytes travel."""
+        ...
+
+    def rates(self) -> frozenset[int] | None:
+        """Return the baud rates of a TReX that the port can do; `None`: nobody knows.
+
+        Sends nothing and raises nothing. Only for a port on which nothing was sent yet.
+        """
+        ...
+
+    def tune(self, line: LineSettings) -> None:
+        """Go on with these settings; nothing may be on its way.
+
+        Raises:
+            BadRequest: the port cannot be set so.
+            PortUnavailable: the line is gone.
+        """
         ...
 
     def clock(self) -> float:
@@ -96,6 +118,30 @@ class SerialTransport:
     @property
     def latency(self) -> float:
         return self._latency
+
+    @property
+    def can_be_tuned(self) -> bool:
+        # Behind a plain network port somebody else has set the rate.
+        return not self._url.startswith("socket://")
+
+    def rates(self) -> frozenset[int] | None:
+        return None if "://" in self._url else rates_of(self._port, baud_rates())
+
+    def tune(self, line: LineSettings) -> None:
+        port = self._port
+        wanted = {
+            "baudrate": line.baud,
+            "parity": _parity(self._url, line),
+            "stopbits": serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE,
+        }
+        try:
+            for name, value in wanted.items():
+                if getattr(port, name) != value:
+                    setattr(port, name, value)
+        except PORT_ERRORS as error:
+            if isinstance(error, ValueError) or _errno(error) in {None, errno.EINVAL}:
+                raise BadRequest(f"the port cannot be set to {line.text()}") from error
+            raise self._gone(error) from error
 
     def clock(self) -> float:
         return time.monotonic()
@@ -171,13 +217,24 @@ def _port_errors() -> tuple[type[Exception], ...]:
 PORT_ERRORS = _port_errors()
 
 
+def _parity(url: str, line: LineSettings) -> str:
+    """Return pyserial's letter for the parity of a line.
+
+    A pseudo-terminal of Linux has none, and the C library takes asking for it as a mistake
+    whenever nothing else changes.
+    """
+    if Path(url).resolve().is_relative_to("/dev/pts"):
+        return serial.PARITY_NONE
+    return PARITIES.get(line.detection, serial.PARITY_NONE)
+
+
 def _open(settings: LinkSettings) -> serial.Serial:
     line = settings.line
     try:
         port = serial.serial_for_url(settings.url, do_not_open=True)
         port.baudrate = line.baud
         port.bytesize = serial.EIGHTBITS
-        port.parity = PARITIES.get(line.detection, serial.PARITY_NONE)
+        port.parity = _parity(settings.url, line)
         port.stopbits = serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE
         port.timeout = _SLICE
         if not settings.url.startswith("rfc2217://"):  # which cannot do it

@@ -75,5 +75,4 @@ class BoardAdviser(Adviser):
             self.set_context(None)
             return
         self._drove |= self._device.motors.armed
-        context = Context(drives_from_computer=self._drove, used_by_line=settings.line)
-        self.set_context(context)
+        self.set_context(Context(self._drove, self._device.port_rates, settings.line))

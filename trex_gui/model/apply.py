@@ -10,6 +10,7 @@ from trex_gui.link.reading import DeviceState
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import Written
 from trex_gui.model.settings_draft import SettingsDraft
+from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import sentence
 from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.history import History
@@ -65,15 +66,37 @@ class Apply(QObject):
             if only is None or f"{source}_channel_{channel}" in only
         )
         count = len(parameters) + len(calibrations)
-        reason = self.tr("Apply of {0} settings").format(count)
-        if count == 0 or self._running or not self.keep(state, link, reason):
+        reason = self.tr("Apply of 1 setting")
+        if count != 1:
+            reason = self.tr("Apply of {0} settings").format(count)
+        if count:
+            self._write(state, link, reason, parameters, calibrations)
+
+    def reset(self, state: DeviceState, link: LinkSettings | None) -> None:
+        """Let the board put every parameter back to the factory's value at its next start.
+
+        Its answer is the only proof until then: the order cannot be read back.
+        """
+        order = state.specs["factory_reset"]
+        reason = self.tr("Reset to the factory's parameters")
+        self._write(state, link, reason, ((order.key, order.maximum),), ())
+
+    def _write(
+        self,
+        state: DeviceState,
+        link: LinkSettings | None,
+        reason: str,
+        parameters: tuple[tuple[str, int], ...],
+        calibrations: tuple[tuple[int, Calibration], ...],
+    ) -> None:
+        if self._running or not self._keep(state, link, reason):
             return
         self._running = True
         self._ask(lambda number: Write(number, parameters, calibrations), self._on_written)
         if self._running:
             self.started.emit()
 
-    def keep(self, state: DeviceState, link: LinkSettings | None, reason: str) -> bool:
+    def _keep(self, state: DeviceState, link: LinkSettings | None, reason: str) -> bool:
         """Save what the board stores before it is changed; return whether that worked."""
         adapter = "" if link is None else link.name or link.url
         try:

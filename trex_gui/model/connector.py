@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.demo_board import DemoBoard
 from trex_gui.model.device import Device, Link
+from trex_gui.model.finder import Finder
 from trex_gui.model.ports import Port, PortKind, Ports
 from trex_gui.model.simulator import Simulator
 from trex_gui.protocol.crc7 import check_polynomial
@@ -42,11 +43,17 @@ class Connector(QObject):
         self._port: Port | None = None
         self._demo_wanted = False
         self._demo_in_use = False
+        self._demo_settings: LinkSettings | None = None
         self.simulator = Simulator(self)
         self.demo_board = DemoBoard(self.simulator, self)
+        self.finder = Finder(self.simulator, self)
+        self._after_search: Port | None = None
 
         self.simulator.ready.connect(self._on_simulator_ready)
         self.simulator.failed.connect(self._on_simulator_failed)
+        self.simulator.ended.connect(self._on_simulator_ended)
+        self.demo_board.made_new.connect(self._on_demo_made_new)
+        self.finder.finished.connect(self._on_search_finished)
         device.link_changed.connect(self._on_link_changed)
 
     @property
@@ -82,7 +89,12 @@ class Connector(QObject):
         self.settings_changed.emit()
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port; a line that is open is closed first."""
+        """Connect to a port; a line that is open is closed first, a search of the port is ended."""
+        if self.finder.is_searching(port):
+            self._after_search = port
+            self.finder.cancel()
+            return
+        self._after_search = None
         self._demo_wanted = port.kind is PortKind.DEMO
         self._set_port(port)
         self._set_demo_in_use(self._demo_wanted)
@@ -91,8 +103,17 @@ class Connector(QObject):
         else:
             self._device.connect_to(replace(self._settings, url=port.url))
 
+    def connect_with(self, port: Port, settings: LinkSettings) -> None:
+        """Connect to a port with these line settings, and remember them."""
+        if port.kind is PortKind.DEMO:
+            self._demo_settings = replace(settings, url="", name="")
+        else:
+            self.set_settings(settings)
+        self.connect_to(port)
+
     def disconnect_port(self) -> None:
         """Stop the motors if they were driven, and close the line."""
+        self._after_search = None
         self._demo_wanted = False
         self._set_demo_in_use(False)
         if self._device.link is Link.NONE:
@@ -105,7 +126,9 @@ class Connector(QObject):
         Return whether the line's thread ended in time; see `Device.shut_down`.
         """
         self._demo_wanted = False
-        in_time = self._device.shut_down()
+        self._after_search = None
+        is_searched = self.finder.shut_down()
+        in_time = self._device.shut_down() and is_searched
         self.simulator.stop()
         return in_time
 
@@ -128,6 +151,12 @@ class Connector(QObject):
             self._device.disconnect_line()
         self.failed.emit(reason)
 
+    @Slot()
+    def _on_search_finished(self) -> None:
+        port, self._after_search = self._after_search, None
+        if port is not None:
+            self.connect_to(port)
+
     @Slot(str)
     def _on_simulator_ready(self, url: str) -> None:
         if self._demo_wanted and not self.simulator.plugged:
@@ -140,7 +169,9 @@ class Connector(QObject):
         elif self._demo_wanted:
             self._demo_wanted = False
             # The simulated board begins with the factory's settings, whatever is chosen here.
-            self._device.connect_to(LinkSettings(url, name=self.tr("the simulated board")))
+            settings = self._demo_settings or LinkSettings("")
+            name = self.tr("the simulated board")
+            self._device.connect_to(replace(settings, url=url, name=name))
 
     @Slot(str)
     def _on_simulator_failed(self, reason: str) -> None:
@@ -152,8 +183,31 @@ class Connector(QObject):
     def _on_link_changed(self) -> None:
         if self._device.link is Link.UP and self._port is not None:
             self._ports.note_used(self._port)
+            self._note_settings(self._port)
         if self._device.link is Link.NONE and not self._demo_wanted:
             self._set_port(None)
+
+    def _note_settings(self, port: Port) -> None:
+        """Remember how the board was reached: it may have come back at other settings."""
+        if self._device.settings is None:
+            return
+        settings = replace(self._device.settings, url="", name="")
+        if port.kind is PortKind.DEMO:
+            self._demo_settings = settings
+        elif settings != self._settings:
+            self.set_settings(settings)
+
+    @Slot()
+    def _on_simulator_ended(self) -> None:
+        self._demo_settings = None
+
+    @Slot()
+    def _on_demo_made_new(self) -> None:
+        if self._demo_settings is None:
+            return
+        self._demo_settings = None
+        if self._demo_in_use:
+            self._device.expect((LinkSettings(""),))
 
     def _read_settings(self) -> LinkSettings:
         default = LinkSettings("")

@@ -23,10 +23,12 @@ class DemoBoard(QObject):
 
     Signals:
         changed: `snapshot` or `automatic` is another.
+        made_new: the board is going to be as it was when the simulator started.
         refused: why the simulator did not do what was asked, for people.
     """
 
     changed = Signal()
+    made_new = Signal()
     refused = Signal(str)
 
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
@@ -173,6 +175,7 @@ class DemoBoard(QObject):
         self.set_mute(False)
         self.set_noise(0)
         self._switch_off_and("factory", "power on")
+        self.made_new.emit()
         self.changed.emit()
 
     def _switch_off_and(self, *lines: str) -> None:

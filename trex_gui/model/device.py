@@ -1,8 +1,7 @@
 """The board as the window sees it: the link to it, and the models that mirror it."""
 
-import itertools
 import logging
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from enum import Enum, auto
 
@@ -12,9 +11,9 @@ from trex_gui.link.client import Counters
 from trex_gui.link.explain import who_controls
 from trex_gui.link.messages import (
     Batch,
-    Close,
     Closed,
     Connected,
+    Expect,
     Occasion,
     Outcome,
     Progress,
@@ -26,25 +25,24 @@ from trex_gui.link.messages import (
     Stop,
     Write,
 )
+from trex_gui.link.next_line import where_to_look
 from trex_gui.link.reading import DeviceState
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import StatusNews
 from trex_gui.link.writing import Written
 from trex_gui.model.apply import Apply
 from trex_gui.model.errors import ErrorLog
+from trex_gui.model.line import Line
 from trex_gui.model.motors import Motors
 from trex_gui.model.parameters import Column
 from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.model.telemetry import Telemetry
 from trex_gui.protocol.errors import TrexError
 from trex_gui.protocol.flags import InputSource
+from trex_gui.settings.factory import factory_settings
 from trex_gui.settings.history import History
-from trex_gui.worker.line_worker import LineWorker
 
 log = logging.getLogger(__name__)
-
-_ENDING: list[LineWorker] = []
-"""Threads between their last report and their end; Qt aborts when one is destroyed running."""
 
 
 class Link(Enum):
@@ -97,13 +95,14 @@ class Device(QObject):
         self._settings: LinkSettings | None = None
         self._state: DeviceState | None = None
         self._echo = False
+        self._port_rates: frozenset[int] | None = None
         self._counters = Counters()
         self._may_move = False
-        self._worker: LineWorker | None = None
         self._next: LinkSettings | None = None
-        self._ids = itertools.count(1)
-        self._waiting: dict[int, Callable[[Outcome], None]] = {}
+        self._line = Line(self)
 
+        self._line.reported.connect(self._on_reported)
+        self._line.closed.connect(self._on_closed)
         self.motors.requested.connect(self._on_drive_requested)
         self.motors.stop_requested.connect(self._on_stop_requested)
         self.draft.pending_changed.connect(self.pending_changed)
@@ -137,6 +136,11 @@ class Device(QObject):
     def echo(self) -> bool:
         """Whether everything sent comes back: the RS-232 side of the board."""
         return self._echo
+
+    @property
+    def port_rates(self) -> frozenset[int] | None:
+        """The baud rates that this computer's port can do; `None`: unknown."""
+        return self._port_rates
 
     @property
     def counters(self) -> Counters:
@@ -179,41 +183,32 @@ class Device(QObject):
 
         A line that is open is closed first.
         """
-        if self._worker is not None:
+        if self._line.is_open:
             self._next = settings
             self.disconnect_line()
             return
         self._settings = settings
         self._counters = Counters()
-        self._worker = LineWorker(settings, may_move=self._may_move)
-        self._worker.reported.connect(self._on_reported)
-        self._worker.finished.connect(self._on_worker_finished)
         self._set_link(Link.OPENING, self.tr("Connecting to {0} …").format(settings.text()))
-        self._worker.start()
+        self._line.open(settings, may_move=self._may_move)
 
     def disconnect_line(self) -> None:
         """Stop the motors if they were driven, and close the line; does not wait for it."""
-        if self._worker is not None and self._link is not Link.CLOSING:
+        if self._line.is_open and self._link is not Link.CLOSING:
             self.motors.allow(False)
-            self._worker.submit(Close())
+            self._line.close()
             self._set_link(Link.CLOSING, self.tr("Disconnecting …"))
 
     def shut_down(self) -> bool:
         """Close the line and wait for it, at most a second; return whether it ended in time.
 
-        For the end of the program only. A thread that does not end in time is kept, and the
-        process must end without destroying it.
+        For the end of the program only; see `Line.shut_down`.
         """
-        worker, self._worker = self._worker, None
         self._next = None
-        if worker is None:
-            return all(ending.wait(1000) for ending in _ENDING)
-        worker.reported.disconnect(self._on_reported)
-        worker.finished.disconnect(self._on_worker_finished)
-        in_time = worker.close()
-        if not in_time:
-            _ENDING.append(worker)
-        self._end(None)
+        was_open = self._line.is_open
+        in_time = self._line.shut_down()
+        if was_open:
+            self._end(None)
         return in_time
 
     def reload(self) -> None:
@@ -223,10 +218,36 @@ class Device(QObject):
     def apply(self, only: Collection[str] | None = None) -> None:
         """Write every edit, or those with these keys, and read it back; see `Apply.start`.
 
-        `applied` tells how it went.
+        `applied` tells how it went. Before the first byte the line session is told where else
+        to look for the board, since its power may fail right behind the write.
         """
-        if self._state is not None and self._worker is not None:
+        if self._state is not None and self._line.is_open:
+            self._expect_after(self.parameters.all_shown)
             self._apply.start(self._state, self._settings, only)
+
+    def reset_to_factory(self) -> None:
+        """Let the board put every parameter back at its next start; a snapshot is saved first.
+
+        Edits that wait are dropped: they were made to what will be gone. `applied` tells how it
+        went.
+        """
+        if self._state is None or not self._line.is_open or self.applying:
+            return
+        defaults = factory_settings(self._state.signature.model, self._state.signature.firmware)
+        self._expect_after(defaults.parameters)
+        self.draft.discard_edits()
+        self._apply.reset(self._state, self._settings)
+
+    def _expect_after(self, stored: Mapping[str, int]) -> None:
+        """Look for the board where it will be with these values, too, should it fall silent."""
+        if self._state is None or self._settings is None:
+            return
+        firmware = self._state.signature.firmware
+        self.expect(where_to_look(self._settings, self._state.parameters, stored, firmware))
+
+    def expect(self, settings: tuple[LinkSettings, ...]) -> None:
+        """Name where else to look for the board when it falls silent; replaces what was named."""
+        self._line.submit(Expect(settings))
 
     @property
     def pending(self) -> int:
@@ -242,23 +263,17 @@ class Device(QObject):
     def _ask(
         self, make: Callable[[int], Reload | Stop | Write], then: Callable[[Outcome], None]
     ) -> None:
-        if self._worker is None:
+        if not self._line.ask(make, then):
             self.failed.emit(self.tr("No board is connected."))
-            return
-        number = next(self._ids)
-        self._waiting[number] = then
-        self._worker.submit(make(number))
 
     @Slot(object)
     def _on_drive_requested(self, wish: SetDrive | SetAuxiliary) -> None:
-        if self._worker is not None:
+        if self._line.submit(wish):
             self._may_move = True
-            self._worker.submit(wish)
 
     @Slot()
     def _on_stop_requested(self) -> None:
-        if self._worker is not None:
-            self._ask(Stop, self._on_stopped)
+        self._line.ask(Stop, self._on_stopped)
 
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:
@@ -290,24 +305,24 @@ class Device(QObject):
         parameters, calibrations = dict(self._state.parameters), dict(self._state.calibrations)
         for result in results:
             if isinstance(result.stored, int):
-                parameters[result.what] = result.stored
+                if result.what in parameters:
+                    parameters[result.what] = result.stored
             elif result.stored is not None:
                 calibrations[int(result.what.removeprefix("channel "))] = result.stored
         self._state = replace(self._state, parameters=parameters, calibrations=calibrations)
+        if self._settings is not None and self._settings.device_number is not None:
+            # A new number is obeyed at once, and the line session has followed.
+            number = parameters.get("device_number", self._settings.device_number)
+            self._settings = replace(self._settings, device_number=number)
         self.state_changed.emit()
 
     # --- Reports from the line ----------------------------------------------------------
 
     @Slot(object)
     def _on_reported(self, report: Report) -> None:
-        if self._worker is None:
-            return  # it was on its way when the line was shut down
         match report:
             case Batch():
                 self._take_samples(report)
-            case Outcome(id=number):
-                if then := self._waiting.pop(number, None):
-                    then(report)
             case Progress(done=done, total=total, what=what):
                 self.progressed.emit(done, total, what)
             case Connected() | Silent() if self._link is Link.CLOSING:
@@ -317,9 +332,6 @@ class Device(QObject):
             case Silent(reason=reason, counters=counters):
                 self._counters = counters
                 self._fall_silent(reason)
-            case Closed(error=error, may_move=may_move):
-                self._may_move = may_move
-                self._on_closed(error)
 
     def _take_samples(self, batch: Batch) -> None:
         self._counters = batch.counters
@@ -345,6 +357,8 @@ class Device(QObject):
         state, occasion = report.state, report.occasion
         self._state = state
         self._echo = report.echo
+        self._settings = report.settings
+        self._port_rates = report.port_rates
         if occasion is Occasion.OPENED:
             self.telemetry.begin(state.signature.model.current_unit)
         if occasion is not Occasion.RELOADED:
@@ -382,32 +396,20 @@ class Device(QObject):
         )
         log.info("the board fell silent: %s", reason)
 
-    def _on_closed(self, error: TrexError | None) -> None:
-        if self._worker is not None:
-            _ENDING.append(self._worker)
-            self._worker = None
+    @Slot(object)
+    def _on_closed(self, last: Closed) -> None:
+        self._may_move = last.may_move
         following, self._next = self._next, None
         if following is not None:
             self._forget()
             self.connect_to(following)
         else:
-            self._end(error)
-
-    @Slot()
-    def _on_worker_finished(self) -> None:
-        worker = self.sender()
-        if worker is self._worker:
-            # Its last report never came: a fault of the program, and yet the line is closed.
-            self._on_closed(TrexError(self.tr("The line was closed by a fault of the program.")))
-        if isinstance(worker, LineWorker) and worker in _ENDING:
-            _ENDING.remove(worker)
-            worker.deleteLater()
+            self._end(last.error)
 
     def _forget(self) -> None:
         """Know nothing of any board any more."""
         self._state = None
         self._apply.forget()
-        self._waiting.clear()
         self.motors.allow(False)
         self.telemetry.forget()
         self.parameters.set_editable(False)

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Port, Ports
-from trex_gui.protocol.line_settings import Detection
+from trex_gui.views.find_dialog import FindDialog
 from trex_gui.views.icons import set_icon
 from trex_gui.views.line_settings_dialog import LineSettingsDialog
 
@@ -61,6 +61,12 @@ class ConnectionBar(QWidget):
         self._line.setToolTip(self.tr("How this computer talks to the board"))
         self._line.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         set_icon(self._line, "settings")
+        self._find = QToolButton(self)
+        self._find.setObjectName("findButton")
+        self._find.setAccessibleName(self.tr("Find a board"))
+        self._find.setToolTip(self.tr("Find a board whose line settings are not known"))
+        set_icon(self._find, "find")
+        self._dialog: FindDialog | None = None
         self._status = QLabel(self)
         self._status.setObjectName("statusLabel")
         self._status.setWordWrap(True)
@@ -74,7 +80,7 @@ class ConnectionBar(QWidget):
 
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        for widget in (label, self._combo, self._connect, self._line):
+        for widget in (label, self._combo, self._connect, self._line, self._find):
             layout.addWidget(widget)
         layout.addSpacing(8)
         layout.addWidget(self._status, 1)
@@ -83,6 +89,7 @@ class ConnectionBar(QWidget):
         self._combo.activated.connect(self._on_activated)
         self._connect.clicked.connect(self.toggle)
         self._line.clicked.connect(self.edit_line)
+        self._find.clicked.connect(self.find_board)
         ports.changed.connect(self._on_ports_changed)
         connector.port_changed.connect(self._on_ports_changed)
         connector.port_changed.connect(self._on_link_changed)
@@ -122,6 +129,18 @@ class ConnectionBar(QWidget):
         if dialog.exec():
             self._connector.set_settings(dialog.settings)
         dialog.deleteLater()
+
+    @Slot()
+    def find_board(self) -> None:
+        """Show the search for a board whose line settings nobody knows."""
+        if self._dialog is None:
+            self._dialog = FindDialog(self._device, self._ports, self._connector, self.window())
+        self._dialog.look()
+
+    def close_dialogs(self) -> None:
+        """Close what stands beside the window, for its end."""
+        if self._dialog is not None:
+            self._dialog.close()
 
     @Slot(int)
     def _on_activated(self, index: int) -> None:
@@ -174,14 +193,7 @@ class ConnectionBar(QWidget):
     @Slot()
     def _on_settings_changed(self) -> None:
         settings = self._connector.settings
-        line = settings.line
-        detection = {
-            Detection.NONE: "N",
-            Detection.CRC7: "N+CRC",
-            Detection.EVEN: "E",
-            Detection.ODD: "O",
-        }[line.detection]
-        text = f"{line.baud} 8{detection}{line.stop_bits}"
+        text = settings.short
         if settings.device_number is not None:
             text += f" #{settings.device_number}"
         self._line.setText(text)

@@ -1,0 +1,399 @@
+"""A board that comes back with other line settings than it had when its power went off."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from itertools import pairwise, product
+
+import pytest
+
+from tests.emulator.ports import a_board
+from tests.link.helpers import among, outcomes
+from tests.support.virtual import Stage
+from trex_gui.emulator.firmware import Board
+from trex_gui.emulator.motors import Direction
+from trex_gui.emulator.serial_control import SerialControl
+from trex_gui.link.looking import look_at, places_to_look
+from trex_gui.link.messages import (
+    Ask,
+    Batch,
+    Close,
+    Closed,
+    Connected,
+    Expect,
+    Occasion,
+    Reload,
+    Report,
+    SetDrive,
+    Silent,
+    Stop,
+    Write,
+)
+from trex_gui.link.next_line import after_power_cycle
+from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.commands import STOP, Drive, GetMode, GetSignature
+from trex_gui.protocol.errors import BadRequest, NoReply, PortUnavailable
+from trex_gui.protocol.framing import Framing
+from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
+
+OLD = LinkSettings("virtual")
+EVERYWHERE = [
+    LineSettings(baud, detection, stop_bits)
+    for detection, stop_bits, baud in product(Detection, (1, 2), baud_rates())
+]
+CRC = LineSettings(57600, Detection.CRC7)
+STOPS = [Framing().encode(command) for command in STOP]
+OFF, ON, END = 1.5, 2.5, 30.0
+
+
+class Place(Stage):
+    """A board that is set to `old`, on a port that is set to that too."""
+
+    def __init__(self, old: LinkSettings = OLD, *, echo: bool = False) -> None:
+        number = 7 if old.device_number is None else old.device_number
+        board = a_board(
+            number,
+            old.line.to_wire(),
+            crc7_polynomial=old.polynomial & 0x7F,
+            uart_error_shutdown=0,
+        )
+        super().__init__(board, echo=echo)
+        self.old = old
+        self.line.host = old.line
+
+    def store(self, new: LinkSettings) -> None:
+        """Let the board be at other settings when it is switched on the next time."""
+        self.board.eeprom.write("uart_settings", new.line.to_wire())
+        self.board.eeprom.write("crc7_polynomial", new.polynomial & 0x7F)
+
+    def go(self, *expected: LinkSettings, new: LinkSettings | None = None) -> "Place":
+        """Plan a break of the power, after which the board is at `new`."""
+        self.script.at(OFF - 0.1, Expect(expected))
+        self.script.at(OFF, self.board.power_off)
+        self.script.at(OFF, lambda: self.store(new or self.old))
+        self.script.at(ON, self.board.power_on)
+        return self
+
+    def end(self, moment: float = END) -> list[Report]:
+        """Run until that moment."""
+        self.script.at(moment, Close())
+        return self.run(self.old)
+
+    @property
+    def connections(self) -> list[Connected]:
+        return among(self.reports, Connected)
+
+
+def the_return(place: Place, moment: float = 6.0) -> Connected:
+    """Run, and return what was told when the board was back."""
+    place.end(moment)
+    first, second = place.connections
+    assert (first.occasion, second.occasion) == (Occasion.OPENED, Occasion.RETURNED)
+    assert first.settings == place.old
+    assert place.reports[-1] == Closed(None)
+    return second
+
+
+@pytest.fixture
+def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Every order that a motor of the simulated board is given, a stop included."""
+    given: list[str] = []
+
+    def order(what: str) -> Callable[..., None]:
+        return lambda _control, *words, **more: given.append(f"{what} {words} {more}")
+
+    monkeypatch.setattr(SerialControl, "drive", order("motor"))
+    monkeypatch.setattr(SerialControl, "drive_aux", order("auxiliary"))
+    return given
+
+
+def moment_of_end(new: LineSettings) -> float:
+    return 6.0 if new.baud > 4800 else 14.0
+
+
+# --- It is found again ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("line", EVERYWHERE, ids=lambda line: line.text())
+def test_a_board_is_found_again_at_whatever_settings_it_was_given(
+    line: LineSettings, orders: list[str]
+) -> None:
+    new = replace(OLD, line=line)
+    place = Place().go(new, new=new)
+    assert the_return(place, moment_of_end(line)).settings == new
+    assert place.line.host == line
+    assert among(place.reports, Batch)[-1].samples
+    assert not orders
+
+
+@pytest.mark.parametrize(
+    "old",
+    [LineSettings(57600, Detection.CRC7), LineSettings(38400, Detection.ODD), LineSettings(9600)],
+    ids=lambda line: line.text(),
+)
+def test_wherever_it_was_before(old: LineSettings, orders: list[str]) -> None:
+    for line in EVERYWHERE[::9]:
+        new = LinkSettings("virtual", line)
+        place = Place(LinkSettings("virtual", old)).go(new, new=new)
+        assert the_return(place, moment_of_end(line)).settings == new
+    assert not orders
+
+
+@pytest.mark.parametrize("polynomial", [0x80, 0x91, 0xA6, 0xFF])
+def test_a_board_is_found_again_with_another_polynomial(polynomial: int) -> None:
+    old = replace(OLD, line=CRC)
+    new = replace(old, polynomial=polynomial)
+    assert the_return(Place(old).go(new, new=new)).settings == new
+
+
+def test_a_board_that_is_addressed_by_number_is_found_again_with_another() -> None:
+    place = Place(replace(OLD, device_number=7))
+    new = LinkSettings("virtual", CRC, 100)
+    place.script.at(1.2, Write(1, (("device_number", 100), ("uart_settings", CRC.to_wire()))))
+    assert the_return(place.go(new, new=new)).settings == new
+    assert outcomes(place.reports)[1].error is None
+
+
+def test_on_the_rs232_side_too() -> None:
+    new = replace(OLD, line=CRC)
+    back = the_return(Place(echo=True).go(new, new=new))
+    assert (back.settings, back.echo) == (new, True)
+
+
+def test_a_board_is_found_again_where_what_it_stores_says_that_it_will_be() -> None:
+    place = Place()
+    place.script.at(1.0, Write(1, (("uart_settings", CRC.to_wire()), ("crc7_polynomial", 0x11))))
+    place.script.at(1.3, Reload(2))
+    coming = LinkSettings("virtual", CRC, polynomial=0x91)
+    place.go(coming, new=coming).end(6.0)
+    _, reloaded, returned = place.connections
+    assert reloaded.settings == OLD
+    assert after_power_cycle(OLD, reloaded.state.parameters, "1.2") == coming == returned.settings
+
+
+def test_a_power_cut_while_settings_are_stored_leaves_the_factorys() -> None:
+    old = replace(OLD, line=LineSettings(9600))
+    place = Place(old).go(replace(OLD, line=CRC), new=OLD)
+    assert the_return(place).settings == OLD
+
+
+def test_a_board_that_comes_back_unchanged_is_back_and_expected_still() -> None:
+    new = replace(OLD, line=CRC)
+    place = Place().go(new, new=OLD)
+    place.script.at(5.0, place.board.power_off).at(5.0, lambda: place.store(new))
+    place.script.at(6.0, place.board.power_on)
+    place.end(10.0)
+    assert [each.settings for each in place.connections] == [OLD, OLD, new]
+
+
+def test_what_has_come_true_is_not_expected_any_more() -> None:
+    new = replace(OLD, line=CRC)
+    place = Place().go(new, new=new)
+    place.script.at(6.0, place.board.power_off)
+    marks: list[int] = []
+    place.script.at(7.0, lambda: marks.append(len(place.transport.sent)))
+    place.end(9.0)
+    packet = place.client(new)._framing.encode(GetMode())
+    sent = bytes(place.transport.sent[marks[0] :])
+    assert sent.replace(packet, b"") == b""
+
+
+def test_what_was_expected_can_be_forgotten() -> None:
+    new = replace(OLD, line=CRC)
+    place = Place().go(new, new=new)
+    place.script.at(ON + 0.1, Expect(()))
+    place.end(6.0)
+    assert len(place.connections) == 1
+
+
+def test_counters_go_on(orders: list[str]) -> None:
+    new = replace(OLD, line=CRC)
+    place = Place().go(new, new=new)
+    the_return(place)
+    (silent,) = among(place.reports, Silent)
+    assert among(place.reports, Batch)[-1].counters.requests > silent.counters.requests > 100
+
+
+# --- What it costs ----------------------------------------------------------------------
+
+
+def test_a_round_of_looking_takes_a_second_and_a_half_at_most() -> None:
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.transport.latency = 0.06  # as of a local port
+    asked: list[tuple[float, LineSettings | None]] = []
+    write = place.transport.write
+
+    def note(data: bytes) -> None:
+        asked.append((place.line.now, place.line.host))
+        write(data)
+
+    place.transport.write = note  # type: ignore[method-assign] # a knob
+    place.script.at(ON + 0.01, place.board.power_off)
+    place.end(12.0)
+    rounds = [moment for moment, host in asked if host == CRC]
+    lengths = [after - before for before, after in pairwise(rounds)]
+    assert len(lengths) > 4
+    assert max(lengths) < 1.5
+
+
+def test_stops_and_the_end_are_served_between_two_questions() -> None:
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.transport.latency = 0.06
+    place.script.at(ON + 0.01, place.board.power_off)
+    stops: list[tuple[float, LineSettings | None]] = []
+    write = place.transport.write
+
+    def note(data: bytes) -> None:
+        if data == STOPS[0]:
+            stops.append((place.line.now, place.line.host))
+        write(data)
+
+    place.transport.write = note  # type: ignore[method-assign] # a knob
+    place.script.at(5.0, Stop(1))
+    place.end(9.0)
+    assert isinstance(outcomes(place.reports)[1].error, NoReply)
+    assert 5.0 <= stops[0][0] < 5.4
+    assert {host for _, host in stops} == {OLD.line}
+    assert place.line.now < 9.4
+
+
+def test_nothing_that_a_person_asks_reaches_a_board_at_settings_that_nobody_knows() -> None:
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.script.at(ON + 0.01, place.board.power_off)
+    marks: list[int] = []
+    place.script.at(3.5, lambda: marks.append(len(place.transport.sent)))
+    place.script.at(4.0, Ask(1, GetSignature())).at(4.1, Reload(2))
+    place.script.at(4.2, Write(3, (("serial_timeout", 5),))).at(4.3, SetDrive(1, Drive.at(9)))
+    place.end(7.0)
+    assert {str(outcomes(place.reports)[number].error) for number in (1, 2, 3)} == {
+        "No board answers; it is being looked for."
+    }
+    assert set(place.transport.sent[marks[0] :]) <= {0xFF, 0x81, 0x48}
+
+
+# --- Nothing moves ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("old", "expected"),
+    [
+        (LineSettings(), CRC),
+        (LineSettings(38400, Detection.CRC7), LineSettings(14400, Detection.CRC7)),
+        (LineSettings(9600), LineSettings(115200, Detection.EVEN)),
+    ],
+    ids=lambda line: line.text(),
+)
+def test_looking_gives_no_order_to_a_board_at_any_settings(
+    old: LineSettings, expected: LineSettings, orders: list[str]
+) -> None:
+    """Its answers get lost: question is asked, of a board that may be anywhere."""
+    for line in EVERYWHERE:
+        if line.stop_bits == 2:
+            continue
+        place = Place(LinkSettings("virtual", old))
+        place.go(replace(OLD, line=expected), new=LinkSettings("virtual", line))
+        place.script.at(ON, partial(setattr, place.line, "mute", True))
+        place.end(4.5)
+        assert len(place.connections) == 1
+        assert not orders, line.text()
+        assert not place.board.memory.writes
+
+
+def runs(board: Board) -> bool:
+    """Whether a motor is told to run."""
+    return board.aux.target_speed > 0 or any(
+        motor.target_direction is not Direction.BRAKE for motor in board.motors
+    )
+
+
+def look(place: Place, seen: list[bool]) -> None:
+    seen.append(runs(place.board))
+
+
+def test_stops_at_the_old_settings_start_no_motor_of_a_board_at_others() -> None:
+    """Motors were driven, and the stop that is sent again and again is not proved."""
+    for line in EVERYWHERE:
+        if line.stop_bits == 2 or line == OLD.line:
+            continue
+        place = Place()
+        place.script.at(1.2, SetDrive(1, Drive.at(100)))
+        place.go(LinkSettings("virtual", CRC), new=LinkSettings("virtual", line))
+        place.script.at(ON, partial(setattr, place.line, "mute", True))
+        seen: list[bool] = []
+        for step in range(400):
+            place.script.at(ON + step / 100, partial(look, place, seen))
+        place.end(6.5)
+        assert bytes(place.transport.sent).count(STOPS[0]) > 5
+        assert len(seen) == 400
+        assert not any(seen), line.text()
+
+
+# --- Places -----------------------------------------------------------------------------
+
+
+def test_the_factorys_settings_are_the_last_place_to_look() -> None:
+    old, new = replace(OLD, line=CRC, name="here"), LinkSettings("", LineSettings(9600))
+    assert places_to_look(old, [new]) == (
+        old,
+        replace(new, url="virtual", name="here"),
+        replace(old, line=LineSettings()),
+    )
+
+
+def test_no_place_is_looked_at_twice() -> None:
+    new = replace(OLD, line=CRC)
+    assert places_to_look(OLD, [new, OLD, new]) == (OLD, new)
+
+
+def test_a_polynomial_is_nothing_where_there_is_no_crc() -> None:
+    assert places_to_look(OLD, [replace(OLD, polynomial=0x91)]) == (OLD,)
+
+
+def test_a_question_that_another_place_takes_for_an_order_is_left_out() -> None:
+    """81 2E at 14400 baud is F0 0E at 38400 with odd parity."""
+    unsafe = next(
+        polynomial
+        for polynomial in range(0x80, 0x100)
+        if places_to_look(
+            replace(OLD, line=LineSettings(14400, Detection.CRC7), polynomial=polynomial),
+            [replace(OLD, line=LineSettings(38400, Detection.ODD))],
+        )[0].line.baud
+        != 14400
+    )
+    old = replace(OLD, line=LineSettings(14400, Detection.CRC7), polynomial=unsafe)
+    assert old in places_to_look(old, [replace(OLD, line=LineSettings(9600))])
+
+
+def test_a_place_that_the_port_cannot_be_set_to_is_passed_over() -> None:
+    place = Place(replace(OLD, line=LineSettings(9600))).go(replace(OLD, line=CRC), new=OLD)
+    tune = place.transport.tune
+
+    def refuse(line: LineSettings) -> None:
+        if line == CRC:
+            raise BadRequest("no such rate")
+        tune(line)
+
+    place.transport.tune = refuse  # type: ignore[method-assign] # a knob
+    assert the_return(place).settings == OLD
+
+
+def test_a_port_that_goes_away_meanwhile_ends_the_session() -> None:
+    gone = PortUnavailable("It is gone.")
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.script.at(ON + 0.01, place.board.power_off)
+    place.script.at(4.0, lambda: setattr(place.transport, "fail", gone))
+    assert place.end(9.0)[-1] == Closed(gone)
+    assert place.line.now < 5.0
+
+
+def test_behind_a_network_port_of_fixed_rate_nothing_else_is_asked() -> None:
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.transport.can_be_tuned = False
+    assert the_return(place).settings == OLD
+    assert bytes(place.transport.sent).count(b"\xff") <= 2  # when the line was opened
+
+
+def test_a_board_that_is_there_is_seen_at_once() -> None:
+    place = Place(replace(OLD, line=CRC))
+    assert look_at(place.transport, place.old, echo=False)
+    assert not look_at(place.transport, OLD, echo=False)

@@ -1,0 +1,160 @@
+"""Which baud rates a port can do, and changing them while it is open."""
+
+import array
+import errno
+import os
+import sys
+import time
+from collections.abc import Iterator
+
+import pytest
+import serial
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link import port_rates
+from trex_gui.link.client import Client
+from trex_gui.link.port_rates import rates_of
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import SerialTransport
+from trex_gui.protocol.commands import GetSignature
+from trex_gui.protocol.errors import BadRequest, PortUnavailable
+from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
+
+
+@pytest.fixture
+def terminal() -> Iterator[tuple[int, str]]:
+    """A pseudo-terminal with nobody behind it: its master end, and the path of the other."""
+    master, slave = os.openpty()
+    yield master, os.ttyname(slave)
+    for end in (master, slave):
+        os.close(end)
+
+
+@linux
+def test_a_pseudo_terminal_can_do_every_rate_and_nothing_is_sent(
+    terminal: tuple[int, str],
+) -> None:
+    master, url = terminal
+    transport = SerialTransport(LinkSettings(url, LineSettings(14400)))
+    begun = time.monotonic()
+    assert transport.rates() == frozenset(baud_rates())
+    assert time.monotonic() - begun < 0.1
+    os.set_blocking(master, False)
+    with pytest.raises(BlockingIOError):
+        os.read(master, 1)
+    transport.close()
+
+
+@linux
+def test_the_port_is_afterwards_as_it_was(quick_simulator: SimulatorProcess) -> None:
+    settings = LinkSettings(quick_simulator.url)
+    transport = SerialTransport(settings)
+    before = port_rates._get(transport._port.fileno())
+    transport.rates()
+    assert port_rates._get(transport._port.fileno()) == before
+    assert str(Client(transport, settings).request(GetSignature())) == "TReX 1.2"
+    transport.close()
+
+
+@linux
+def test_a_pseudo_terminal_is_set_to_any_line_again_and_again(
+    terminal: tuple[int, str],
+) -> None:
+    for line in (
+        LineSettings(57600, Detection.EVEN, 2),
+        LineSettings(57600, Detection.ODD, 2),
+        LineSettings(1200),
+        LineSettings(1200, Detection.EVEN),
+    ):
+        for _ in range(2):
+            transport = SerialTransport(LinkSettings(terminal[1], line))
+            transport.tune(LineSettings(1200))
+            transport.tune(line)
+            transport.close()
+
+
+class Adapter:
+    """A port whose driver takes the nearest rate that it has."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, *possible: int) -> None:
+        self.words = array.array("I", [0] * 11)
+        self.possible = possible
+        self.failure: OSError | None = None
+        monkeypatch.setattr(port_rates, "_get", lambda handle: self.words[:])
+        monkeypatch.setattr(port_rates, "_set", self._set)
+
+    def fileno(self) -> int:
+        return 3
+
+    def _set(self, handle: int, words: "array.array[int]") -> None:
+        if self.failure is not None:
+            raise self.failure
+        self.words = words[:]
+        wanted = words[-1]
+        self.words[-1] = min(self.possible, key=lambda rate: abs(rate - wanted))
+
+
+@linux
+def test_a_rate_that_the_driver_rounds_cannot_be_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    adapter = Adapter(monkeypatch, 9600, 19200, 57143, 75000)
+    assert rates_of(adapter, [9600, 38400, 57600, 76800]) == frozenset({9600, 57600, 76800})
+    adapter.possible = (19200, 57600, 115200)
+    assert rates_of(adapter, [19200, 76800, 115200]) == frozenset({19200, 115200})
+
+
+@linux
+def test_what_the_driver_refuses_cannot_be_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    adapter = Adapter(monkeypatch, 9600)
+    adapter.failure = OSError(errno.EINVAL, "Invalid argument")
+    assert rates_of(adapter, [9600]) is None  # nor can it be set back
+
+
+@linux
+def test_a_slow_driver_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    adapter = Adapter(monkeypatch, 9600)
+    moments = iter((0.0, 0.05, 0.11, 0.2))
+    monkeypatch.setattr("time.monotonic", lambda: next(moments))
+    assert rates_of(adapter, [9600, 19200, 38400]) is None
+
+
+def test_other_systems_do_not_tell(
+    monkeypatch: pytest.MonkeyPatch, terminal: tuple[int, str]
+) -> None:
+    transport = SerialTransport(LinkSettings(terminal[1]))
+    monkeypatch.setattr("platform.machine", lambda: "mips64")
+    assert transport.rates() is None
+    monkeypatch.setattr(sys, "platform", "darwin")
+    assert transport.rates() is None
+    transport.close()
+
+
+def test_a_closed_port_does_not_tell(terminal: tuple[int, str]) -> None:
+    transport = SerialTransport(LinkSettings(terminal[1]))
+    transport.close()
+    assert transport.rates() is None
+
+
+def test_a_rate_that_the_port_refuses_is_told(
+    terminal: tuple[int, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    transport = SerialTransport(LinkSettings(terminal[1]))
+    for failure, kind in (
+        (ValueError("no such rate"), BadRequest),
+        (serial.SerialException(errno.EINVAL, "Invalid argument"), BadRequest),
+        (serial.SerialException(errno.EIO, "Input/output error"), PortUnavailable),
+    ):
+
+        def fail(*_: object, failure: Exception = failure, **__: object) -> None:
+            raise failure
+
+        with monkeypatch.context() as patched:
+            patched.setattr(transport._port, "_reconfigure_port", fail)
+            with pytest.raises(kind):
+                transport.tune(LineSettings(76800))
+        transport.tune(LineSettings())
+    transport.close()

@@ -1,0 +1,143 @@
+"""Looking for boards, as the window sees it."""
+
+import sys
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.model.connector import Connector
+from trex_gui.model.device import Device, Link
+from trex_gui.model.finder import Finder
+from trex_gui.model.ports import Port, PortKind, Ports
+from trex_gui.model.simulator import Simulator
+from trex_gui.protocol.line_settings import LineSettings
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+Until = Callable[[Callable[[], bool]], None]
+
+
+@pytest.fixture
+def until(qtbot: QtBot) -> Until:
+    return lambda condition: qtbot.waitUntil(condition, timeout=15_000)
+
+
+@pytest.fixture
+def finder(qtbot: QtBot) -> Iterator[Finder]:
+    simulator = Simulator()
+    finder = Finder(simulator)
+    yield finder
+    assert finder.shut_down()
+    simulator.stop()
+
+
+def at(url: str) -> Port:
+    return Port(PortKind.TYPED, url, url)
+
+
+def test_a_board_is_told_with_where_and_how_it_is_reached(
+    finder: Finder, quick_simulator: SimulatorProcess, until: Until
+) -> None:
+    port = at(quick_simulator.url)
+    finder.start([port])
+    assert finder.running
+    assert finder.is_searching(port)
+    until(lambda: not finder.running)
+    (finding,) = finder.findings
+    assert finding.port == port
+    assert finding.text == f"TReX 1.2 on {port.url} at 19200 8N1, device 7."
+    assert finding.found is not None
+    assert finder.summary == "1 board found."
+    assert not finder.is_searching(port)
+
+
+def test_what_is_tried_is_told(
+    finder: Finder, quick_simulator: SimulatorProcess, until: Until
+) -> None:
+    quick_simulator.do("power off")
+    seen: list[tuple[int, int, str]] = []
+    finder.progressed.connect(lambda: seen.append((finder.done, finder.total, finder.text)))
+    finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
+    until(lambda: len(seen) >= 5)
+    finder.cancel()
+    assert finder.text == "Ending the search …"
+    until(lambda: not finder.running)
+    quick_simulator.do("power on")
+    texts = [text for _, _, text in seen]
+    assert texts[0] == f"Opening {quick_simulator.url} …"
+    assert f"Trying 19200 8N1 on {quick_simulator.url} …" in texts
+    assert f"Trying 115200 8N1 on {quick_simulator.url} …" in texts
+    assert (1, 176) in [(done, total) for done, total, _ in seen]
+    assert finder.findings == ()
+    assert finder.summary == "The search was broken off."
+    assert finder.text == ""
+
+
+def test_a_port_that_does_not_open_says_why(finder: Finder, until: Until) -> None:
+    finder.start([at("/dev/ttyNothing9")])
+    until(lambda: not finder.running)
+    (finding,) = finder.findings
+    assert finding.found is None
+    assert finding.text.startswith("There is no port /dev/ttyNothing9.")
+    assert finder.summary == "No board was found."
+
+
+def test_one_search_at_a_time(
+    finder: Finder, quick_simulator: SimulatorProcess, until: Until
+) -> None:
+    finder.start([])
+    assert not finder.running
+    finder.start([at(quick_simulator.url)])
+    finder.start([at("/dev/ttyNothing9")])
+    until(lambda: not finder.running)
+    assert [finding.port.url for finding in finder.findings] == [quick_simulator.url]
+
+
+def test_a_search_that_is_shut_down_says_no_more(
+    finder: Finder, quick_simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    quick_simulator.do("power off")
+    finder.start([at(quick_simulator.url)])
+    with qtbot.assertNotEmitted(finder.finished):
+        assert finder.shut_down()
+        qtbot.wait(50)
+    assert not finder.running
+    quick_simulator.do("power on")
+
+
+def test_connecting_to_a_port_that_is_searched_ends_the_search_first(
+    quick_simulator: SimulatorProcess, until: Until
+) -> None:
+    device, ports = Device(), Ports()
+    connector = Connector(device, ports)
+    port = ports.add_typed(quick_simulator.url)
+    quick_simulator.do("line mute on")
+    connector.finder.start([port])
+    until(lambda: connector.finder.done > 0)
+    quick_simulator.do("line mute off")
+    connector.connect_to(port)
+    assert connector.port is None
+    until(lambda: device.link is Link.UP)
+    assert not connector.finder.running
+    connector.shut_down()
+
+
+def test_the_simulated_board_can_be_found_and_connected_to(until: Until) -> None:
+    device, ports = Device(), Ports()
+    connector = Connector(device, ports)
+    connector.simulator.start()
+    until(lambda: connector.simulator.url != "")
+    connector.finder.start([ports.demo])
+    until(lambda: not connector.finder.running)
+    (finding,) = connector.finder.findings
+    assert finding.text == "TReX 1.2 on the simulated board at 19200 8N1, device 7."
+    assert finding.found is not None
+    connector.connect_with(finding.port, finding.found.settings)
+    until(lambda: device.link is Link.UP)
+    assert connector.demo_in_use
+    assert device.settings is not None
+    assert device.settings.line == LineSettings()
+    connector.shut_down()

@@ -1,0 +1,220 @@
+"""Power cut and cable pulled at every step of an Apply, over a real thread and a real line."""
+
+import sys
+from collections.abc import Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.model.test_device import Watched
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.writing import Written
+from trex_gui.model.device import Link
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.protocol.parameters import parameters_of
+from trex_gui.settings.document import Settings
+from trex_gui.settings.snapshot import settings_of
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+SPECS = parameters_of("trex", "1.2")
+LEARNED = Calibration(2400, 3700, 5100, 80)
+CHANNEL = 2
+
+OLD = {"motor1_acceleration": 3, "motor2_acceleration": 4, "serial_timeout": 50}
+"""What the board stores that is neither the factory's nor what is wanted."""
+
+WANTED = {
+    "motor1_acceleration": 9,
+    "motor2_acceleration": 8,
+    "serial_timeout": 20,
+    "uart_error_shutdown": 0,
+    "motor_mode": 1,
+    "crc7_polynomial": 0x15,
+    "uart_settings": LineSettings(57600, stop_bits=2).to_wire(),
+}
+STEPS = range(len(WANTED) + 2)
+"""Before the calibration, before each parameter, and when all are written."""
+
+every_step = pytest.mark.parametrize("step", STEPS)
+
+
+class Applied:
+    """A board with edits that wait, and what was kept and told when their Apply was disturbed."""
+
+    def __init__(self, watched: Watched, simulator: SimulatorProcess) -> None:
+        for key, wire in OLD.items():
+            simulator.do(f"eeprom {key} {wire}")
+        simulator.do("power cycle")
+        self.watched = watched
+        self.device = watched.device
+        self.simulator = simulator
+        watched.connect(simulator.url)
+        for key, wire in WANTED.items():
+            watched.edit(key, wire)
+        self.device.calibrations.edit(CHANNEL, LEARNED)
+        assert self.device.state is not None
+        self.before = settings_of(self.device.state)
+        self.after = dict(self.before.parameters) | WANTED
+
+    def disturb(self, step: int, line: str) -> None:
+        """Apply, and give the simulator a control line when a step is reached."""
+        done: list[int] = []
+
+        def on_progressed(now: int, _total: int, _what: str) -> None:
+            if now == step and not done:
+                done.append(now)
+                self.simulator.do(line)
+
+        self.device.progressed.connect(on_progressed)
+        self.device.apply()
+        self.watched.until(lambda: bool(done) and not self.device.applying)
+        self.device.progressed.disconnect(on_progressed)
+
+    @property
+    def results(self) -> tuple[Written, ...]:
+        """How each write went, as far as that was told."""
+        return self.watched.results[-1] if self.watched.results else ()
+
+    @property
+    def stored(self) -> dict[str, int]:
+        parameters: dict[str, int] = self.simulator.show()["parameters"]
+        return parameters
+
+    def require_kept(self) -> None:
+        """The snapshot says what was stored before, whole."""
+        (snapshot,) = self.device.history.snapshots()
+        assert self.device.history.load(snapshot) == self.before
+
+    def require_named(self) -> None:
+        """Whatever is not stored was told, and what was told to be stored is."""
+        told = {result.what: result for result in self.results}
+        if not told:
+            assert self.watched.failures
+            return
+        assert set(told) == {*WANTED, f"channel {CHANNEL}"}
+        for key, wire in WANTED.items():
+            if told[key].error is None:
+                assert self.stored[key] == wire
+            else:
+                assert str(told[key].error)
+
+    def require_waiting(self) -> None:
+        """The edits that did not stick wait, and no others."""
+        waiting = dict(self.device.parameters.pending)
+        stored = self.stored
+        assert waiting == {key: wire for key, wire in WANTED.items() if stored[key] != wire}
+        waits = CHANNEL in dict(self.device.calibrations.pending)
+        assert waits == (self.device.calibrations.stored(CHANNEL) != LEARNED)
+
+    def finish(self) -> None:
+        """Apply again; everything is as it was wanted, and nothing else has changed."""
+        if self.device.pending:
+            results = self.watched.apply()
+            assert [result.error for result in results] == [None] * len(results)
+        assert self.device.pending == 0
+        assert self.stored == self.after
+        assert self.device.calibrations.stored(CHANNEL) == LEARNED
+
+
+@pytest.fixture
+def applied(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Applied]:
+    watched = Watched(qtbot)
+    yield Applied(watched, quick_simulator)
+    assert watched.device.shut_down(), "the thread lives on"
+
+
+def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -> None:
+    odd = {key for key in stored if stored[key] not in {before.parameters[key], WANTED.get(key)}}
+    assert len(odd) <= lost
+    assert all(stored[key] == SPECS[key].default for key in odd)
+
+
+@every_step
+def test_after_a_power_cut_the_board_is_there_again_and_the_rest_can_be_applied(
+    step: int, applied: Applied
+) -> None:
+    applied.disturb(step, "power off")
+    applied.watched.until_link(Link.SILENT)
+    applied.simulator.do("power on")
+    applied.require_kept()
+    applied.require_named()
+    require_old_or_new(applied.stored, applied.before, lost=1)
+
+    # With the line settings stored it comes back at those: Apply has said where to look.
+    applied.watched.until_link(Link.UP)
+    applied.require_waiting()
+    applied.finish()
+
+
+@every_step
+def test_after_a_pulled_cable_the_rest_can_be_applied(step: int, applied: Applied) -> None:
+    applied.disturb(step, "line unplug")
+    applied.watched.until_link(Link.NONE)
+    applied.require_kept()
+    applied.require_named()
+    require_old_or_new(applied.stored, applied.before, lost=0)
+
+    applied.watched.connect(applied.simulator.do("line plug").split()[-1])
+    applied.require_waiting()
+    applied.finish()
+
+
+# --- A board that is addressed by number ------------------------------------------------
+
+
+@pytest.fixture
+def addressed(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Watched]:
+    """A device that calls its board by the number 7."""
+    watched = Watched(qtbot)
+    watched.device.connect_to(LinkSettings(quick_simulator.url, device_number=7))
+    watched.until_link(Link.UP)
+    yield watched
+    assert watched.device.shut_down(), "the thread lives on"
+
+
+def test_a_board_that_gets_another_number_is_called_by_it_at_once(
+    addressed: Watched, quick_simulator: SimulatorProcess
+) -> None:
+    for key, wire in {"device_number": 9, **WANTED}.items():
+        addressed.edit(key, wire)
+    results = addressed.apply()
+    assert [result.error for result in results] == [None] * len(results)
+    assert quick_simulator.show()["parameters"]["device_number"] == 9
+    steps = len(addressed.steps)
+    addressed.device.reload()
+    addressed.until(lambda: len(addressed.steps) > steps and addressed.steps[-1][2] == "done")
+    assert addressed.device.link is Link.UP
+    assert addressed.failures == []
+
+
+def test_a_board_with_another_number_is_there_again_after_a_power_cycle(
+    addressed: Watched, quick_simulator: SimulatorProcess
+) -> None:
+    addressed.edit("device_number", 9)
+    addressed.edit("uart_settings", WANTED["uart_settings"])
+    addressed.apply()
+    quick_simulator.do("power off")
+    addressed.until_link(Link.SILENT)
+    quick_simulator.do("power on")
+    addressed.until_link(Link.UP)
+    assert addressed.device.settings is not None
+    assert addressed.device.settings.device_number == 9
+    assert addressed.device.parameters.stored_of("device_number") == 9
+
+
+def test_a_board_with_another_number_is_there_again_after_a_pulled_cable(
+    addressed: Watched, quick_simulator: SimulatorProcess
+) -> None:
+    addressed.edit("device_number", 9)
+    addressed.apply()
+    quick_simulator.do("line unplug")
+    addressed.until_link(Link.NONE)
+    quick_simulator.do("line plug")
+    assert addressed.device.settings is not None
+    addressed.device.connect_to(addressed.device.settings)
+    addressed.until(lambda: addressed.device.link is not Link.OPENING)
+    assert addressed.device.link is Link.UP

@@ -1,0 +1,42 @@
+"""A line that ends without a last word is closed all the same."""
+
+import threading
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.link.messages import Closed, Reload, SetDrive
+from trex_gui.link.session import Session
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.line import Line
+from trex_gui.protocol.commands import Drive
+
+
+@pytest.mark.parametrize("drives", [False, True])
+def test_a_session_that_dies_of_a_fault_closes_the_line_and_remembers_what_was_driven(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, drives: bool
+) -> None:
+    told = threading.Event()
+    monkeypatch.setattr(Session, "run", lambda _: told.wait(5))
+    line = Line()
+    line.open(LinkSettings("nowhere"), may_move=False)
+    if drives:
+        line.submit(SetDrive(1, Drive.at(20)))
+    with qtbot.waitSignal(line.closed) as last:
+        told.set()
+    assert isinstance(last.args, list)
+    (closed,) = last.args
+    assert isinstance(closed, Closed)
+    assert "fault of the program" in str(closed.error)
+    assert closed.may_move is drives
+    assert not line.is_open
+
+
+def test_without_a_session_nothing_is_taken(qtbot: QtBot) -> None:
+    del qtbot
+    line = Line()
+    outcomes: list[object] = []
+    assert not line.ask(Reload, outcomes.append)
+    assert not line.submit(Reload(1))
+    assert outcomes == []
+    assert line.shut_down()

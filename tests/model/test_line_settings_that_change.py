@@ -1,0 +1,147 @@
+"""A board that comes back with other line settings, on a real port."""
+
+import sys
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.connector import Connector
+from trex_gui.model.device import Device, Link
+from trex_gui.model.ports import Ports
+from trex_gui.protocol.line_settings import Detection, LineSettings
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+NEW = LineSettings(57600, Detection.CRC7)
+UART, POLYNOMIAL = "uart_settings", "crc7_polynomial"
+
+Until = Callable[[Callable[[], bool]], None]
+
+
+@pytest.fixture
+def until(qtbot: QtBot) -> Until:
+    return lambda condition: qtbot.waitUntil(condition, timeout=15_000)
+
+
+@pytest.fixture
+def device(qtbot: QtBot) -> Device:
+    return Device()
+
+
+@pytest.fixture
+def ports(qtbot: QtBot) -> Iterator[Ports]:
+    ports = Ports()
+    yield ports
+    ports.deleteLater()
+
+
+@pytest.fixture
+def connector(device: Device, ports: Ports) -> Iterator[Connector]:
+    connector = Connector(device, ports)
+    yield connector
+    connector.shut_down()
+
+
+def store(device: Device, until: Until, **wires: int) -> None:
+    """Apply these parameters, and wait until that is done."""
+    for key, wire in wires.items():
+        device.parameters.edit(key, wire)
+    device.apply()
+    until(lambda: not device.applying and device.pending == 0)
+
+
+def line_of(device: Device) -> LineSettings:
+    assert device.settings is not None
+    return device.settings.line
+
+
+def test_a_board_that_comes_back_elsewhere_is_connected_there_and_that_is_remembered(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatorProcess,
+    until: Until,
+) -> None:
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP)
+    store(device, until, **{UART: NEW.to_wire(), POLYNOMIAL: 0x11})
+    device.expect((LinkSettings("", NEW, polynomial=0x91),))
+    quick_simulator.do("power off")
+    until(lambda: device.link is Link.SILENT)
+    assert connector.settings == LinkSettings("")
+    quick_simulator.do("power on")
+    until(lambda: device.link is Link.UP)
+    there = LinkSettings(quick_simulator.url, NEW, polynomial=0x91)
+    assert device.settings == there
+    assert connector.settings == LinkSettings("", NEW, polynomial=0x91)
+    assert Connector(device, ports).settings == connector.settings
+    assert device.parameters.active_of(UART) == NEW.to_wire()
+    connector.disconnect_port()
+    until(lambda: device.link is Link.NONE)
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP)
+    assert device.settings == there
+
+
+@pytest.mark.parametrize("baud", [4800, 14400, 38400, 76800, 115200])
+def test_many_rates_of_a_real_port(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatorProcess,
+    until: Until,
+    baud: int,
+) -> None:
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP)
+    store(device, until, **{UART: LineSettings(baud).to_wire()})
+    device.expect((LinkSettings("", LineSettings(baud)),))
+    quick_simulator.do("power off")
+    until(lambda: device.link is Link.SILENT)
+    quick_simulator.do("power on")
+    until(lambda: device.link is Link.UP)
+    assert line_of(device) == LineSettings(baud)
+
+
+def test_the_simulated_board_is_reached_again_where_it_was_left(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    store(device, until, **{UART: NEW.to_wire()})
+    device.expect((LinkSettings("", NEW),))
+    connector.demo_board.power_cycle()
+    until(lambda: device.link is Link.SILENT)
+    until(lambda: device.link is Link.UP)
+    assert line_of(device) == NEW
+    assert connector.settings == LinkSettings("")  # which are for real boards
+    connector.disconnect_port()
+    until(lambda: device.link is Link.NONE)
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    assert line_of(device) == NEW
+
+
+def test_a_new_simulated_board_has_the_factorys_settings(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    store(device, until, **{UART: NEW.to_wire()})
+    device.expect((LinkSettings("", NEW),))
+    connector.demo_board.power_cycle()
+    until(lambda: device.link is Link.SILENT)
+    until(lambda: device.link is Link.UP)
+    connector.demo_board.restore_factory()
+    until(lambda: device.link is Link.SILENT)
+    until(lambda: device.link is Link.UP)
+    assert line_of(device) == LineSettings()
+    connector.simulator.stop()
+    until(lambda: device.link is Link.NONE)
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    assert line_of(device) == LineSettings()

@@ -1,0 +1,85 @@
+"""Which baud rates a port can really do, as its driver tells it (Linux only).
+
+A driver that cannot divide its clock to a rate takes the nearest one it has and says so when
+asked. Other systems only tell when bytes arrive as nonsense.
+"""
+
+import array
+import platform
+import sys
+import time
+from collections.abc import Collection
+from typing import Protocol
+
+# struct termios2 of Linux: four flag words, line discipline and control characters in five
+# more, then both rates in bit/s. The numbers hold for these processors; others have their own.
+_TCGETS2, _TCSETS2 = 0x802C542A, 0x402C542B
+_CBAUD, _BOTHER = 0o010017, 0o010000
+_CFLAG, _ISPEED, _OSPEED, _WORDS = 2, 9, 10, 11
+_PROCESSORS = ("x86", "i386", "i486", "i586", "i686", "amd64", "arm", "aarch64", "riscv", "loong")
+
+_FARTHEST_OFF = 0.03
+"""Share by which a rate may be off: with the clock of the board on top, a byte still arrives."""
+
+_LONGEST = 0.1
+"""Seconds after which the question is given up: opening a port must not take longer."""
+
+
+class _Port(Protocol):
+    def fileno(self) -> int: ...
+
+
+def rates_of(port: _Port, wanted: Collection[int]) -> frozenset[int] | None:
+    """Return those of the wanted rates that an open port can do; `None`: it cannot be known.
+
+    Each is set and read back, then the port is as it was. Nothing is sent, but nothing may be
+    on its way. Raises nothing.
+    """
+    if sys.platform != "linux" or not platform.machine().lower().startswith(_PROCESSORS):
+        return None
+    try:
+        return _try_out(port.fileno(), wanted)
+    except (AttributeError, OSError, ValueError):
+        return None
+
+
+def _try_out(handle: int, wanted: Collection[int]) -> frozenset[int] | None:
+    before = _get(handle)
+    possible = set()
+    deadline = time.monotonic() + _LONGEST
+    try:
+        for rate in wanted:
+            if time.monotonic() > deadline:
+                return None
+            real = _real_rate(handle, before, rate)
+            if abs(real - rate) <= _FARTHEST_OFF * rate:
+                possible.add(rate)
+    finally:
+        _set(handle, before)
+    return frozenset(possible)
+
+
+def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
+    """Return what the driver makes of a rate, in bit/s; 0 where it refuses."""
+    words = before[:]
+    words[_CFLAG] = words[_CFLAG] & ~_CBAUD | _BOTHER
+    words[_ISPEED] = words[_OSPEED] = rate
+    try:
+        _set(handle, words)
+    except OSError:
+        return 0
+    return _get(handle)[_OSPEED]
+
+
+def _get(handle: int) -> "array.array[int]":
+    import fcntl  # noqa: PLC0415 - only on POSIX
+
+    words = array.array("I", [0] * _WORDS)
+    fcntl.ioctl(handle, _TCGETS2, words)
+    return words
+
+
+def _set(handle: int, words: "array.array[int]") -> None:
+    import fcntl  # noqa: PLC0415 - only on POSIX
+
+    fcntl.ioctl(handle, _TCSETS2, words)

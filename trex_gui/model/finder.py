@@ -1,0 +1,204 @@
+"""Looking for boards whose line settings nobody knows, as the window sees it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.link.discovery import Found, Step
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.ports import Port, PortKind
+from trex_gui.model.simulator import Simulator
+from trex_gui.worker.find_worker import FindWorker, Searched
+
+_ENDING: list[FindWorker] = []
+"""Threads that did not end in time; Qt aborts when one is destroyed running."""
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What came of one port: a board, or in a sentence what was there instead.
+
+    Attributes:
+        text: for people; may be of several sentences.
+        found: the board; `None` where there was none.
+    """
+
+    port: Port
+    text: str
+    found: Found | None = None
+
+
+class Finder(QObject):
+    """Searches ports one after the other; asks only, and moves nothing.
+
+    Signals:
+        changed: `running`, `findings` or `summary`.
+        progressed: `done`, `total` or `text`.
+        finished: the ports are free again.
+    """
+
+    changed = Signal()
+    progressed = Signal()
+    finished = Signal()
+
+    def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._simulator = simulator
+        self._worker: FindWorker | None = None
+        self._ports: tuple[Port, ...] = ()
+        self._findings: tuple[Finding, ...] = ()
+        self._searched = 0
+        self._done = 0
+        self._total = 1
+        self._text = ""
+        self._summary = ""
+        self._cancelled = False
+
+    @property
+    def running(self) -> bool:
+        """Whether a search is under way."""
+        return self._worker is not None
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What came of the ports that were searched so far, in their order."""
+        return self._findings
+
+    @property
+    def done(self) -> int:
+        """How many of the `total` questions are over, or need not be asked any more."""
+        return self._done
+
+    @property
+    def total(self) -> int:
+        """How many questions there are at most."""
+        return self._total
+
+    @property
+    def text(self) -> str:
+        """What is tried now; empty while nothing is."""
+        return self._text
+
+    @property
+    def summary(self) -> str:
+        """How the last search ended, in a sentence; empty before any did."""
+        return self._summary
+
+    def is_searching(self, port: Port) -> bool:
+        """Whether a port is being searched, or will be."""
+        return self.running and port in self._ports[self._searched :]
+
+    def start(self, ports: Sequence[Port], *, full: bool = False) -> None:
+        """Search these ports; nothing happens while a search is under way, or without ports."""
+        if self._worker is not None or not ports:
+            return
+        self._ports = tuple(ports)
+        self._findings = ()
+        self._searched = self._done = 0
+        self._total = 1
+        self._summary = ""
+        self._cancelled = False
+        self._text = self.tr("Opening {0} …").format(_name(self._ports[0]))
+        settings = [self._settings_of(port) for port in self._ports]
+        self._worker = FindWorker(settings, full=full)
+        self._worker.stepped.connect(self._on_stepped)
+        self._worker.searched.connect(self._on_searched)
+        self._worker.finished.connect(self._on_worker_finished)
+        self._worker.start()
+        self.changed.emit()
+        self.progressed.emit()
+
+    @Slot()
+    def cancel(self) -> None:
+        """End the search after the question that is on its way; does not wait for it."""
+        if self._worker is not None and not self._cancelled:
+            self._cancelled = True
+            self._text = self.tr("Ending the search …")
+            self._worker.cancel()
+            self.progressed.emit()
+
+    def shut_down(self) -> bool:
+        """End the search and wait for it, at most a second; return whether it ended in time.
+
+        For the end of the program only; see `Device.shut_down`.
+        """
+        worker, self._worker = self._worker, None
+        if worker is None:
+            return True
+        worker.stepped.disconnect(self._on_stepped)
+        worker.searched.disconnect(self._on_searched)
+        worker.finished.disconnect(self._on_worker_finished)
+        in_time = worker.close()
+        if not in_time:
+            _ENDING.append(worker)
+        return in_time
+
+    def _settings_of(self, port: Port) -> LinkSettings:
+        if port.kind is PortKind.DEMO:
+            return LinkSettings(self._simulator.url, name=self.tr("the simulated board"))
+        return LinkSettings(port.url)
+
+    @Slot(int, object)
+    def _on_stepped(self, index: int, step: Step) -> None:
+        self._total = len(self._ports) * step.total
+        self._done = index * step.total + step.done
+        if not self._cancelled:
+            how = replace(LinkSettings(""), line=step.line).short
+            if step.number is not None:
+                how = self.tr("device {0} at {1}").format(step.number, how)
+            where = _name(self._ports[index])
+            self._text = self.tr("Trying {0} on {1} …").format(how, where)
+        self.progressed.emit()
+
+    @Slot(object)
+    def _on_searched(self, searched: Searched) -> None:
+        port, search = self._ports[searched.index], searched.search
+        self._searched = searched.index + 1
+        if search is None:
+            self._findings += (Finding(port, str(searched.error)),)
+        elif search.found:
+            self._findings += tuple(
+                Finding(port, self._sentence(found), found) for found in search.found
+            )
+        elif not search.cancelled:
+            self._findings += (Finding(port, search.verdict()),)
+        self.changed.emit()
+
+    def _sentence(self, found: Found) -> str:
+        settings = found.settings
+        text = self.tr("{0} on {1} at {2}").format(
+            found.signature, settings.name or settings.url, settings.short
+        )
+        if found.device_number is not None:
+            text += self.tr(", device {0}").format(found.device_number)
+        if found.echo:
+            text += self.tr(" (RS-232 side)")
+        return f"{text}. {found.note}".strip()
+
+    @Slot()
+    def _on_worker_finished(self) -> None:
+        if self._worker is None:
+            return
+        self._worker.deleteLater()
+        self._worker = None
+        self._text = ""
+        self._done = self._total
+        boards = sum(finding.found is not None for finding in self._findings)
+        if self._cancelled:
+            self._summary = self.tr("The search was broken off.")
+        elif boards:
+            self._summary = (
+                self.tr("1 board found.")
+                if boards == 1
+                else (self.tr("{0} boards found.").format(boards))
+            )
+        else:
+            self._summary = self.tr("No board was found.")
+        self.changed.emit()
+        self.progressed.emit()
+        self.finished.emit()
+
+
+def _name(port: Port) -> str:
+    return port.url or port.label

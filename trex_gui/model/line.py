@@ -1,0 +1,132 @@
+"""The line to a board as the models see it: requests in, reports out, a thread a session."""
+
+import itertools
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.link.messages import (
+    Close,
+    Closed,
+    Outcome,
+    Reload,
+    Report,
+    Request,
+    SetAuxiliary,
+    SetDrive,
+    Stop,
+    Write,
+)
+from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.errors import TrexError
+from trex_gui.worker.line_worker import LineWorker
+
+_ENDING: list[LineWorker] = []
+"""Threads between their last report and their end; Qt aborts when one is destroyed running."""
+
+
+class Line(QObject):
+    """One line session after another, never two at a time.
+
+    Signals:
+        reported: a `messages.Report` that is neither an outcome nor the last one.
+        closed: the port is given back; the `messages.Closed` of the session. A fault of the
+            program leaves none: then motors that were driven at all may move.
+    """
+
+    reported = Signal(object)
+    closed = Signal(object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._worker: LineWorker | None = None
+        self._may_move = False
+        self._ids = itertools.count(1)
+        self._waiting: dict[int, Callable[[Outcome], None]] = {}
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a session owns the port, or is about to."""
+        return self._worker is not None
+
+    def open(self, settings: LinkSettings, *, may_move: bool) -> None:
+        """Start a session; `may_move` says that motors may be turning from an earlier one."""
+        self._may_move = may_move
+        self._worker = LineWorker(settings, may_move=may_move)
+        self._worker.reported.connect(self._on_reported)
+        self._worker.finished.connect(self._on_worker_finished)
+        self._worker.start()
+
+    def submit(self, request: Request) -> bool:
+        """Hand a request to the session; return whether there is one."""
+        if self._worker is None:
+            return False
+        self._may_move = self._may_move or isinstance(request, (SetDrive, SetAuxiliary))
+        self._worker.submit(request)
+        return True
+
+    def ask(
+        self, make: Callable[[int], Reload | Stop | Write], then: Callable[[Outcome], None]
+    ) -> bool:
+        """Hand over a request that `make` gives a number; `then` gets its outcome.
+
+        Return whether there is a session; where there is none, `then` is not called.
+        """
+        if self._worker is None:
+            return False
+        number = next(self._ids)
+        self._waiting[number] = then
+        self._worker.submit(make(number))
+        return True
+
+    def close(self) -> None:
+        """Stop the motors if they were driven, and give the port back; `closed` tells when."""
+        self.submit(Close())
+
+    def shut_down(self) -> bool:
+        """Close and wait for it, at most a second; return whether it ended in time.
+
+        Tells nothing any more. A thread that does not end in time is kept, and the process
+        must end without destroying it.
+        """
+        worker, self._worker = self._worker, None
+        self._waiting.clear()
+        if worker is None:
+            return all(ending.wait(1000) for ending in _ENDING)
+        worker.reported.disconnect(self._on_reported)
+        worker.finished.disconnect(self._on_worker_finished)
+        in_time = worker.close()
+        if not in_time:
+            _ENDING.append(worker)
+        return in_time
+
+    @Slot(object)
+    def _on_reported(self, report: Report) -> None:
+        if self._worker is None:
+            return  # it was on its way when the line was shut down
+        match report:
+            case Outcome(id=number):
+                if then := self._waiting.pop(number, None):
+                    then(report)
+            case Closed():
+                self._leave(report)
+            case _:
+                self.reported.emit(report)
+
+    def _leave(self, last: Closed) -> None:
+        if self._worker is not None:
+            _ENDING.append(self._worker)
+            self._worker = None
+        self._waiting.clear()
+        self.closed.emit(last)
+
+    @Slot()
+    def _on_worker_finished(self) -> None:
+        worker = self.sender()
+        if worker is self._worker:
+            # Its last report never came: a fault of the program, and yet the line is closed.
+            error = TrexError(self.tr("The line was closed by a fault of the program."))
+            self._leave(Closed(error, self._may_move))
+        if isinstance(worker, LineWorker) and worker in _ENDING:
+            _ENDING.remove(worker)
+            worker.deleteLater()

@@ -1,0 +1,90 @@
+"""Switching a board off and on so that what it stores becomes active, step by step."""
+
+from enum import Enum, auto
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.link.next_line import after_power_cycle
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.device import Device, Link
+from trex_gui.settings.factory import factory_settings
+
+
+class Stage(Enum):
+    """How far a power cycle is."""
+
+    NONE = auto()
+    OFF_WANTED = auto()
+    ON_WANTED = auto()
+    BACK = auto()
+    LOST = auto()
+
+
+class PowerCycle(QObject):
+    """Watches the link while a person switches the power; the switch itself is theirs.
+
+    Signals:
+        changed: `stage`, `expected` or `still_waiting`.
+    """
+
+    changed = Signal()
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._stage = Stage.NONE
+        self._expected: LinkSettings | None = None
+
+        device.link_changed.connect(self._on_link_changed)
+
+    @property
+    def stage(self) -> Stage:
+        """How far it is."""
+        return self._stage
+
+    @property
+    def expected(self) -> LinkSettings | None:
+        """How the board will be reached when it is back, where that is another way than now."""
+        return self._expected
+
+    @property
+    def still_waiting(self) -> tuple[str, ...]:
+        """Names of what is stored and not active."""
+        return self._device.parameters.waiting_for_power
+
+    def begin(self, *, reset: bool = False) -> None:
+        """Wait for the power to go off, and on again.
+
+        Args:
+            reset: whether the board puts its parameters back to the factory's values then.
+        """
+        state, settings = self._device.state, self._device.settings
+        if state is None or settings is None or self._device.link is not Link.UP:
+            return
+        signature = state.signature
+        values = state.parameters
+        if reset:
+            values = factory_settings(signature.model, signature.firmware).parameters
+        coming = after_power_cycle(settings, values, signature.firmware)
+        self._expected = None if coming == settings else coming
+        self._device.expect(() if self._expected is None else (self._expected,))
+        self._go(Stage.OFF_WANTED)
+
+    def end(self) -> None:
+        """Wait for nothing any more."""
+        self._expected = None
+        self._go(Stage.NONE)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        match self._stage, self._device.link:
+            case Stage.OFF_WANTED, Link.SILENT:
+                self._go(Stage.ON_WANTED)
+            case Stage.ON_WANTED | Stage.LOST, Link.UP:
+                self._go(Stage.BACK)
+            case Stage.OFF_WANTED | Stage.ON_WANTED, Link.NONE | Link.CLOSING:
+                self._go(Stage.LOST)
+
+    def _go(self, stage: Stage) -> None:
+        self._stage = stage
+        self.changed.emit()
