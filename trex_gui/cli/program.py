@@ -28,6 +28,7 @@ COMMANDS: Mapping[str, Entry] = {
     "set-settings": Entry("files", "set_settings", "Give the board the settings of a file."),
     "check-settings": Entry("files", "check_settings", "Check a settings file without a board."),
     "diff": Entry("files", "diff", "Compare settings files, or a file with the board."),
+    "history": Entry("history", "history", "List what boards stored before each change."),
     "calibration": Entry("calibration", "calibration", "Show or store channel calibrations."),
     "export": Entry("export", "export", "Write the settings as C, Python or an Arduino sketch."),
     "restore-defaults": Entry("defaults", "restore_defaults", "Go back to factory parameters."),

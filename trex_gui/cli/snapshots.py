@@ -12,5 +12,8 @@ def keep(settings: Settings, link: LinkSettings, reason: str) -> None:
     Raises:
         SettingsError: it cannot be saved; nothing must be written to the board then.
     """
-    snapshot = History().take(settings, adapter=link.name or link.url, reason=reason)
+    history = History()
+    snapshot = history.take(settings, adapter=link.name or link.url, reason=reason)
     say(f"What the board stores now is kept in {snapshot.path}.")
+    if problem := history.bound().problem:
+        say(f"Warning: {problem} `trexcmd history keep 500` sets it anew.")

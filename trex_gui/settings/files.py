@@ -44,20 +44,65 @@ def save(path: Path, text: str) -> None:
             raise _refusal(path, "it may not be written; its permissions forbid it")
         if not target.parent.is_dir():
             raise _refusal(path, f"there is no folder {target.parent}")
-        draft = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.tmp")
-        try:
-            with draft.open("xb") as file:
-                file.write(text.encode("utf-8"))
-                file.flush()
-                os.fsync(file.fileno())
+        with _drafted(target, text) as draft:
             with contextlib.suppress(FileNotFoundError):
                 shutil.copymode(target, draft)
             draft.replace(target)
-        except BaseException:
-            with contextlib.suppress(OSError):
-                draft.unlink()
-            raise
         _sync_folder(target.parent)
+
+
+def save_new(path: Path, text: str) -> bool:
+    """Write a settings file under a name that is free, whole or not at all.
+
+    Of several programs that want the same name at once, one gets it.
+
+    Returns:
+        Whether the name was free; else nothing was written.
+
+    Raises:
+        SettingsError: it cannot be written; says why.
+    """
+    with _sentences(path, "written"):
+        try:
+            with _drafted(path, text) as draft:
+                _take_free_name(draft, path)
+        except FileExistsError:
+            return False
+        _sync_folder(path.parent)
+    return True
+
+
+@contextlib.contextmanager
+def _drafted(target: Path, text: str) -> Iterator[Path]:
+    """Write a text beside its place and down to the disk; take the draft away if it stays."""
+    draft = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.tmp")
+    try:
+        with draft.open("xb") as file:
+            file.write(text.encode("utf-8"))
+            file.flush()
+            os.fsync(file.fileno())
+        yield draft
+    finally:
+        with contextlib.suppress(OSError):
+            draft.unlink()
+
+
+def _take_free_name(draft: Path, target: Path) -> None:
+    """Give a draft its name in one step; a `FileExistsError` when it is taken."""
+    if os.name == "nt":
+        draft.rename(target)  # refuses there what it replaces elsewhere
+        return
+    try:
+        target.hardlink_to(draft)
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without hard links
+        target.open("xb").close()
+        try:
+            draft.replace(target)
+        except BaseException:
+            target.unlink()
+            raise
 
 
 def _sync_folder(folder: Path) -> None:

@@ -1,0 +1,30 @@
+"""A history to look at, without a board."""
+
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+
+from tests.settings.samples import factory
+from trex_gui.protocol.flags import InputSource
+from trex_gui.settings.history import History, Snapshot
+
+ADAPTER = "FT232R (ttyUSB0)"
+
+
+def take(
+    history: History,
+    ago: timedelta = timedelta(),
+    *,
+    model: str = "trex",
+    adapter: str = ADAPTER,
+    reason: str = "Apply of 2 settings",
+    **values: int,
+) -> Snapshot:
+    """Take a snapshot of a board as the factory makes it, but for some values."""
+    there = factory(model)
+    settings = replace(
+        there,
+        parameters={**there.parameters, **values},
+        calibrations={k: c for k, c in there.calibrations.items() if k[0] is InputSource.RC},
+    )
+    now = datetime.now(UTC) - ago
+    return history.take(settings, adapter=adapter, reason=reason, now=now)
