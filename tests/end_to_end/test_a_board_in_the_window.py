@@ -14,8 +14,8 @@ from PySide6.QtWidgets import (
     QLabel,
     QSlider,
     QSpinBox,
-    QTableView,
     QTabWidget,
+    QTreeView,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
@@ -55,6 +55,11 @@ class Person:
         assert button.isEnabled(), f"{name} is greyed"
         QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
+    def apply(self) -> None:
+        """Look at the review, and write."""
+        self.press("applyButton")
+        self.press("writeButton")
+
     def open_page(self, name: str) -> QWidget:
         tabs = self.find(QTabWidget, "tabs")
         for index in range(tabs.count()):
@@ -78,12 +83,12 @@ class Person:
     def edit(self, key: str, typed: str) -> None:
         """Open the editor of a parameter with the mouse, type, press Enter; it closes."""
         editor = self.type_into(key, typed)
-        view = self.find(QTableView, "parametersView")
+        view = self.find(QTreeView, "parametersView")
         self.wait(lambda: view.viewport().findChild(QSpinBox) is not editor)
 
     def type_into(self, key: str, typed: str) -> QSpinBox:
         """Open the editor of a parameter with the mouse, type, press Enter."""
-        view = self.find(QTableView, "parametersView")
+        view = self.find(QTreeView, "parametersView")
         rows = view.model()
         assert isinstance(rows, ParameterFilter)
         index = rows.mapFromSource(self.program.device.parameters.index_of(key, Column.VALUE))
@@ -123,7 +128,7 @@ def test_everything_is_greyed_and_not_stale_without_a_board(
     person.wait(lambda: person.program.device.link is Link.NONE)
     assert person.text("channel1Input") == "N/A"
     assert person.text("modelValue") == "N/A"
-    view = person.find(QTableView, "parametersView")
+    view = person.find(QTreeView, "parametersView")
     assert not view.isEnabled()
     for name in ("runButton", "stopButton", "applyButton"):
         button = person.find(QAbstractButton, name)
@@ -138,7 +143,7 @@ def test_a_changed_parameter_reaches_the_board_only_with_apply(
     person.edit("serial_timeout", "1.5 s")
     assert person.text("unappliedLabel") == "There are unapplied changes."
     assert simulator.show()["parameters"]["serial_timeout"] == 0
-    person.press("applyButton")
+    person.apply()
     person.wait(lambda: not person.program.device.parameters.pending)
     assert simulator.show()["parameters"]["serial_timeout"] == 15
     assert "read back equal" in person.text("parametersNotice")
@@ -165,7 +170,7 @@ def test_a_write_in_rc_mode_says_why_it_was_refused(
     person.connect(simulator.url)
     person.open_page("parametersPage")
     person.edit("serial_timeout", "1.5 s")
-    person.press("applyButton")
+    person.apply()
     person.wait(lambda: person.text("bannerText") != "")
     assert "Serial Timeout" in person.text("bannerText")
     assert "not in serial mode" in person.text("bannerText")
@@ -217,7 +222,7 @@ def test_escape_in_the_editor_of_a_table_stops_the_motors(
     person.program.device.motors.set_speed(2, -100)
     person.wait(lambda: simulator.show()["motors"][1]["speed"] == 100)
     person.open_page("parametersPage")
-    view = person.find(QTableView, "parametersView")
+    view = person.find(QTreeView, "parametersView")
     rows = view.model()
     assert isinstance(rows, ParameterFilter)
     view.edit(rows.mapFromSource(person.program.device.parameters.index_of("serial_timeout")))
@@ -307,7 +312,7 @@ def test_what_was_written_is_what_every_page_shows_and_what_is_saved(
     wanted = Calibration(2400, 3700, 5100, 60)
     device.calibrations.edit(1, wanted)
     device.parameters.setData(device.parameters.index_of("motor1_current_limit"), 10)
-    person.press("applyButton")
+    person.apply()
     person.wait(lambda: device.pending == 0 and not device.applying)
     assert device.state is not None
     assert device.state.calibrations[1] == wanted
@@ -332,7 +337,7 @@ def test_a_stored_value_that_waits_for_power_says_so_until_the_power_cycle(
     page = person.open_page("parametersPage")
     model = person.program.device.parameters
     model.setData(model.index_of("motor_mode"), 1)
-    person.press("applyButton")
+    person.apply()
     person.wait(lambda: model.waiting_for_power == ("Motor Mode",))
     assert "Motor Mode" in person.text("parametersNotice")
     assert page.isVisible()

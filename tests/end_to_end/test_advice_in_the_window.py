@@ -8,7 +8,9 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
+from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.window import Program
 
 
@@ -67,3 +69,20 @@ def test_without_a_board_there_is_nothing_to_say(connected: Program, qtbot: QtBo
     connected.connector.disconnect_port()
     qtbot.waitUntil(lambda: connected.device.link is Link.NONE)
     assert not shown(connected)
+
+
+def test_a_rate_that_this_computers_port_cannot_do_is_told(
+    program: Program,
+    qtbot: QtBot,
+    quick_simulator: SimulatorProcess,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(SerialTransport, "rates", lambda _: frozenset({9600, 19200}))
+    program.device.connect_to(LinkSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: program.device.link is Link.UP)
+    program.window.pages.setCurrentIndex(4)
+    program.device.parameters.edit("uart_settings", LineSettings(76800).to_wire())
+    told = "\n".join(messages(program))
+    assert "cannot do 76800 baud" in told
+    program.device.parameters.edit("uart_settings", LineSettings(9600).to_wire())
+    assert "cannot do" not in "\n".join(messages(program))

@@ -102,3 +102,45 @@ def test_edits_of_the_other_kind_of_input_are_not_kept(model: Calibrations, qtbo
     assert pending.args == [0]
     assert model.source is InputSource.ANALOG
     assert model.pending == ()
+
+
+@pytest.fixture
+def file(qtbot: QtBot) -> Calibrations:
+    """What a file gives: one calibration of each source, and room for others."""
+    model = Calibrations()
+    given = {(InputSource.RC, 2): LEARNED, (InputSource.ANALOG, 3): OTHER}
+    model.load_all("trex", InputSource.RC, given, open_ended=True)
+    return model
+
+
+def test_a_file_can_be_given_calibrations_of_both_sources(file: Calibrations) -> None:
+    file.edit(1, LEARNED, InputSource.ANALOG)
+    assert file.all_shown[InputSource.ANALOG, 1] == LEARNED
+    assert (InputSource.ANALOG, 1) not in file.all_stored
+
+
+def test_a_calibration_of_a_file_is_left_out_and_comes_back(file: Calibrations) -> None:
+    file.leave_out(2)
+    assert file.shown(2) is None
+    assert file.left_out == {(InputSource.RC, 2)}
+    assert file.all_shown == {(InputSource.ANALOG, 3): OTHER}
+    file.edit(2, LEARNED)
+    assert not file.left_out
+    assert not file.edited
+    file.leave_out(2)
+    file.edit(1, LEARNED)
+    file.discard_edits()
+    assert file.all_shown == file.all_stored
+
+
+def test_leaving_out_what_was_only_added_is_no_edit(file: Calibrations) -> None:
+    file.edit(1, LEARNED)
+    file.leave_out(1)
+    assert not file.edited
+    assert not file.left_out
+
+
+def test_a_board_leaves_no_calibration_out(model: Calibrations) -> None:
+    model.leave_out(2)
+    assert model.shown(2) is not None
+    assert not model.left_out

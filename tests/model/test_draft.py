@@ -152,6 +152,54 @@ def test_a_value_that_was_not_known_before_has_no_active_one() -> None:
     assert draft.active == {}
 
 
+# --- A file, which need not give everything -------------------------------------------------
+
+
+def of_a_file() -> Draft:
+    draft = Draft()
+    draft.load({"motor_mode": 0}, open_to=FACTORY)
+    return draft
+
+
+def test_what_a_file_does_not_give_can_be_given_and_taken_back() -> None:
+    draft = of_a_file()
+    assert draft.takes("serial_timeout")
+    draft.edit(TIMEOUT, 9)
+    assert draft.pending == (("serial_timeout", 9),)
+    draft.leave_out("serial_timeout")
+    assert draft.value("serial_timeout") is None
+    assert not draft.is_modified("serial_timeout")
+
+
+def test_what_a_file_gives_can_be_left_out_and_given_again() -> None:
+    draft = of_a_file()
+    draft.leave_out("motor_mode")
+    assert draft.value("motor_mode") is None
+    assert draft.is_modified("motor_mode")
+    assert draft.pending == ()
+    draft.edit(MODE, 0)
+    assert not draft.is_modified("motor_mode")
+
+
+def test_what_is_left_out_stays_so_when_the_same_is_read_again() -> None:
+    draft = of_a_file()
+    draft.leave_out("motor_mode")
+    draft.edit(TIMEOUT, 9)
+    draft.load({"motor_mode": 0}, keep_edits=True, open_to=FACTORY)
+    assert draft.removed == {"motor_mode"}
+    assert draft.pending == (("serial_timeout", 9),)
+    draft.load({"serial_timeout": 9}, keep_edits=True, open_to=FACTORY)
+    assert not draft.removed
+    assert not draft.pending
+
+
+def test_nothing_can_be_left_out_of_a_board() -> None:
+    draft = loaded()
+    draft.leave_out("motor_mode")
+    assert draft.value("motor_mode") == MODE.default
+    assert not draft.is_modified("motor_mode")
+
+
 # --- Always -----------------------------------------------------------------------------
 
 edits = st.lists(

@@ -25,7 +25,16 @@ def rows(model: ParameterModel) -> ParameterFilter:
 
 
 def shown(rows: ParameterFilter) -> list[str]:
-    return [rows.index(row, Column.VALUE).data(Role.SPEC).key for row in range(rows.rowCount())]
+    headings = [rows.index(group, 0) for group in range(rows.rowCount())]
+    return [
+        rows.index(row, Column.VALUE, heading).data(Role.SPEC).key
+        for heading in headings
+        for row in range(rows.rowCount(heading))
+    ]
+
+
+def in_groups(*groups: str) -> list[str]:
+    return [spec.key for group in groups for spec in SPECS.readable if spec.group == group]
 
 
 def test_qt_finds_nothing_wrong_with_it(rows: ParameterFilter, qtmodeltester: ModelTester) -> None:
@@ -34,7 +43,7 @@ def test_qt_finds_nothing_wrong_with_it(rows: ParameterFilter, qtmodeltester: Mo
 
 
 def test_without_wishes_everything_is_shown_in_its_order(rows: ParameterFilter) -> None:
-    assert shown(rows) == [spec.key for spec in SPECS.readable]
+    assert shown(rows) == in_groups("motors", "channels", "serial", "system")
 
 
 @pytest.mark.parametrize("words", ["serial timeout", "TIMEOUT serial", "serial_timeout"])
@@ -59,7 +68,7 @@ def test_words_that_stand_nowhere_leave_nothing(rows: ParameterFilter) -> None:
 @pytest.mark.parametrize("group", ["motors", "channels", "serial"])
 def test_a_group_is_shown_alone(rows: ParameterFilter, group: str) -> None:
     rows.set_group(group)
-    assert shown(rows) == [spec.key for spec in SPECS.readable if spec.group == group]
+    assert shown(rows) == in_groups(group)
 
 
 def test_only_what_waits_for_apply_follows_the_edits(
@@ -88,3 +97,46 @@ def test_wishes_add_up(rows: ParameterFilter, model: ParameterModel) -> None:
     rows.set_group("motors")
     rows.set_words("acceleration")
     assert shown(rows) == ["motor1_acceleration"]
+
+
+# --- Headings ---------------------------------------------------------------------------
+
+
+def headings(rows: ParameterFilter) -> list[str]:
+    return [rows.index(row, 0).data() for row in range(rows.rowCount())]
+
+
+def test_a_group_without_rows_has_no_heading(rows: ParameterFilter, model: ParameterModel) -> None:
+    rows.set_words("timeout")
+    assert headings(rows) == ["Serial (6)"]
+    rows.set_words("")
+    rows.set_modified_only(True)
+    assert headings(rows) == []
+    model.edit("motor_mode", 1)
+    assert headings(rows) == ["Motors (17, 1 modified)"]
+    model.edit("ignored_channels", 3)
+    assert headings(rows) == ["Motors (17, 1 modified)", "Channels (5, 1 modified)"]
+    model.discard_edits()
+    assert headings(rows) == []
+
+
+def test_qt_finds_nothing_wrong_while_rows_come_and_go(
+    rows: ParameterFilter, model: ParameterModel, qtmodeltester: ModelTester
+) -> None:
+    qtmodeltester.check(rows, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
+    rows.set_modified_only(True)
+    model.edit("motor_mode", 1)
+    model.edit("serial_timeout", 9)
+    model.load(SPECS, FACTORY, {}, power_cycled=True)
+    model.discard_edits()
+    rows.set_modified_only(False)
+    rows.set_words("limit")
+    qtmodeltester.check(rows, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
+
+
+def test_it_says_whether_anything_is_wished_for(rows: ParameterFilter) -> None:
+    before = rows.is_narrowed
+    rows.set_group("serial")
+    assert (before, rows.is_narrowed) == (False, True)
+    assert not rows.index_of("motor_mode").isValid()
+    assert rows.index_of("serial_timeout").data() == "0.5 s"

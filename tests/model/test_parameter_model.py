@@ -77,10 +77,14 @@ def test_qt_finds_nothing_wrong_through_everything_that_happens_to_it(
 def test_there_is_a_row_for_each_parameter_and_a_name_for_each_column(
     model: ParameterModel,
 ) -> None:
-    assert model.rowCount() == len(SPECS.readable)
+    assert model.count == len(SPECS.readable)
+    assert sum(model.rowCount(model.index(row, 0)) for row in range(3)) == model.count
     assert model.columnCount() == len(Column)
     horizontal = Qt.Orientation.Horizontal
-    assert all(model.headerData(column, horizontal) for column in Column)
+    named = [column for column in Column if column is not Column.RESET]
+    assert all(model.headerData(column, horizontal) for column in named)
+    spoken = Qt.ItemDataRole.AccessibleTextRole
+    assert model.headerData(Column.RESET, horizontal, spoken) == "Back to default"
     assert model.headerData(0, Qt.Orientation.Vertical) is None
 
 
@@ -88,9 +92,9 @@ def test_before_a_board_there_are_no_rows(qtbot: QtBot) -> None:
     assert ParameterModel().rowCount() == 0
 
 
-def test_no_cell_has_children(model: ParameterModel) -> None:
-    assert model.rowCount(model.index(0, 0)) == 0
-    assert model.columnCount(model.index(0, 0)) == 0
+def test_no_parameter_has_children(model: ParameterModel) -> None:
+    for spec in SPECS.readable:
+        assert model.rowCount(model.index_of(spec.key, Column.NAME)) == 0
 
 
 def test_an_unknown_key_has_no_cell(model: ParameterModel) -> None:
@@ -117,9 +121,10 @@ def test_every_cell_of_every_model_has_a_text(qtbot: QtBot) -> None:
     for specs in (SPECS, JUNIOR, parameters_of("trex", "1.0")):
         model = ParameterModel()
         load(model, factory(specs), specs)
-        for row in range(model.rowCount()):
+        for spec in specs.readable:
             for column in Column:
-                assert model.index(row, column).data() not in {None, ""}
+                empty = model.index_of(spec.key, column).data() in {None, ""}
+                assert empty == (column is Column.RESET)
 
 
 def test_a_pwm_maximum_shows_the_frequency_that_follows(model: ParameterModel) -> None:
@@ -131,7 +136,7 @@ def test_a_pwm_maximum_shows_the_frequency_that_follows(model: ParameterModel) -
 
 def test_an_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> None:
     edit(model, "motor1_acceleration", 127)
-    assert "0.1 s to full speed" in text(model, "motor1_acceleration")
+    assert "100 ms to full speed" in text(model, "motor1_acceleration")
 
 
 def test_what_could_not_be_read_says_so_and_why(model: ParameterModel) -> None:

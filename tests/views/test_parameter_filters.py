@@ -3,10 +3,11 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QLineEdit, QTableView
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QLineEdit, QTreeView
 from pytestqt.qtbot import QtBot
 
 from trex_gui.model.device import Device
+from trex_gui.model.parameter_filter import ParameterFilter
 from trex_gui.protocol.parameters import parameters_of
 from trex_gui.views.pages.parameters_page import ParametersPage
 
@@ -30,9 +31,11 @@ def page(device: Device, qtbot: QtBot) -> ParametersPage:
 
 
 def rows(page: ParametersPage) -> int:
-    view = page.findChild(QTableView, "parametersView")
+    view = page.findChild(QTreeView, "parametersView")
     assert view is not None
-    return view.model().rowCount()
+    rows = view.model()
+    assert isinstance(rows, ParameterFilter)
+    return rows.shown
 
 
 def count(page: ParametersPage) -> str:

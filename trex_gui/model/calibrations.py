@@ -36,6 +36,8 @@ class Calibrations(QObject):
         self._source = InputSource.RC
         self._stored: dict[Place, Calibration] = {}
         self._edited: dict[Place, Calibration] = {}
+        self._left_out: set[Place] = set()
+        self._open_ended = False
 
     @property
     def source(self) -> InputSource:
@@ -54,6 +56,11 @@ class Calibrations(QObject):
         return dict(self._edited)
 
     @property
+    def left_out(self) -> frozenset[Place]:
+        """What is stored and would be left out; only a file can do that."""
+        return frozenset(self._left_out)
+
+    @property
     def all_stored(self) -> dict[Place, Calibration]:
         """What is stored, as far as it is known."""
         return dict(self._stored)
@@ -61,7 +68,8 @@ class Calibrations(QObject):
     @property
     def all_shown(self) -> dict[Place, Calibration]:
         """What would be stored after Apply."""
-        return {**self._stored, **self._edited}
+        given = {**self._stored, **self._edited}
+        return {place: given[place] for place in given if place not in self._left_out}
 
     def stored(self, channel: int, source: InputSource | None = None) -> Calibration | None:
         """What is stored for a channel; `None` when it is not known."""
@@ -69,23 +77,42 @@ class Calibrations(QObject):
 
     def shown(self, channel: int, source: InputSource | None = None) -> Calibration | None:
         """What would be stored for a channel after Apply; `None` when it is not known."""
-        place = (source or self._source, channel)
+        return self._shown((source or self._source, channel))
+
+    def _shown(self, place: Place) -> Calibration | None:
+        if place in self._left_out:
+            return None
         return self._edited.get(place, self._stored.get(place))
+
+    def knows(self, channel: int, source: InputSource | None = None) -> bool:
+        """Whether there is a calibration, or could be one."""
+        return self._open_ended or (source or self._source, channel) in self._stored
 
     def load(self, model_key: str, source: InputSource, stored: Mapping[int, Calibration]) -> None:
         """Take what was read of a board; edits stay while model and input source are the same."""
         self.load_all(model_key, source, {(source, c): found for c, found in stored.items()})
 
     def load_all(
-        self, model_key: str, source: InputSource, stored: Mapping[Place, Calibration]
+        self,
+        model_key: str,
+        source: InputSource,
+        stored: Mapping[Place, Calibration],
+        *,
+        open_ended: bool = False,
     ) -> None:
-        """Take what was read for both input sources; `source` is the one in force."""
+        """Take what was read for both input sources; `source` is the one in force.
+
+        With `open_ended` (a file) what is not stored can be given, and what is can be left out.
+        """
         if (model_key, source) != (self._model_key, self._source):
             self._edited.clear()
+            self._left_out.clear()
         self._model_key = model_key
         self._source = source
+        self._open_ended = open_ended
         self._stored = dict(stored)
         self._edited = {p: e for p, e in self._edited.items() if self._stored.get(p) != e}
+        self._left_out &= self._stored.keys()
         self._announce()
 
     def edit(self, channel: int, wanted: Calibration, source: InputSource | None = None) -> None:
@@ -97,18 +124,25 @@ class Calibrations(QObject):
         if problem := wanted.problem():
             raise BadRequest(f"calibration of channel {channel}: {problem}")
         place = (source or self._source, channel)
-        before = self._edited.get(place, self._stored.get(place))
+        before = self._shown(place)
         if wanted != before:
             self._undo.push(Edit(self._text(channel), self._put, place, before, wanted))
 
+    def leave_out(self, channel: int, source: InputSource | None = None) -> None:
+        """Give no calibration for a channel, where that is possible; this can be undone."""
+        place = (source or self._source, channel)
+        before = self._shown(place)
+        if self._open_ended and before is not None:
+            self._undo.push(Edit(self._text(channel), self._put, place, before, None))
+
     def discard_edits(self) -> None:
         """Go back to what is stored; this can be undone."""
-        if not self._edited:
+        if not self._edited and not self._left_out:
             return
         self._undo.beginMacro(self.tr("Discard edits"))
-        for place, edited in sorted(self._edited.items(), key=lambda item: item[0][1]):
-            stored = self._stored.get(place)
-            self._undo.push(Edit(self._text(place[1]), self._put, place, edited, stored))
+        for place in sorted({*self._edited, *self._left_out}, key=lambda place: place[1]):
+            shown, stored = self._shown(place), self._stored.get(place)
+            self._undo.push(Edit(self._text(place[1]), self._put, place, shown, stored))
         self._undo.endMacro()
 
     def _text(self, channel: int) -> str:
@@ -116,12 +150,15 @@ class Calibrations(QObject):
 
     def _put(self, place: Place, wanted: Calibration | None) -> None:
         """Put a calibration in its place; one that is not known now is left alone."""
-        if place[0] is not self._source and place not in self._stored:
+        if not self._open_ended and place[0] is not self._source and place not in self._stored:
             return
+        self._left_out.discard(place)
         if wanted is None or self._stored.get(place) == wanted:
             self._edited.pop(place, None)
         else:
             self._edited[place] = wanted
+        if self._open_ended and wanted is None and place in self._stored:
+            self._left_out.add(place)
         self._announce()
 
     def take_results(self, results: Sequence[Written]) -> None:
@@ -136,4 +173,4 @@ class Calibrations(QObject):
 
     def _announce(self) -> None:
         self.changed.emit()
-        self.pending_changed.emit(len(self._edited))
+        self.pending_changed.emit(len(self._edited) + len(self._left_out))

@@ -13,6 +13,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
+from trex_gui.model.rows import renew_rows
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.settings.comparison import Comparison, Row
 from trex_gui.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS
@@ -51,8 +52,9 @@ class ComparisonTable(QAbstractTableModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._comparison = Comparison(())
-        self._rows: tuple[Row, ...] = ()
+        self._rows: list[Row] = []
         self._ticked: set[str] = set()
+        self._unticked: set[str] = set()
         self._with_ticks = True
         self._with_equal = False
         self._outcomes: dict[str, str] = {}
@@ -69,28 +71,34 @@ class ComparisonTable(QAbstractTableModel):
         self._titles = (before, after)
         self._with_ticks = with_ticks
         self._ticked = {row.key for row in comparison.rows if row.changed} if with_ticks else set()
+        self._unticked = set()
         self._outcomes = {}
-        self._choose_rows()
+        self._rows = self._chosen_rows()
         self.endResetModel()
         self.ticked_changed.emit()
 
-    def renew(self, comparison: Comparison) -> None:
-        """Show the same two sides as they are now; what was unticked stays so."""
-        unticked = {row.key for row in self._comparison.rows if row.changed} - self._ticked
-        before, after = self._titles
-        self.show_comparison(comparison, before, after, with_ticks=self._with_ticks)
-        if unticked & self._ticked:
-            self._set_ticked(self._ticked - unticked)
+    def renew(self, comparison: Comparison, *, tick_new: bool = True) -> None:
+        """Show the same two sides as they are now; what was unticked stays so.
+
+        Other changes are ticked; without `tick_new` only those that were there.
+        """
+        before = {row.key for row in self._comparison.rows if row.changed}
+        changed = {row.key for row in comparison.rows if row.changed}
+        self._comparison = comparison
+        self.set_outcomes({})
+        if self._with_ticks:
+            self._unticked |= before - self._ticked
+            self._ticked = changed - self._unticked if tick_new else changed & self._ticked
+        renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
+        self._announce_ticks()
 
     def set_with_equal(self, with_equal: bool) -> None:
         """Show the rows whose two sides match, too."""
-        self.beginResetModel()
         self._with_equal = with_equal
-        self._choose_rows()
-        self.endResetModel()
+        renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
 
-    def _choose_rows(self) -> None:
-        self._rows = self._comparison.rows if self._with_equal else self._comparison.differing
+    def _chosen_rows(self) -> list[Row]:
+        return list(self._comparison.rows if self._with_equal else self._comparison.differing)
 
     @property
     def comparison(self) -> Comparison:
@@ -109,17 +117,30 @@ class ComparisonTable(QAbstractTableModel):
         changed = {row.key for row in self._comparison.rows if row.changed}
         self._set_ticked(changed if ticked and self._with_ticks else set())
 
-    def freeze(self) -> None:
-        """Keep the ticked rows only, and let no tick be changed any more."""
+    def freeze(self, before: str, after: str) -> None:
+        """Keep the ticked rows only, under new heads, and let no tick be changed any more."""
         rows = self.ticked
         self.beginResetModel()
+        self._titles = (before, after)
         self._comparison = Comparison(rows, self._comparison.left_out)
         self._with_ticks = False
-        self._choose_rows()
+        self._rows = self._chosen_rows()
         self.endResetModel()
+
+    def toggle(self, row: int) -> None:
+        """Want the change of a row that was not wanted, or the other way round."""
+        index = self.index(row, ComparisonColumn.SETTING)
+        if self._is_tickable(index):
+            ticked = self._rows[row].key in self._ticked
+            wanted = Qt.CheckState.Unchecked if ticked else Qt.CheckState.Checked
+            self.setData(index, wanted, Qt.ItemDataRole.CheckStateRole)
 
     def _set_ticked(self, ticked: set[str]) -> None:
         self._ticked = ticked
+        self._unticked = set()
+        self._announce_ticks()
+
+    def _announce_ticks(self) -> None:
         if self._rows:
             self.dataChanged.emit(self.index(0, 0), self.index(len(self._rows) - 1, 0))
         self.ticked_changed.emit()
@@ -128,14 +149,18 @@ class ComparisonTable(QAbstractTableModel):
 
     def set_outcomes(self, outcomes: Mapping[str, str]) -> None:
         """Say how writing went, by key: empty where it is stored, else why it is not."""
-        had = self.columnCount()
-        if outcomes and had == ComparisonColumn.OUTCOME:
-            self.beginInsertColumns(QModelIndex(), had, had)
+        place, nowhere = ComparisonColumn.OUTCOME, QModelIndex()
+        if outcomes and not self._outcomes:
+            self.beginInsertColumns(nowhere, place, place)
             self._outcomes = dict(outcomes)
             self.endInsertColumns()
+        elif self._outcomes and not outcomes:
+            self.beginRemoveColumns(nowhere, place, place)
+            self._outcomes = {}
+            self.endRemoveColumns()
         else:
             self._outcomes = dict(outcomes)
-        if self._rows:
+        if outcomes and self._rows:
             last = self.index(len(self._rows) - 1, self.columnCount() - 1)
             self.dataChanged.emit(self.index(0, 0), last)
 
@@ -201,6 +226,7 @@ class ComparisonTable(QAbstractTableModel):
         key = self._rows[index.row()].key
         if Qt.CheckState(value) is Qt.CheckState.Checked:
             self._ticked.add(key)
+            self._unticked.discard(key)
         else:
             self._ticked.discard(key)
         self.dataChanged.emit(index, index)
@@ -229,7 +255,7 @@ class ComparisonTable(QAbstractTableModel):
                 return _wires(row)
             case ComparisonColumn.OUTCOME:
                 outcome = self._outcomes.get(row.key)
-                return "" if outcome is None else outcome or self.tr("stored and read back")
+                return "" if outcome is None else outcome or self.tr("stored")
 
     def _side(
         self, row: Row, value: int | Calibration | None, other: int | Calibration | None, text: str

@@ -14,15 +14,39 @@ from trex_gui.protocol.parameters import ParameterSpec
 
 
 class ParameterFilter(QSortFilterProxyModel):
-    """The rows that meet every wish; without wishes, all of them in the order of the table."""
+    """The rows that meet every wish, under the headings of their groups.
+
+    Without wishes, all of them in the order of the table; a group without rows has no heading.
+    """
 
     def __init__(self, parameters: ParameterModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._parameters = parameters
         self._words: tuple[str, ...] = ()
         self._group = ""
         self._modified_only = False
         self._not_default_only = False
+        self.setRecursiveFilteringEnabled(True)
         self.setSourceModel(parameters)
+
+    @property
+    def parameters(self) -> ParameterModel:
+        """What is narrowed down."""
+        return self._parameters
+
+    @property
+    def shown(self) -> int:
+        """How many parameters are shown."""
+        return sum(self.rowCount(self.index(row, 0)) for row in range(self.rowCount()))
+
+    @property
+    def is_narrowed(self) -> bool:
+        """Whether anything is wished for."""
+        return bool(self._words or self._group or self._modified_only or self._not_default_only)
+
+    def index_of(self, key: str, column: Column = Column.VALUE) -> QModelIndex:
+        """Return the cell of a parameter, invalid when it is not shown."""
+        return self.mapFromSource(self._parameters.index_of(key, column))
 
     def set_words(self, text: str) -> None:
         """Show rows with all these words in name, key or description, whatever their case."""
@@ -48,7 +72,9 @@ class ParameterFilter(QSortFilterProxyModel):
         self, source_row: int, source_parent: QModelIndex | QPersistentModelIndex
     ) -> bool:
         index = self.sourceModel().index(source_row, Column.VALUE, source_parent)
-        spec = cast("ParameterSpec", index.data(Role.SPEC))
+        spec = cast("ParameterSpec | None", index.data(Role.SPEC))
+        if spec is None:
+            return False  # a heading is there for the rows below it
         if self._group and spec.group != self._group:
             return False
         if self._modified_only and not index.data(Role.DIRTY):

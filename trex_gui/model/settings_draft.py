@@ -53,12 +53,14 @@ class SettingsDraft(QObject):
         self.loaded.emit()
 
     def take_settings(self, settings: Settings) -> None:
-        """Take what a file holds; what it does not give is not there to be edited."""
+        """Take what a file holds; a setting that it does not give can be given."""
         self._begin(settings.product, settings.firmware)
         specs = specs_for(settings.product, settings.firmware)
         source = InputSource.ANALOG if _is_analog(settings) else InputSource.RC
-        self.parameters.load(specs, settings.parameters, {}, power_cycled=True)
-        self.calibrations.load_all(settings.product.key, source, settings.calibrations)
+        self.parameters.load(specs, settings.parameters, {}, power_cycled=True, open_ended=True)
+        self.calibrations.load_all(
+            settings.product.key, source, settings.calibrations, open_ended=True
+        )
         self.loaded.emit()
 
     def _begin(self, product: Model, firmware: str | None) -> None:
@@ -96,7 +98,8 @@ class SettingsDraft(QObject):
     @property
     def pending(self) -> int:
         """How many edits of parameters and calibrations wait."""
-        return len(self.parameters.pending) + len(self.calibrations.edited)
+        calibrations = len(self.calibrations.edited) + len(self.calibrations.left_out)
+        return len(self.parameters.modified) + calibrations
 
     def stage(self, rows: Iterable[Row], text: str) -> None:
         """Make what comes after in each of the rows an edit; together one step to undo.
@@ -115,14 +118,14 @@ class SettingsDraft(QObject):
                     source, channel = CALIBRATION_KEYS[row.key]
                     self.calibrations.edit(channel, row.after, source)
                 elif row.after is not None:
-                    self.parameters.edit(row.key, row.after)
+                    self.parameters.edit(row.key, row.after, alone=True)
 
     def knows(self, key: str) -> bool:
         """Whether a setting can be edited: the board takes it now, or the file holds it."""
         if key in CALIBRATION_KEYS:
             source, channel = CALIBRATION_KEYS[key]
-            return self.calibrations.stored(channel, source) is not None
-        return self.parameters.stored_of(key) is not None
+            return self.calibrations.knows(channel, source)
+        return self.parameters.knows(key)
 
     def _check(self, row: Row) -> None:
         if isinstance(row.after, Calibration):

@@ -1,7 +1,9 @@
 """Settings side by side: what would change, what matches, and which changes are wanted."""
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, Signal, Slot
-from PySide6.QtGui import QFont
+from PySide6.QtGui import QFont, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
@@ -40,6 +42,21 @@ class _Delegate(QStyledItemDelegate):
                 option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
 
 
+class _Table(QTableView):
+    """Lets the space bar tick a row, whatever column the keyboard is in."""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        model, current = self.model(), self.currentIndex()
+        if (
+            event.key() == Qt.Key.Key_Space
+            and isinstance(model, ComparisonTable)
+            and current.isValid()
+        ):
+            model.toggle(current.row())
+        else:
+            super().keyPressEvent(event)
+
+
 class ComparisonView(QWidget):
     """The table with its counts above it, and below what cannot be carried over.
 
@@ -60,9 +77,11 @@ class ComparisonView(QWidget):
         self._all.setObjectName("tickAllButton")
         self._none = QPushButton(self.tr("Tick none"), self)
         self._none.setObjectName("tickNoneButton")
+        for button in (self._all, self._none):  # Enter means something else in a dialog
+            button.setAutoDefault(False)
         self._equal = QCheckBox(self.tr("Show what matches, too"), self)
         self._equal.setObjectName("showEqualBox")
-        self._view = QTableView(self)
+        self._view = _Table(self)
         self._view.setObjectName("comparisonTable")
         self._view.setAccessibleName(self.tr("Comparison of settings"))
         self._view.setModel(self._table)
@@ -74,6 +93,7 @@ class ComparisonView(QWidget):
         self._view.setShowGrid(False)
         self._view.setWordWrap(False)
         self._view.setTabKeyNavigation(False)
+        self._view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._view.verticalHeader().hide()
         self._view.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 12)
         header = self._view.horizontalHeader()
@@ -135,9 +155,24 @@ class ComparisonView(QWidget):
         self.show_comparison(Comparison(()), self.tr("Before"), self.tr("After"), with_ticks=False)
         self._summary.setText(why)
 
-    def renew(self, comparison: Comparison, summary: str = "") -> None:
-        """Show the same two sides as they are now; what was unticked stays so."""
-        self._table.renew(comparison)
+    def freeze(self, before: str, after: str) -> None:
+        """Keep what is ticked, under new heads, with no tick to change: it is being written."""
+        self._table.freeze(before, after)
+        for button in (self._all, self._none, self._equal):
+            button.hide()
+        self._summary.clear()
+
+    def show_outcomes(self, outcomes: Mapping[str, str]) -> None:
+        """Say how writing went, by key: empty where it is stored, else why it is not."""
+        self._table.set_outcomes(outcomes)
+        self._fit_columns()
+
+    def renew(self, comparison: Comparison, summary: str = "", *, tick_new: bool = True) -> None:
+        """Show the same two sides as they are now; what was unticked stays so.
+
+        Other changes are ticked; without `tick_new` only those that were there.
+        """
+        self._table.renew(comparison, tick_new=tick_new)
         self._describe(summary)
 
     def _describe(self, summary: str) -> None:
@@ -167,3 +202,20 @@ class ComparisonView(QWidget):
             size = header.sectionSize(column) + 2 * character
             header.resizeSection(column, min(size, widest * character))
         header.setStretchLastSection(True)
+        self._make_room(2 * character, 18 * character)
+
+    def _make_room(self, margin: int, narrowest: int) -> None:
+        """Let long physical values be cut short before the last column is."""
+        if not self._view.isVisible():
+            return
+        header, last = self._view.horizontalHeader(), self._table.columnCount() - 1
+        bar = self._view.verticalScrollBar()
+        room = self._view.viewport().width() - (0 if bar.isVisible() else bar.sizeHint().width())
+        needed = sum(header.sectionSize(column) for column in range(last))
+        excess = needed + self._view.sizeHintForColumn(last) + margin - room
+        for column in (ComparisonColumn.AFTER, ComparisonColumn.BEFORE):
+            size, least = header.sectionSize(column), header.sectionSizeHint(column)
+            least = max(least, narrowest)
+            if excess > 0 and size > least:
+                header.resizeSection(column, max(least, size - excess))
+                excess -= size - header.sectionSize(column)

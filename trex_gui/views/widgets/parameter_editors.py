@@ -1,13 +1,20 @@
 """The right editor for each kind of parameter, all of one shape: wire values in and out."""
 
+import re
+
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QSpinBox, QWidget
 
+from trex_gui.model.parameter_text import FULL_SPEED_MS, duration
 from trex_gui.protocol.errors import BadRequest, sentence
 from trex_gui.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.protocol.parameters import Kind, ParameterSpec
+
+_TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(ms|s)\b.*", re.IGNORECASE)
+_IN_BRACKETS = re.compile(r"\s*\([^)]*\)?\s*$")
+_TOLERANCE = 1.01
 
 
 class NumberEditor(QSpinBox):
@@ -35,13 +42,13 @@ class NumberEditor(QSpinBox):
 
     def valueFromText(self, text: str) -> int:
         try:
-            return self._spec.wire(text)
+            return self.meant(text)
         except BadRequest:
             return self.value()
 
     def validate(self, text: str, pos: int) -> tuple[QValidator.State, str, int]:
         try:
-            self._spec.wire(text)
+            self.meant(text)
         except BadRequest:
             return QValidator.State.Intermediate, text, pos
         return QValidator.State.Acceptable, text, pos
@@ -54,9 +61,47 @@ class NumberEditor(QSpinBox):
     def tell_problem(self) -> None:
         """Say why what stands in the editor is no value, if it is none."""
         try:
-            self._spec.wire(self.text())
+            self.meant(self.text())
         except BadRequest as error:
             self.refused.emit(sentence(error))
+
+    def meant(self, text: str) -> int:
+        """Return the wire value that a person means.
+
+        Raises:
+            BadRequest: none, or one outside the limits; names them.
+        """
+        return self._spec.wire(text)
+
+
+class AccelerationEditor(NumberEditor):
+    """Tells and takes the time to full speed, too."""
+
+    def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
+        super().__init__(spec, parent)
+        slow, fast = (duration(FULL_SPEED_MS / wire) for wire in (1, spec.maximum))
+        self._times = self.tr("{0} to {1}").format(slow, fast)
+        self.setToolTip(
+            self.tr("{0}; or the time to full speed, {1}").format(spec.range_text(), self._times)
+        )
+
+    def textFromValue(self, val: int) -> str:
+        text = super().textFromValue(val)
+        return self.tr("{0} ({1})").format(text, duration(FULL_SPEED_MS / val)) if val else text
+
+    def meant(self, text: str) -> int:
+        found = _TIME.fullmatch(text.strip())
+        if found is None:
+            return super().meant(_IN_BRACKETS.sub("", text))
+        milliseconds = float(found[1].replace(",", ".")) * (1 if found[2].lower() == "ms" else 1000)
+        shortest, longest = FULL_SPEED_MS / self._spec.maximum, FULL_SPEED_MS
+        if not shortest / _TOLERANCE <= milliseconds <= longest * _TOLERANCE:
+            raise BadRequest(
+                self.tr("{0} reaches full speed in {1}, not in {2}").format(
+                    self._spec.name, self._times, text.strip()
+                )
+            )
+        return round(FULL_SPEED_MS / milliseconds)
 
 
 class ChoiceEditor(QComboBox):
@@ -231,5 +276,7 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
             return ChannelsEditor(spec, parent)
         case Kind.UART:
             return LineSettingsEditor(parent)
+        case Kind.ACCELERATION:
+            return AccelerationEditor(spec, parent)
         case _:
             return NumberEditor(spec, parent)

@@ -1,0 +1,51 @@
+"""Every kind of settings file that is not as it should be, and what has to be said of it."""
+
+from dataclasses import dataclass
+
+_HEAD = b"product: TReX\nfirmware: 1.2\n"
+
+
+@dataclass(frozen=True, slots=True)
+class BadFile:
+    """A file with errors.
+
+    Attributes:
+        line: where the error is; `None`: it concerns the file as a whole.
+        words: what has to be said.
+        is_text: whether it opens as text; if not, a sentence refuses it.
+    """
+
+    name: str
+    data: bytes
+    line: int | None
+    words: str
+    is_text: bool = True
+
+
+_BOMB = b"product: TReX\na: &a [x, x]\n" + b"".join(
+    b"%c: &%c [*%c, *%c]\n" % (98 + n, 98 + n, 97 + n, 97 + n) for n in range(20)
+)
+
+BAD_FILES = (
+    BadFile("unknown", _HEAD + b"serial_timeot: 5\n", 3, "did you mean serial_timeout"),
+    BadFile("duplicate", _HEAD + b"motor_mode: 0\nmotor_mode: 1\n", 4, "in line 3 already"),
+    BadFile("type", _HEAD + b"motor_mode: joint\n", 3, "not joint"),
+    BadFile("list", _HEAD + b"motor_mode: [1]\n", 3, "a list"),
+    BadFile("range", _HEAD + b"serial_timeout: 500\n", 3, "not 500"),
+    BadFile("physical", _HEAD + b"serial_timeout: 1.5 s\n", 3, "is written 15"),
+    BadFile("order", _HEAD + b"rc_channel_1: {minimum: 9, neutral: 3, maximum: 20, deadband: 0}\n",
+            3, "above neutral"),
+    BadFile("cut", _HEAD + b"rc_channel_1: {minimum: 2500, neu", 3, "breaks off"),
+    BadFile("newer", b"product: TReX\nfirmware: 1.0\nuart_response_delay: 1\n", 3, "from firmware"),
+    BadFile("stranger", b"product: T825\ncontrol_mode: serial\n", 1, "not settings of a TReX"),
+    BadFile("bomb", _BOMB, 2, "anchors"),
+    BadFile("deep", _HEAD + b"motor_mode: {a: {b: {c: 1}}}\n", 3, "nested too deeply"),
+    BadFile("many", _HEAD + b"x: [" + b"1," * 3000 + b"]\n", 3, "more here than any board"),
+    BadFile("tag", _HEAD + b"motor_mode: !!python/object:os.system 1\n", 3, "tags"),
+    BadFile("latin", _HEAD + b"# f\xfcr den Rover\nmotor_mode: 0\n", 3, "not UTF-8"),
+    BadFile("empty", b"", 1, "no settings here"),
+    BadFile("prose", b"Dear diary, today I drove.\n", 1, "no setting"),
+    BadFile("binary", b"\x7fELF\x02\x01\x00\x00" * 40, 1, "binary file", is_text=False),
+    BadFile("noise", bytes(range(1, 256)) * 4, 4, "not UTF-8", is_text=False),
+    BadFile("huge", _HEAD + b"#" * (1024 * 1024 + 1), None, "larger than", is_text=False),
+)  # fmt: skip

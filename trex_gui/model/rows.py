@@ -1,0 +1,52 @@
+"""Letting a list of rows become another without disturbing whoever looks at it."""
+
+from collections.abc import Callable, Hashable, Sequence
+from typing import TypeVar
+
+from PySide6.QtCore import QAbstractItemModel, QModelIndex
+
+RowT = TypeVar("RowT")
+
+
+def renew_rows(
+    model: QAbstractItemModel,
+    rows: list[RowT],
+    wanted: Sequence[RowT],
+    key: Callable[[RowT], Hashable],
+) -> None:
+    """Make the rows of a model the wanted ones, and announce only what differs.
+
+    What is selected, scrolled to and ticked stays where it is. Rows that stay in another order
+    reset the model.
+
+    Args:
+        model: whose rows they are.
+        rows: what it shows; changed in place.
+        wanted: what it is to show.
+        key: what makes a row the same row; no two share it.
+    """
+    if not rows and not wanted:
+        return
+    keys = [key(row) for row in wanted]
+    had = [key(row) for row in rows]
+    stay = set(keys) & set(had)
+    if not rows or [k for k in had if k in stay] != [k for k in keys if k in stay]:
+        model.beginResetModel()
+        rows[:] = wanted
+        model.endResetModel()
+        return
+    nowhere = QModelIndex()
+    for place in reversed(range(len(rows))):
+        if key(rows[place]) not in stay:
+            model.beginRemoveRows(nowhere, place, place)
+            del rows[place]
+            model.endRemoveRows()
+    for place, row in enumerate(wanted):
+        if place >= len(rows) or key(rows[place]) != keys[place]:
+            model.beginInsertRows(nowhere, place, place)
+            rows.insert(place, row)
+            model.endInsertRows()
+        elif rows[place] != row:
+            rows[place] = row
+            last = model.index(place, model.columnCount() - 1)
+            model.dataChanged.emit(model.index(place, 0), last)
