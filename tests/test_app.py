@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
@@ -68,4 +69,8 @@ def test_a_settings_file_given_at_the_start_waits_for_the_board(
     path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
     program.open_when_connected(path)
     program.device.connect_to(LinkSettings(simulator.url))
-    qtbot.waitUntil(lambda: program.device.pending == 1)
+    qtbot.waitUntil(lambda: program.window.findChild(QPushButton, "takeChangesButton") is not None)
+    take = program.window.findChild(QPushButton, "takeChangesButton")
+    assert take is not None
+    take.click()
+    assert program.device.pending == 1

@@ -20,7 +20,8 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         "--settings",
         metavar="FILE",
         type=Path,
-        help="open this settings file once a board is connected; nothing is written before Apply",
+        help="show what this settings file would change once a board is connected; with neither "
+        "--port nor --demo open the file itself",
     )
     parser.add_argument(
         "--tour",
@@ -79,7 +80,10 @@ def main(argv: list[str] | None = None) -> int:
         port = arguments.port
         QTimer.singleShot(0, lambda: program.connector.connect_to(program.ports.add_typed(port)))
     if arguments.settings is not None:
-        program.open_when_connected(arguments.settings)
+        if arguments.demo or arguments.port or arguments.tour is not None:
+            program.open_when_connected(arguments.settings)
+        else:
+            QTimer.singleShot(0, lambda: program.window.files.edit_file(arguments.settings))
     code = app.exec()
     # Hidden while Python is whole: Qt destroys what is still shown when half of it is gone.
     for window in app.topLevelWidgets():

@@ -32,10 +32,13 @@ def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
     """The whole menu bar, in the words that users of the maker's programs know."""
     return {
         tr("&File"): (
+            ActionInfo("new", tr("&New settings file…"), QKeySequence.StandardKey.New, "new"),
             ActionInfo("open", tr("&Open settings file…"), "Ctrl+O", "open"),
-            ActionInfo("snapshot", tr("Open s&napshot…")),
             ActionInfo("save", tr("&Save settings file…"), "Ctrl+S", "save"),
+            ActionInfo("print", tr("Prin&t settings…"), "", "print"),
             ActionInfo("export", tr("&Export as code…"), "", "console"),
+            SEPARATOR,
+            ActionInfo("history", tr("&History…"), "Ctrl+H", "history"),
             SEPARATOR,
             ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit),
         ),
@@ -49,12 +52,17 @@ def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
             ActionInfo("connect", tr("&Connect"), "Ctrl+K", "connect"),
             ActionInfo("disconnect", tr("&Disconnect"), "Ctrl+D", "disconnect"),
             ActionInfo("line", tr("&Line settings…"), "", "settings"),
+            ActionInfo("find", tr("&Find a board…"), "Ctrl+Shift+F", "find"),
             SEPARATOR,
             ActionInfo("stop", tr("&Stop motor"), "Esc", "stop"),
             ActionInfo("run", tr("&Run motor"), "Ctrl+R", "run"),
             SEPARATOR,
             ActionInfo("reload", tr("Re&load settings from device"), "Ctrl+L", "reload"),
-            ActionInfo("apply", tr("&Apply settings"), "Ctrl+P", "apply"),
+            ActionInfo("apply", tr("&Apply settings…"), "Ctrl+P", "apply"),
+            ActionInfo("power", tr("Make stored settings acti&ve…"), "", "power"),
+            SEPARATOR,
+            ActionInfo("defaults", tr("Restore &factory defaults…")),
+            ActionInfo("serial_defaults", tr("Restore serial de&faults…")),
         ),
         tr("&Window"): (
             ActionInfo("page0", tr("S&tatus"), "Ctrl+1"),
@@ -94,7 +102,8 @@ def build_menus(
             action = QAction(entry.text, window)
             action.setObjectName(f"{entry.key}Action")
             action.setShortcut(QKeySequence(entry.shortcut))
-            action.setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
+            if entry.key == "stop":  # whatever window is in front; the others have their own keys
+                action.setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
             action.setCheckable(entry.checkable)
             if entry.icon:
                 set_icon(action, entry.icon)

@@ -14,22 +14,29 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui import __version__
+from trex_gui.link.doctor import may_be_set_otherwise
 from trex_gui.link.writing import Written
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Ports
+from trex_gui.model.power_cycle import PowerCycle
 from trex_gui.protocol.errors import sentence
 from trex_gui.views.action_bar import ActionBar
 from trex_gui.views.actions import build_menus
 from trex_gui.views.connection_bar import ConnectionBar
 from trex_gui.views.demo.panel import DemoPanel
 from trex_gui.views.escape import EscapeWatch
+from trex_gui.views.history.dialog import HistoryDialog
 from trex_gui.views.icons import application_icon
 from trex_gui.views.pages.channels_page import ChannelsPage
 from trex_gui.views.pages.currents_page import CurrentsPage
 from trex_gui.views.pages.motors_page import MotorsPage
 from trex_gui.views.pages.parameters_page import ParametersPage
 from trex_gui.views.pages.status_page import StatusPage
+from trex_gui.views.review.defaults_dialog import DefaultsDialog
+from trex_gui.views.review.power_cycle_dialog import PowerCycleDialog
+from trex_gui.views.review.review_dialog import ReviewDialog
+from trex_gui.views.settings_editor.file_drop import FileDrop
 from trex_gui.views.settings_files import SettingsFiles
 from trex_gui.views.theme import Scheme, theme
 from trex_gui.views.widgets.banner import Banner
@@ -85,18 +92,29 @@ class MainWindow(QMainWindow):
         self._demo = DemoPanel(connector, self)
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._demo)
         self._files = SettingsFiles(device, self)
+        self._drop = FileDrop(self)
+        self._cycle = PowerCycle(device, self)
+        self._review = ReviewDialog(device, self._cycle, self)
+        self._defaults = DefaultsDialog(device, self)
+        self._power = PowerCycleDialog(self._cycle, self)
+        self._history = HistoryDialog(device, self)
         self._actions = build_menus(self, self._slots())
 
         self._files.told.connect(self._banner.show_news)
         self._files.refused.connect(self._banner.show_problem)
+        self._files.staged.connect(lambda: self._tabs.setCurrentWidget(parameters_page))
+        self._drop.dropped.connect(self._files.open_file)
         self._connection.connecting.connect(self._banner.clear)
-        self._bar.apply_requested.connect(device.apply)
+        self._bar.apply_requested.connect(self._review.review)
+        self._defaults.staged.connect(self._review.review)
+        self._history.restore_requested.connect(self._review.review)
+        self._defaults.reset_requested.connect(device.reset_to_factory)
         parameters_page.reload_requested.connect(self._on_reload_requested)
         connector.failed.connect(self._banner.show_problem)
         connector.demo_changed.connect(self._on_demo_changed)
         connector.demo_board.refused.connect(self._banner.show_problem)
         self._demo.wanted_changed.connect(self._on_demo_changed)
-        device.failed.connect(self._banner.show_problem)
+        device.failed.connect(self._on_device_failed)
         device.applied.connect(self._on_applied)
         device.link_changed.connect(self._on_link_changed)
         device.motors.changed.connect(self._on_possibilities_changed)
@@ -127,9 +145,11 @@ class MainWindow(QMainWindow):
             return lambda: self._tabs.setCurrentIndex(index)
 
         return {
+            "new": self._files.ask_and_begin,
             "open": self._files.ask_and_open,
-            "snapshot": self._files.ask_and_open_snapshot,
+            "history": self._history.open_history,
             "save": self._files.ask_and_save,
+            "print": self._files.preview,
             "export": self._files.ask_and_export,
             "quit": self.close,
             "undo": self._device.undo.undo,
@@ -138,10 +158,14 @@ class MainWindow(QMainWindow):
             "connect": self._connection.connect_preferred,
             "disconnect": self._connector.disconnect_port,
             "line": self._connection.edit_line,
+            "find": self._connection.find_board,
             "stop": self._device.motors.stop,
             "run": self._device.motors.arm,
             "reload": self._on_reload_requested,
-            "apply": self._device.apply,
+            "apply": self._review.review,
+            "power": self._on_power_cycle_wanted,
+            "defaults": lambda: self._defaults.preview(serial_only=False),
+            "serial_defaults": lambda: self._defaults.preview(serial_only=True),
             **{f"page{index}": page(index) for index in range(self._tabs.count())},
             "demo": self._demo.toggle,
             **{scheme: self._scheme_chooser(scheme) for scheme in _SCHEMES},
@@ -167,13 +191,16 @@ class MainWindow(QMainWindow):
             "line": idle,
             "disconnect": link not in {Link.NONE, Link.CLOSING},
             "reload": up and not self._device.applying,
-            "open": up and not self._device.applying,
-            "snapshot": up and not self._device.applying,
+            "open": not self._device.applying,
             "save": up,
+            "print": up,
             "export": up,
             "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
             "run": motors.can_arm and not motors.armed,
             "apply": up and self._device.pending > 0 and not self._device.applying,
+            "power": up and bool(self._device.parameters.waiting_for_power),
+            "defaults": up and not self._device.applying,
+            "serial_defaults": up and not self._device.applying,
             "discard": up and self._device.pending > 0 and not self._device.applying,
             "undo": up and self._device.undo.canUndo() and not self._device.applying,
             "redo": up and self._device.undo.canRedo() and not self._device.applying,
@@ -193,15 +220,29 @@ class MainWindow(QMainWindow):
         self._actions["demo"].setEnabled(self._connector.demo_in_use)
         self._actions["demo"].setChecked(self._demo.wanted)
 
+    @Slot(str)
+    def _on_device_failed(self, text: str) -> None:
+        if may_be_set_otherwise(text):
+            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
+        self._banner.show_problem(text)
+
     @Slot(object)
     def _on_applied(self, results: tuple[Written, ...]) -> None:
         failed = [result for result in results if result.error is not None]
         if not failed:
             self._banner.clear()
+            if any(result.what == "factory_reset" for result in results):
+                self._cycle.begin(reset=True)
+                self._power.guide()
             return
         names = ", ".join(self._device.name_of(result.what) for result in failed)
         reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
         self._banner.show_problem(self.tr("Not stored: {0}. {1}").format(names, reasons))
+
+    @Slot()
+    def _on_power_cycle_wanted(self) -> None:
+        self._cycle.begin()
+        self._power.guide()
 
     @Slot()
     def _on_reload_requested(self) -> None:
@@ -261,7 +302,10 @@ class MainWindow(QMainWindow):
             return
         QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
         self._store.setValue("window/state", self.saveState())
+        self._history.close()
         self._demo.leave()
+        self._files.close_all()
+        self._connection.close_dialogs()
         self._store.setValue("window/geometry", self.saveGeometry())
         self._store.setValue("window/page", self._tabs.currentIndex())
         self._connector.shut_down()
@@ -269,6 +313,8 @@ class MainWindow(QMainWindow):
 
     def _may_close(self) -> bool:
         """Ask before edits that were never applied are lost."""
+        if not self._files.may_close():
+            return False
         if not self._device.pending:
             return True
         answer = QMessageBox.question(

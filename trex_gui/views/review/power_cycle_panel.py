@@ -1,0 +1,118 @@
+"""The steps of a power cycle, each ticked when it was seen to happen."""
+
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QWidget
+
+from trex_gui.model.power_cycle import PowerCycle, Stage
+from trex_gui.views.icons import icon
+from trex_gui.views.theme import theme
+from trex_gui.views.widgets.note import Note
+
+_DONE = {
+    Stage.NONE: 0,
+    Stage.OFF_WANTED: 0,
+    Stage.ON_WANTED: 1,
+    Stage.LOST: 1,
+    Stage.BACK: 3,
+}
+"""How many of the three steps are behind us."""
+
+
+class PowerCyclePanel(QFrame):
+    """Says what to do now, what was noticed, and what is active afterwards."""
+
+    def __init__(self, cycle: PowerCycle, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("powerCyclePanel")
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self._cycle = cycle
+        self._waiting: tuple[str, ...] = ()
+
+        self._title = Note(1, self)
+        self._title.setObjectName("powerCycleTitle")
+        self._steps = tuple(QLabel(self) for _ in range(3))
+        self._signs = tuple(QLabel(self) for _ in range(3))
+        for number, step in enumerate(self._steps, 1):
+            step.setObjectName(f"powerCycleStep{number}")
+            step.setWordWrap(True)
+        self._result = Note(2, self)
+        self._result.setObjectName("powerCycleResult")
+        self._again = QPushButton(self.tr("Wait again"), self)
+        self._again.setObjectName("powerCycleAgain")
+
+        layout = QGridLayout(self)
+        layout.setContentsMargins(12, 8, 12, 8)
+        layout.setColumnStretch(1, 1)
+        layout.addWidget(self._title, 0, 0, 1, 3)
+        for row, (sign, step) in enumerate(zip(self._signs, self._steps, strict=True), 1):
+            layout.addWidget(sign, row, 0, Qt.AlignmentFlag.AlignTop)
+            layout.addWidget(step, row, 1, 1, 2)
+        layout.addWidget(self._result, 4, 0, 1, 2)
+        layout.addWidget(self._again, 4, 2, Qt.AlignmentFlag.AlignBottom)
+        layout.setRowStretch(5, 1)
+
+        self._again.clicked.connect(self._on_again_clicked)
+        cycle.changed.connect(self._on_changed)
+        theme().changed.connect(self._on_changed)
+        self._on_changed()
+
+    @Slot()
+    def _on_again_clicked(self) -> None:
+        self._cycle.begin()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        stage = self._cycle.stage
+        if stage is Stage.OFF_WANTED:
+            self._waiting = self._cycle.still_waiting
+        names = ", ".join(self._waiting)
+        self._title.show_note(
+            self.tr("Not active before the board is switched off and on: {0}.").format(names)
+            if names
+            else self.tr("The board has to be switched off and on."),
+        )
+        self._steps[0].setText(
+            self.tr("Switch the board's power off, and leave it off for a second.")
+        )
+        self._steps[1].setText(self._how_it_comes_back())
+        self._steps[2].setText(self.tr("The program reads it again by itself."))
+        size = self.fontMetrics().height() + 2
+        for number, sign in enumerate(self._signs):
+            done = _DONE[stage]
+            name = "ok" if number < done else "run" if number == done else ""
+            if name and stage is not Stage.NONE:
+                sign.setPixmap(icon(name).pixmap(size, size))
+            else:
+                sign.clear()
+            sign.setFixedWidth(size + 4)
+            font = self._steps[number].font()
+            font.setBold(number == done)
+            self._steps[number].setFont(font)
+        self._show_result(stage)
+
+    def _how_it_comes_back(self) -> str:
+        if self._cycle.expected is None:
+            return self.tr("Switch it on again.")
+        line = self._cycle.expected.line.text()
+        return self.tr("Switch it on again. It is looked for at {0} then.").format(line)
+
+    def _show_result(self, stage: Stage) -> None:
+        waiting = ", ".join(self._cycle.still_waiting)
+        text, alarming = "", False
+        if stage is Stage.OFF_WANTED:
+            text = self.tr("Waiting for the board to fall silent …")
+        elif stage is Stage.ON_WANTED:
+            text = self.tr("The board is off. Waiting for it to answer again …")
+        elif stage is Stage.LOST:
+            alarming = True
+            text = self.tr(
+                "The line was closed. Switch the board off and on, then connect again; "
+                "“Find a board” looks for it at every setting."
+            )
+        elif stage is Stage.BACK and waiting:
+            alarming = True
+            text = self.tr("The board is back, but still not active: {0}.").format(waiting)
+        elif stage is Stage.BACK:
+            text = self.tr("The board is back, and everything that it stores is active.")
+        self._result.show_note(text, alarming=alarming)
+        self._again.setVisible(stage is Stage.BACK and bool(waiting))

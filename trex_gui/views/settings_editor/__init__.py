@@ -1,0 +1,1 @@
+"""Settings files in windows of their own, with and without a board."""

@@ -1,0 +1,86 @@
+"""What is asked before a settings file is written over or lost, and where files lie."""
+
+from enum import Enum, auto
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
+from PySide6.QtWidgets import QMessageBox, QWidget
+
+_FOLDER = "settings/folder"
+
+
+class Answer(Enum):
+    """What to do with edits that are not saved."""
+
+    SAVE = auto()
+    DISCARD = auto()
+    CANCEL = auto()
+
+
+def tr(text: str) -> str:
+    """Translate a text of this file."""
+    return QCoreApplication.translate("questions", text)
+
+
+def before_closing(window: QWidget, name: str) -> Answer:
+    """Ask what becomes of edits when a window closes."""
+    button = QMessageBox.StandardButton
+    answer = QMessageBox.question(
+        window,
+        tr("Unsaved changes"),
+        tr("{0} has changes that are not saved. Save them?").format(name),
+        button.Save | button.Discard | button.Cancel,
+        button.Save,
+    )
+    return {button.Save: Answer.SAVE, button.Discard: Answer.DISCARD}.get(answer, Answer.CANCEL)
+
+
+def may_overwrite(window: QWidget, name: str) -> bool:
+    """Ask before somebody else's change of a file is lost."""
+    return _may(
+        window,
+        tr("Changed on disk"),
+        tr(
+            "{0} was changed by another program since it was opened here. Overwrite that with "
+            "what is shown here?"
+        ).format(name),
+    )
+
+
+def may_write_fresh(window: QWidget, trouble: str) -> bool:
+    """Ask before what a person wrote around the values is lost."""
+    return _may(
+        window,
+        tr("Save as a fresh text"),
+        tr(
+            "The changes cannot be put into the text as it is: {0}.\n\nWrite the settings as a "
+            "fresh text? Comments of the old one are not in it."
+        ).format(trouble),
+    )
+
+
+def may_replace(window: QWidget, name: str, why: str) -> bool:
+    """Ask before a file that is something else is replaced."""
+    return _may(window, tr("Replace the file"), tr("{0} {1} Replace it?").format(name, why))
+
+
+def _may(window: QWidget, title: str, text: str) -> bool:
+    button = QMessageBox.StandardButton
+    answer = QMessageBox.question(window, title, text, button.Yes | button.Cancel, button.Cancel)
+    return answer == button.Yes
+
+
+def file_filter() -> str:
+    """What a file dialog lists."""
+    return tr("Text files (*.txt);;All files (*)")
+
+
+def last_folder(store: QSettings) -> Path:
+    """Return where the last settings file was opened or saved."""
+    documents = QStandardPaths.StandardLocation.DocumentsLocation
+    return Path(str(store.value(_FOLDER, QStandardPaths.writableLocation(documents))))
+
+
+def remember_folder(store: QSettings, path: Path) -> None:
+    """Keep where a settings file was opened or saved."""
+    store.setValue(_FOLDER, str(path.parent))
