@@ -34,12 +34,22 @@ def stage(board: Board) -> Stage:
     return Stage(board)
 
 
+@pytest.fixture(scope="session")
+def _settings_root(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("settings")
+
+
+_folders = itertools.count(1)
+
+
 @pytest.fixture(autouse=True)
-def _own_settings(
-    tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Keep what the program remembers in a folder of the test's own."""
-    folder = tmp_path_factory.mktemp("settings")
+def _own_settings(_settings_root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep what the program remembers in a folder of the test's own.
+
+    Not pytest's own: it looks at all that were made before, which takes longer each time.
+    """
+    folder = _settings_root / str(next(_folders))
+    folder.mkdir()
     monkeypatch.setenv("TREX_STUDIO_DATA", str(folder))
     QCoreApplication.setOrganizationName("TReX Studio tests")
     QCoreApplication.setApplicationName("TReX Studio")
@@ -115,6 +125,13 @@ def _windows() -> list[str]:
     if not isinstance(app := QCoreApplication.instance(), QApplication):
         return []
     return [repr(widget) for widget in app.topLevelWidgets() if widget.isVisible()]
+
+
+@pytest.fixture
+def only_when_asked_for(pytestconfig: pytest.Config) -> None:
+    """Skip a test that takes long, unless `-m slow` asks for it."""
+    if "slow" not in pytestconfig.getoption("markexpr"):
+        pytest.skip("takes long; runs with -m slow")
 
 
 @pytest.fixture
@@ -198,5 +215,7 @@ def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
     yield program
     program.device.discard_edits()
     program.window.close()
+    # Windows that live on would all be painted anew with each change of theme.
     program.window.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert program.device.link is Link.NONE

@@ -53,13 +53,6 @@ def start(quick_simulator: SimulatorProcess) -> Iterator[Start]:
         process.communicate()
 
 
-@pytest.fixture
-def only_when_asked_for(pytestconfig: pytest.Config) -> None:
-    """Skip what takes many seconds, unless slow tests were chosen."""
-    if "slow" not in pytestconfig.getoption("markexpr"):
-        pytest.skip("takes long; runs with -m slow")
-
-
 def becomes(look: Callable[[], object], wanted: object, seconds: float = 30) -> bool:
     """Look again and again until it is as wanted; return whether that was in time.
 

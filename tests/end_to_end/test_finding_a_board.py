@@ -20,6 +20,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
 from trex_gui.link.client import Client
+from trex_gui.link.discovery import attempts
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
@@ -105,7 +106,7 @@ def set_to(simulator: SimulatorProcess, line: LineSettings) -> None:
 def test_a_board_at_unknown_settings_is_found_and_connected_to(
     person: Person, program: Program, quick_simulator: SimulatorProcess
 ) -> None:
-    set_to(quick_simulator, LineSettings(57600, Detection.CRC7))
+    set_to(quick_simulator, LineSettings(57600))
     program.ports.add_typed(quick_simulator.url)
     person.look_on(quick_simulator.url)
     assert person.find(QAbstractButton, "findCancelButton").isEnabled()
@@ -114,15 +115,15 @@ def test_a_board_at_unknown_settings_is_found_and_connected_to(
     assert person.find(QProgressBar, "findProgress").maximum() == 88
     person.wait(lambda: person.sees("connectFound0"))
     assert person.text("findText0").startswith(
-        f"TReX 1.2 on {quick_simulator.url} at 57600 8N1 CRC, device 7."
+        f"TReX 1.2 on {quick_simulator.url} at 57600 8N1, device 7."
     )
     person.wait_for_the_end()
     assert person.text("findProgressText") == "1 board found."
     person.press("connectFound0")
     person.wait(lambda: program.device.link is Link.UP)
     assert program.device.settings is not None
-    assert program.device.settings.line == LineSettings(57600, Detection.CRC7)
-    assert person.find(QToolButton, "lineButton").text() == "57600 8N1 CRC"
+    assert program.device.settings.line == LineSettings(57600)
+    assert person.find(QToolButton, "lineButton").text() == "57600 8N1"
     shown = quick_simulator.show()
     assert all(motor["direction"] == "brake" for motor in shown["motors"])
 
@@ -131,7 +132,10 @@ def test_a_board_at_unknown_settings_is_found_and_connected_to(
 @pytest.mark.timeout(120)
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
 def test_a_board_with_parity_is_found_where_parity_can_be_seen(
-    person: Person, program: Program, start_simulator: Callable[..., SimulatorProcess]
+    person: Person,
+    program: Program,
+    start_simulator: Callable[..., SimulatorProcess],
+    only_when_asked_for: None,
 ) -> None:
     simulator = start_simulator("--unpaced", "--rfc2217", "127.0.0.1:0")
     set_to(simulator, EVEN)
@@ -187,10 +191,14 @@ def test_closing_the_window_ends_the_search(
     quick_simulator.do("power on")
 
 
-@pytest.mark.slow
 def test_where_nobody_answers_it_says_what_to_look_at(
-    person: Person, program: Program, quick_simulator: SimulatorProcess
+    person: Person,
+    program: Program,
+    quick_simulator: SimulatorProcess,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    few = list(attempts())[:3]  # all of them take half a minute
+    monkeypatch.setattr("trex_gui.link.discovery.attempts", lambda *, full: few)
     quick_simulator.do("power off")
     program.ports.add_typed(quick_simulator.url)
     person.look_on(quick_simulator.url)

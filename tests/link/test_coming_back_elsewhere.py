@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise, product
+from itertools import cycle, pairwise, product
 
 import pytest
 
@@ -41,6 +41,14 @@ EVERYWHERE = [
     LineSettings(baud, detection, stop_bits)
     for detection, stop_bits, baud in product(Detection, (1, 2), baud_rates())
 ]
+EACH_ONCE = [
+    LineSettings(baud, detection, stop_bits)
+    for baud, detection, stop_bits in zip(
+        (*baud_rates(), *baud_rates()), cycle(Detection), cycle((1, 2, 2)), strict=False
+    )
+]
+"""Every rate twice, every error detection with either number of stop bits."""
+
 CRC = LineSettings(57600, Detection.CRC7)
 STOPS = [Framing().encode(command) for command in STOP]
 OFF, ON, END = 1.5, 2.5, 30.0
@@ -114,10 +122,23 @@ def moment_of_end(new: LineSettings) -> float:
 # --- It is found again ------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("line", EVERYWHERE, ids=lambda line: line.text())
+@pytest.mark.slow
+@pytest.mark.timeout(600)
+def test_a_board_is_found_again_wherever_it_may_be(
+    orders: list[str], only_when_asked_for: None
+) -> None:
+    for line in EVERYWHERE:
+        a_board_is_found_again_at(line, orders)
+
+
+@pytest.mark.parametrize("line", EACH_ONCE, ids=lambda line: line.text())
 def test_a_board_is_found_again_at_whatever_settings_it_was_given(
     line: LineSettings, orders: list[str]
 ) -> None:
+    a_board_is_found_again_at(line, orders)
+
+
+def a_board_is_found_again_at(line: LineSettings, orders: list[str]) -> None:
     new = replace(OLD, line=line)
     place = Place().go(new, new=new)
     assert the_return(place, moment_of_end(line)).settings == new
@@ -132,7 +153,7 @@ def test_a_board_is_found_again_at_whatever_settings_it_was_given(
     ids=lambda line: line.text(),
 )
 def test_wherever_it_was_before(old: LineSettings, orders: list[str]) -> None:
-    for line in EVERYWHERE[::9]:
+    for line in EVERYWHERE[::17]:
         new = LinkSettings("virtual", line)
         place = Place(LinkSettings("virtual", old)).go(new, new=new)
         assert the_return(place, moment_of_end(line)).settings == new

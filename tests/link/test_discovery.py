@@ -83,12 +83,6 @@ def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return given
 
 
-@pytest.fixture
-def only_when_asked_for(pytestconfig: pytest.Config) -> None:
-    if "slow" not in pytestconfig.getoption("markexpr"):
-        pytest.skip("takes minutes; runs with -m slow")
-
-
 # --- The whole search -------------------------------------------------------------------
 
 

@@ -83,7 +83,7 @@ def test_a_board_at_other_settings_is_found(
 
     settings = LinkSettings(quick_simulator.url)
     client = Client(SerialTransport(settings), settings)
-    client.request(SetParameter(0x7E, LineSettings(115200, stop_bits=2).to_wire()))
+    client.request(SetParameter(0x7E, LineSettings(115200).to_wire()))
     client.close()
     quick_simulator.do("power cycle")
     watched = Watched(quick_simulator.url)
