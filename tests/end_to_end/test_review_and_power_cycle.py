@@ -270,11 +270,12 @@ def test_a_board_with_another_line_is_found_again_after_its_power_cycle(
     assert desk.device.parameters.waiting_for_power == ()
 
 
-def test_a_power_cycle_can_be_guided_later_from_the_menu(desk: Desk) -> None:
+def test_a_power_cycle_can_be_guided_later_from_the_page(desk: Desk) -> None:
     desk.device.parameters.edit("motor_mode", 1)
     write(desk)
     desk.press("reviewCloseButton")
-    desk.choose("power")
+    desk.program.window.pages.setCurrentIndex(4)
+    desk.press("makeActiveButton")
     within = "powerCycleDialog"
     assert "Motor Mode" in desk.text("powerCycleTitle", within)
     desk.simulator.do("power off")
@@ -282,6 +283,7 @@ def test_a_power_cycle_can_be_guided_later_from_the_menu(desk: Desk) -> None:
     desk.simulator.do("power on")
     desk.wait(lambda: "active" in cycle_text(desk, within))
     desk.press("powerCycleCloseButton")
+    assert not desk.button("makeActiveButton").isVisible()
 
 
 # --- Defaults ---------------------------------------------------------------------------

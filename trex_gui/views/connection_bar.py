@@ -63,6 +63,8 @@ class ConnectionBar(QWidget):
         set_icon(self._line, "settings")
         self._find = QToolButton(self)
         self._find.setObjectName("findButton")
+        self._find.setText(self.tr("Find…"))
+        self._find.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self._find.setAccessibleName(self.tr("Find a board"))
         self._find.setToolTip(self.tr("Find a board whose line settings are not known"))
         set_icon(self._find, "find")

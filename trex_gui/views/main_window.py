@@ -110,6 +110,7 @@ class MainWindow(QMainWindow):
         self._history.restore_requested.connect(self._review.review)
         self._defaults.reset_requested.connect(device.reset_to_factory)
         parameters_page.reload_requested.connect(self._on_reload_requested)
+        parameters_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
         connector.failed.connect(self._banner.show_problem)
         connector.demo_changed.connect(self._on_demo_changed)
         connector.demo_board.refused.connect(self._banner.show_problem)

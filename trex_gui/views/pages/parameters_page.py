@@ -15,9 +15,11 @@ class ParametersPage(QWidget):
 
     Signals:
         reload_requested: read everything from the board again.
+        power_cycle_requested: lead through the one that stored values wait for.
     """
 
     reload_requested = Signal()
+    power_cycle_requested = Signal()
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -32,6 +34,12 @@ class ParametersPage(QWidget):
         self._reload.setObjectName("reloadButton")
         self._reload.setToolTip(self.tr("Read every parameter from the board again"))
         set_icon(self._reload, "reload")
+        self._activate = QPushButton(self.tr("Make active…"), self)
+        self._activate.setObjectName("makeActiveButton")
+        self._activate.setToolTip(
+            self.tr("Lead through switching the board off and on, and see what is active then")
+        )
+        set_icon(self._activate, "power")
         self._discard = QPushButton(self.tr("Discard edits"), self)
         self._discard.setObjectName("discardButton")
         set_icon(self._discard, "undo")
@@ -39,6 +47,7 @@ class ParametersPage(QWidget):
 
         top = QHBoxLayout()
         top.addWidget(self._notice, 1)
+        top.addWidget(self._activate)
         top.addWidget(self._discard)
         top.addWidget(self._reload)
         layout = QVBoxLayout(self)
@@ -46,6 +55,7 @@ class ParametersPage(QWidget):
         layout.addWidget(self._table, 1)
 
         self._reload.clicked.connect(self.reload_requested)
+        self._activate.clicked.connect(self.power_cycle_requested)
         self._discard.clicked.connect(device.discard_edits)
         self._table.refused.connect(self._notice.setText)
         self._model.modelReset.connect(self._on_link_changed)
@@ -58,6 +68,7 @@ class ParametersPage(QWidget):
     def _on_link_changed(self) -> None:
         up = self._device.link is Link.UP
         self._reload.setEnabled(up)
+        self._activate.setVisible(up and bool(self._model.waiting_for_power))
         self._table.set_rows_enabled(up)
         if self._model.count == 0:
             self._notice.setText(self.tr("Connect to a board to see its parameters."))
@@ -73,6 +84,7 @@ class ParametersPage(QWidget):
     def _on_pending_changed(self, count: int) -> None:
         self._discard.setEnabled(count > 0 and self._device.link is Link.UP)
         waiting = self._model.waiting_for_power
+        self._activate.setVisible(bool(waiting) and self._device.link is Link.UP)
         if count:
             text = self.tr("{0} not applied yet: Apply settings writes them.").format(
                 self._count_text(count)
@@ -87,6 +99,12 @@ class ParametersPage(QWidget):
     @Slot(object)
     def _on_applied(self, results: tuple[Written, ...]) -> None:
         failed = [result for result in results if result.error is not None]
+        if any(result.what == "factory_reset" for result in results):
+            text = self.tr("Not taken by the board: {0}").format(failed[0].error) if failed else ""
+            self._notice.setText(
+                text or self.tr("The factory's values stand here after the next power cycle.")
+            )
+            return
         if failed:
             self._table.show_parameter(failed[0].what)
             text = self.tr("{0} of {1} did not stick; they are marked below.").format(

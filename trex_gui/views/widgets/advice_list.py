@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVB
 
 from trex_gui.model.adviser import Adviser
 from trex_gui.views.icons import icon
+from trex_gui.views.theme import theme
 
 _SHOWN = 3
 _ICON = 16
@@ -26,6 +27,7 @@ class AdviceList(QWidget):
         self._layout.setContentsMargins(0, 0, 0, 0)
 
         adviser.changed.connect(self._on_changed)
+        theme().changed.connect(self._on_changed)
         self._on_changed()
 
     @Slot()
