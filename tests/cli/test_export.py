@@ -62,7 +62,8 @@ def test_what_changes_nothing_leaves_no_snapshot(trexcmd: Run, tmp_path: Path) -
 def test_restoring_the_defaults_keeps_what_was_there(trexcmd: Run) -> None:
     assert trexcmd("set", "serial_timeout", "5").exit_code == 0
     assert trexcmd("restore-defaults", "--yes").exit_code == 0
-    (snapshot,) = History().snapshots()
+    snapshot, _before_set = History().snapshots()
+    assert snapshot.reason == "trexcmd restore-defaults"
     assert History().load(snapshot).parameters["serial_timeout"] == 5
 
 

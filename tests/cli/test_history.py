@@ -100,7 +100,7 @@ def test_two_snapshots_are_compared_from_the_first_to_the_second(trexcmd: Run) -
 def test_a_snapshot_is_compared_with_the_board(
     trexcmd: Run, quick_simulator: SimulatorProcess
 ) -> None:
-    assert trexcmd("set", "serial_timeout", "7").exit_code == 0
+    quick_simulator.do("eeprom serial_timeout 7")
     take(0, serial_timeout=5)
     result = trexcmd("history", "diff", "1", "--json")
     assert result.exit_code == 0, result.stderr

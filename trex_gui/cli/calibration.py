@@ -2,18 +2,29 @@
 
 import json
 import re
+from dataclasses import replace
 from typing import Any
 
 import click
 
-from trex_gui.cli.common import identify, json_option, link_options, link_settings, open_line
-from trex_gui.cli.talk import Usage
+from trex_gui.cli.changes import prepare_one, read_board, say_what_follows
+from trex_gui.cli.common import (
+    identify,
+    json_option,
+    link_options,
+    link_settings,
+    open_line,
+    open_line_to_change,
+)
+from trex_gui.cli.talk import Interruption, Usage
 from trex_gui.link.reading import ask
 from trex_gui.link.writing import write_calibration
 from trex_gui.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.protocol.commands import GetCalibratedChannels, GetCalibration, GetMode
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.flags import CHANNELS, InputSource, channels_in
+from trex_gui.settings.rules import Context
+from trex_gui.settings.snapshot import settings_of
 
 _FIELDS = ("minimum", "neutral", "maximum", "deadband")
 _UNITS = {
@@ -72,15 +83,34 @@ def get_command(as_json: bool, **options: Any) -> None:
 def set_command(channel: int, **options: Any) -> None:
     """Store the calibration of a channel and read it back.
 
-    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages.
+    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages. A
+    snapshot of what the board stores is kept first; a calibration that it has already is not
+    written.
     """
     given = {name: _parse(name, options.pop(name)) for name in _FIELDS}
-    with open_line(link_settings(options)) as client:
+    link = link_settings(options)
+    with open_line_to_change(link) as (client, rates):
         identify(client)
-        source = ask(client.request, GetMode()).source
+        state = read_board(client)
+        source = state.source
         counts = {name: _counts(name, value, source) for name, value in given.items()}
-        stored = write_calibration(client.request, channel, Calibration(**counts))
-    click.echo(_text(channel, stored, source))
+        wanted = Calibration(**counts)
+        wanted.encode()  # refuses what no board takes, before anything is said or kept
+        there = settings_of(state)
+        is_new = prepare_one(
+            state,
+            replace(there, calibrations={**there.calibrations, (source, channel): wanted}),
+            Context(port_rates=rates, used_by_line=link.line),
+            link,
+            what=f"Calibration of channel {channel}",
+            command=f"trexcmd calibration set {channel}",
+        )
+        if is_new:
+            with Interruption():
+                write_calibration(client.request, channel, wanted, source)
+        click.echo(_text(channel, wanted, source))
+        if is_new:
+            say_what_follows(client, link, state, {})
 
 
 def _parse(name: str, text: str) -> tuple[float, str]:

@@ -197,14 +197,34 @@ def refusals() -> Iterator[None]:
 @contextlib.contextmanager
 def open_line(settings: LinkSettings) -> Iterator[Client]:
     """Open the line; whatever goes wrong on it ends the program with a sentence."""
+    with refusals(), _begun(SerialTransport(settings), settings) as client:
+        yield client
+
+
+@contextlib.contextmanager
+def open_line_to_change(
+    settings: LinkSettings,
+) -> Iterator[tuple[Client, frozenset[int] | None]]:
+    """Open the line as `open_line` does; tell the baud rates that the port can do as well.
+
+    `None` in their place: nobody knows.
+    """
     with refusals():
-        client = Client(SerialTransport(settings), settings)
-        try:
-            client.detect_echo()
-            yield client
-            client.drain()
-        finally:
-            client.close()
+        transport = SerialTransport(settings)
+        rates = transport.rates()  # nothing may have been sent yet
+        with _begun(transport, settings) as client:
+            yield client, rates
+
+
+@contextlib.contextmanager
+def _begun(transport: SerialTransport, settings: LinkSettings) -> Iterator[Client]:
+    client = Client(transport, settings)
+    try:
+        client.detect_echo()
+        yield client
+        client.drain()
+    finally:
+        client.close()
 
 
 def identify(client: Client) -> Signature:

@@ -7,25 +7,30 @@ from typing import Any
 import click
 
 from trex_gui import __version__
+from trex_gui.cli.changes import (
+    read_board,
+    require_serial_mode,
+    say_changes,
+    say_what_follows,
+    warn,
+)
 from trex_gui.cli.common import (
-    as_options,
     identify,
     json_option,
     link_options,
     link_settings,
     open_line,
+    open_line_to_change,
     refusals,
 )
-from trex_gui.cli.reaching import say_how_to_reach
 from trex_gui.cli.settings_io import FILE, content_of, name_of, read_file, save_file
 from trex_gui.cli.snapshots import keep
 from trex_gui.cli.talk import Interruption, ProgressLine, Usage, refuse, say
 from trex_gui.link.client import Client
-from trex_gui.link.reading import DeviceState, read_everything
+from trex_gui.link.reading import DeviceState
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import NotTried, Written, write_all
 from trex_gui.protocol.calibration import Calibration
-from trex_gui.protocol.errors import Rejected, ResultCode
 from trex_gui.settings.amend import amend
 from trex_gui.settings.comparison import Comparison, Row, compare
 from trex_gui.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
@@ -46,7 +51,7 @@ def get_settings(file: str, **options: Any) -> None:
     the others. A file that is there already is replaced.
     """
     with open_line(link_settings(options)) as client:
-        state = _read(client)
+        state = read_board(client)
     settings = settings_of(state)
     text = write_settings(settings, title_lines=[f"Read from the board by trexcmd {__version__}"])
     for key, reason in state.unread.items():
@@ -72,22 +77,22 @@ def set_settings(file: str, dry_run: bool, **options: Any) -> None:
     """
     wanted = read_file(file)
     chosen = link_settings(options)
-    with open_line(chosen) as client:
+    with open_line_to_change(chosen) as (client, rates):
         identify(client)
-        state = _read(client)
+        state = read_board(client)
         wanted = _fitted(file, wanted, state)
         there = settings_of(state)
         result = compare(there, wanted)
         say(f"{result.summary()}.")
         after = replace(there, parameters={**there.parameters, **wanted.parameters})
-        _warn(after, Context(used_by_line=chosen.line))
+        warn(after, Context(port_rates=rates, used_by_line=chosen.line))
         if dry_run:
             _print(result)
             return
         if not result.changed:
             return
-        if not state.mode.is_serial:
-            raise Rejected("These settings", ResultCode.NOT_SERIAL_MODE)
+        require_serial_mode(state, "These settings")
+        say_changes(result)
         keep(there, chosen, f"trexcmd set-settings {name_of(file)}")
         _write(client, chosen, state, [row for row in result.rows if row.changed])
 
@@ -163,13 +168,21 @@ def diff(first: str, second: str | None, as_json: bool, **options: Any) -> None:
     Prints nothing when they are equal; old values stand left of new ones.
     """
     if second is not None:
-        result = compare(read_file(first), read_file(second))
+        before, after = read_file(first), read_file(second)
+        names = (name_of(first), name_of(second))
     else:
         wanted = read_file(first)
         with open_line(link_settings(options)) as client:
             identify(client)
-            state = _read(client)
-        result = compare(settings_of(state), _visible(wanted, state))
+            state = read_board(client)
+        before, after = settings_of(state), _visible(wanted, state)
+        names = ("the board", name_of(first))
+    if before.product != after.product:
+        say(
+            f"Warning: these settings are for different models: {names[0]} "
+            f"({before.product.name}) and {names[1]} ({after.product.name})."
+        )
+    result = compare(before, after)
     say(f"{result.summary()}.")
     if as_json:
         rows = [_json_row(row) for row in result.differing]
@@ -179,17 +192,7 @@ def diff(first: str, second: str | None, as_json: bool, **options: Any) -> None:
         _print(result)
 
 
-def _warn(settings: Settings, context: Context) -> None:
-    for odd in advise(settings, context):
-        say(f"Warning: {odd.message}" + (f" {odd.proposal}." if odd.proposal else ""))
-
-
 # --- The board --------------------------------------------------------------------------
-
-
-def _read(client: Client) -> DeviceState:
-    with ProgressLine("Reading") as line:
-        return read_everything(client.request, line)
 
 
 def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
@@ -252,12 +255,7 @@ def _write(client: Client, chosen: LinkSettings, state: DeviceState, rows: list[
         say(f"Stored: {', '.join(names[what] for what in stored)}.")
     say(f"{len(stored)} of {len(results)} changes are stored and read back.")
     after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
-    waiting = [state.specs[key].name for key in after if state.specs[key].needs_power_cycle]
-    if waiting:
-        say(f"{', '.join(sorted(waiting))}: in force when the board is switched off and on.")
-    if client.settings != chosen:
-        say(f"Reach the board with {as_options(client.settings)} from now on.")
-    say_how_to_reach(client.settings, {**state.parameters, **after}, state.signature.firmware)
+    say_what_follows(client, chosen, state, after)
     if failed:
         begun = "Interrupted: not" if interrupted else "Not"
         refuse(f"{begun} everything was stored; what was not tried is as it was.")

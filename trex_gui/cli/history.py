@@ -25,8 +25,8 @@ def _complete_number(ctx: click.Context, param: click.Parameter, incomplete: str
 
 _HELP = """List what boards stored before each change, the newest first.
 
-Each Apply of the window, each set-settings and each restore-defaults saves a snapshot first. To
-give a board the settings of number 3 again:
+Each Apply of the window and each set, set-settings, calibration set and restore-defaults saves a
+snapshot first. To give a board the settings of number 3 again:
 
 \b
 trexcmd history diff 3
@@ -58,8 +58,8 @@ def _list(as_json: bool) -> None:
         return
     if not snapshots:
         say(
-            "There are no snapshots yet. Before each Apply, set-settings and restore-defaults one "
-            f"is saved in {history.folder}."
+            "There are no snapshots yet. Before each Apply and before each command that changes "
+            f"settings one is saved in {history.folder}."
         )
         return
     titles = ("", "Time", "Board", "No.", "Adapter", "Before")

@@ -1,4 +1,4 @@
-"""get, set: parameters one by one."""
+"""get: one parameter."""
 
 import json
 from typing import Any
@@ -13,16 +13,20 @@ from trex_gui.cli.common import (
     link_settings,
     open_line,
 )
-from trex_gui.cli.talk import say
 from trex_gui.link.client import Client
 from trex_gui.link.reading import ask
-from trex_gui.link.writing import write_parameter
 from trex_gui.protocol.commands import GetParameter
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.parameters import ParameterSpec, parameters_of
 
 
-def _spec(client: Client, name: str) -> ParameterSpec:
+def spec_of(client: Client, name: str) -> ParameterSpec:
+    """Return the parameter that a person calls so, as it is for the board on the line.
+
+    Raises:
+        BadRequest: the board has none such.
+        NoReply, BadReply: no board answers.
+    """
     signature = identify(client)
     return parameters_of(signature.model.key, signature.firmware)[name]
 
@@ -34,7 +38,7 @@ def _spec(client: Client, name: str) -> ParameterSpec:
 def get_command(name: str, as_json: bool, **options: Any) -> None:
     """Show one parameter, such as serial_timeout: wire value and what it means."""
     with open_line(link_settings(options)) as client:
-        spec = _spec(client, name)
+        spec = spec_of(client, name)
         if not spec.readable:
             raise BadRequest(f"{spec.name} can only be written")
         wire = ask(client.request, GetParameter(spec.number))
@@ -42,23 +46,3 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
         click.echo(json.dumps({"name": spec.key, "value": wire, "text": spec.text(wire)}))
     else:
         click.echo(f"{wire}\t{spec.text(wire)}")
-
-
-@click.command("set", context_settings={"ignore_unknown_options": True})
-@link_options
-@click.argument("name", shell_complete=complete_parameter)
-@click.argument("value")
-def set_command(name: str, value: str, **options: Any) -> None:
-    """Store one parameter and read it back.
-
-    VALUE is a wire value as in settings files (15), or one with its unit or in words
-    ("1.5 s", "off").
-    """
-    with open_line(link_settings(options)) as client:
-        spec = _spec(client, name)
-        is_wire = value.strip().isdecimal() and len(value) < 10
-        wire = int(value) if is_wire else spec.wire(value)
-        stored = write_parameter(client.request, spec, wire)
-    click.echo(f"{stored}\t{spec.text(stored)}")
-    if spec.needs_power_cycle:
-        say("Stored; it takes effect when the board is switched off and on.")

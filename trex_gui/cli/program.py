@@ -23,7 +23,7 @@ COMMANDS: Mapping[str, Entry] = {
     "status": Entry("status", "status", "Show what the board is, how it is set, what it measures."),
     "stream": Entry("stream", "stream", "Write what the board measures as CSV, until Ctrl-C."),
     "get": Entry("parameters", "get_command", "Show one parameter."),
-    "set": Entry("parameters", "set_command", "Store one parameter and read it back."),
+    "set": Entry("set_parameter", "set_command", "Store one parameter and read it back."),
     "get-settings": Entry("files", "get_settings", "Save the board's settings to a file."),
     "set-settings": Entry("files", "set_settings", "Give the board the settings of a file."),
     "check-settings": Entry("files", "check_settings", "Check a settings file without a board."),
