@@ -208,6 +208,11 @@ def test_close_is_noted_and_what_came_with_it_is_kept() -> None:
     assert mail.abandon() == [1, 2]
 
 
+def test_closing_wipes_out_wishes_before_and_after_it() -> None:
+    before, after = SetDrive(1, Drive.at(9)), SetAuxiliary(9)
+    assert not mailbox(before, Close(), after).drives
+
+
 def test_what_is_abandoned_is_named_once() -> None:
     mail = mailbox(
         Ask(1, GetMode()), Stop(2), SetDrive(1, Drive.at(1)), Write(3), Reload(4), Stop(5)

@@ -1,7 +1,7 @@
-"""Power cut and cable pulled at every step of an Apply, over a real thread and a real line."""
+"""Power cut, cable pulled and line closed at every step of an Apply, over a real line."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 from tests.model.test_device import Watched
 from tests.support.simulator import SimulatorProcess
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.writing import Written
+from trex_gui.link.writing import NotTried, Written
 from trex_gui.model.device import Link
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.line_settings import LineSettings
@@ -60,14 +60,14 @@ class Applied:
         self.before = settings_of(self.device.state)
         self.after = dict(self.before.parameters) | WANTED
 
-    def disturb(self, step: int, line: str) -> None:
-        """Apply, and give the simulator a control line when a step is reached."""
+    def disturb(self, step: int, act: Callable[[], object]) -> None:
+        """Apply, and do something when a step is reached."""
         done: list[int] = []
 
         def on_progressed(now: int, _total: int, _what: str) -> None:
             if now == step and not done:
                 done.append(now)
-                self.simulator.do(line)
+                act()
 
         self.device.progressed.connect(on_progressed)
         self.device.apply()
@@ -92,9 +92,6 @@ class Applied:
     def require_named(self) -> None:
         """Whatever is not stored was told, and what was told to be stored is."""
         told = {result.what: result for result in self.results}
-        if not told:
-            assert self.watched.failures
-            return
         assert set(told) == {*WANTED, f"channel {CHANNEL}"}
         for key, wire in WANTED.items():
             if told[key].error is None:
@@ -137,7 +134,7 @@ def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -
 def test_after_a_power_cut_the_board_is_there_again_and_the_rest_can_be_applied(
     step: int, applied: Applied
 ) -> None:
-    applied.disturb(step, "power off")
+    applied.disturb(step, lambda: applied.simulator.do("power off"))
     applied.watched.until_link(Link.SILENT)
     applied.simulator.do("power on")
     applied.require_kept()
@@ -152,7 +149,7 @@ def test_after_a_power_cut_the_board_is_there_again_and_the_rest_can_be_applied(
 
 @every_step
 def test_after_a_pulled_cable_the_rest_can_be_applied(step: int, applied: Applied) -> None:
-    applied.disturb(step, "line unplug")
+    applied.disturb(step, lambda: applied.simulator.do("line unplug"))
     applied.watched.until_link(Link.NONE)
     applied.require_kept()
     applied.require_named()
@@ -160,6 +157,83 @@ def test_after_a_pulled_cable_the_rest_can_be_applied(step: int, applied: Applie
 
     applied.watched.connect(applied.simulator.do("line plug").split()[-1])
     applied.require_waiting()
+    applied.finish()
+
+
+# --- A line that is closed meanwhile ----------------------------------------------------
+
+
+def connect_after_power_cycle(applied: Applied) -> None:
+    """Switch the board off and on, and connect at the line settings that it has stored."""
+    applied.simulator.do("power cycle")
+    line = LineSettings.from_wire(applied.stored["uart_settings"])
+    applied.device.connect_to(LinkSettings(applied.simulator.url, line))
+    applied.watched.until_link(Link.UP)
+
+
+def require_told(applied: Applied) -> None:
+    """Each setting is stored or was not tried, and nobody speaks of a failure."""
+    applied.require_kept()
+    applied.require_named()
+    applied.require_waiting()
+    require_old_or_new(applied.stored, applied.before, lost=0)
+    failures = [result.error for result in applied.results if result.error is not None]
+    assert all(isinstance(error, NotTried) for error in failures)
+    assert applied.watched.failures == []
+    pair = [applied.stored[key] == WANTED[key] for key in ("crc7_polynomial", "uart_settings")]
+    assert len(set(pair)) == 1
+
+
+@every_step
+def test_after_disconnecting_the_rest_can_be_applied(step: int, applied: Applied) -> None:
+    applied.disturb(step, applied.device.disconnect_line)
+    applied.watched.until_link(Link.NONE)
+    require_told(applied)
+
+    applied.watched.connect(applied.simulator.url)
+    applied.require_waiting()
+    applied.finish()
+
+
+@every_step
+def test_after_disconnecting_and_a_power_cycle_the_rest_can_be_applied(
+    step: int, applied: Applied
+) -> None:
+    applied.disturb(step, applied.device.disconnect_line)
+    applied.watched.until_link(Link.NONE)
+    require_told(applied)
+
+    connect_after_power_cycle(applied)
+    applied.require_waiting()
+    applied.finish()
+
+
+@every_step
+def test_how_far_it_came_is_told_before_the_program_ends(step: int, applied: Applied) -> None:
+    ended: list[bool] = []
+    told: list[int] = []
+
+    def end() -> None:
+        ended.append(applied.device.shut_down())
+        told.append(len(applied.watched.results))
+
+    applied.disturb(step, end)
+    assert (ended, told) == ([True], [1])
+    assert applied.device.link is Link.NONE
+    require_told(applied)
+
+    connect_after_power_cycle(applied)
+    applied.require_waiting()
+    applied.finish()
+
+
+@every_step
+def test_after_a_change_of_port_what_was_stored_is_no_edit(step: int, applied: Applied) -> None:
+    """Connecting elsewhere closes the line first."""
+    again = LinkSettings(applied.simulator.url)
+    applied.disturb(step, lambda: applied.device.connect_to(again))
+    applied.watched.until_link(Link.UP)
+    require_told(applied)
     applied.finish()
 
 

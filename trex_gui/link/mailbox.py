@@ -49,18 +49,21 @@ class Mailbox:
     def collect(self, seconds: float = 0.0) -> None:
         """Sort everything that has come, waiting up to `seconds` for the first of it.
 
-        A stop wipes out the wishes that came before it; those after it stand.
+        A stop wipes out the wishes that came before it; those after it stand. `Close` wipes
+        out those after it, too: what is still written then moves nothing.
         """
         request = self.inbox.get(max(seconds, 0.0))
         while request is not None:
             match request:
                 case Close():
                     self.closing = True
+                    self.drives.clear()
                 case Stop():
                     self.stops.append(request)
                     self.drives.clear()
                 case SetDrive() | SetAuxiliary():
-                    self.drives.put(request)
+                    if not self.closing:
+                        self.drives.put(request)
                 case Expect(settings=settings):
                     self.expected = settings
                 case Ask() | Write() | Reload():

@@ -6,14 +6,12 @@ may send unasked.
 """
 
 import logging
-from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
 from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
 from trex_gui.link.drives import packets
-from trex_gui.link.looking import look_at, places_to_look
 from trex_gui.link.mailbox import Inbox, Mailbox
 from trex_gui.link.messages import (
     Ask,
@@ -30,11 +28,12 @@ from trex_gui.link.messages import (
 )
 from trex_gui.link.reading import DeviceState, read_everything
 from trex_gui.link.schedule import Schedule, Topic, rates
+from trex_gui.link.searching import Search
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.stopping import ATTEMPTS, send_stop, stop_and_prove
 from trex_gui.link.telemetry import ModeSeen, Sample, StatusReader, poll
 from trex_gui.link.transport import SerialTransport, Transport
-from trex_gui.link.writing import write_all
+from trex_gui.link.writing import Written, write_all
 from trex_gui.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.protocol.errors import (
     BadReply,
@@ -97,8 +96,7 @@ class Session:
         self._failures = 0
         self._silent = False
         self._retry_at = 0.0
-        self._places: deque[LinkSettings] = deque()
-        self._has_looked = False
+        self._search = Search()
         self._port_rates: frozenset[int] | None = None
 
     def run(self) -> None:
@@ -146,7 +144,8 @@ class Session:
         self._state = read_everything(self._request, self._progress)
         self._schedule.start(rates(self._state.source), self._now())
         self._failures = 0
-        self._silent = self._has_looked = False
+        self._silent = False
+        self._search.end()
         self._flush()
         self._emit(
             Connected(
@@ -295,15 +294,8 @@ class Session:
                 case Ask(command=command):
                     self._may_move = self._may_move or command.moves
                     value = self._request(command)
-                case Write(parameters=parameters, calibrations=calibrations):
-                    value = write_all(
-                        self._request,
-                        self._specs,
-                        parameters,
-                        calibrations,
-                        self._progress,
-                        source=None if self._state is None else self._state.source,
-                    )
+                case Write():
+                    value = self._write(job)
                 case Reload():
                     returned = Occasion.RETURNED if self._silent else Occasion.RELOADED
                     self._read_everything(returned)
@@ -315,6 +307,36 @@ class Session:
             raise
         else:
             self._emit(Outcome(job.id, value))
+
+    def _write(self, job: Write) -> tuple[Written, ...]:
+        """Write until it is done or `Close` comes, which leaves the rest and no value halfway.
+
+        How everything went is told before the line is closed. Motors that may turn do not wait
+        for that.
+        """
+        has_stopped = False
+
+        def is_closing() -> bool:
+            self._mail.collect()
+            return self._mail.closing
+
+        def request(command: Command[ReplyT_co]) -> ReplyT_co:
+            nonlocal has_stopped
+            if is_closing() and self._may_move and not has_stopped:
+                has_stopped = True
+                self._stop(_CLOSING_ATTEMPTS)
+            self._serve_urgent()
+            return self._client.request(command)
+
+        return write_all(
+            request,
+            self._specs,
+            job.parameters,
+            job.calibrations,
+            self._progress,
+            source=None if self._state is None else self._state.source,
+            cancelled=is_closing,
+        )
 
     def _refuse(self) -> None:
         """Let nothing that a person asks reach a board at settings which nobody knows."""
@@ -350,7 +372,7 @@ class Session:
 
     def _fall_silent(self, reason: str) -> None:
         self._silent = True
-        self._places.clear()
+        self._search.begin()
         self._retry_at = self._now() + _RETRY_INTERVAL
         if self._may_move:
             # It may hear us although we do not hear it.
@@ -380,34 +402,19 @@ class Session:
         Then nothing goes out but stops and what is harmless to a board at any rate.
         """
         can = self._client.transport.can_be_tuned
-        return self._silent and can and (self._has_looked or bool(self._mail.expected))
+        return self._silent and can and (self._search.has_looked or bool(self._mail.expected))
 
     def _look_at_next_place(self) -> bool:
         """Put one question; return whether the board answered. The session goes on there."""
-        self._has_looked = True
-        if not self._places:
-            self._places.extend(places_to_look(self._client.settings, self._mail.expected))
-        place, transport = self._places.popleft(), self._client.transport
-        try:
-            found = look_at(transport, place, echo=self._client.echo)
-        except BadRequest as error:
-            log.info("%s: %s", place.text(), error)
-            found = False
-        if found and place != self._client.settings:
-            self._go_on_at(place)
-        elif not found:
-            # A stop must find the line as the board was heard last.
-            transport.tune(self._client.settings.line)
-            self._retry_at = self._now() + (0.0 if self._places else _RETRY_INTERVAL)
-        return found
-
-    def _go_on_at(self, place: LinkSettings) -> None:
-        """Talk to a board that has come back at other settings."""
-        before = self._client
-        self._client = Client(before.transport, place, echo=before.echo)
-        self._client.counters = before.counters
-        self._mail.expected = ()
-        log.info("the board came back at %s", place.text())
+        found = self._search.look(self._client, self._mail.expected)
+        if found is None:
+            pause = _RETRY_INTERVAL if self._search.is_round_over else 0.0
+            self._retry_at = self._now() + pause
+            return False
+        if found is not self._client:
+            self._client = found
+            self._mail.expected = ()
+        return True
 
     def _flush(self) -> None:
         self._flushed_at = self._now()

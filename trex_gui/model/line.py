@@ -3,7 +3,7 @@
 import itertools
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal, Slot
 
 from trex_gui.link.messages import (
     Close,
@@ -24,6 +24,10 @@ from trex_gui.worker.line_worker import LineWorker
 _ENDING: list[LineWorker] = []
 """Threads between their last report and their end; Qt aborts when one is destroyed running."""
 
+_PATIENCE_MS = 1000
+_PATIENCE_WHILE_WRITING_MS = 3000
+"""How long the end waits: line settings and polynomial are not parted, whatever they take."""
+
 
 class Line(QObject):
     """One line session after another, never two at a time.
@@ -43,6 +47,7 @@ class Line(QObject):
         self._may_move = False
         self._ids = itertools.count(1)
         self._waiting: dict[int, Callable[[Outcome], None]] = {}
+        self._writes: set[int] = set()
 
     @property
     def is_open(self) -> bool:
@@ -75,8 +80,11 @@ class Line(QObject):
         if self._worker is None:
             return False
         number = next(self._ids)
+        request = make(number)
         self._waiting[number] = then
-        self._worker.submit(make(number))
+        if isinstance(request, Write):
+            self._writes.add(number)
+        self._worker.submit(request)
         return True
 
     def close(self) -> None:
@@ -86,38 +94,48 @@ class Line(QObject):
     def shut_down(self) -> bool:
         """Close and wait for it, at most a second; return whether it ended in time.
 
-        Tells nothing any more. A thread that does not end in time is kept, and the process
-        must end without destroying it.
+        While something is written it is waited for up to three seconds, and what was asked to
+        be written has its outcome before this returns, if it came in time. Nothing else is told
+        any more. A thread that does not end in time is kept, and the process must end without
+        destroying it.
         """
         worker, self._worker = self._worker, None
-        self._waiting.clear()
         if worker is None:
-            return all(ending.wait(1000) for ending in _ENDING)
-        worker.reported.disconnect(self._on_reported)
+            return all(ending.wait(_PATIENCE_MS) for ending in _ENDING)
         worker.finished.disconnect(self._on_worker_finished)
-        in_time = worker.close()
+        self._waiting = {number: self._waiting[number] for number in self._writes}
+        in_time = worker.close(_PATIENCE_WHILE_WRITING_MS if self._writes else _PATIENCE_MS)
+        # Reports come as events of this object; no event loop may run any more to bring them.
+        QCoreApplication.sendPostedEvents(self, QEvent.Type.MetaCall)
+        worker.reported.disconnect(self._on_reported)
+        self._forget_requests()
         if not in_time:
             _ENDING.append(worker)
         return in_time
 
     @Slot(object)
     def _on_reported(self, report: Report) -> None:
-        if self._worker is None:
-            return  # it was on its way when the line was shut down
         match report:
             case Outcome(id=number):
+                self._writes.discard(number)
                 if then := self._waiting.pop(number, None):
                     then(report)
+            case _ if self._worker is None:
+                pass  # it was on its way when the line was shut down
             case Closed():
                 self._leave(report)
             case _:
                 self.reported.emit(report)
 
+    def _forget_requests(self) -> None:
+        self._waiting.clear()
+        self._writes.clear()
+
     def _leave(self, last: Closed) -> None:
         if self._worker is not None:
             _ENDING.append(self._worker)
             self._worker = None
-        self._waiting.clear()
+        self._forget_requests()
         self.closed.emit(last)
 
     @Slot()
