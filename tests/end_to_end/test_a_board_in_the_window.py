@@ -64,7 +64,7 @@ class Person:
         tabs = self.find(QTabWidget, "tabs")
         for index in range(tabs.count()):
             page = tabs.widget(index)
-            if page is not None and page.objectName() == name:
+            if page is not None and page.objectName() == f"{name}Area":
                 tabs.setCurrentIndex(index)
                 return page
         pytest.fail(f"no page {name}")

@@ -4,14 +4,13 @@ import sys
 from collections.abc import Callable
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
     QDialog,
     QLabel,
-    QMessageBox,
     QPushButton,
     QTableView,
     QWidget,
@@ -22,6 +21,7 @@ from tests.support.simulator import SimulatorProcess
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.comparison_table import ComparisonColumn
 from trex_gui.model.device import Link
+from trex_gui.model.power_cycle import PowerCycle
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.line_settings import Detection, LineSettings
 from trex_gui.window import Program
@@ -109,7 +109,8 @@ def test_the_review_shows_old_and_new_in_wire_and_physical_units(desk: Desk) -> 
     assert "minimum" in calibration[2]
     assert "maximum" not in calibration[2]
     assert desk.button("writeButton").text() == "Write 2 settings"
-    assert "2 settings of the TReX 1.2 will change" in desk.text("reviewHead", "reviewDialog")
+    head = desk.text("reviewHead", "reviewDialog")
+    assert head.startswith("2 settings of the TReX 1.2 (device number 7, ")
 
 
 def test_nothing_is_written_before_the_second_click(desk: Desk) -> None:
@@ -171,7 +172,9 @@ def test_the_result_names_what_did_not_stick(desk: Desk) -> None:
     assert "RC mode and takes no settings" in desk.text("reviewHead", "reviewDialog")
     desk.press("writeButton")
     desk.wait(lambda: "did not stick" in desk.text("reviewHead", "reviewDialog"))
-    assert all("not in serial mode" in row[-1] for row in desk.rows())
+    untried, refused = sorted((row[-1] for row in desk.rows()), key=len)
+    assert "not in serial mode" in refused
+    assert untried == "not tried after that"
     assert desk.device.pending == 2
 
 
@@ -199,7 +202,8 @@ def test_a_plug_that_is_pulled_while_writing_is_told_and_the_rest_stays_an_edit(
     assert "did not stick" in desk.text("reviewHead", "reviewDialog")
     assert count > desk.device.pending > 0
     assert desk.rows()[0][-1] == "stored"
-    assert "gone" in desk.rows()[-1][-1]
+    assert any("gone" in row[-1] for row in desk.rows())
+    assert desk.rows()[-1][-1] == "not tried after that"
 
 
 def test_the_stop_button_can_be_pressed_while_the_review_is_open(desk: Desk) -> None:
@@ -320,9 +324,7 @@ def test_serial_defaults_change_nothing_but_how_the_board_is_reached(desk: Desk)
     assert desk.device.parameters.pending == (("uart_settings", LineSettings().to_wire()),)
 
 
-def test_the_board_resets_itself_and_comes_back_at_the_factorys_line(
-    desk: Desk, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_board_resets_itself_and_comes_back_at_the_factorys_line(desk: Desk) -> None:
     desk.device.parameters.edit("serial_timeout", 15)
     desk.device.parameters.edit("uart_settings", SLOW.to_wire())
     write(desk)
@@ -331,9 +333,10 @@ def test_the_board_resets_itself_and_comes_back_at_the_factorys_line(
     desk.simulator.do("power on")
     desk.wait(lambda: desk.device.link is Link.UP)
     desk.press("reviewCloseButton")
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Yes)
     desk.choose("defaults")
     desk.press("boardResetButton")
+    assert not desk.device.reset_ordered
+    desk.press("boardResetSureButton")
     desk.wait(lambda: desk.dialog("powerCycleDialog").isVisible())
     assert len(desk.device.history.snapshots()) == 2
     desk.simulator.do("power off")
@@ -347,3 +350,153 @@ def test_the_board_resets_itself_and_comes_back_at_the_factorys_line(
     button = desk.dialog("powerCycleDialog").findChild(QPushButton, "powerCycleCloseButton")
     assert button is not None
     button.click()
+
+
+def test_nothing_is_written_that_an_ordered_reset_would_wipe(desk: Desk) -> None:
+    desk.choose("defaults")
+    desk.press("boardResetButton")
+    desk.press("boardResetSureButton")
+    desk.wait(lambda: desk.device.reset_ordered)
+    desk.press("powerCycleCloseButton")
+    desk.device.parameters.edit("motor1_acceleration", 5)
+    desk.press("applyButton")
+    assert "told to reset itself" in desk.text("reviewHead", "reviewDialog")
+    assert not desk.button("writeButton").isEnabled()
+    desk.device.apply()
+    assert not desk.device.applying
+    desk.press("reviewCloseButton")
+    desk.choose("power")  # the way on can be found again
+    desk.simulator.do("power off")
+    desk.wait(lambda: desk.device.link is Link.SILENT)
+    desk.simulator.do("power on")
+    desk.wait(lambda: desk.device.link is Link.UP)
+    assert not desk.device.reset_ordered
+    desk.press("applyButton")
+    assert desk.button("writeButton").isEnabled()
+    desk.press("powerCycleCloseButton")
+    desk.press("reviewCloseButton")
+
+
+# --- What is said when things go another way --------------------------------------------
+
+
+def test_a_line_that_closes_meanwhile_is_no_power_cycle(desk: Desk) -> None:
+    desk.device.parameters.edit("motor_mode", 1)
+    write(desk)
+    desk.program.connector.disconnect_port()
+    desk.wait(lambda: "The line was closed" in cycle_text(desk))
+    desk.device.connect_to(LinkSettings(desk.simulator.url))
+    desk.wait(lambda: "cannot be seen" in cycle_text(desk))
+    waiting = [desk.device.parameters.waiting_for_power]
+    done = desk.dialog("reviewDialog").findChild(QAbstractButton, "powerCycleDone")
+    assert done is not None
+    QTest.mouseClick(done, Qt.MouseButton.LeftButton)
+    assert "everything that it stores is active" in cycle_text(desk)
+    waiting.append(desk.device.parameters.waiting_for_power)
+    assert waiting == [("Motor Mode",), ()]
+
+
+def test_who_waits_long_is_told_what_to_look_at(desk: Desk) -> None:
+    for cycle in desk.program.window.findChildren(PowerCycle):
+        patience = cycle.findChild(QTimer)
+        assert patience is not None
+        patience.setInterval(300)
+    desk.device.parameters.edit("motor_mode", 1)
+    write(desk)
+    desk.wait(lambda: "A short break is not seen" in cycle_text(desk))
+    desk.simulator.do("power off")
+    desk.wait(lambda: "has fallen silent" in cycle_text(desk))
+    desk.wait(lambda: "Is its power on" in cycle_text(desk))
+    desk.simulator.do("power on")
+    desk.wait(lambda: "active" in cycle_text(desk))
+    assert desk.text("powerCycleTitle", "reviewDialog") == "The power cycle is over."
+
+
+def test_closing_the_guide_of_the_menu_ends_no_other(desk: Desk) -> None:
+    desk.device.parameters.edit("motor_mode", 1)
+    write(desk)
+    desk.choose("power")
+    desk.press("powerCycleCloseButton")
+    assert "Waiting for the board to fall silent" in cycle_text(desk)
+
+
+def test_a_cut_in_the_middle_says_what_was_not_tried(desk: Desk) -> None:
+    for key in ("serial_timeout", "motor1_acceleration", "motor2_acceleration"):
+        desk.device.parameters.edit(key, 15)
+    desk.press("applyButton")
+    desk.simulator.do("line mute on")
+    desk.press("writeButton")
+    desk.wait(lambda: "did not stick" in desk.text("reviewHead", "reviewDialog"), 30_000)
+    outcomes = [row[-1] for row in desk.rows()]
+    assert "not tried after that" in outcomes
+    assert "the factory's" in desk.text("reviewHead", "reviewDialog")
+    desk.simulator.do("line mute off")
+    desk.wait(lambda: desk.device.link is Link.UP)
+
+
+def test_what_was_written_behind_a_closed_review_is_told_in_the_window(desk: Desk) -> None:
+    desk.device.parameters.edit("serial_timeout", 15)
+    desk.press("applyButton")
+    desk.press("writeButton")
+    desk.dialog("reviewDialog").close()
+    label = desk.program.window.findChild(QLabel, "bannerText")
+    assert label is not None
+    desk.wait(lambda: "stored and read back" in label.text())
+
+
+def test_edits_meet_the_next_board_of_their_kind_with_a_word(desk: Desk) -> None:
+    desk.device.parameters.edit("device_number", 9)
+    desk.program.connector.disconnect_port()
+    desk.wait(lambda: desk.device.link is Link.NONE)
+    action = desk.program.window.findChild(QAction, "saveAction")
+    assert action is not None
+    assert action.isEnabled()  # what was edited can still be saved
+    desk.device.connect_to(LinkSettings(desk.simulator.url))
+    desk.wait(lambda: desk.device.link is Link.UP)
+    label = desk.program.window.findChild(QLabel, "bannerText")
+    assert label is not None
+    desk.wait(lambda: "Edits made before wait here: 1" in label.text())
+
+
+def test_edits_for_another_kind_of_board_are_kept_in_the_history(
+    desk: Desk, start_simulator: Callable[..., SimulatorProcess]
+) -> None:
+    desk.device.parameters.edit("serial_timeout", 15)
+    junior = start_simulator("--unpaced", "--model", "trexjr")
+    desk.device.connect_to(LinkSettings(junior.url))
+    desk.wait(lambda: "TReX Jr" in desk.device.status)
+    desk.wait(lambda: desk.device.link is Link.UP)
+    assert desk.device.pending == 0
+    (snapshot,) = desk.device.history.snapshots()
+    assert desk.device.history.load(snapshot).parameters["serial_timeout"] == 15
+    assert "not applied" in snapshot.reason
+    label = desk.program.window.findChild(QLabel, "bannerText")
+    assert label is not None
+    desk.wait(lambda: "are kept in File, History" in label.text())
+
+
+def test_calibrations_for_the_other_inputs_wait_until_they_are_read_again(desk: Desk) -> None:
+    wanted = Calibration(2600, 3750, 5000, 60)
+    desk.device.calibrations.edit(2, wanted)
+    desk.device.parameters.edit("channel_input_source", 1)
+    desk.press("applyButton")
+    desk.untick("Calibration of RC channel 2")
+    desk.press("writeButton")
+    desk.wait(lambda: "read back equal" in desk.text("reviewHead", "reviewDialog"))
+    for wire in (1, 0):
+        desk.simulator.do("power off")
+        desk.wait(lambda: desk.device.link is Link.SILENT)
+        desk.simulator.do("power on")
+        desk.wait(lambda: desk.device.link is Link.UP)
+        if wire == 1:
+            assert desk.device.calibrations.pending == ()
+            assert desk.device.pending == 1
+            desk.press("reviewCloseButton")
+            desk.press("applyButton")
+            assert "RC channel 2" in desk.text("reviewFoot", "reviewDialog")
+            assert not desk.button("writeButton").isEnabled()
+            desk.device.parameters.edit("channel_input_source", 0)
+            desk.press("writeButton")
+            desk.wait(lambda: desk.stored("channel_input_source") == 0)
+            desk.wait(lambda: not desk.device.applying)
+    assert desk.device.calibrations.pending == ((2, wanted),)

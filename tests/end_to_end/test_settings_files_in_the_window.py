@@ -126,7 +126,7 @@ def test_ticked_rows_become_edits_and_apply_writes_just_them(
     with qtbot.waitSignal(connected.window.files.staged):
         take(shown)
     assert "2 changes are edits now" in banner(connected)
-    assert connected.window.pages.currentWidget().objectName() == "parametersPage"
+    assert connected.window.pages.currentWidget().objectName() == "parametersPageArea"
     assert simulator.show()["parameters"]["serial_timeout"] == 0
     connected.device.apply()
     qtbot.waitUntil(lambda: connected.device.pending == 0)

@@ -95,7 +95,7 @@ class Person:
 
     def open_page(self, name: str) -> None:
         tabs = self.find(QTabWidget, "tabs")
-        tabs.setCurrentWidget(self.find(QWidget, name))
+        tabs.setCurrentWidget(self.find(QWidget, f"{name}Area"))
 
     def errors(self) -> dict[str, int]:
         """What the table of the status page counts."""

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QLabel,
-    QMessageBox,
     QPushButton,
     QTableView,
     QWidget,
@@ -23,6 +22,7 @@ from tests.support.snapshots import take
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.comparison_table import ComparisonRole
 from trex_gui.model.device import Link
+from trex_gui.views.widgets.question import Question
 from trex_gui.window import Program
 
 WidgetT = TypeVar("WidgetT", bound=QWidget)
@@ -233,9 +233,8 @@ def test_the_stop_button_stays_in_reach(person: Person) -> None:
     take(person.program.device.history)
     person.open()
     person.click("deleteSnapshotButton")
-    question = person.find(QMessageBox, "historyQuestion")
-    for window in (person.dialog, question):
-        assert window.windowModality() is Qt.WindowModality.NonModal
+    assert person.find(Question, "historyQuestion").isVisible()
+    assert person.dialog.windowModality() is Qt.WindowModality.NonModal
     stop = person.program.window.findChild(QPushButton, "stopButton")
     assert stop is not None
     with person.qtbot.waitSignal(person.program.device.motors.stop_requested):

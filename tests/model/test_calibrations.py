@@ -95,13 +95,20 @@ def test_an_edit_that_somebody_else_has_written_is_none_any_more(model: Calibrat
     assert model.pending == ()
 
 
-def test_edits_of_the_other_kind_of_input_are_not_kept(model: Calibrations, qtbot: QtBot) -> None:
+def test_edits_of_the_other_kind_of_input_wait(model: Calibrations) -> None:
     model.edit(1, LEARNED)
-    with qtbot.waitSignal(model.pending_changed) as pending:
-        model.load("trex", InputSource.ANALOG, stored(InputSource.ANALOG))
-    assert pending.args == [0]
-    assert model.source is InputSource.ANALOG
-    assert model.pending == ()
+    model.load("trex", InputSource.ANALOG, stored(InputSource.ANALOG))
+    seen = [(model.pending, model.out_of_reach)]
+    assert model.all_shown == model.all_stored
+    model.load("trex", InputSource.RC, stored(InputSource.RC))
+    seen.append((model.pending, model.out_of_reach))
+    assert seen == [((), ((InputSource.RC, 1),)), (((1, LEARNED),), ())]
+
+
+def test_edits_of_another_kind_of_board_are_not_kept(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.load("trexjr", InputSource.RC, stored(InputSource.RC))
+    assert model.edited == {}
 
 
 @pytest.fixture

@@ -2,6 +2,7 @@
 
 import sys
 
+from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from trex_gui.model.device import Link
@@ -18,5 +19,6 @@ def test_repainting_every_page_loses_no_references_to_none(program: Program, qtb
         tabs.setCurrentIndex(index)
         for _ in range(60):
             program.device.telemetry.updated.emit()
-            tabs.currentWidget().repaint()
+            for widget in tabs.currentWidget().findChildren(QWidget):
+                widget.repaint()
     assert sys.getrefcount(None) > before - 100

@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QLabel,
     QLineEdit,
-    QMessageBox,
     QPushButton,
     QSpinBox,
     QTableView,
@@ -26,6 +25,7 @@ from tests.support.snapshots import take
 from trex_gui.model.device import Device
 from trex_gui.settings.history import BOUND_FILE, Bound, History
 from trex_gui.views.history.dialog import HistoryDialog
+from trex_gui.views.widgets.question import Question
 
 MINUTE = timedelta(minutes=1)
 WidgetT = TypeVar("WidgetT", bound=QWidget)
@@ -82,19 +82,14 @@ def compared(dialog: HistoryDialog) -> dict[str, tuple[str, str]]:
     }
 
 
-def question(dialog: HistoryDialog) -> QMessageBox:
-    return find(dialog, QMessageBox, "historyQuestion")
+def question(dialog: HistoryDialog) -> Question:
+    return find(dialog, Question, "historyQuestion")
 
 
 def answer(qtbot: QtBot, dialog: HistoryDialog, *, yes: bool) -> None:
-    box = question(dialog)
-    button = find(dialog, QPushButton, "historyQuestionYes")
-    if not yes:
-        cancel = box.button(QMessageBox.StandardButton.Cancel)
-        assert isinstance(cancel, QPushButton)
-        button = cancel
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: dialog.findChild(QMessageBox, "historyQuestion") is None)
+    qtbot.waitUntil(question(dialog).isVisible)
+    click(qtbot, dialog, "historyQuestionYes" if yes else "questionCancel")
+    assert not question(dialog).isVisible()
 
 
 # --- Looking back -----------------------------------------------------------------------
@@ -280,9 +275,9 @@ def test_deleting_asks_and_does_not_stand_in_the_way(
     view = opened(qtbot, dialog)
     choose(qtbot, dialog, 1)
     click(qtbot, dialog, "deleteSnapshotButton")
-    assert not question(dialog).isModal()
+    assert not question(dialog).isWindow()
     click(qtbot, dialog, "deleteSnapshotButton")
-    assert len(dialog.findChildren(QMessageBox, "historyQuestion")) == 1
+    assert len(dialog.findChildren(QPushButton, "historyQuestionYes")) == 1
     answer(qtbot, dialog, yes=False)
     assert len(history.snapshots()) == 3
     gone = history.snapshots()[1]
@@ -349,7 +344,7 @@ def test_a_higher_bound_is_set_without_a_question(
     click(qtbot, dialog, "keptButton")
     assert history.bound() == Bound(None)
     assert not find(dialog, QPushButton, "keptButton").isEnabled()
-    assert dialog.findChild(QMessageBox, "historyQuestion") is None
+    assert not question(dialog).isVisible()
 
 
 def test_a_lower_bound_asks_and_names_how_many_go(
@@ -360,7 +355,7 @@ def test_a_lower_bound_asks_and_names_how_many_go(
     view = opened(qtbot, dialog)
     find(dialog, QSpinBox, "keptField").setValue(1)
     click(qtbot, dialog, "keptButton")
-    assert question(dialog).text() == "Remove the oldest 2 of 3 snapshots for good?"
+    assert question(dialog).text == "Remove the oldest 2 of 3 snapshots for good?"
     answer(qtbot, dialog, yes=False)
     assert (len(history.snapshots()), history.bound()) == (3, Bound())
     assert find(dialog, QSpinBox, "keptField").value() == 500

@@ -72,14 +72,15 @@ class Apply(QObject):
         if count:
             self._write(state, link, reason, parameters, calibrations)
 
-    def reset(self, state: DeviceState, link: LinkSettings | None) -> None:
+    def reset(self, state: DeviceState, link: LinkSettings | None) -> bool:
         """Let the board put every parameter back to the factory's value at its next start.
 
-        Its answer is the only proof until then: the order cannot be read back.
+        Its answer is the only proof until then: the order cannot be read back. Return whether
+        the order is on its way.
         """
         order = state.specs["factory_reset"]
         reason = self.tr("Reset to the factory's parameters")
-        self._write(state, link, reason, ((order.key, order.maximum),), ())
+        return self._write(state, link, reason, ((order.key, order.maximum),), ())
 
     def _write(
         self,
@@ -88,13 +89,14 @@ class Apply(QObject):
         reason: str,
         parameters: tuple[tuple[str, int], ...],
         calibrations: tuple[tuple[int, Calibration], ...],
-    ) -> None:
+    ) -> bool:
         if self._running or not self._keep(state, link, reason):
-            return
+            return False
         self._running = True
         self._ask(lambda number: Write(number, parameters, calibrations), self._on_written)
         if self._running:
             self.started.emit()
+        return self._running
 
     def _keep(self, state: DeviceState, link: LinkSettings | None, reason: str) -> bool:
         """Save what the board stores before it is changed; return whether that worked."""

@@ -35,6 +35,7 @@ class Calibrations(QObject):
         self._model_key = ""
         self._source = InputSource.RC
         self._stored: dict[Place, Calibration] = {}
+        self._hidden: dict[Place, Calibration] = {}
         self._edited: dict[Place, Calibration] = {}
         self._left_out: set[Place] = set()
         self._open_ended = False
@@ -68,8 +69,16 @@ class Calibrations(QObject):
     @property
     def all_shown(self) -> dict[Place, Calibration]:
         """What would be stored after Apply."""
-        given = {**self._stored, **self._edited}
+        edits = {p: e for p, e in self._edited.items() if self._open_ended or p in self._stored}
+        given = {**self._stored, **edits}
         return {place: given[place] for place in given if place not in self._left_out}
+
+    @property
+    def out_of_reach(self) -> tuple[Place, ...]:
+        """Edits for the input source that the board does not show now; they are kept."""
+        if self._open_ended:
+            return ()
+        return tuple(sorted((p for p in self._edited if p not in self._stored), key=_channel))
 
     def stored(self, channel: int, source: InputSource | None = None) -> Calibration | None:
         """What is stored for a channel; `None` when it is not known."""
@@ -82,14 +91,21 @@ class Calibrations(QObject):
     def _shown(self, place: Place) -> Calibration | None:
         if place in self._left_out:
             return None
-        return self._edited.get(place, self._stored.get(place))
+        return self._edited.get(place, self._held(place))
+
+    def _held(self, place: Place) -> Calibration | None:
+        """What is stored, or was when the board showed it last."""
+        return self._stored.get(place, self._hidden.get(place))
 
     def knows(self, channel: int, source: InputSource | None = None) -> bool:
         """Whether there is a calibration, or could be one."""
         return self._open_ended or (source or self._source, channel) in self._stored
 
     def load(self, model_key: str, source: InputSource, stored: Mapping[int, Calibration]) -> None:
-        """Take what was read of a board; edits stay while model and input source are the same."""
+        """Take what was read of a board; edits stay while it is the same model.
+
+        Those for the other input source wait until the board shows that again.
+        """
         self.load_all(model_key, source, {(source, c): found for c, found in stored.items()})
 
     def load_all(
@@ -104,14 +120,16 @@ class Calibrations(QObject):
 
         With `open_ended` (a file) what is not stored can be given, and what is can be left out.
         """
-        if (model_key, source) != (self._model_key, self._source):
+        if model_key != self._model_key:
             self._edited.clear()
             self._left_out.clear()
+            self._hidden.clear()
+        self._hidden = {p: c for p, c in (self._hidden | self._stored).items() if p not in stored}
         self._model_key = model_key
         self._source = source
         self._open_ended = open_ended
         self._stored = dict(stored)
-        self._edited = {p: e for p, e in self._edited.items() if self._stored.get(p) != e}
+        self._edited = {p: e for p, e in self._edited.items() if self._held(p) != e}
         self._left_out &= self._stored.keys()
         self._announce()
 
@@ -140,8 +158,8 @@ class Calibrations(QObject):
         if not self._edited and not self._left_out:
             return
         self._undo.beginMacro(self.tr("Discard edits"))
-        for place in sorted({*self._edited, *self._left_out}, key=lambda place: place[1]):
-            shown, stored = self._shown(place), self._stored.get(place)
+        for place in sorted({*self._edited, *self._left_out}, key=_channel):
+            shown, stored = self._shown(place), self._held(place)
             self._undo.push(Edit(self._text(place[1]), self._put, place, shown, stored))
         self._undo.endMacro()
 
@@ -149,11 +167,11 @@ class Calibrations(QObject):
         return self.tr("Calibration of channel {0}").format(channel)
 
     def _put(self, place: Place, wanted: Calibration | None) -> None:
-        """Put a calibration in its place; one that is not known now is left alone."""
-        if not self._open_ended and place[0] is not self._source and place not in self._stored:
+        """Put a calibration in its place; one that was never seen is left alone."""
+        if not self._open_ended and place[0] is not self._source and self._held(place) is None:
             return
         self._left_out.discard(place)
-        if wanted is None or self._stored.get(place) == wanted:
+        if wanted is None or self._held(place) == wanted:
             self._edited.pop(place, None)
         else:
             self._edited[place] = wanted
@@ -174,3 +192,7 @@ class Calibrations(QObject):
     def _announce(self) -> None:
         self.changed.emit()
         self.pending_changed.emit(len(self._edited) + len(self._left_out))
+
+
+def _channel(place: Place) -> int:
+    return place[1]

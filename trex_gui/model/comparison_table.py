@@ -260,21 +260,25 @@ class ComparisonTable(QAbstractTableModel):
     def _side(
         self, row: Row, value: int | Calibration | None, other: int | Calibration | None, text: str
     ) -> str:
-        """One side in physical units; of a calibration what differs from the other side."""
+        """One side in physical units; of a calibration each field that differs, on its line."""
         if value is None:
             return self.tr("not given")
         differing = _differing(value, other)
         if not isinstance(value, Calibration) or not differing:
             return text
         source, _ = CALIBRATION_KEYS[row.key]
-        return ", ".join(f"{name} {source.text(getattr(value, name))}" for name in differing)
+        return "\n".join(f"{name} {source.text(getattr(value, name))}" for name in differing)
 
 
 def _differing(value: int | Calibration | None, other: int | Calibration | None) -> tuple[str, ...]:
-    """Return the fields in which two calibrations differ."""
-    if not isinstance(value, Calibration) or not isinstance(other, Calibration):
+    """Return the fields in which two calibrations differ: all, where one is not known."""
+    if not isinstance(value, Calibration) and not isinstance(other, Calibration):
         return ()
-    return tuple(f for f in CALIBRATION_FIELDS if getattr(value, f) != getattr(other, f))
+    return tuple(f for f in CALIBRATION_FIELDS if _field(value, f) != _field(other, f))
+
+
+def _field(value: int | Calibration | None, name: str) -> int | None:
+    return getattr(value, name) if isinstance(value, Calibration) else None
 
 
 def _wires(row: Row) -> str:
@@ -282,8 +286,8 @@ def _wires(row: Row) -> str:
     if before == after:
         return _wire(before)
     if differing := _differing(before, after):
-        pairs = (f"{getattr(before, f)} → {getattr(after, f)}" for f in differing)
-        return ", ".join(pairs)
+        pairs = ((_wire(_field(before, f)), _wire(_field(after, f))) for f in differing)
+        return "\n".join(f"{left} → {right}" for left, right in pairs)
     return f"{_wire(before)} → {_wire(after)}"
 
 

@@ -37,8 +37,10 @@ from trex_gui.model.motors import Motors
 from trex_gui.model.parameters import Column
 from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.model.telemetry import Telemetry
-from trex_gui.protocol.errors import TrexError
+from trex_gui.protocol.errors import TrexError, sentence
 from trex_gui.protocol.flags import InputSource
+from trex_gui.settings.document import Settings
+from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.factory import factory_settings
 from trex_gui.settings.history import History
 
@@ -63,6 +65,7 @@ class Device(QObject):
         state_changed: `state` was read anew, or forgotten.
         progressed: steps done, steps in all, what comes next.
         failed: why a connection ended or something asked did not work, for people.
+        told: what was done without being asked, for people.
         applied: the `Written` of everything that Apply tried.
         pending_changed: how many edits of parameters and calibrations wait for Apply.
 
@@ -76,6 +79,7 @@ class Device(QObject):
     state_changed = Signal()
     progressed = Signal(int, int, str)
     failed = Signal(str)
+    told = Signal(str)
     applied = Signal(object)
     pending_changed = Signal(int)
 
@@ -96,6 +100,7 @@ class Device(QObject):
         self._state: DeviceState | None = None
         self._echo = False
         self._port_rates: frozenset[int] | None = None
+        self._ordered_reset: dict[str, int] | None = None
         self._counters = Counters()
         self._may_move = False
         self._next: LinkSettings | None = None
@@ -106,6 +111,7 @@ class Device(QObject):
         self.motors.requested.connect(self._on_drive_requested)
         self.motors.stop_requested.connect(self._on_stop_requested)
         self.draft.pending_changed.connect(self.pending_changed)
+        self.draft.replacing.connect(self._on_replacing)
         self._apply.started.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
         self._apply.failed.connect(self._on_apply_failed)
@@ -147,6 +153,13 @@ class Device(QObject):
         """What the line has seen since it was opened."""
         return self._counters
 
+    def key_of(self, what: str) -> str:
+        """Return the key, as a settings file spells it, of what a `Written` is about."""
+        if not what.startswith("channel "):
+            return what
+        number = what.removeprefix("channel ")
+        return f"{self.calibrations.source.value.lower()}_channel_{number}"
+
     def name_of(self, what: str) -> str:
         """Return the name for people of what a `Written` is about."""
         index = self.parameters.index_of(what, Column.NAME)
@@ -165,6 +178,14 @@ class Device(QObject):
         seen = self.telemetry.serial_controls
         by_serial = self._state.serial_controls if seen is None else seen
         return who_controls(self._state.mode, by_serial, joint=self.is_joint)
+
+    @property
+    def reset_ordered(self) -> bool:
+        """Whether the board was told to put its parameters back when it starts the next time.
+
+        What is written before that is wiped then.
+        """
+        return self._ordered_reset is not None
 
     @property
     def may_move(self) -> bool:
@@ -221,7 +242,7 @@ class Device(QObject):
         `applied` tells how it went. Before the first byte the line session is told where else
         to look for the board, since its power may fail right behind the write.
         """
-        if self._state is not None and self._line.is_open:
+        if self._state is not None and self._line.is_open and not self.reset_ordered:
             self._expect_after(self.parameters.all_shown)
             self._apply.start(self._state, self._settings, only)
 
@@ -235,8 +256,17 @@ class Device(QObject):
             return
         defaults = factory_settings(self._state.signature.model, self._state.signature.firmware)
         self._expect_after(defaults.parameters)
-        self.draft.discard_edits()
-        self._apply.reset(self._state, self._settings)
+        if self._apply.reset(self._state, self._settings):
+            self.draft.discard_edits()
+
+    def note_power_cycled(self) -> None:
+        """Take a person's word that the board was switched off and on."""
+        self._ordered_reset = None
+        if self._state is not None:
+            self.draft.take_state(self._state, power_cycled=True)
+            self.parameters.note_in_force(self._in_force(self._state))
+            self.state_changed.emit()
+            self.link_changed.emit()
 
     def _expect_after(self, stored: Mapping[str, int]) -> None:
         """Look for the board where it will be with these values, too, should it fall silent."""
@@ -302,6 +332,8 @@ class Device(QObject):
         """Let `state` say what the board holds now."""
         if self._state is None:
             return
+        if any(result.what == "factory_reset" and result.error is None for result in results):
+            self._ordered_reset = dict(self._state.parameters)
         parameters, calibrations = dict(self._state.parameters), dict(self._state.calibrations)
         for result in results:
             if isinstance(result.stored, int):
@@ -333,6 +365,23 @@ class Device(QObject):
                 self._counters = counters
                 self._fall_silent(reason)
 
+    @Slot(object)
+    def _on_replacing(self, shown: Settings) -> None:
+        """Keep edits that no board of their kind is there for any more, as a snapshot."""
+        name = f"{shown.product.name} {shown.firmware or ''}".strip()
+        reason = self.tr("another board; with edits that were not applied")
+        try:
+            self.history.take(shown, adapter="", reason=reason)
+        except SettingsError as error:
+            text = self.tr("The edits for the {0} before could not be saved. {1}")
+            self.failed.emit(text.format(name, sentence(error)))
+            return
+        text = self.tr(
+            "The settings of the {0} before, with the edits that were not applied, are kept in "
+            "File, History."
+        )
+        self.told.emit(text.format(name))
+
     def _take_samples(self, batch: Batch) -> None:
         self._counters = batch.counters
         for sample in batch.samples:
@@ -359,17 +408,26 @@ class Device(QObject):
         self._echo = report.echo
         self._settings = report.settings
         self._port_rates = report.port_rates
+        if occasion is Occasion.OPENED and self.pending and self._is_of(state):
+            text = self.tr("Edits made before wait here: {0}. Apply writes them to this board.")
+            self.told.emit(text.format(self.pending))
         if occasion is Occasion.OPENED:
             self.telemetry.begin(state.signature.model.current_unit)
         if occasion is not Occasion.RELOADED:
             self._may_move = report.may_move
             self.motors.allow(False)
         self.telemetry.note_control(state.serial_controls)
+        if occasion.power_cycled or self._ordered_reset != dict(state.parameters):
+            self._ordered_reset = None
         self.draft.take_state(state, power_cycled=occasion.power_cycled)
         self.parameters.note_in_force(self._in_force(state))
         self._set_link(Link.UP, self.tr("Connected to {0}.").format(state.signature))
         self._allow_driving()
         self.state_changed.emit()
+
+    def _is_of(self, state: DeviceState) -> bool:
+        """Whether the edits that wait are for this kind of board."""
+        return self.parameters.model_key == state.signature.model.key
 
     def _in_force(self, state: DeviceState) -> dict[str, int]:
         """Return what is surely in force now of what acts only after a power cycle.

@@ -2,29 +2,36 @@
 
 from enum import Enum, auto
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, QTimer, Signal, Slot
 
 from trex_gui.link.next_line import after_power_cycle
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Device, Link
 from trex_gui.settings.factory import factory_settings
 
+_LONG = 10_000
+"""Milliseconds without news after which there is something to say about it."""
+
 
 class Stage(Enum):
-    """How far a power cycle is."""
+    """How far a power cycle is.
+
+    A silence is taken for a power cut: nothing that the board says tells them apart.
+    """
 
     NONE = auto()
     OFF_WANTED = auto()
     ON_WANTED = auto()
     BACK = auto()
     LOST = auto()
+    UNSURE = auto()
 
 
 class PowerCycle(QObject):
     """Watches the link while a person switches the power; the switch itself is theirs.
 
     Signals:
-        changed: `stage`, `expected` or `still_waiting`.
+        changed: `stage`, `takes_long`, `expected` or `still_waiting`.
     """
 
     changed = Signal()
@@ -33,14 +40,24 @@ class PowerCycle(QObject):
         super().__init__(parent)
         self._device = device
         self._stage = Stage.NONE
+        self._takes_long = False
         self._expected: LinkSettings | None = None
+        self._patience = QTimer(self)
+        self._patience.setSingleShot(True)
+        self._patience.setInterval(_LONG)
 
+        self._patience.timeout.connect(self._on_patience_ended)
         device.link_changed.connect(self._on_link_changed)
 
     @property
     def stage(self) -> Stage:
         """How far it is."""
         return self._stage
+
+    @property
+    def takes_long(self) -> bool:
+        """Whether nothing has happened for so long that a word of help is due."""
+        return self._takes_long
 
     @property
     def expected(self) -> LinkSettings | None:
@@ -52,23 +69,25 @@ class PowerCycle(QObject):
         """Names of what is stored and not active."""
         return self._device.parameters.waiting_for_power
 
-    def begin(self, *, reset: bool = False) -> None:
-        """Wait for the power to go off, and on again.
-
-        Args:
-            reset: whether the board puts its parameters back to the factory's values then.
-        """
+    def begin(self) -> None:
+        """Wait for the power to go off, and on again."""
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None or self._device.link is not Link.UP:
             return
         signature = state.signature
         values = state.parameters
-        if reset:
+        if self._device.reset_ordered:
             values = factory_settings(signature.model, signature.firmware).parameters
         coming = after_power_cycle(settings, values, signature.firmware)
         self._expected = None if coming == settings else coming
         self._device.expect(() if self._expected is None else (self._expected,))
         self._go(Stage.OFF_WANTED)
+
+    def confirm(self) -> None:
+        """Take a person's word that the power was off and is on again."""
+        if self._device.link is Link.UP:
+            self._device.note_power_cycled()
+            self._go(Stage.BACK)
 
     def end(self) -> None:
         """Wait for nothing any more."""
@@ -78,13 +97,25 @@ class PowerCycle(QObject):
     @Slot()
     def _on_link_changed(self) -> None:
         match self._stage, self._device.link:
-            case Stage.OFF_WANTED, Link.SILENT:
+            case Stage.OFF_WANTED | Stage.UNSURE, Link.SILENT:
                 self._go(Stage.ON_WANTED)
-            case Stage.ON_WANTED | Stage.LOST, Link.UP:
+            case Stage.ON_WANTED, Link.UP:
                 self._go(Stage.BACK)
-            case Stage.OFF_WANTED | Stage.ON_WANTED, Link.NONE | Link.CLOSING:
+            case Stage.OFF_WANTED | Stage.ON_WANTED | Stage.UNSURE, Link.NONE | Link.CLOSING:
                 self._go(Stage.LOST)
+            case Stage.LOST, Link.UP:
+                self._go(Stage.UNSURE if self.still_waiting else Stage.BACK)
+
+    @Slot()
+    def _on_patience_ended(self) -> None:
+        self._takes_long = True
+        self.changed.emit()
 
     def _go(self, stage: Stage) -> None:
         self._stage = stage
+        self._takes_long = False
+        if stage in {Stage.OFF_WANTED, Stage.ON_WANTED}:
+            self._patience.start()
+        else:
+            self._patience.stop()
         self.changed.emit()

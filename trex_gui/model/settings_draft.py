@@ -21,6 +21,8 @@ class SettingsDraft(QObject):
 
     Signals:
         loaded: what is stored was read anew.
+        replacing: settings of another kind take this place next, and these edits go: what was
+            shown, as `Settings`.
         pending_changed: how many edits wait.
 
     Attributes:
@@ -29,6 +31,7 @@ class SettingsDraft(QObject):
     """
 
     loaded = Signal()
+    replacing = Signal(object)
     pending_changed = Signal(int)
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -65,6 +68,8 @@ class SettingsDraft(QObject):
 
     def _begin(self, product: Model, firmware: str | None) -> None:
         if self._product is None or self._product.key != product.key:
+            if self.pending:
+                self.replacing.emit(self.shown)
             self.undo.clear()  # what was edited belonged to another kind of board
         self._product = product
         self._firmware = firmware

@@ -1,5 +1,7 @@
 """The row above the pages: which port, how the line is set, how things stand."""
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import (
     QComboBox,
@@ -28,9 +30,12 @@ class ConnectionBar(QWidget):
 
     Signals:
         connecting: a person has chosen a port.
+        interruption_wanted: what a person wants would cut off the writing of settings; carries
+            what does it all the same.
     """
 
     connecting = Signal()
+    interruption_wanted = Signal(object)
 
     def __init__(
         self,
@@ -47,7 +52,7 @@ class ConnectionBar(QWidget):
         self._combo = QComboBox(self)
         self._combo.setObjectName("portCombo")
         self._combo.setAccessibleName(self.tr("Connected to"))
-        self._combo.setMinimumContentsLength(24)
+        self._combo.setMinimumContentsLength(20)
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
@@ -76,7 +81,7 @@ class ConnectionBar(QWidget):
         self._progress = QProgressBar(self)
         self._progress.setObjectName("progressBar")
         self._progress.setAccessibleName(self.tr("Progress"))
-        self._progress.setMaximumWidth(160)
+        self._progress.setFixedWidth(70)
         self._progress.setTextVisible(False)
         self._progress.hide()
 
@@ -110,7 +115,18 @@ class ConnectionBar(QWidget):
         if self._device.link is Link.NONE and not self._connector.starting:
             self.connect_preferred()
         else:
-            self._connector.disconnect_port()
+            self.leave()
+
+    def leave(self) -> None:
+        """Disconnect, after a question while settings are being written."""
+        self._when_nothing_is_cut_off(self._connector.disconnect_port)
+
+    def _when_nothing_is_cut_off(self, then: Callable[[], object]) -> None:
+        if self._device.applying:
+            self._on_ports_changed()  # the combo box has the next port already
+            self.interruption_wanted.emit(then)
+        else:
+            then()
 
     def connect_preferred(self) -> None:
         """Connect to the port used last, or to the only one; else let a person choose."""
@@ -153,7 +169,7 @@ class ConnectionBar(QWidget):
         elif choice == _OTHER:
             self._ask_for_address()
         elif choice == _NOT_CONNECTED:
-            self._connector.disconnect_port()
+            self.leave()
 
     def _ask_for_address(self) -> None:
         address, given = QInputDialog.getText(
@@ -170,8 +186,11 @@ class ConnectionBar(QWidget):
             self._on_ports_changed()
 
     def _connect_to(self, port: Port) -> None:
-        self.connecting.emit()
-        self._connector.connect_to(port)
+        def connect_to() -> None:
+            self.connecting.emit()
+            self._connector.connect_to(port)
+
+        self._when_nothing_is_cut_off(connect_to)
 
     # --- What has changed ---------------------------------------------------------------
 

@@ -40,6 +40,8 @@ from trex_gui.views.settings_editor.file_drop import FileDrop
 from trex_gui.views.settings_files import SettingsFiles
 from trex_gui.views.theme import Scheme, theme
 from trex_gui.views.widgets.banner import Banner
+from trex_gui.views.widgets.question import Answer, Question
+from trex_gui.views.widgets.scroll_box import ScrollBox
 
 GUIDE_URL = "https://www.pololu.com/docs/0J1"
 
@@ -63,9 +65,12 @@ class MainWindow(QMainWindow):
         self._device = device
         self._connector = connector
         self._store = QSettings(self)
+        self._was_up = False
 
         self._connection = ConnectionBar(device, ports, connector, self)
         self._banner = Banner(self)
+        self._question = Question(self)
+        self._may_leave = False
         self._tabs = QTabWidget(self)
         self._tabs.setObjectName("tabs")
         self._tabs.setAccessibleName(self.tr("Pages"))
@@ -79,12 +84,14 @@ class MainWindow(QMainWindow):
             self.tr("Parameters"): parameters_page,
         }
         for title, page in pages.items():
-            self._tabs.addTab(page, title)
+            self._tabs.addTab(ScrollBox(page, self), title)
+        parameters_index = list(pages.values()).index(parameters_page)
 
         frame = QWidget(self)
         layout = QVBoxLayout(frame)
         layout.addWidget(self._connection)
         layout.addWidget(self._banner)
+        layout.addWidget(self._question)
         layout.addWidget(self._tabs, 1)
         self._bar = ActionBar(device, self)
         layout.addWidget(self._bar)
@@ -93,18 +100,19 @@ class MainWindow(QMainWindow):
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._demo)
         self._files = SettingsFiles(device, self)
         self._drop = FileDrop(self)
-        self._cycle = PowerCycle(device, self)
-        self._review = ReviewDialog(device, self._cycle, self)
+        self._guided = PowerCycle(device, self)
+        self._review = ReviewDialog(device, PowerCycle(device, self), self)
         self._defaults = DefaultsDialog(device, self)
-        self._power = PowerCycleDialog(self._cycle, self)
+        self._power = PowerCycleDialog(self._guided, self)
         self._history = HistoryDialog(device, self)
         self._actions = build_menus(self, self._slots())
 
         self._files.told.connect(self._banner.show_news)
         self._files.refused.connect(self._banner.show_problem)
-        self._files.staged.connect(lambda: self._tabs.setCurrentWidget(parameters_page))
+        self._files.staged.connect(lambda: self._tabs.setCurrentIndex(parameters_index))
         self._drop.dropped.connect(self._files.open_file)
         self._connection.connecting.connect(self._banner.clear)
+        self._connection.interruption_wanted.connect(self._on_interruption_wanted)
         self._bar.apply_requested.connect(self._review.review)
         self._defaults.staged.connect(self._review.review)
         self._history.restore_requested.connect(self._review.review)
@@ -116,7 +124,10 @@ class MainWindow(QMainWindow):
         connector.demo_board.refused.connect(self._banner.show_problem)
         self._demo.wanted_changed.connect(self._on_demo_changed)
         device.failed.connect(self._on_device_failed)
+        # Behind what the same report changes: a link that is up again clears the banner.
+        device.told.connect(self._banner.show_news, Qt.ConnectionType.QueuedConnection)
         device.applied.connect(self._on_applied)
+        device.applied.connect(self._question.reconsider)
         device.link_changed.connect(self._on_link_changed)
         device.motors.changed.connect(self._on_possibilities_changed)
         device.pending_changed.connect(self._on_possibilities_changed)
@@ -157,7 +168,7 @@ class MainWindow(QMainWindow):
             "redo": self._device.undo.redo,
             "discard": self._device.discard_edits,
             "connect": self._connection.connect_preferred,
-            "disconnect": self._connector.disconnect_port,
+            "disconnect": self._connection.leave,
             "line": self._connection.edit_line,
             "find": self._connection.find_board,
             "stop": self._device.motors.stop,
@@ -178,8 +189,10 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._device.link is Link.UP:
+        up = self._device.link is Link.UP
+        if up and not self._was_up:
             self._banner.clear()
+        self._was_up = up
         self._on_possibilities_changed()
 
     @Slot()
@@ -187,26 +200,30 @@ class MainWindow(QMainWindow):
         """Let every action say whether it can be done now."""
         link, motors = self._device.link, self._device.motors
         idle, up = link is Link.NONE, link is Link.UP
+        shown = self._device.draft.shown is not None and not self._device.applying
+        waiting = bool(self._device.parameters.waiting_for_power)
+        edited = shown and self._device.pending > 0
         for key, possible in {
             "connect": idle,
             "line": idle,
             "disconnect": link not in {Link.NONE, Link.CLOSING},
             "reload": up and not self._device.applying,
             "open": not self._device.applying,
-            "save": up,
-            "print": up,
-            "export": up,
+            "save": shown,
+            "print": shown,
+            "export": shown,
             "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
             "run": motors.can_arm and not motors.armed,
             "apply": up and self._device.pending > 0 and not self._device.applying,
-            "power": up and bool(self._device.parameters.waiting_for_power),
+            "power": up and (waiting or self._device.reset_ordered),
             "defaults": up and not self._device.applying,
             "serial_defaults": up and not self._device.applying,
-            "discard": up and self._device.pending > 0 and not self._device.applying,
-            "undo": up and self._device.undo.canUndo() and not self._device.applying,
-            "redo": up and self._device.undo.canRedo() and not self._device.applying,
+            "discard": edited,
+            "undo": shown and self._device.undo.canUndo(),
+            "redo": shown and self._device.undo.canRedo(),
         }.items():
             self._actions[key].setEnabled(possible)
+        self._question.reconsider()
 
     @Slot()
     def _on_undo_changed(self) -> None:
@@ -233,8 +250,10 @@ class MainWindow(QMainWindow):
         if not failed:
             self._banner.clear()
             if any(result.what == "factory_reset" for result in results):
-                self._cycle.begin(reset=True)
-                self._power.guide()
+                self._on_power_cycle_wanted()
+            elif not self._review.isVisible():
+                text = self.tr("{0} settings are stored and read back equal.")
+                self._banner.show_news(text.format(len(results)))
             return
         names = ", ".join(self._device.name_of(result.what) for result in failed)
         reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
@@ -242,21 +261,39 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _on_power_cycle_wanted(self) -> None:
-        self._cycle.begin()
+        self._guided.begin()
         self._power.guide()
 
     @Slot()
     def _on_reload_requested(self) -> None:
-        if self._device.pending:
-            answer = QMessageBox.question(
-                self,
-                self.tr("Reload settings"),
-                self.tr("Read the settings from the board and forget the edits made here?"),
-            )
-            if answer != QMessageBox.StandardButton.Yes:
-                return
-            self._device.discard_edits()
+        if not self._device.pending:
+            self._device.reload()
+            return
+        self._question.ask(
+            self.tr("Read the settings from the board and forget the edits made here?"),
+            Answer("reloadYes", self.tr("Forget them and reload"), self._forget_and_reload),
+            still=lambda: (
+                self._device.pending > 0
+                and self._device.link is Link.UP
+                and not self._device.applying
+            ),
+        )
+
+    def _forget_and_reload(self) -> None:
+        self._device.discard_edits()
         self._device.reload()
+
+    @Slot(object)
+    def _on_interruption_wanted(self, then: Callable[[], object]) -> None:
+        """Ask before writing is cut off."""
+        self._question.ask(
+            self.tr(
+                "Settings are being written. Disconnect all the same? What was not written yet "
+                "stays an edit."
+            ),
+            Answer("disconnectYes", self.tr("Disconnect"), then),
+            still=lambda: self._device.applying,
+        )
 
     # --- Appearance, beginning and end --------------------------------------------------
 
@@ -313,16 +350,33 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def _may_close(self) -> bool:
-        """Ask before edits that were never applied are lost."""
-        if not self._files.may_close():
-            return False
-        if not self._device.pending:
-            return True
-        answer = QMessageBox.question(
-            self,
-            self.tr("Unapplied changes"),
-            self.tr("There are changes that were not applied to the board. Close and lose them?"),
-            QMessageBox.StandardButton.Discard | QMessageBox.StandardButton.Cancel,
-            QMessageBox.StandardButton.Cancel,
-        )
-        return answer == QMessageBox.StandardButton.Discard
+        """Ask before something is lost; an answer that lets the window go closes it again."""
+        if self._may_leave or not (self._device.applying or self._device.pending):
+            self._may_leave = False
+            return self._files.may_close()
+        self.activateWindow()
+        if self._device.applying:
+            self._question.ask(
+                self.tr(
+                    "Settings are being written. Close all the same? What was not written yet is "
+                    "lost."
+                ),
+                Answer("closeYes", self.tr("Close all the same"), self._leave),
+                still=lambda: self._device.applying,
+            )
+        else:
+            self._question.ask(
+                self.tr("There are changes that were not applied to the board."),
+                Answer("saveAndClose", self.tr("Save as a settings file…"), self._save_and_leave),
+                Answer("closeYes", self.tr("Close and lose them"), self._leave),
+                still=lambda: self._device.pending > 0 and not self._device.applying,
+            )
+        return False
+
+    def _save_and_leave(self) -> None:
+        if self._files.ask_and_save():
+            self._leave()
+
+    def _leave(self) -> None:
+        self._may_leave = True
+        self.close()

@@ -63,16 +63,15 @@ class SettingsFiles(QObject):
         if chosen:
             self.open_file(Path(chosen))
 
-    def ask_and_save(self) -> None:
-        """Let a person choose where to save the settings shown."""
+    def ask_and_save(self) -> bool:
+        """Let a person choose where to save the settings shown; return whether they are."""
         state = self._device.state
         key = state.signature.model.key if state is not None else "trex"
         name = questions.last_folder(self._store) / f"{key}_settings.txt"
         chosen, _ = QFileDialog.getSaveFileName(
             self._window, self.tr("Save settings file"), str(name), questions.file_filter()
         )
-        if chosen:
-            self.save_file(Path(chosen))
+        return bool(chosen) and self.save_file(Path(chosen))
 
     def ask_and_export(self) -> None:
         """Let a person choose where to save the settings shown as a program, and its language."""
@@ -230,26 +229,29 @@ class SettingsFiles(QObject):
         text = self.tr("{0} applies and checks the settings shown; read its first lines.")
         self.told.emit(text.format(path))
 
-    def save_file(self, path: Path) -> None:
-        """Write the settings shown, edits included; of a file that is there, values only.
+    def save_file(self, path: Path) -> bool:
+        """Write the settings shown, edits included; return whether they are saved.
+
+        Of a file that is there only the values are written.
 
         What people wrote into it stays, and so does what the board does not show now: the
         calibrations of the other input source.
         """
         settings = self._device.draft.shown
         if settings is None:
-            return
+            return False
         try:
             text, kept = self._text_for(path, settings)
             if text is None:
-                return
+                return False
             save(path, text)
         except (SettingsError, BadRequest) as error:
             self.refused.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
-            return
+            return False
         questions.remember_folder(self._store, path)
         words = self.tr("The settings shown were saved in {0}.").format(path)
         self.told.emit(f"{words} {kept}".rstrip())
+        return True
 
     def _text_for(self, path: Path, settings: Settings) -> tuple[str | None, str]:
         """Return what to write, and what was kept in words; `None`: a person rather would not.

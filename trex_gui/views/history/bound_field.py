@@ -5,8 +5,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSpinBox, QWidge
 
 from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.history import KEPT, History
-from trex_gui.views.history.question import ask
 from trex_gui.views.widgets.calm_combo_box import CalmComboBox
+from trex_gui.views.widgets.question import Answer, Question
 
 _MOST = 999_999
 
@@ -22,9 +22,10 @@ class BoundField(QWidget):
     changed = Signal()
     refused = Signal(str)
 
-    def __init__(self, history: History, parent: QWidget | None = None) -> None:
+    def __init__(self, history: History, question: Question, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._history = history
+        self._question = question
         self._problem = ""
         self._stored: int | None = KEPT
 
@@ -93,26 +94,25 @@ class BoundField(QWidget):
             self._keep(wanted)
             return
         there = len(self._history.snapshots())
-        box = ask(
-            self.window(),
-            self.tr("Keep fewer snapshots"),
+        text = self.tr("Remove {0}").format(len(gone))
+        self._question.ask(
             self.tr("Remove the oldest {0} of {1} snapshots for good?").format(len(gone), there),
-            self.tr("Remove {0}").format(len(gone)),
-            lambda: self._keep(wanted),
+            Answer("historyQuestionYes", text, lambda: self._keep(wanted)),
+            otherwise=self._take_back,
         )
-        box.rejected.connect(self._on_refused)
+        self._show(wanted)
         self._set.setEnabled(False)
-        box.finished.connect(self._on_edited)
 
-    @Slot()
-    def _on_refused(self) -> None:
+    def _take_back(self) -> None:
         self._show(self._stored)
+        self._on_edited()
 
     def _keep(self, kept: int | None) -> None:
         try:
             self._history.keep(kept)
         except SettingsError as error:
             self.refused.emit(str(error))
+            self._on_edited()
             return
         self.refresh()
         self.changed.emit()

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QHBoxLayout,
     QLabel,
-    QMessageBox,
     QPushButton,
     QSplitter,
     QStackedWidget,
@@ -25,10 +24,10 @@ from trex_gui.settings.history import Snapshot
 from trex_gui.views.history.bound_field import BoundField
 from trex_gui.views.history.pane import SnapshotPane
 from trex_gui.views.history.present_choice import FILTER, FOLDER
-from trex_gui.views.history.question import ask
 from trex_gui.views.history.snapshot_list import SnapshotList
 from trex_gui.views.icons import set_icon
 from trex_gui.views.widgets.banner import Banner
+from trex_gui.views.widgets.question import Answer, Question
 
 
 class HistoryDialog(QDialog):
@@ -58,6 +57,8 @@ class HistoryDialog(QDialog):
 
         self._banner = Banner(self)
         self._banner.setObjectName("historyBanner")
+        self._question = Question(self)
+        self._question.setObjectName("historyQuestion")
         self._list = SnapshotList(self._table, self)
         self._save = QPushButton(self.tr("Save &as…"), self)
         self._save.setObjectName("saveSnapshotButton")
@@ -67,7 +68,7 @@ class HistoryDialog(QDialog):
         self._delete.setObjectName("deleteSnapshotButton")
         set_icon(self._delete, "clear")
         self._pane = SnapshotPane(device, self._table, self)
-        self._bound = BoundField(self._history, self)
+        self._bound = BoundField(self._history, self._question, self)
         self._folder = QPushButton(self.tr("&Open folder"), self)
         self._folder.setObjectName("openFolderButton")
         set_icon(self._folder, "folder")
@@ -118,6 +119,7 @@ class HistoryDialog(QDialog):
         bottom.addWidget(self._close)
         layout = QVBoxLayout(self)
         layout.addWidget(self._banner)
+        layout.addWidget(self._question)
         layout.addWidget(self._pages, 1)
         layout.addLayout(bottom)
         self.resize(1180, 640)
@@ -224,14 +226,17 @@ class HistoryDialog(QDialog):
     @Slot()
     def _on_delete_clicked(self) -> None:
         chosen = self._list.chosen
-        if not chosen or self.findChild(QMessageBox, "historyQuestion") is not None:
+        if not chosen:
             return
         if len(chosen) == 1:
             text = self.tr("Delete the snapshot of {0} for good?")
             text = text.format(self._table.time_text(chosen[0]))
         else:
             text = self.tr("Delete {0} snapshots for good?").format(len(chosen))
-        ask(self, self.tr("Delete"), text, self.tr("Delete"), lambda: self._remove(chosen))
+        self._question.ask(
+            text,
+            Answer("historyQuestionYes", self.tr("Delete"), lambda: self._remove(chosen)),
+        )
 
     def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:
         for snapshot in snapshots:
@@ -258,6 +263,5 @@ class HistoryDialog(QDialog):
         """Esc, the button and the window's cross all end here; it only hides."""
         self._later.stop()
         self._store.setValue("history/geometry", self.saveGeometry())
-        for box in self.findChildren(QMessageBox, "historyQuestion"):
-            box.close()
+        self._question.withdraw()
         super().reject()

@@ -59,7 +59,7 @@ class ParametersPage(QWidget):
         self._discard.clicked.connect(device.discard_edits)
         self._table.refused.connect(self._notice.setText)
         self._model.modelReset.connect(self._on_link_changed)
-        self._model.pending_changed.connect(self._on_pending_changed)
+        device.pending_changed.connect(self._on_pending_changed)
         device.applied.connect(self._on_applied)
         device.link_changed.connect(self._on_link_changed)
         self._on_link_changed()
@@ -68,24 +68,31 @@ class ParametersPage(QWidget):
     def _on_link_changed(self) -> None:
         up = self._device.link is Link.UP
         self._reload.setEnabled(up)
-        self._activate.setVisible(up and bool(self._model.waiting_for_power))
+        self._activate.setVisible(up and self._waits_for_power)
         self._table.set_rows_enabled(up)
         if self._model.count == 0:
             self._notice.setText(self.tr("Connect to a board to see its parameters."))
         elif up:
-            self._on_pending_changed(len(self._model.pending))
+            self._on_pending_changed()
         else:
             self._notice.setText(
                 self.tr("No board answers. Edits are kept for when the same kind of board is back.")
             )
-        self._discard.setEnabled(up and bool(self._model.pending))
+        self._discard.setEnabled(up and self._device.pending > 0)
 
-    @Slot(int)
-    def _on_pending_changed(self, count: int) -> None:
+    @property
+    def _waits_for_power(self) -> bool:
+        return bool(self._model.waiting_for_power) or self._device.reset_ordered
+
+    @Slot()
+    def _on_pending_changed(self) -> None:
+        count = self._device.pending
         self._discard.setEnabled(count > 0 and self._device.link is Link.UP)
         waiting = self._model.waiting_for_power
-        self._activate.setVisible(bool(waiting) and self._device.link is Link.UP)
-        if count:
+        self._activate.setVisible(self._waits_for_power and self._device.link is Link.UP)
+        if self._device.reset_ordered:
+            text = self.tr("The factory's values stand here after the next power cycle.")
+        elif count:
             text = self.tr("{0} not applied yet: Apply settings writes them.").format(
                 self._count_text(count)
             )

@@ -5,7 +5,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
     QLabel,
-    QMessageBox,
     QPushButton,
     QVBoxLayout,
     QWidget,
@@ -54,8 +53,22 @@ class DefaultsDialog(QDialog):
         self._cancel = QPushButton(self.tr("Cancel"), self)
         self._cancel.setObjectName("defaultsCancelButton")
 
+        self._question = QLabel(
+            self.tr(
+                "The board is told to put every parameter back at its next start, the ones "
+                "unticked here, too. What it stores now is saved first (File, History). Edits "
+                "that were not applied are dropped, which Undo takes back."
+            ),
+            self,
+        )
+        self._question.setObjectName("boardResetQuestion")
+        self._question.setWordWrap(True)
+        self._sure = QPushButton(self.tr("Reset the board"), self)
+        self._sure.setObjectName("boardResetSureButton")
+
         buttons = QHBoxLayout()
         buttons.addWidget(self._reset)
+        buttons.addWidget(self._sure)
         buttons.addStretch(1)
         buttons.addWidget(self._take)
         buttons.addWidget(self._cancel)
@@ -63,9 +76,11 @@ class DefaultsDialog(QDialog):
         layout.addWidget(self._intro)
         layout.addWidget(self._rows, 1)
         layout.addWidget(self._inferred)
+        layout.addWidget(self._question)
         layout.addLayout(buttons)
 
-        self._reset.clicked.connect(self._on_reset_clicked)
+        self._reset.clicked.connect(lambda: self._ask(True))
+        self._sure.clicked.connect(self._on_sure_clicked)
         self._take.clicked.connect(self._on_take_clicked)
         self._cancel.clicked.connect(self.close)
         self._rows.ticked_changed.connect(self._on_ticked_changed)
@@ -92,7 +107,7 @@ class DefaultsDialog(QDialog):
                 "stay. Untick what shall stay, too. Nothing is written before the review."
             )
         )
-        self._reset.setVisible(not serial_only)
+        self._ask(False)
         self._rows.show_comparison(
             self._changes(), self.tr("Now"), self.tr("Factory default"), with_ticks=True
         )
@@ -115,20 +130,16 @@ class DefaultsDialog(QDialog):
         self.close()
         self.staged.emit()
 
+    def _ask(self, asking: bool) -> None:
+        """Ask within the dialog: a box in front of the window would hide the stop button."""
+        self._question.setVisible(asking)
+        self._sure.setVisible(asking)
+        self._reset.setVisible(not asking and not self._serial_only)
+
     @Slot()
-    def _on_reset_clicked(self) -> None:
-        answer = QMessageBox.question(
-            self,
-            self.tr("Reset by the board"),
-            self.tr(
-                "The board is told to put every parameter back at its next start, the ones "
-                "unticked here, too. What it stores now is saved first (File, History). "
-                "Edits that were not applied are dropped. Go on?"
-            ),
-        )
-        if answer == QMessageBox.StandardButton.Yes:
-            self.close()
-            self.reset_requested.emit()
+    def _on_sure_clicked(self) -> None:
+        self.close()
+        self.reset_requested.emit()
 
     @Slot()
     def _on_draft_changed(self) -> None:
@@ -155,6 +166,7 @@ class DefaultsDialog(QDialog):
         )
         self._take.setEnabled(up and count > 0)
         self._reset.setEnabled(up)
+        self._sure.setEnabled(up)
         spec_of = self._device.parameters.spec_of
         unsure = [
             row.name for row in self._rows.table.ticked if not spec_of(row.key).default_confirmed

@@ -12,7 +12,8 @@ _DONE = {
     Stage.NONE: 0,
     Stage.OFF_WANTED: 0,
     Stage.ON_WANTED: 1,
-    Stage.LOST: 1,
+    Stage.LOST: 0,
+    Stage.UNSURE: 0,
     Stage.BACK: 3,
 }
 """How many of the three steps are behind us."""
@@ -37,8 +38,8 @@ class PowerCyclePanel(QFrame):
             step.setWordWrap(True)
         self._result = Note(2, self)
         self._result.setObjectName("powerCycleResult")
-        self._again = QPushButton(self.tr("Wait again"), self)
-        self._again.setObjectName("powerCycleAgain")
+        self._done = QPushButton(self.tr("I have switched it off and on"), self)
+        self._done.setObjectName("powerCycleDone")
 
         layout = QGridLayout(self)
         layout.setContentsMargins(12, 8, 12, 8)
@@ -48,29 +49,20 @@ class PowerCyclePanel(QFrame):
             layout.addWidget(sign, row, 0, Qt.AlignmentFlag.AlignTop)
             layout.addWidget(step, row, 1, 1, 2)
         layout.addWidget(self._result, 4, 0, 1, 2)
-        layout.addWidget(self._again, 4, 2, Qt.AlignmentFlag.AlignBottom)
+        layout.addWidget(self._done, 4, 2, Qt.AlignmentFlag.AlignBottom)
         layout.setRowStretch(5, 1)
 
-        self._again.clicked.connect(self._on_again_clicked)
+        self._done.clicked.connect(cycle.confirm)
         cycle.changed.connect(self._on_changed)
         theme().changed.connect(self._on_changed)
         self._on_changed()
-
-    @Slot()
-    def _on_again_clicked(self) -> None:
-        self._cycle.begin()
 
     @Slot()
     def _on_changed(self) -> None:
         stage = self._cycle.stage
         if stage is Stage.OFF_WANTED:
             self._waiting = self._cycle.still_waiting
-        names = ", ".join(self._waiting)
-        self._title.show_note(
-            self.tr("Not active before the board is switched off and on: {0}.").format(names)
-            if names
-            else self.tr("The board has to be switched off and on."),
-        )
+        self._title.show_note(self._title_text(stage))
         self._steps[0].setText(
             self.tr("Switch the board's power off, and leave it off for a second.")
         )
@@ -96,23 +88,50 @@ class PowerCyclePanel(QFrame):
         line = self._cycle.expected.line.text()
         return self.tr("Switch it on again. It is looked for at {0} then.").format(line)
 
+    def _title_text(self, stage: Stage) -> str:
+        names = ", ".join(self._waiting)
+        if stage is Stage.BACK:
+            return self.tr("The power cycle is over.")
+        if names:
+            text = self.tr("Not active before the board is switched off and on: {0}.")
+            return text.format(names)
+        return self.tr("The board has to be switched off and on.")
+
     def _show_result(self, stage: Stage) -> None:
         waiting = ", ".join(self._cycle.still_waiting)
+        long = self._cycle.takes_long
         text, alarming = "", False
-        if stage is Stage.OFF_WANTED:
-            text = self.tr("Waiting for the board to fall silent …")
-        elif stage is Stage.ON_WANTED:
-            text = self.tr("The board is off. Waiting for it to answer again …")
-        elif stage is Stage.LOST:
-            alarming = True
-            text = self.tr(
-                "The line was closed. Switch the board off and on, then connect again; "
-                "“Find a board” looks for it at every setting."
-            )
-        elif stage is Stage.BACK and waiting:
-            alarming = True
-            text = self.tr("The board is back, but still not active: {0}.").format(waiting)
-        elif stage is Stage.BACK:
-            text = self.tr("The board is back, and everything that it stores is active.")
+        match stage:
+            case Stage.OFF_WANTED if long:
+                text = self.tr(
+                    "Nothing was noticed yet. A short break is not seen: leave the power off "
+                    "for a full second."
+                )
+            case Stage.OFF_WANTED:
+                text = self.tr("Waiting for the board to fall silent …")
+            case Stage.ON_WANTED if long:
+                alarming = True
+                text = self.tr(
+                    "The board is still silent. Is its power on, and the cable in? Otherwise "
+                    "disconnect and press “Find…”, which looks for it at every setting."
+                )
+            case Stage.ON_WANTED:
+                text = self.tr("The board has fallen silent. Waiting for it to answer again …")
+            case Stage.LOST:
+                alarming = True
+                text = self.tr(
+                    "The line was closed. Switch the board off and on, then connect again; "
+                    "“Find…” looks for it at every setting."
+                )
+            case Stage.UNSURE:
+                text = self.tr(
+                    "Connected again. Whether the power was off meanwhile cannot be seen: say so, "
+                    "or switch the board off and on now."
+                )
+            case Stage.BACK if waiting:
+                alarming = True
+                text = self.tr("The board is back, but still not active: {0}.").format(waiting)
+            case Stage.BACK:
+                text = self.tr("The board is back, and everything that it stores is active.")
         self._result.show_note(text, alarming=alarming)
-        self._again.setVisible(stage is Stage.BACK and bool(waiting))
+        self._done.setVisible(stage is Stage.UNSURE or (stage is Stage.OFF_WANTED and long))

@@ -1,5 +1,6 @@
 """What Apply is about to write, how far it is, and what became of each value."""
 
+from collections.abc import Iterator
 from enum import Enum, auto
 
 from PySide6.QtCore import Slot
@@ -17,7 +18,7 @@ from PySide6.QtWidgets import (
 from trex_gui.link.writing import Written
 from trex_gui.model.device import Device, Link
 from trex_gui.model.power_cycle import PowerCycle
-from trex_gui.protocol.errors import sentence
+from trex_gui.protocol.errors import NoReply, PortUnavailable, TrexError, sentence
 from trex_gui.settings.comparison import Comparison, compare
 from trex_gui.views.icons import set_icon
 from trex_gui.views.review.power_cycle_panel import PowerCyclePanel
@@ -46,6 +47,7 @@ class ReviewDialog(QDialog):
         self._cycle = cycle
         self._phase = _Phase.REVIEW
         self._problem = ""
+        self._wanted: frozenset[str] = frozenset()
 
         self._head = Note(1, self)
         self._head.setObjectName("reviewHead")
@@ -108,18 +110,25 @@ class ReviewDialog(QDialog):
         differing = compare(stored, shown).differing
         return Comparison(differing)
 
+    @property
+    def _can_write(self) -> bool:
+        """Whether the board takes settings now, and what it takes stays."""
+        device = self._device
+        return device.link is Link.UP and not device.applying and not device.reset_ordered
+
     # --- What a person does -------------------------------------------------------------
 
     @Slot()
     def _on_write_clicked(self) -> None:
         wanted = {row.key for row in self._rows.table.ticked}
-        if not wanted or self._phase is not _Phase.REVIEW:
+        if not wanted or self._phase is not _Phase.REVIEW or not self._can_write:
             return
         self._problem = ""
         self._rows.freeze(self.tr("Before"), self.tr("Written"))
         self._progress.setRange(0, len(wanted))
         self._progress.setValue(0)
         self._enter(_Phase.WRITING)
+        self._wanted = frozenset(wanted)
         self._device.apply(wanted)
 
     def reject(self) -> None:
@@ -168,25 +177,39 @@ class ReviewDialog(QDialog):
     def _on_applied(self, results: tuple[Written, ...]) -> None:
         if self._phase is not _Phase.WRITING:
             return
-        outcomes: dict[str, str] = {}
-        source = self._device.calibrations.source.value.lower()
-        for result in results:
-            is_channel = result.what.startswith("channel ")
-            number = result.what.removeprefix("channel ")
-            key = f"{source}_channel_{number}" if is_channel else result.what
-            outcomes[key] = "" if result.error is None else sentence(result.error)
-        self._rows.show_outcomes(outcomes)
-        failed = sum(bool(outcome) for outcome in outcomes.values())
-        self._problem = (
-            self.tr(
-                "{0} of {1} did not stick. They stay edits; the board keeps what it had."
-            ).format(failed, len(outcomes))
-            if failed
-            else ""
-        )
+        keys = [self._device.key_of(result.what) for result in results]
+        if not self._wanted.issuperset(keys):
+            return  # the result of something else, such as an order to reset
+        self._rows.show_outcomes(dict(zip(keys, self._outcomes(results), strict=True)))
+        self._problem = self._problem_text(results)
         if self._device.parameters.waiting_for_power:
             self._cycle.begin()
         self._enter(_Phase.DONE)
+
+    def _outcomes(self, results: tuple[Written, ...]) -> Iterator[str]:
+        """Yield why each is not stored, empty where it is; an error counts where it happened."""
+        met: TrexError | None = None
+        for result in results:
+            if result.error is None:
+                yield ""
+            elif result.error is met:
+                yield self.tr("not tried after that")
+            else:
+                met = result.error
+                yield sentence(result.error)
+
+    def _problem_text(self, results: tuple[Written, ...]) -> str:
+        errors = [result.error for result in results if result.error is not None]
+        if not errors:
+            return ""
+        text = self.tr("{0} of {1} did not stick, and stay edits.")
+        text = text.format(len(errors), len(results))
+        if any(isinstance(error, (NoReply, PortUnavailable)) for error in errors):
+            text += " " + self.tr(
+                "What was being written when the board was lost may be the old value, the new "
+                "one or, after a power cut, the factory's; it is read again."
+            )
+        return text
 
     @Slot(str)
     def _on_failed(self, reason: str) -> None:
@@ -200,13 +223,13 @@ class ReviewDialog(QDialog):
 
     def _describe(self) -> None:
         """Let every word and button fit the phase."""
-        phase, up = self._phase, self._device.link is Link.UP
+        phase = self._phase
         count = len(self._rows.table.ticked)
         reviewing, done = phase is _Phase.REVIEW, phase is _Phase.DONE
         self._progress.setVisible(phase is _Phase.WRITING)
         self._power.setVisible(done and bool(self._cycle.stage.value > 1))
         self._write.setVisible(reviewing)
-        self._write.setEnabled(reviewing and up and count > 0)
+        self._write.setEnabled(reviewing and self._can_write and count > 0)
         self._write.setText(self._count_text(count, self.tr("Write {0}")))
         self._write.setDefault(reviewing)
         self._close.setText(self.tr("Cancel") if reviewing else self.tr("Close"))
@@ -218,6 +241,7 @@ class ReviewDialog(QDialog):
     def _is_alarming(self) -> bool:
         state = self._device.state
         refuses = state is not None and not state.mode.is_serial
+        refuses = refuses or self._device.reset_ordered
         return bool(self._problem) or (self._phase is _Phase.REVIEW and refuses)
 
     def _head_text(self) -> str:
@@ -234,13 +258,28 @@ class ReviewDialog(QDialog):
             return self.tr("There is nothing to write: no setting was changed.")
         if self._device.link is not Link.UP:
             return self.tr("No board answers. The edits are kept.")
+        if self._device.reset_ordered:
+            return self.tr(
+                "The board was told to reset itself at its next start, and would lose what is "
+                "written now. Switch it off and on first (Device, Make stored settings active)."
+            )
         if state is not None and not state.mode.is_serial:
             return self.tr(
                 "The board is in {0} mode and takes no settings. Set its mode jumper to serial, "
                 "then switch it off and on."
             ).format(state.mode.source.value)
-        board = "" if state is None else str(state.signature)
-        return self._count_text(count, self.tr("{0} of the {1} will change."), board)
+        return self._count_text(count, self.tr("{0} of the {1} will change."), self._board_text())
+
+    def _board_text(self) -> str:
+        """Which board it is: kind, number, port."""
+        state, settings = self._device.state, self._device.settings
+        if state is None or settings is None:
+            return ""
+        number = state.parameters.get("device_number")
+        port = settings.name or settings.url
+        if number is None:
+            return f"{state.signature} ({port})"
+        return self.tr("{0} (device number {1}, {2})").format(state.signature, number, port)
 
     def _foot_text(self) -> str:
         parts = [
@@ -249,6 +288,13 @@ class ReviewDialog(QDialog):
                 "are written last, and each value counts only when it was read back."
             )
         ]
+        if places := self._device.calibrations.out_of_reach:
+            names = ", ".join(f"{source.value} channel {channel}" for source, channel in places)
+            parts.append(
+                self.tr(
+                    "These calibrations wait until the board reads such inputs again: {0}."
+                ).format(names)
+            )
         later = [
             self._device.parameters.spec_of(row.key).name
             for row in self._rows.table.ticked

@@ -2,13 +2,12 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt, Signal, Slot
-from PySide6.QtGui import QFont, QKeyEvent
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
     QHBoxLayout,
-    QHeaderView,
     QLabel,
     QPushButton,
     QStyledItemDelegate,
@@ -23,9 +22,17 @@ from trex_gui.settings.comparison import Comparison
 from trex_gui.views.icons import icon
 from trex_gui.views.theme import theme
 
+_ROW_MARGIN = 8
+
 
 class _Delegate(QStyledItemDelegate):
     """Lets what changes stand out, and marks what is stored and what is not."""
+
+    def sizeHint(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> QSize:
+        size = super().sizeHint(option, index)
+        return QSize(size.width(), size.height() + _ROW_MARGIN)
 
     def initStyleOption(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
@@ -43,7 +50,17 @@ class _Delegate(QStyledItemDelegate):
 
 
 class _Table(QTableView):
-    """Lets the space bar tick a row, whatever column the keyboard is in."""
+    """Lets the space bar tick a row, whatever column the keyboard is in.
+
+    Signals:
+        resized: it has more or less room.
+    """
+
+    resized = Signal()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.resized.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         model, current = self.model(), self.currentIndex()
@@ -60,6 +77,8 @@ class _Table(QTableView):
 class ComparisonView(QWidget):
     """The table with its counts above it, and below what cannot be carried over.
 
+    Nothing in it is cut short: what a value means in full decides whether it may be written.
+
     Signals:
         ticked_changed: how many changes are ticked.
     """
@@ -69,6 +88,8 @@ class ComparisonView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._table = ComparisonTable(self)
+        self._fitting = False
+        self._widths_chosen = False
 
         self._summary = QLabel(self)
         self._summary.setObjectName("comparisonSummary")
@@ -91,12 +112,13 @@ class ComparisonView(QWidget):
         self._view.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self._view.setAlternatingRowColors(True)
         self._view.setShowGrid(False)
-        self._view.setWordWrap(False)
+        self._view.setWordWrap(True)
         self._view.setTabKeyNavigation(False)
-        self._view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._view.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self._view.verticalHeader().hide()
         self._view.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 12)
         header = self._view.horizontalHeader()
+        header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setHighlightSections(False)
         self._left_out = QLabel(self)
@@ -116,9 +138,11 @@ class ComparisonView(QWidget):
 
         self._all.clicked.connect(lambda: self._table.tick_all(True))
         self._none.clicked.connect(lambda: self._table.tick_all(False))
-        self._equal.toggled.connect(self._table.set_with_equal)
+        self._equal.toggled.connect(self._on_equal_toggled)
         self._table.ticked_changed.connect(self._on_ticked_changed)
         self._table.modelReset.connect(self._fit_columns)
+        self._view.resized.connect(self._on_resized)
+        header.sectionResized.connect(self._on_section_resized)
         theme().changed.connect(self._view.viewport().update)
         self.show_nothing()
 
@@ -173,6 +197,7 @@ class ComparisonView(QWidget):
         Other changes are ticked; without `tick_new` only those that were there.
         """
         self._table.renew(comparison, tick_new=tick_new)
+        self._fit_rows()
         self._describe(summary)
 
     def _describe(self, summary: str) -> None:
@@ -186,36 +211,69 @@ class ComparisonView(QWidget):
     def _on_ticked_changed(self) -> None:
         self.ticked_changed.emit(len(self._table.ticked))
 
+    @Slot(bool)
+    def _on_equal_toggled(self, with_equal: bool) -> None:
+        self._table.set_with_equal(with_equal)
+        self._fit_rows()
+
+    # --- Room for every word ------------------------------------------------------------
+
+    @Slot()
+    def _on_resized(self) -> None:
+        if self._widths_chosen:
+            self._fit_rows()
+        else:
+            self._fit_columns()
+
+    @Slot(int, int, int)
+    def _on_section_resized(self, column: int, _before: int, _after: int) -> None:
+        if self._fitting:
+            return
+        if column < self._table.columnCount() - 1:  # the last follows by itself
+            self._widths_chosen = True
+        self._fit_rows()
+
     @Slot()
     def _fit_columns(self) -> None:
-        """Give each column what it needs, and what is left to the physical values."""
-        header = self._view.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        self._view.resizeColumnsToContents()
-        character = self.fontMetrics().averageCharWidth()
-        for column, widest in (
-            (ComparisonColumn.SETTING, 42),
-            (ComparisonColumn.BEFORE, 40),
-            (ComparisonColumn.AFTER, 44),
-            (ComparisonColumn.WIRE, 24),
-        ):
-            size = header.sectionSize(column) + 2 * character
-            header.resizeSection(column, min(size, widest * character))
-        header.setStretchLastSection(True)
-        self._make_room(2 * character, 18 * character)
+        """Give each column what it needs; where that is too much, wrap the widest first."""
+        self._widths_chosen = False
+        self._fitting = True
+        header, count = self._view.horizontalHeader(), self._table.columnCount()
+        wanted = {column: self._wanted_width(column) for column in range(count)}
+        room = self._room()
+        for number, column in enumerate(sorted(wanted, key=lambda column: wanted[column])):
+            share = max(room, 0) // (count - number)
+            width = max(min(wanted[column], share), self._least_width(column))
+            header.resizeSection(column, width)
+            room -= width
+        self._fitting = False
+        self._fit_rows()
 
-    def _make_room(self, margin: int, narrowest: int) -> None:
-        """Let long physical values be cut short before the last column is."""
-        if not self._view.isVisible():
-            return
-        header, last = self._view.horizontalHeader(), self._table.columnCount() - 1
+    @Slot()
+    def _fit_rows(self) -> None:
+        """Let each row be as high as its text is at these widths."""
+        self._view.resizeRowsToContents()
+
+    def _room(self) -> int:
+        """Width for the columns, with a scroll bar or without one yet."""
         bar = self._view.verticalScrollBar()
-        room = self._view.viewport().width() - (0 if bar.isVisible() else bar.sizeHint().width())
-        needed = sum(header.sectionSize(column) for column in range(last))
-        excess = needed + self._view.sizeHintForColumn(last) + margin - room
-        for column in (ComparisonColumn.AFTER, ComparisonColumn.BEFORE):
-            size, least = header.sectionSize(column), header.sectionSizeHint(column)
-            least = max(least, narrowest)
-            if excess > 0 and size > least:
-                header.resizeSection(column, max(least, size - excess))
-                excess -= size - header.sectionSize(column)
+        hidden = 0 if bar.isVisible() else bar.sizeHint().width()
+        return self._view.viewport().width() - hidden
+
+    def _wanted_width(self, column: int) -> int:
+        header = self._view.horizontalHeader()
+        wanted = max(self._view.sizeHintForColumn(column), header.sectionSizeHint(column))
+        return wanted + 2 * self.fontMetrics().averageCharWidth()
+
+    def _least_width(self, column: int) -> int:
+        """Width of the longest word, which cannot be wrapped, with its tick or sign."""
+        font = self._view.font()
+        font.setBold(True)
+        metrics, table = QFontMetrics(font), self._table
+        texts = {str(table.index(row, column).data() or "") for row in range(table.rowCount())}
+        words = {word for text in texts for word in text.split()}
+        longest = max((metrics.horizontalAdvance(word) for word in words), default=0)
+        has_sign = column in {ComparisonColumn.SETTING, ComparisonColumn.OUTCOME}
+        sign = 2 * metrics.height() if has_sign else metrics.height()
+        header = self._view.horizontalHeader()
+        return max(longest + sign, header.sectionSizeHint(column))

@@ -1,6 +1,6 @@
 """One motor's hand-hold: slider, entry box, brake, and what the board reports beside it."""
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import (
     QGridLayout,
     QGroupBox,
@@ -18,7 +18,8 @@ FULL_SPEED = 127
 class DriveControl(QGroupBox):
     """A slider and an entry box that always show the same speed.
 
-    It shows a wish and asks for another; it does not decide what is sent.
+    It shows a wish and asks for another; it does not decide what is sent. The mouse wheel
+    scrolls the page and never drives a motor.
 
     Signals:
         speed_wanted: a speed of `lowest` to 127 that a person chose.
@@ -44,6 +45,8 @@ class DriveControl(QGroupBox):
         self._entry.setKeyboardTracking(False)
         self._entry.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._entry.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        for widget in (self._slider, self._entry):
+            widget.installEventFilter(self)
         self._zero = QPushButton(self.tr("Zero"), self)
         self._zero.setObjectName(f"{name}Zero")
         self._zero.setToolTip(self.tr("Speed 0: the motor is not driven and coasts"))
@@ -89,6 +92,12 @@ class DriveControl(QGroupBox):
     def let_go(self) -> None:
         """End a drag that is under way, so that the slider can be set."""
         self._slider.setSliderDown(False)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Wheel:
+            event.ignore()
+            return True
+        return super().eventFilter(watched, event)
 
     @Slot(int)
     def _on_slider_changed(self, speed: int) -> None:

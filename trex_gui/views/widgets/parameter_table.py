@@ -1,7 +1,7 @@
 """The parameters of a draft: filters, table, findings and help; of a board or of a file."""
 
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
-from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from trex_gui.model.adviser import Adviser
 from trex_gui.model.parameter_filter import ParameterFilter
@@ -14,6 +14,10 @@ from trex_gui.views.widgets.parameter_filters import ParameterFilters
 from trex_gui.views.widgets.parameter_help import ParameterHelp
 from trex_gui.views.widgets.parameter_menu import ParameterMenu
 from trex_gui.views.widgets.parameter_view import ParameterView
+from trex_gui.views.widgets.scroll_box import ScrollBox
+
+_LEAST_ROWS = 5
+"""So many stay in sight; on a low screen the texts below them scroll."""
 
 
 class ParameterTable(QWidget):
@@ -37,17 +41,25 @@ class ParameterTable(QWidget):
 
         self._filters = ParameterFilters(self._rows, self)
         self._view = ParameterView(self._rows, self)
+        self._view.setMinimumHeight(_LEAST_ROWS * (self.fontMetrics().height() + 8))
         self._nothing = _Nothing(self._view.viewport())
-        self._advice = AdviceList(adviser, self)
-        self._help = ParameterHelp(self._model.text, self)
+        below = QWidget(self)
+        below.setObjectName("aboutParameters")
+        self._advice = AdviceList(adviser, below)
+        self._help = ParameterHelp(self._model.text, below)
+        box = ScrollBox(below, self)
+        box.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self._menu = ParameterMenu(self._model, self._view)
 
+        texts = QVBoxLayout(below)
+        texts.setContentsMargins(0, 0, 0, 0)
+        texts.addWidget(self._advice)
+        texts.addWidget(self._help)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._filters)
         layout.addWidget(self._view, 1)
-        layout.addWidget(self._advice)
-        layout.addWidget(self._help)
+        layout.addWidget(box)
 
         self._view.reset_wanted.connect(self._model.reset)
         self._view.refused.connect(self.refused)

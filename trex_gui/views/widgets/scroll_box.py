@@ -1,0 +1,70 @@
+"""A page that scrolls where a screen is too low for it, and else looks as without."""
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+
+_LINES = 4
+
+
+class ScrollBox(QScrollArea):
+    """Shows a widget as high as there is room, or as it needs at least for its width.
+
+    Qt's own way with `widgetResizable` would scroll what could still shrink: it gives text that
+    wraps the height that it likes best.
+    """
+
+    def __init__(self, content: QWidget, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._content = content
+        self._fitting = False
+        self.setObjectName(f"{content.objectName()}Area")
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(content)
+        content.setAutoFillBackground(False)
+        self.viewport().setAutoFillBackground(False)
+
+    def sizeHint(self) -> QSize:
+        """As high as the content is by itself at the width that there is."""
+        hint, layout = self._content.sizeHint(), self._content.layout()
+        if layout is not None and layout.hasHeightForWidth() and self.isVisible():
+            hint.setHeight(layout.heightForWidth(self.maximumViewportSize().width()))
+        return hint
+
+    def minimumSizeHint(self) -> QSize:
+        content = self._content.minimumSizeHint()
+        lines = _LINES * self.fontMetrics().lineSpacing()
+        bar = self.verticalScrollBar().sizeHint().width()
+        return QSize(content.width() + bar, min(content.height(), lines))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._content and event.type() == QEvent.Type.LayoutRequest:
+            self._fit()
+            self.updateGeometry()
+        return super().eventFilter(watched, event)
+
+    def _fit(self) -> None:
+        """Give the content the room that there is, or what it needs."""
+        if self._fitting:  # a scroll bar comes or goes
+            return
+        self._fitting = True
+        room = self.maximumViewportSize()
+        if self._needed(room.width()) > room.height():
+            room.setWidth(room.width() - self.verticalScrollBar().sizeHint().width())
+        self._content.resize(room.width(), max(room.height(), self._needed(room.width())))
+        self._fitting = False
+
+    def _needed(self, width: int) -> int:
+        layout = self._content.layout()
+        needed = self._content.minimumSizeHint().height()
+        if layout is not None and layout.hasHeightForWidth():
+            needed = max(needed, layout.minimumHeightForWidth(width))
+        return needed
