@@ -44,7 +44,7 @@ def test_the_tour_writes_a_picture_of_every_page_light_and_dark(tmp_path: Path) 
     result = run("--tour", str(tmp_path))
     assert result.returncode == 0, result.stderr
     names = {path.name for path in tmp_path.glob("*.png")}
-    pages = ("status", "channels", "motors", "currents", "parameters")
+    pages = ("status", "channels", "calibration", "motors", "currents", "parameters")
     assert names == {f"{page}-{scheme}.png" for page in pages for scheme in ("light", "dark")}
     assert all(path.stat().st_size > 10_000 for path in tmp_path.glob("*.png"))
 

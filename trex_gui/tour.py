@@ -67,7 +67,7 @@ class Tour(QObject):
             for index in range(tabs.count()):
                 yield partial(tabs.setCurrentIndex, index)
                 page = tabs.widget(index)
-                name = page.objectName().removesuffix("Page") if page else str(index)
+                name = page.objectName().removesuffix("PageArea") if page else str(index)
                 yield partial(self._write, f"{name}-{scheme}.png")
 
     def _write(self, name: str) -> None:

@@ -18,7 +18,7 @@ from trex_gui.window import Program
 def connected(program: Program, qtbot: QtBot, quick_simulator: SimulatorProcess) -> Program:
     program.device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP)
-    program.window.pages.setCurrentIndex(4)
+    program.window.pages.setCurrentIndex(5)
     return program
 
 
@@ -80,7 +80,7 @@ def test_a_rate_that_this_computers_port_cannot_do_is_told(
     monkeypatch.setattr(SerialTransport, "rates", lambda _: frozenset({9600, 19200}))
     program.device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP)
-    program.window.pages.setCurrentIndex(4)
+    program.window.pages.setCurrentIndex(5)
     program.device.parameters.edit("uart_settings", LineSettings(76800).to_wire())
     told = "\n".join(messages(program))
     assert "cannot do 76800 baud" in told

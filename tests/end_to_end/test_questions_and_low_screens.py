@@ -98,7 +98,7 @@ def slow(program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> Desk:
 # --- Low screens ------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("page", range(5))
+@pytest.mark.parametrize("page", range(6))
 def test_the_stop_button_is_in_sight_on_a_low_screen(desk: Desk, page: int) -> None:
     desk.window.pages.setCurrentIndex(page)
     desk.device.parameters.edit("serial_timeout", 15)
@@ -120,7 +120,7 @@ def test_a_message_and_a_question_leave_room_for_the_stop_button(desk: Desk) -> 
 
 def test_what_does_not_fit_scrolls(desk: Desk) -> None:
     desk.window.resize(*LOW)
-    desk.choose("page2")
+    desk.choose("page3")
     area = desk.window.findChild(QScrollArea, "motorsPageArea")
     assert area is not None
     assert area.verticalScrollBar().maximum() > 0
@@ -130,7 +130,7 @@ def test_what_does_not_fit_scrolls(desk: Desk) -> None:
 
 def test_the_parameters_keep_rows_in_sight_on_a_low_screen(desk: Desk) -> None:
     desk.window.resize(*LOW)
-    desk.choose("page4")
+    desk.choose("page5")
     view = desk.window.findChild(QWidget, "parametersView")
     area = desk.window.findChild(QScrollArea, "parametersPageArea")
     assert view is not None
@@ -141,7 +141,7 @@ def test_the_parameters_keep_rows_in_sight_on_a_low_screen(desk: Desk) -> None:
 
 def test_the_wheel_scrolls_the_page_and_drives_no_motor(desk: Desk) -> None:
     desk.window.resize(*LOW)
-    desk.choose("page2")
+    desk.choose("page3")
     desk.press("runButton")
     area = desk.window.findChild(QScrollArea, "motorsPageArea")
     slider = desk.window.findChild(QSlider, "motor1Slider")

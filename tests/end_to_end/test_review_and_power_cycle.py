@@ -278,7 +278,7 @@ def test_a_power_cycle_can_be_guided_later_from_the_page(desk: Desk) -> None:
     desk.device.parameters.edit("motor_mode", 1)
     write(desk)
     desk.press("reviewCloseButton")
-    desk.program.window.pages.setCurrentIndex(4)
+    desk.program.window.pages.setCurrentIndex(5)
     desk.press("makeActiveButton")
     within = "powerCycleDialog"
     assert "Motor Mode" in desk.text("powerCycleTitle", within)

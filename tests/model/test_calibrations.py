@@ -1,6 +1,7 @@
 """Stored and edited calibrations."""
 
 import pytest
+from PySide6.QtGui import QUndoStack
 from pytestqt.qtbot import QtBot
 
 from trex_gui.link.writing import Written
@@ -151,3 +152,37 @@ def test_a_board_leaves_no_calibration_out(model: Calibrations) -> None:
     model.leave_out(2)
     assert model.shown(2) is not None
     assert not model.left_out
+
+
+def test_what_was_seen_of_the_other_source_is_remembered(model: Calibrations) -> None:
+    model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
+    rc = InputSource.RC
+    assert model.stored(2, rc) is None
+    assert model.last_seen(2, rc) == DEFAULT_CALIBRATION[rc]
+    assert model.last_seen(2, InputSource.ANALOG) == OTHER
+    assert not model.knows(2, rc)
+
+
+def test_what_was_written_is_what_was_last_seen(model: Calibrations) -> None:
+    model.take_results([Written("channel 1", LEARNED)])
+    model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
+    assert model.last_seen(1, InputSource.RC) == LEARNED
+
+
+def test_another_kind_of_board_was_not_seen_yet(model: Calibrations) -> None:
+    model.load("trexjr", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
+    assert model.last_seen(1, InputSource.RC) is None
+
+
+def test_one_channel_goes_back_to_what_is_stored_and_that_can_be_undone(qtbot: QtBot) -> None:
+    undo = QUndoStack()
+    model = Calibrations(undo=undo)
+    model.load("trex", InputSource.RC, stored(InputSource.RC))
+    model.edit(1, LEARNED)
+    model.edit(2, OTHER)
+    model.restore(1)
+    assert dict(model.pending) == {2: OTHER}
+    undo.undo()
+    assert dict(model.pending) == {1: LEARNED, 2: OTHER}
+    model.restore(3)  # not edited: no step
+    assert undo.canRedo()

@@ -1,5 +1,7 @@
 """The newest values, and the currents of the last hour."""
 
+import math
+
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -109,3 +111,15 @@ def test_an_hour_of_currents_is_kept(telemetry: Telemetry) -> None:
         take(telemetry, *(Currents(float(time), (number, 0)) for time in range(1000)))
     assert len(telemetry.currents) == 3000
     assert telemetry.currents._capacity >= 3600 * 80
+
+
+def test_inputs_are_kept_with_their_times_and_gaps(telemetry: Telemetry) -> None:
+    take(telemetry, Raw(1.0, (1, None, 3, 4, 5)), Raw(1.02, (7, 8, 3, 4, 5)))
+    assert list(telemetry.inputs.times) == [1.0, 1.02]
+    assert list(telemetry.inputs.values(0)) == [1, 7]
+    assert math.isnan(telemetry.inputs.values(1)[0])
+    assert telemetry.inputs.values(1)[1] == 8
+    telemetry.forget()
+    assert len(telemetry.inputs) == 2
+    telemetry.begin(0.04)
+    assert len(telemetry.inputs) == 0

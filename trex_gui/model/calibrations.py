@@ -35,7 +35,7 @@ class Calibrations(QObject):
         self._model_key = ""
         self._source = InputSource.RC
         self._stored: dict[Place, Calibration] = {}
-        self._hidden: dict[Place, Calibration] = {}
+        self._seen: dict[Place, Calibration] = {}
         self._edited: dict[Place, Calibration] = {}
         self._left_out: set[Place] = set()
         self._open_ended = False
@@ -84,6 +84,10 @@ class Calibrations(QObject):
         """What is stored for a channel; `None` when it is not known."""
         return self._stored.get((source or self._source, channel))
 
+    def last_seen(self, channel: int, source: InputSource) -> Calibration | None:
+        """What a board of this kind was last seen to store, also for the source not in force."""
+        return self._seen.get((source, channel))
+
     def shown(self, channel: int, source: InputSource | None = None) -> Calibration | None:
         """What would be stored for a channel after Apply; `None` when it is not known."""
         return self._shown((source or self._source, channel))
@@ -95,7 +99,9 @@ class Calibrations(QObject):
 
     def _held(self, place: Place) -> Calibration | None:
         """What is stored, or was when the board showed it last."""
-        return self._stored.get(place, self._hidden.get(place))
+        if self._open_ended:
+            return self._stored.get(place)
+        return self._stored.get(place, self._seen.get(place))
 
     def knows(self, channel: int, source: InputSource | None = None) -> bool:
         """Whether there is a calibration, or could be one."""
@@ -123,12 +129,12 @@ class Calibrations(QObject):
         if model_key != self._model_key:
             self._edited.clear()
             self._left_out.clear()
-            self._hidden.clear()
-        self._hidden = {p: c for p, c in (self._hidden | self._stored).items() if p not in stored}
+            self._seen.clear()
         self._model_key = model_key
         self._source = source
         self._open_ended = open_ended
         self._stored = dict(stored)
+        self._seen.update(self._stored)
         self._edited = {p: e for p, e in self._edited.items() if self._held(p) != e}
         self._left_out &= self._stored.keys()
         self._announce()
@@ -145,6 +151,13 @@ class Calibrations(QObject):
         before = self._shown(place)
         if wanted != before:
             self._undo.push(Edit(self._text(channel), self._put, place, before, wanted))
+
+    def restore(self, channel: int) -> None:
+        """Go back to what is stored for a channel, for the input source in force; an edit."""
+        place = (self._source, channel)
+        before, stored = self._shown(place), self._stored.get(place)
+        if before != stored:
+            self._undo.push(Edit(self._text(channel), self._put, place, before, stored))
 
     def leave_out(self, channel: int, source: InputSource | None = None) -> None:
         """Give no calibration for a channel, where that is possible; this can be undone."""
@@ -184,7 +197,7 @@ class Calibrations(QObject):
         for result in results:
             if isinstance(result.stored, Calibration):
                 place = (self._source, int(result.what.removeprefix("channel ")))
-                self._stored[place] = result.stored
+                self._stored[place] = self._seen[place] = result.stored
                 if self._edited.get(place) == result.stored:
                     del self._edited[place]
         self._announce()

@@ -37,14 +37,18 @@ from trex_gui.model.motors import Motors
 from trex_gui.model.parameters import Column
 from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.model.telemetry import Telemetry
-from trex_gui.protocol.errors import TrexError, sentence
-from trex_gui.protocol.flags import InputSource
+from trex_gui.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.protocol.errors import NoReply, TrexError, sentence
+from trex_gui.protocol.flags import InputSource, channel_mask, channels_in
 from trex_gui.settings.document import Settings
 from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.factory import factory_settings
 from trex_gui.settings.history import History
 
 log = logging.getLogger(__name__)
+
+AfterStop = Callable[[TrexError | None], None]
+"""Gets `None` when a stop is proved, else why it is not."""
 
 
 class Link(Enum):
@@ -104,6 +108,7 @@ class Device(QObject):
         self._counters = Counters()
         self._may_move = False
         self._next: LinkSettings | None = None
+        self._after_stop: list[AfterStop] = []
         self._line = Line(self)
 
         self._line.reported.connect(self._on_reported)
@@ -232,6 +237,14 @@ class Device(QObject):
             self._end(None)
         return in_time
 
+    def stop_motors(self, then: AfterStop) -> None:
+        """Stop everything and disarm; `then` is told whether the board has proved it, once.
+
+        Where the line ends before that, `then` is not called; `link_changed` tells.
+        """
+        self._after_stop.append(then)
+        self.motors.stop()
+
     def reload(self) -> None:
         """Read everything from the board again."""
         self._ask(Reload, self._on_reloaded)
@@ -303,7 +316,16 @@ class Device(QObject):
 
     @Slot()
     def _on_stop_requested(self) -> None:
-        self._line.ask(Stop, self._on_stopped)
+        waiting, self._after_stop = self._after_stop, []
+
+        def tell(outcome: Outcome) -> None:
+            self._on_stopped(outcome)
+            for then in waiting:
+                then(outcome.error)
+
+        if not self._line.ask(Stop, tell):
+            for then in waiting:
+                then(NoReply(self.tr("No board is connected.")))
 
     def _on_stopped(self, outcome: Outcome) -> None:
         if outcome.error is None:
@@ -335,13 +357,22 @@ class Device(QObject):
         if any(result.what == "factory_reset" and result.error is None for result in results):
             self._ordered_reset = dict(self._state.parameters)
         parameters, calibrations = dict(self._state.parameters), dict(self._state.calibrations)
+        learned = set(channels_in(self._state.calibrated))
         for result in results:
             if isinstance(result.stored, int):
                 if result.what in parameters:
                     parameters[result.what] = result.stored
             elif result.stored is not None:
-                calibrations[int(result.what.removeprefix("channel "))] = result.stored
-        self._state = replace(self._state, parameters=parameters, calibrations=calibrations)
+                channel = int(result.what.removeprefix("channel "))
+                calibrations[channel] = result.stored
+                is_own = result.stored != DEFAULT_CALIBRATION[self._state.source]
+                learned = (learned - {channel}) | ({channel} if is_own else set())
+        self._state = replace(
+            self._state,
+            parameters=parameters,
+            calibrations=calibrations,
+            calibrated=channel_mask(learned),
+        )
         if self._settings is not None and self._settings.device_number is not None:
             # A new number is obeyed at once, and the line session has followed.
             number = parameters.get("device_number", self._settings.device_number)

@@ -1,5 +1,7 @@
 """What the board reports again and again: inputs, currents, who is in control."""
 
+import math
+
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.link.messages import Batch
@@ -10,11 +12,15 @@ from trex_gui.protocol.flags import CHANNELS
 _HISTORY = 300_000
 """Current samples kept: an hour at 80 a second."""
 
+_INPUT_HISTORY = 3_000
+"""Samples of the inputs kept: a minute at 50 a second."""
+
 
 class Telemetry(QObject):
-    """The newest values, and the currents of the last hour.
+    """The newest values, the currents of the last hour and the inputs of the last minute.
 
-    Everything is `None` while nothing is known: before a connection and after it.
+    In `inputs` a channel without a signal is not a number. The newest values are `None` while
+    nothing is known: before a connection and after it.
 
     Signals:
         updated: new samples are in; at most once a display frame.
@@ -25,6 +31,7 @@ class Telemetry(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.currents = Ring(_HISTORY, columns=2)
+        self.inputs = Ring(_INPUT_HISTORY, columns=len(CHANNELS))
         self.raw: tuple[int | None, ...] | None = None
         self.remapped: tuple[int, ...] | None = None
         self.motor_currents: tuple[float, float] | None = None
@@ -36,11 +43,12 @@ class Telemetry(QObject):
     def begin(self, ampere_per_count: float) -> None:
         """Start with an empty history for a board with this current unit (A a count)."""
         self.currents.clear()
+        self.inputs.clear()
         self._ampere = ampere_per_count
         self.forget()
 
     def forget(self) -> None:
-        """Know nothing of the present any more; the history of currents stays to be read."""
+        """Know nothing of the present any more; the history stays to be read."""
         self.raw = None
         self.remapped = None
         self.motor_currents = None
@@ -55,8 +63,10 @@ class Telemetry(QObject):
         """Take the samples of one batch."""
         for sample in batch.samples:
             match sample:
-                case Raw(counts=counts):
+                case Raw(time=time, counts=counts):
                     self.raw = counts
+                    values = (math.nan if count is None else count for count in counts)
+                    self.inputs.append(time, *values)
                 case Remapped(values=values):
                     self.remapped = values
                 case Currents(time=time, counts=(first, second)):

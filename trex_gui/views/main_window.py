@@ -18,6 +18,7 @@ from trex_gui.link.doctor import may_be_set_otherwise
 from trex_gui.link.writing import Written
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
+from trex_gui.model.learning import Learning
 from trex_gui.model.ports import Ports
 from trex_gui.model.power_cycle import PowerCycle
 from trex_gui.protocol.errors import sentence
@@ -28,6 +29,8 @@ from trex_gui.views.demo.panel import DemoPanel
 from trex_gui.views.escape import EscapeWatch
 from trex_gui.views.history.dialog import HistoryDialog
 from trex_gui.views.icons import application_icon
+from trex_gui.views.learning.dialog import LearnDialog
+from trex_gui.views.pages.calibration.page import CalibrationPage
 from trex_gui.views.pages.channels_page import ChannelsPage
 from trex_gui.views.pages.currents_page import CurrentsPage
 from trex_gui.views.pages.motors_page import MotorsPage
@@ -76,9 +79,11 @@ class MainWindow(QMainWindow):
         self._tabs.setAccessibleName(self.tr("Pages"))
         self._tabs.setDocumentMode(True)
         parameters_page = ParametersPage(device, self)
+        calibration_page = CalibrationPage(device, self)
         pages = {
             self.tr("Status"): StatusPage(device, self),
             self.tr("Channels"): ChannelsPage(device, self),
+            self.tr("Calibration"): calibration_page,
             self.tr("Motors"): MotorsPage(device, self),
             self.tr("Currents"): CurrentsPage(device, self),
             self.tr("Parameters"): parameters_page,
@@ -105,6 +110,8 @@ class MainWindow(QMainWindow):
         self._defaults = DefaultsDialog(device, self)
         self._power = PowerCycleDialog(self._guided, self)
         self._history = HistoryDialog(device, self)
+        learning = Learning(device, self)
+        self._learn = LearnDialog(learning, self)
         self._actions = build_menus(self, self._slots())
 
         self._files.told.connect(self._banner.show_news)
@@ -119,6 +126,11 @@ class MainWindow(QMainWindow):
         self._defaults.reset_requested.connect(device.reset_to_factory)
         parameters_page.reload_requested.connect(self._on_reload_requested)
         parameters_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
+        calibration_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
+        calibration_page.learn_requested.connect(self._learn.learn)
+        learning.taken.connect(self._review.review)
+        calibration_page.told.connect(self._banner.show_news)
+        calibration_page.refused.connect(self._banner.show_problem)
         connector.failed.connect(self._banner.show_problem)
         connector.demo_changed.connect(self._on_demo_changed)
         connector.demo_board.refused.connect(self._banner.show_problem)
@@ -176,6 +188,8 @@ class MainWindow(QMainWindow):
             "reload": self._on_reload_requested,
             "apply": self._review.review,
             "power": self._on_power_cycle_wanted,
+            "learn": self._learn.learn,
+            "test_sticks": self._learn.test,
             "defaults": lambda: self._defaults.preview(serial_only=False),
             "serial_defaults": lambda: self._defaults.preview(serial_only=True),
             **{f"page{index}": page(index) for index in range(self._tabs.count())},
@@ -218,6 +232,8 @@ class MainWindow(QMainWindow):
             "power": up and (waiting or self._device.reset_ordered),
             "defaults": up and not self._device.applying,
             "serial_defaults": up and not self._device.applying,
+            "learn": up and not self._device.applying,
+            "test_sticks": up and not self._device.applying,
             "discard": edited,
             "undo": shown and self._device.undo.canUndo(),
             "redo": shown and self._device.undo.canRedo(),
@@ -341,6 +357,7 @@ class MainWindow(QMainWindow):
         QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
         self._store.setValue("window/state", self.saveState())
         self._history.close()
+        self._learn.close()
         self._demo.leave()
         self._files.close_all()
         self._connection.close_dialogs()

@@ -2,8 +2,8 @@
 
 import re
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QValidator
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QValidator, QWheelEvent
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from trex_gui.protocol.calibration import HIGHEST_CODED
@@ -34,6 +34,21 @@ class CountEditor(QSpinBox):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
         self.setToolTip(self._expected())
+
+    def set_source(self, source: InputSource) -> None:
+        """Speak the units of another input source; the count stays."""
+        if source is not self._source:
+            self._source = source
+            self.setToolTip(self._expected())
+            with QSignalBlocker(self):
+                self.lineEdit().setText(self.textFromValue(self.value()))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Turn with the wheel only what has the focus."""
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
 
     def textFromValue(self, val: int) -> str:
         decimals = 1 if self._source is InputSource.RC else 3

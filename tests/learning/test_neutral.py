@@ -1,0 +1,120 @@
+"""Where a stick rests, and what is wrong when it does not."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.learning.measure import neutral_of
+from tests.support.people import Stick
+from trex_gui.learning.neutral import deadband_floor, measure_neutral
+from trex_gui.learning.problems import Kind
+from trex_gui.learning.samples import LIMITS, Sample
+from trex_gui.protocol.flags import InputSource
+
+ANALOG = InputSource.ANALOG
+
+
+def kinds(stick: Stick, seed: int = 1) -> set[Kind]:
+    return {problem.kind for problem in neutral_of(stick, seed).problems}
+
+
+@given(
+    rest=st.floats(1100, 1900),
+    noise=st.floats(0, 15),
+    drift=st.floats(-1.5, 1.5),
+    lost=st.floats(0, 0.2),
+    spikes=st.floats(0, 0.005),
+    seed=st.integers(0, 2**32),
+)
+def test_a_stick_at_rest_is_found_within_half_its_noise(
+    rest: float, noise: float, drift: float, lost: float, spikes: float, seed: int
+) -> None:
+    stick = Stick(rest=rest, noise=noise, drift=drift, lost=lost, spikes=spikes)
+    found = neutral_of(stick, seed)
+    assert not found.problems
+    assert abs(found.value - rest * 2.5) <= max(1, found.noise / 2) + abs(drift) * 2.5
+
+
+@given(rest=st.floats(1.5, 3.5), noise=st.floats(0, 0.05), seed=st.integers(0, 2**32))
+def test_a_joystick_at_rest_is_found_within_half_its_noise(
+    rest: float, noise: float, seed: int
+) -> None:
+    found = neutral_of(Stick(rest=rest, noise=noise, source=ANALOG), seed)
+    assert not found.problems
+    assert abs(found.value - rest * 204.6) <= max(1, found.noise / 2)
+
+
+@given(noise=st.floats(0.4, 15), seed=st.integers(0, 2**32))
+def test_the_noise_is_measured_within_a_factor_of_two(noise: float, seed: int) -> None:
+    found = neutral_of(Stick(noise=noise), seed)
+    assert noise * 2.5 / 2 <= found.deviation <= noise * 2.5 * 2
+
+
+@given(
+    twitch=st.one_of(st.floats(60, 400), st.floats(-400, -60)),
+    noise=st.floats(0, 2),
+    seed=st.integers(0, 2**32),
+)
+def test_a_twitch_is_never_taken_for_rest(twitch: float, noise: float, seed: int) -> None:
+    assert kinds(Stick(twitches=twitch, noise=noise), seed) == {Kind.MOVED}
+
+
+@given(drift=st.one_of(st.floats(8, 200), st.floats(-200, -8)), seed=st.integers(0, 2**32))
+def test_a_drift_is_never_taken_for_rest(drift: float, seed: int) -> None:
+    assert kinds(Stick(drift=drift, noise=0.5), seed) == {Kind.MOVED}
+
+
+def test_no_signal_is_told_with_what_to_do() -> None:
+    (problem,) = neutral_of(Stick(connected=False)).problems
+    assert problem.kind is Kind.NO_SIGNAL
+    assert "Is the transmitter on" in problem.text
+
+
+@pytest.mark.parametrize("lost", [0.7, 0.75])
+def test_a_signal_that_comes_and_goes_is_told(lost: float) -> None:
+    assert kinds(Stick(lost=lost)) <= {Kind.JITTER, Kind.NO_SIGNAL}
+    assert kinds(Stick(lost=lost))
+
+
+def test_wild_pulses_are_told() -> None:
+    samples = [Sample(i / 50, 3750 if i % 9 else 5100) for i in range(80)]
+    found = measure_neutral(samples, InputSource.RC)
+    assert found is not None
+    assert [problem.kind for problem in found.problems] == [Kind.JITTER]
+    assert "9 of 80" in found.problems[0].text or "8 of 80" in found.problems[0].text
+
+
+def test_one_wild_pulse_is_no_noise() -> None:
+    samples = [Sample(i / 50, 5100 if i == 30 else 3750 + i % 2) for i in range(80)]
+    found = measure_neutral(samples, InputSource.RC)
+    assert found is not None
+    assert not found.problems
+    assert found.noise == 1
+
+
+def test_noise_that_no_deadband_can_hold_is_told() -> None:
+    assert kinds(Stick(noise=60)) == {Kind.NOISE}
+
+
+@given(noise=st.floats(0, 20), seed=st.integers(0, 2**32))
+def test_the_deadband_holds_the_noise_and_is_never_below_its_floor(noise: float, seed: int) -> None:
+    found = neutral_of(Stick(noise=noise), seed)
+    assert found.deadband >= max(found.noise, deadband_floor(InputSource.RC))
+    assert found.deadband <= max(deadband_floor(InputSource.RC), LIMITS[InputSource.RC].noisy)
+
+
+def test_the_deadband_is_explained() -> None:
+    assert "never less" in neutral_of(Stick(noise=0.5)).deadband_reason
+    assert "twice the ±" in neutral_of(Stick(noise=12)).deadband_reason
+
+
+def test_nothing_is_said_of_no_samples() -> None:
+    assert measure_neutral([], InputSource.RC) is None
+
+
+def test_what_is_wrong_is_said_while_it_is_sampled() -> None:
+    moving = [Sample(i / 50, 3750 + 40 * i) for i in range(10)]
+    found = measure_neutral(moving, InputSource.RC)
+    assert found is not None
+    assert [problem.kind for problem in found.problems] == [Kind.MOVED]
+    assert not found.is_complete

@@ -1,0 +1,80 @@
+"""What is said of a channel."""
+
+from trex_gui.link.channel_words import (
+    concern,
+    learned_words,
+    way_to,
+    what_it_does,
+    why_not_stored,
+    wrong_order,
+)
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.errors import NoReply, Rejected, ResultCode
+from trex_gui.protocol.flags import InputSource, Mode
+
+USUAL = Calibration(2500, 3750, 5000, 75)
+
+
+def test_each_channel_says_what_it_does_in_rc_mode() -> None:
+    said = [
+        what_it_does(channel, Mode.RC, joint=False, ignored=False) for channel in (1, 2, 3, 4, 5)
+    ]
+    for words, expected in zip(
+        said, ("motor 1", "motor 2", "auxiliary", "flip", "override"), strict=True
+    ):
+        assert expected in words
+    assert "mix jumper" in said[0]
+
+
+def test_in_serial_mode_it_is_only_measured() -> None:
+    assert "only measured" in what_it_does(2, Mode.SERIAL_RC, joint=False, ignored=False)
+
+
+def test_in_joint_mode_channel_2_does_nothing() -> None:
+    assert "nothing" in what_it_does(2, Mode.RC, joint=True, ignored=False)
+    assert "both drivers" in what_it_does(1, Mode.ANALOG, joint=True, ignored=False)
+    assert "flip" in what_it_does(4, Mode.RC, joint=True, ignored=False)
+
+
+def test_an_ignored_channel_is_held() -> None:
+    assert "at neutral" in what_it_does(1, Mode.RC, joint=False, ignored=True)
+    assert "held off" in what_it_does(5, Mode.SERIAL_RC, joint=False, ignored=True)
+
+
+def test_a_switch_says_where_it_switches() -> None:
+    words = what_it_does(4, Mode.RC, joint=False, ignored=False, switches_at="below 1250 µs")
+    assert "while the input is below 1250 µs" in words
+
+
+def test_the_way_to_the_other_source_depends_on_the_mode() -> None:
+    assert "Channel Input Source" in way_to(InputSource.ANALOG, Mode.SERIAL_RC)
+    assert "mode jumper to analog" in way_to(InputSource.ANALOG, Mode.RC)
+    assert "mode jumper to RC" in way_to(InputSource.RC, Mode.ANALOG)
+
+
+def test_the_boards_codes_are_explained() -> None:
+    bad = why_not_stored(Rejected("Calibration of channel 2", ResultCode.BAD_VALUE))
+    assert "code 2" in bad
+    assert "minimum is not above neutral" in bad
+    mode = why_not_stored(Rejected("Calibration of channel 2", ResultCode.NOT_SERIAL_MODE))
+    assert "code 3" in mode
+    assert "mode jumper" in mode
+    assert why_not_stored(NoReply("no reply")) == "no reply."
+
+
+def test_a_wrong_order_is_told_in_units() -> None:
+    rc = InputSource.RC
+    assert wrong_order(USUAL, rc) == ""
+    assert "Minimum (1600 µs)" in wrong_order(Calibration(4000, 3750, 5000, 75), rc)
+    assert "Maximum (1200 µs)" in wrong_order(Calibration(2500, 3750, 3000, 75), rc)
+    assert "both be 2.50 V" in wrong_order(Calibration(512, 512, 512, 0), InputSource.ANALOG)
+
+
+def test_a_deadband_that_swallows_a_side_is_a_concern() -> None:
+    assert concern(USUAL, InputSource.RC) == ""
+    assert "reaches minimum" in concern(Calibration(3700, 3750, 5000, 75), InputSource.RC)
+
+
+def test_learned_says_what_it_means() -> None:
+    assert "of its own" in learned_words(True)
+    assert "factory" in learned_words(False)

@@ -1,0 +1,228 @@
+"""Learning on a simulated board: the steps, what stops them, and what they leave behind."""
+
+import sys
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.people import Person, Stick
+from tests.support.simulator import SimulatorProcess
+from trex_gui.learning.problems import Kind
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.device import Device, Link
+from trex_gui.model.learning import Learning, Step
+from trex_gui.protocol.errors import TrexError
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+
+class Bench:
+    """A device with somebody who learns its channels."""
+
+    def __init__(self, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+        self.simulator = simulator
+        self.device = Device()
+        self.learning = Learning(self.device)
+        self.person = Person(simulator, {1: Stick(), 2: Stick(rest=1520, forward_is_down=True)})
+        self._qtbot = qtbot
+        self.device.connect_to(LinkSettings(simulator.url))
+        self.until(lambda: self.device.link is Link.UP)
+
+    def until(self, condition: Callable[[], bool], timeout: int = 8000) -> None:
+        self._qtbot.waitUntil(condition, timeout=timeout)
+
+    def until_step(self, step: Step) -> None:
+        self.until(lambda: self.learning.step is step)
+
+    def go_to_travel(self, *channels: int) -> None:
+        self.learning.begin(channels or (1, 2))
+        self.until_step(Step.NEUTRAL)
+        self.learning.next()
+        self.until_step(Step.TRAVEL)
+
+    def push_all(self) -> None:
+        """Hold every stick at each end until it was seen there, then let go."""
+        for position in (1.0, -1.0):
+            for channel in self.person.sticks:
+                self.person.put(channel, position)
+            self.hold()
+        self.person.let_go()
+        self.hold()
+
+    def hold(self) -> None:
+        """Wait for as many measurements as make an end, on a busy computer too."""
+        inputs = self.device.telemetry.inputs
+        start = inputs.times[-1]
+        self.until(lambda: float(inputs.times[-1]) > start + 0.4)
+        before = self.device.telemetry.samples
+        self.until(lambda: self.device.telemetry.samples > before + 60)
+
+
+@pytest.fixture
+def bench(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Bench]:
+    bench = Bench(quick_simulator, qtbot)
+    yield bench
+    bench.learning.cancel()
+    bench.device.shut_down()
+
+
+def test_two_channels_are_learned_at_once_as_one_step_to_undo(bench: Bench) -> None:
+    taken: list[bool] = []
+    bench.learning.taken.connect(lambda: taken.append(True))
+    bench.go_to_travel()
+    bench.push_all()
+    bench.learning.next()
+    assert bench.learning.step is Step.REVIEW
+    assert bench.learning.can_take
+    assert bench.device.pending == 0
+    bench.learning.take()
+    assert taken == [True]
+    second = bench.device.calibrations.shown(2)
+    assert second is not None
+    assert abs(second.neutral - 3800) <= 2
+    assert bench.device.parameters.value_of("reversed_channels") == 0b10
+    assert bench.device.pending == 3
+    assert "Learn channels" in bench.device.undo.undoText()
+    bench.device.undo.undo()
+    assert bench.device.pending == 0
+
+
+def test_motors_that_run_are_stopped_first(bench: Bench) -> None:
+    bench.device.motors.arm()
+    bench.device.motors.set_speed(1, 60)
+    bench.until(lambda: bench.simulator.show()["motors"][0]["speed"] == 60)
+    bench.learning.begin((1,))
+    assert bench.learning.step is Step.STOPPING
+    bench.until_step(Step.NEUTRAL)
+    assert not bench.device.motors.armed
+    assert not bench.device.may_move
+    assert bench.simulator.show()["motors"][0]["target_direction"] == "brake"
+
+
+def test_a_stop_that_is_not_proved_ends_it(bench: Bench) -> None:
+    bench.simulator.do("line mute on")
+    bench.learning.begin((1,))
+    bench.until_step(Step.FAILED)
+    assert bench.learning.trouble
+
+
+def test_a_board_whose_sticks_drive_is_refused_with_what_to_do(bench: Bench) -> None:
+    bench.simulator.do("jumper mode rc")
+    bench.simulator.do("power cycle")
+    bench.until(lambda: bench.device.state is not None and not bench.device.state.mode.is_serial)
+    bench.learning.begin((1,))
+    assert bench.learning.step is Step.FAILED
+    assert "sticks drive the motors" in bench.learning.trouble
+    assert "take the mode jumper off" in bench.learning.trouble
+
+
+def test_nobody_connected_is_said(bench: Bench) -> None:
+    bench.device.disconnect_line()
+    bench.until(lambda: bench.device.link is Link.NONE)
+    assert bench.learning.why_not() == "Connect to a board first."
+
+
+def test_arming_the_motors_meanwhile_ends_it(bench: Bench) -> None:
+    bench.go_to_travel()
+    bench.device.motors.arm()
+    assert bench.learning.step is Step.FAILED
+    assert "armed" in bench.learning.trouble
+    bench.device.motors.stop()
+
+
+def test_a_board_that_is_started_in_another_mode_meanwhile_ends_it(bench: Bench) -> None:
+    bench.go_to_travel()
+    bench.simulator.do("jumper mode rc")
+    bench.simulator.do("power cycle")
+    bench.until_step(Step.FAILED)
+    assert "Nothing was changed" in bench.learning.trouble
+
+
+def test_a_channel_without_rest_is_left_behind(bench: Bench) -> None:
+    bench.simulator.do("channel 2 silent")
+    bench.learning.begin((1, 2))
+    bench.until_step(Step.NEUTRAL)
+    first, second = bench.learning.channels
+    bench.until(lambda: [p.kind for p in second.rest_problems] == [Kind.NO_SIGNAL], timeout=1500)
+    bench.learning.next()
+    bench.until(lambda: bench.learning.has_sampled)
+    bench.until_step(Step.NEUTRAL)
+    assert first.is_at_rest
+    bench.learning.next()
+    bench.until_step(Step.TRAVEL)
+    assert second.travel is None
+
+
+def test_going_back_from_the_review_keeps_the_ends(bench: Bench) -> None:
+    bench.go_to_travel()
+    bench.push_all()
+    bench.learning.next()
+    bench.learning.back()
+    bench.until_step(Step.TRAVEL)
+    assert all(c.travel is not None and c.travel.is_enough for c in bench.learning.channels)
+    bench.learning.again()
+    assert not any(c.travel is not None and c.travel.is_enough for c in bench.learning.channels)
+    bench.learning.back()
+    bench.until_step(Step.NEUTRAL)
+
+
+def test_values_that_the_board_would_refuse_cannot_be_taken(bench: Bench) -> None:
+    bench.go_to_travel()
+    bench.push_all()
+    bench.learning.next()
+    (first, _) = bench.learning.channels
+    assert first.choice is not None
+    good = first.choice.calibration
+    bench.learning.choose(1, type(good)(good.maximum + 1, good.neutral, good.maximum, 10))
+    assert not bench.learning.can_take
+    assert [problem.kind for problem in first.result_problems] == [Kind.REFUSED]
+    bench.learning.choose(1, included=False)
+    bench.until(lambda: bench.learning.can_take)
+    bench.learning.take()
+    assert bench.device.calibrations.shown(1) == bench.device.calibrations.stored(1)
+
+
+def test_what_was_taken_and_written_asks_for_a_test(bench: Bench) -> None:
+    stored: list[bool] = []
+    bench.learning.stored.connect(lambda: stored.append(True))
+    bench.go_to_travel()
+    bench.push_all()
+    bench.learning.next()
+    bench.learning.take()
+    bench.device.apply()
+    bench.until(lambda: bool(stored))
+    bench.learning.begin_test(bench.learning.numbers)
+    bench.until_step(Step.TEST)
+    assert bench.learning.tests is not None
+    tests = bench.learning.tests
+    assert not tests.passed
+    bench.push_all()
+    bench.until(lambda: tests.passed)
+    assert "would let the motors go" in tests.safe_start_text
+    bench.person.put(1, 0.5)
+    bench.until(lambda: "channel 1 gives +" in tests.safe_start_text)
+
+
+def test_a_gap_in_the_measurements_is_said_and_is_no_rest(bench: Bench) -> None:
+    bench.learning.begin((1,))
+    bench.until_step(Step.NEUTRAL)
+    bench.device.telemetry.updated.disconnect(bench.learning._on_updated)
+    bench.learning.next()
+    bench.until(lambda: bench.learning.stalled, timeout=2000)
+    assert not bench.learning.can_go_on
+
+
+def test_whoever_stops_the_motors_is_told_once_whether_it_is_proved(bench: Bench) -> None:
+    told: list[TrexError | None] = []
+    bench.device.stop_motors(told.append)
+    bench.until(lambda: bool(told))
+    assert told == [None]
+    bench.device.motors.stop()
+    bench.until(lambda: not bench.device.may_move)
+    bench.device.disconnect_line()
+    bench.until(lambda: bench.device.link is Link.NONE)
+    bench.device.stop_motors(told.append)
+    assert len(told) == 2
+    assert "No board is connected" in str(told[1])

@@ -1,0 +1,215 @@
+"""Where a channel rests, and how still it is there."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import ceil, sqrt
+from statistics import median
+
+from trex_gui.learning.problems import Kind, Problem
+from trex_gui.learning.samples import LIMITS, Sample, deviation, runs
+from trex_gui.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.protocol.flags import InputSource
+
+SAMPLING_SECONDS = 1.5
+"""How long a channel is sampled: some 75 values of a board that renews them 50 times a second."""
+
+LEAST_SAMPLES = 15
+"""A slow line needs longer for as many."""
+
+_JUDGED_FROM = 5
+"""Samples from which on it is worth saying that something is wrong."""
+
+_MOST_INVALID = 0.05
+"""Share of samples without a signal that is still good: the board bridges 100 ms by itself."""
+
+_MOST_SPIKES = 0.03
+"""Share of lone wild values that is still good."""
+
+_SPIKE_LENGTH = 2
+"""Samples that a wild pulse makes at most: it may be read twice."""
+
+_RANGE_OF_NOISE = 10.0
+"""Standard deviations that noise alone never spans: 75 normal values span 4.8, seldom 6.5."""
+
+_DRIFT_OF_NOISE = 6.0
+"""Standard deviations of the difference between two medians that noise alone never makes."""
+
+_MEDIAN_ERROR = 1.25
+"""Standard deviation of a median of normal values, times the root of their number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Neutral:
+    """What was measured of a channel at rest, in counts.
+
+    Attributes:
+        value: the median.
+        noise: from the lowest to the highest value, lone wild ones left out.
+        deviation: standard deviation of the noise.
+        drift: how far the last third lies above the first.
+        invalid: share of samples without a signal.
+        samples: how many there were.
+        seconds: from the first to the last.
+    """
+
+    source: InputSource
+    value: int
+    noise: int
+    deviation: float
+    drift: int
+    invalid: float
+    samples: int
+    seconds: float
+    problems: tuple[Problem, ...] = ()
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether it was sampled for long enough."""
+        return self.seconds >= SAMPLING_SECONDS and self.samples >= LEAST_SAMPLES
+
+    @property
+    def deadband(self) -> int:
+        """The least deadband that holds the channel still, in counts."""
+        return max(deadband_floor(self.source), self.noise)
+
+    @property
+    def noise_text(self) -> str:
+        """How far it wavers to each side, such as `±2.0 µs`."""
+        return swing_text(self.noise / 2, self.source)
+
+    @property
+    def deadband_reason(self) -> str:
+        """Why the deadband is what it is."""
+        floor = deadband_floor(self.source)
+        if self.noise <= floor:
+            return (
+                f"Deadband {self.source.text(floor)}: at rest the input wavers by "
+                f"{self.noise_text} only, but a stick does not come back to the very same place "
+                "each time, so it is never less."
+            )
+        return (
+            f"Deadband {self.source.text(self.noise)}: twice the {self.noise_text} by which the "
+            "input wavers at rest."
+        )
+
+
+def deadband_floor(source: InputSource) -> int:
+    """Counts below which no deadband is proposed: the factory's own, 30 us or 98 mV (inferred)."""
+    return DEFAULT_CALIBRATION[source].deadband
+
+
+def swing_text(counts: float, source: InputSource) -> str:
+    """A small swing to both sides, with the decimals that it needs: `±2.0 µs`, `±15 mV`."""
+    if source is InputSource.RC:
+        return f"±{source.physical(counts):.1f} µs"
+    return f"±{1000 * source.physical(counts):.0f} mV"
+
+
+def measure_neutral(samples: Sequence[Sample], source: InputSource) -> Neutral | None:
+    """Judge a channel that should be at rest; `None` before the first sample."""
+    if not samples:
+        return None
+    counts = [sample.count for sample in samples if sample.count is not None]
+    total = len(samples)
+    invalid = 1 - len(counts) / total
+    seconds = samples[-1].time - samples[0].time
+    if total >= _JUDGED_FROM and len(counts) < total / 2:
+        return Neutral(source, 0, 0, 0.0, 0, invalid, total, seconds, (no_signal(source),))
+    if not counts:
+        return None
+    spread = deviation(counts)
+    middle = median(counts)
+    calm, spikes = _without_spikes(counts, middle, max(LIMITS[source].moved, 10 * spread))
+    noise = max(calm) - min(calm)
+    drift = _drift(calm)
+    problems: list[Problem] = []
+    if total >= _JUDGED_FROM:
+        problems += _movement(calm, noise, drift, spread, source)
+        problems += _jitter(invalid, spikes, total)
+        if not problems and noise > LIMITS[source].noisy:
+            problems.append(_too_noisy(noise, source))
+    return Neutral(
+        source, round(middle), noise, spread, drift, invalid, total, seconds, tuple(problems)
+    )
+
+
+def no_signal(source: InputSource) -> Problem:
+    """Say that nothing valid comes in."""
+    if source is InputSource.RC:
+        text = (
+            "No signal: no valid pulse comes in. Is the transmitter on, and the receiver's cable "
+            "in this channel?"
+        )
+    else:
+        text = "No signal comes in."
+    return Problem(Kind.NO_SIGNAL, text)
+
+
+def _without_spikes(
+    counts: Sequence[int], middle: float, limit: float
+) -> tuple[Sequence[int], int]:
+    """Leave out wild values that stand alone; return what is left and how many there were."""
+    wild = [abs(count - middle) > limit for count in counts]
+    lone: set[int] = set()
+    times = 0
+    for start, end in runs(wild):
+        if end - start <= _SPIKE_LENGTH and end < len(counts):
+            lone.update(range(start, end))
+            times += 1
+    return [count for index, count in enumerate(counts) if index not in lone], times
+
+
+def _drift(counts: Sequence[int]) -> int:
+    third = len(counts) // 3
+    return round(median(counts[-third:]) - median(counts[:third])) if third else 0
+
+
+def _movement(
+    counts: Sequence[int], noise: int, drift: int, spread: float, source: InputSource
+) -> list[Problem]:
+    limits = LIMITS[source]
+    third = max(1, len(counts) // 3)
+    drift_limit = _DRIFT_OF_NOISE * _MEDIAN_ERROR * spread * sqrt(2 / third)
+    if noise > max(limits.moved, _RANGE_OF_NOISE * spread):
+        text = (
+            f"It moved while it was sampled, between {source.text(min(counts))} and "
+            f"{source.text(max(counts))}. Take the hands off and sample again."
+        )
+        return [Problem(Kind.MOVED, text)]
+    if len(counts) >= LEAST_SAMPLES and abs(drift) > max(limits.drifted, drift_limit):
+        way = "up" if drift > 0 else "down"
+        text = (
+            f"It drifted {way} by {source.text(abs(drift))} while it was sampled. Take the hands "
+            "off and sample again; if it goes on, the stick or the transmitter warms up or is worn."
+        )
+        return [Problem(Kind.MOVED, text)]
+    return []
+
+
+def _jitter(invalid: float, spikes: int, total: int) -> list[Problem]:
+    if invalid > _MOST_INVALID:
+        return [lost_pulses(invalid)]
+    if spikes > max(1, ceil(_MOST_SPIKES * total)):
+        text = (
+            f"{spikes} of {total} pulses were far from all others: the radio link is poor, or the "
+            "cable picks up noise."
+        )
+        return [Problem(Kind.JITTER, text)]
+    return []
+
+
+def lost_pulses(share: float, *, fatal: bool = True) -> Problem:
+    """Say that the signal comes and goes."""
+    text = (
+        f"The signal comes and goes: {share:.0%} of the samples had no valid pulse. Bring the "
+        "transmitter nearer, or look after aerial and cable."
+    )
+    return Problem(Kind.JITTER, text, fatal)
+
+
+def _too_noisy(noise: int, source: InputSource) -> Problem:
+    text = (
+        f"At rest it wavers by {swing_text(noise / 2, source)}: a deadband that holds it still "
+        "would take a quarter of the way. Mend the cable, the supply or the stick first."
+    )
+    return Problem(Kind.NOISE, text)

@@ -1,0 +1,34 @@
+"""What can be wrong with a channel while it is learned, in words that say what to do."""
+
+from dataclasses import dataclass
+from enum import Enum, auto
+
+
+class Kind(Enum):
+    """What is wrong."""
+
+    NO_SIGNAL = auto()
+    MOVED = auto()
+    JITTER = auto()
+    NOISE = auto()
+    NEVER_MOVED = auto()
+    TOO_LITTLE = auto()
+    ONE_DIRECTION = auto()
+    END_TOO_NEAR = auto()
+    NEUTRAL_OUTSIDE = auto()
+    UNEVEN = auto()
+    REFUSED = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """What is wrong, as a sentence; one that is not `fatal` is only to be known."""
+
+    kind: Kind
+    text: str
+    fatal: bool = True
+
+
+def has_fatal(problems: tuple[Problem, ...]) -> bool:
+    """Whether nothing can be learned from what was measured."""
+    return any(problem.fatal for problem in problems)

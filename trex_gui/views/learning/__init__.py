@@ -1,0 +1,1 @@
+"""Learning channels from what a person does with the sticks, and testing the result."""
