@@ -54,7 +54,7 @@ class Person:
         assert tabs is not None
         assert page is not None
         self.page = page
-        tabs.setCurrentWidget(program.window.findChild(QWidget, "calibrationPageArea"))
+        tabs.setCurrentIndex(2)
 
     def find(self, kind: type[WidgetT], name: str) -> WidgetT:
         widget = self.page.findChild(kind, name)
