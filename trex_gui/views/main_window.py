@@ -277,8 +277,9 @@ class MainWindow(QMainWindow):
 
     @Slot()
     def _on_power_cycle_wanted(self) -> None:
-        self._guided.begin()
-        self._power.guide()
+        if self._device.link is Link.UP:  # a window that closes has nothing to lead through
+            self._guided.begin()
+            self._power.guide()
 
     @Slot()
     def _on_reload_requested(self) -> None:
