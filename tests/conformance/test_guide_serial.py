@@ -11,6 +11,9 @@ import pytest
 from tests.conformance.ends import TerminalEnd
 from tests.conformance.trex import RATES, Trex, Variant, only
 
+_SOME, _MANY = 20, 1000
+"""Answers timed, at least and at most: on a busy machine few come without a pause."""
+
 
 def at_the_terminal(variant: Variant) -> bool:
     """For what only a wire has: rates, an echo, bytes that pass each other."""
@@ -202,9 +205,11 @@ def test_the_response_delay_holds_answers_back_for_1_ms(trex: Trex) -> None:
     assert trex.ask("AF 17 01 55 2A") == "00"
     assert trex.ask("9F 17") == "01"
     took = []
-    for _ in range(20):  # a loaded machine adds to some
+    for _ in range(_MANY):  # a loaded machine adds to some
         trex.ask("82")
         took.append(trex.took)
+        if len(took) >= _SOME and min(took) < 0.002:
+            break
     assert 0.001 <= min(took) < 0.002
 
 
@@ -213,9 +218,11 @@ def test_without_the_response_delay_answers_come_at_once(trex: Trex) -> None:
     """F1491: it is an option."""
     assert trex.ask("AF 17 00 55 2A") == "00"
     took = []
-    for _ in range(20):
+    for _ in range(_MANY):
         trex.ask("82")
         took.append(trex.took)
+        if min(took) < 0.001:
+            break
     assert min(took) < 0.001
 
 
