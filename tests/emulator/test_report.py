@@ -6,6 +6,7 @@ from tests.emulator.ports import ask
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.signals import Signal
 from trex_gui.emulator.uart import SerialPort
+from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
 
 
@@ -14,7 +15,7 @@ def test_show_has_what_scripts_rely_on() -> None:
     assert {
         "model", "firmware", "power", "mode", "serial_controls", "override", "safe_start",
         "motors", "aux", "channels", "parameters", "active_uart", "leds", "counters",
-        "jumpers", "battery", "supply",
+        "jumpers", "battery", "supply", "calibrations", "learned",
     } <= set(shown)  # fmt: skip
     assert (shown["model"], shown["firmware"], shown["mode"]) == ("trexjr", "1.0", "R")
     assert [set(motor) for motor in shown["motors"]] == [
@@ -149,3 +150,16 @@ def test_the_supply_is_shown_as_it_sags(board: Board, port: SerialPort) -> None:
     both = constants.resistance / 2
     expected = 12 * both / (both + constants.battery_resistance)
     assert board.show()["supply"] == pytest.approx(expected, abs=0.01)
+
+
+def test_show_has_both_sets_of_calibrations_and_what_is_learned(board: Board) -> None:
+    shown = board.show()
+    assert list(shown["calibrations"]) == [
+        f"{source}_channel_{channel}" for source in ("rc", "analog") for channel in range(1, 6)
+    ]
+    rc = {"minimum": 2500, "neutral": 3750, "maximum": 5000, "deadband": 75}
+    assert shown["calibrations"]["rc_channel_4"] == rc
+    assert shown["learned"] == {"rc": 0, "analog": 0}
+    board.eeprom.write_calibration(InputSource.RC, 4, Calibration(2500, 3700, 5000, 75))
+    assert board.show()["calibrations"]["rc_channel_4"] == {**rc, "neutral": 3700}
+    assert board.show()["learned"] == {"rc": 0b01000, "analog": 0}

@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.oracle import remapping as oracle
 from trex_gui.emulator.mapping import ChannelSetup
 from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.protocol.calibration import HIGHEST_CODED, Calibration
@@ -44,6 +45,14 @@ def test_the_curve_is_the_boards_own_remapping_at_every_raw_count(
         counts = [min(raw + step, HIGHEST_CODED) for step in range(5)]
         assert setup.remapped(counts) == tuple(outputs[count] for count in counts)
     assert curve.output(None) == 0
+    # The emulator shares the arithmetic with the curve; the oracle was written apart from both.
+    values = oracle.Calibration(
+        *(getattr(calibration, name) for name in oracle.Calibration._fields)
+    )
+    assert list(outputs) == [
+        oracle.remapped(raw, values, ignored=ignored, reverse=reversed_, parabolic=parabolic)
+        for raw in range(HIGHEST_CODED + 1)
+    ]
 
 
 @pytest.mark.parametrize("calibration", CALIBRATIONS, ids=str)

@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING, Any
 
-from trex_gui.protocol.flags import CHANNELS
+from trex_gui.emulator.eeprom import CALIBRATION_FIELDS
+from trex_gui.protocol.flags import CHANNELS, InputSource
 from trex_gui.protocol.line_settings import Detection
 
 if TYPE_CHECKING:
@@ -79,6 +80,8 @@ def report(board: "Board") -> dict[str, Any]:
         "battery": board.machine.battery,
         "supply": round(board.machine.volts, 2),
         "parameters": memory.stored(),
+        "calibrations": _calibrations(board),
+        "learned": {source.value.lower(): memory.learned(source) for source in InputSource},
         "active_uart": {
             "baud": memory.baud,
             "parity": parities.get(memory.line_settings.detection, "none"),
@@ -91,4 +94,16 @@ def report(board: "Board") -> dict[str, Any]:
             "uart_errors": board.serial.errors,
             "eeprom_writes": memory.writes,
         },
+    }
+
+
+def _calibrations(board: "Board") -> dict[str, dict[str, int]]:
+    """Both sets in counts, named as in settings files: `rc_channel_1` … `analog_channel_5`."""
+    return {
+        f"{source.value.lower()}_channel_{channel}": {
+            field: getattr(board.memory.calibration(source, channel), field)
+            for field in CALIBRATION_FIELDS
+        }
+        for source in InputSource
+        for channel in CHANNELS
     }
