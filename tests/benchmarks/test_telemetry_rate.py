@@ -69,7 +69,7 @@ def test_telemetry_rate(
     reports: list[Report] = []
     program.device.connect_to(settings)
     qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=20_000)
-    program.device._line.reported.connect(reports.append)
+    program.device._connection._line.reported.connect(reports.append)
     qtbot.wait(round(_SECONDS * 1000))
     read = {name: count / _SECONDS for name, count in _count(reports).items()}
 

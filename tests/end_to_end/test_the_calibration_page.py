@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import TypeVar
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QApplication,
     QCheckBox,
     QLabel,
     QLineEdit,
@@ -201,6 +202,53 @@ def test_arrow_keys_step_by_a_count(person: Person, quick_simulator: SimulatorPr
     QTest.keyClick(editor, Qt.Key.Key_Up)
     QTest.keyClick(editor, Qt.Key.Key_Down)
     assert person.shown().deadband == 76
+
+
+def test_steps_with_the_keys_of_one_field_are_taken_back_at_once(
+    person: Person, quick_simulator: SimulatorProcess
+) -> None:
+    person.connect(quick_simulator)
+    person.program.window.activateWindow()
+    undo = person.device.undo
+    deadband, maximum = (person.find(QSpinBox, f"{name}Edit") for name in ("deadband", "maximum"))
+    deadband.setFocus()
+    for key in (Qt.Key.Key_Up, Qt.Key.Key_Up, Qt.Key.Key_PageUp):
+        QTest.keyClick(deadband, key)
+    QTest.keyPress(deadband, Qt.Key.Key_Up)  # and held: what Qt makes of that
+    held = QKeyEvent(
+        QEvent.Type.KeyPress, Qt.Key.Key_Up, Qt.KeyboardModifier.NoModifier, "", True, 5
+    )
+    QApplication.sendEvent(deadband, held)
+    QTest.keyRelease(deadband, Qt.Key.Key_Up)
+    assert person.shown().deadband >= FACTORY.deadband + 14
+    assert undo.count() == 1
+    maximum.setFocus()
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    assert undo.count() == 2
+    person.type_into("maximum", "4990 counts")
+    assert undo.count() == 3
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    assert undo.count() == 4
+    for maximum_then in (4990, FACTORY.maximum - 2, FACTORY.maximum):
+        undo.undo()
+        assert person.shown().maximum == maximum_then
+    undo.undo()
+    assert person.shown() == FACTORY
+    assert not undo.canUndo()
+
+
+def test_leaving_a_field_ends_its_run_of_steps(
+    person: Person, quick_simulator: SimulatorProcess
+) -> None:
+    person.connect(quick_simulator)
+    person.program.window.activateWindow()
+    fields = [person.find(QSpinBox, f"{name}Edit") for name in ("deadband", "maximum", "deadband")]
+    for field in fields:
+        field.setFocus()
+        QTest.keyClick(field, Qt.Key.Key_Up)
+        QTest.keyClick(field, Qt.Key.Key_Up)
+    assert person.device.undo.count() == 3
 
 
 def test_an_impossible_order_is_refused_beside_the_fields_and_never_becomes_an_edit(

@@ -1,5 +1,7 @@
 """Every edit can be taken back, wherever it was made, and what the board says is no edit."""
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -41,6 +43,45 @@ def test_the_last_edit_is_undone_first_across_parameters_and_calibrations(device
     assert device.parameters.pending == (("serial_timeout", 5),)
     device.undo.redo()
     assert device.calibrations.pending == ((2, NEW),)
+
+
+def test_edits_of_one_run_are_one_step(device: Device) -> None:
+    run = object()
+    for minimum in (2501, 2502, 2503):
+        device.calibrations.edit(1, replace(OLD, minimum=minimum), run=run)
+    assert device.undo.count() == 1
+    device.undo.undo()
+    assert not device.calibrations.pending
+    device.undo.redo()
+    assert device.calibrations.pending == ((1, replace(OLD, minimum=2503)),)
+
+
+@pytest.mark.parametrize("between", ["another run", "another channel", "another kind", "no run"])
+def test_whatever_comes_between_two_edits_of_a_run_parts_them(device: Device, between: str) -> None:
+    run = object()
+    device.calibrations.edit(1, NEW, run=run)
+    match between:
+        case "another run":
+            run = object()
+        case "another channel":
+            device.calibrations.edit(2, NEW, run=run)
+        case "another kind":
+            device.parameters.edit("serial_timeout", 5)
+        case _:
+            device.calibrations.edit(1, replace(NEW, deadband=61))
+    steps = device.undo.count()
+    device.calibrations.edit(1, replace(NEW, deadband=62), run=run)
+    assert device.undo.count() == steps + 1
+
+
+def test_a_run_that_leads_back_leaves_nothing_to_undo(device: Device) -> None:
+    run = object()
+    device.parameters.edit("serial_timeout", 5)
+    device.calibrations.edit(1, NEW, run=run)
+    device.calibrations.edit(1, OLD, run=run)
+    assert not device.calibrations.pending
+    assert device.undo.undoText() == "Serial Timeout"
+    assert device.undo.count() == 1
 
 
 def test_discarded_edits_come_back_at_once(device: Device) -> None:

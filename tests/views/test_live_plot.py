@@ -2,7 +2,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QColor, QImage, QPalette
 from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
@@ -43,7 +43,7 @@ def legend(plot: LivePlot, name: str) -> str:
 
 def count(plot: LivePlot, color: str) -> int:
     """How many pixels of the plot's inside have this colour of the theme."""
-    box = plot._box.sceneBoundingRect().toRect()
+    box = plot._plot.frame.toRect()
     box.translate(plot._plot.pos())
     picture = plot.grab(box).toImage().convertToFormat(QImage.Format.Format_RGB32)
     pixels = np.frombuffer(picture.constBits(), dtype=np.uint32)
@@ -102,7 +102,7 @@ def test_samples_all_older_than_the_window_are_no_data(plot: LivePlot) -> None:
 def test_few_points_reach_the_painter(plot: LivePlot) -> None:
     times = np.linspace(0, 30, 200_000)
     plot.set_samples("m1", times, np.sin(times * 900), 30)
-    x, _ = plot._curves["m1"].getData()
+    x, _ = plot._curves["m1"]._item.getData()
     assert len(x) < 1100
     assert x[-1] == 0
 
@@ -124,9 +124,9 @@ def test_a_limit_in_range_is_drawn_and_named(plot: LivePlot) -> None:
     plot.set_samples("m1", TIMES, steady(3), 60)
     plot.set_limit("m1", 4)
     assert legend(plot, "m1") == "Motor 1 3.00 A limit 4.00 A"
-    assert plot._limit_lines["m1"].isVisible()
+    assert count(plot, "motor1") > 800  # the curve, and more than half of a line of dashes
     plot.set_limit("m1", 40)
-    assert not plot._limit_lines["m1"].isVisible()
+    assert count(plot, "motor1") < 650
     assert "limit 40.00 A" in legend(plot, "m1")
     plot.set_limit("m1", None)
     assert legend(plot, "m1") == "Motor 1 3.00 A"
@@ -146,7 +146,7 @@ def test_the_time_axis_is_labelled_in_round_steps(
 ) -> None:
     plot.set_window(seconds)
     assert plot.window_seconds == seconds
-    (shown,) = plot._plot.getAxis("bottom")._tickLevels
+    (shown,) = plot._plot.plot.getAxis("bottom")._tickLevels
     assert [text for _, text in shown] == labels
 
 
@@ -176,3 +176,34 @@ def test_the_plot_takes_the_new_theme(plot: LivePlot) -> None:
     theme().set_scheme("dark")
     assert count(plot, "plot_background") > 10_000
     assert count(plot, "motor1") > 400
+
+
+def beside(plot: LivePlot) -> set[str]:
+    """The colours of the margins around the plot."""
+    picture = plot.grab().toImage()
+    frame = plot._plot.frame.toRect().translated(plot._plot.pos())
+    places = [
+        (2, frame.center().y()),
+        (frame.left() - 3, frame.bottom() + 5),
+        (plot.width() - 2, frame.bottom() - 2),
+        (frame.center().x(), frame.top() - 3),
+        (2, plot.height() - 2),
+    ]
+    return {picture.pixelColor(x, y).name() for x, y in places}
+
+
+def test_no_margin_keeps_the_scheme_before(plot: LivePlot, qapp: QApplication) -> None:
+    plot.show()
+    for scheme in ("dark", "light"):
+        theme().set_scheme(scheme)
+        qapp.processEvents()  # the palette reaches the widgets as an event
+        assert beside(plot) == {qapp.palette().window().color().name()}, scheme
+
+
+def test_no_margin_keeps_a_palette_that_changed_without_the_theme(plot: LivePlot) -> None:
+    plot.show()
+    plot.grab()
+    palette = QPalette(plot.palette())
+    palette.setColor(QPalette.ColorRole.Window, QColor("#123456"))
+    plot.setPalette(palette)
+    assert beside(plot) == {"#123456"}

@@ -11,7 +11,6 @@ from dataclasses import replace
 
 from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
-from trex_gui.link.drives import packets
 from trex_gui.link.mailbox import Inbox, Mailbox
 from trex_gui.link.messages import (
     Ask,
@@ -26,11 +25,11 @@ from trex_gui.link.messages import (
     Silent,
     Write,
 )
+from trex_gui.link.motors import CLOSING_ATTEMPTS, Motors
+from trex_gui.link.presence import RETRY_INTERVAL, Presence
 from trex_gui.link.reading import DeviceState, read_everything
 from trex_gui.link.schedule import Schedule, Topic, rates
-from trex_gui.link.searching import Search
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.stopping import ATTEMPTS, send_stop, stop_and_prove
 from trex_gui.link.telemetry import ModeSeen, Sample, StatusReader, poll
 from trex_gui.link.transport import SerialTransport, Transport
 from trex_gui.link.writing import Written, write_all
@@ -49,18 +48,8 @@ log = logging.getLogger(__name__)
 FRAME = 1 / 60
 """Seconds between two batches: nobody sees more than one a display frame."""
 
-_DRIVE_INTERVAL = 0.02
-"""Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
-
-_LONGEST_DRIVE = 11
-"""Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
-
 _TICK = 1e-5
 """Shortest wait in seconds: a rounding error in a sum of times must not become a busy loop."""
-
-_FAILURES_TO_SILENCE = 3
-_RETRY_INTERVAL = 0.25
-_CLOSING_ATTEMPTS = 6
 
 
 class _Closing(Exception):  # noqa: N818 - no error: the session was asked to end
@@ -87,16 +76,12 @@ class Session:
         self._emit = emit
         self._open_transport = open_transport
         self._mail = Mailbox(inbox)
-        self._may_move = may_move
+        self._samples: list[Sample] = []
+        self._motors = Motors(self._mail, emit, self._samples.extend, may_move=may_move)
+        self._presence = Presence()
         self._state: DeviceState | None = None
         self._schedule = Schedule()
-        self._samples: list[Sample] = []
         self._flushed_at = 0.0
-        self._drove_at = 0.0
-        self._failures = 0
-        self._silent = False
-        self._retry_at = 0.0
-        self._search = Search()
         self._port_rates: frozenset[int] | None = None
 
     def run(self) -> None:
@@ -134,8 +119,8 @@ class Session:
         echo = False
         try:
             echo = self._client.detect_echo()
-            if self._may_move:
-                self._stop_and_prove()
+            if self._motors.may_move:
+                self._motors.stop_and_prove(self._client, self._status)
             self._read_everything(Occasion.OPENED)
         except (NoReply, BadReply) as error:
             raise why_no_board(self._settings, echo=echo, error=error) from error
@@ -143,9 +128,7 @@ class Session:
     def _read_everything(self, occasion: Occasion) -> None:
         self._state = read_everything(self._request, self._progress)
         self._schedule.start(rates(self._state.source), self._now())
-        self._failures = 0
-        self._silent = False
-        self._search.end()
+        self._presence.begin()
         self._flush()
         self._emit(
             Connected(
@@ -153,7 +136,7 @@ class Session:
                 self._client.echo,
                 occasion,
                 self._client.settings,
-                self._may_move,
+                self._motors.may_move,
                 self._port_rates,
             )
         )
@@ -161,8 +144,8 @@ class Session:
     def _leave_safely(self) -> None:
         """Stop what was driven and give the port back, whatever the line does."""
         try:
-            if self._may_move or self._mail.stops:
-                self._stop(_CLOSING_ATTEMPTS)
+            if self._motors.may_move or self._mail.stops:
+                self._motors.stop(self._client, self._status, CLOSING_ATTEMPTS)
             self._client.drain()
         except TrexError:
             log.info("the line was left without a proved stop", exc_info=True)
@@ -176,7 +159,7 @@ class Session:
         reason = error or TrexError("The line was closed before this was done.")
         for waiting in self._mail.abandon():
             self._emit(Outcome(waiting, error=reason))
-        self._emit(Closed(error, self._may_move))
+        self._emit(Closed(error, self._motors.may_move))
 
     # --- The loop -----------------------------------------------------------------------
 
@@ -189,9 +172,9 @@ class Session:
             return
         if self._mail.jobs:
             self._run(self._mail.jobs.popleft())
-        elif self._silent and now >= self._retry_at:
+        elif self._presence.silent and now >= self._presence.retry_at:
             self._look_again()
-        elif not self._silent and (topic := self._schedule.next(now)):
+        elif not self._presence.silent and (topic := self._schedule.next(now)):
             self._schedule.asked(topic, now)
             self._poll(topic)
         else:
@@ -203,15 +186,15 @@ class Session:
             raise _Closing
 
     def _seconds_to_wait(self, now: float) -> float:
-        moments = [_RETRY_INTERVAL]
-        if self._silent:
-            moments.append(self._retry_at - now)
+        moments = [RETRY_INTERVAL]
+        if self._presence.silent:
+            moments.append(self._presence.retry_at - now)
         elif (seconds := self._schedule.seconds_to_next(now)) is not None:
             moments.append(seconds)
         if self._samples:
             moments.append(self._flushed_at + FRAME - now)
-        if self._mail.drives:
-            moments.append(self._drove_at + self._drive_interval - now)
+        if (seconds := self._motors.seconds_to_drive(self._client)) is not None:
+            moments.append(seconds)
         return max(_TICK, min(moments))
 
     def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
@@ -223,65 +206,26 @@ class Session:
     def _serve_urgent(self) -> bool:
         """Stop or drive when that is due; return whether the line was used."""
         if self._mail.stops:
-            self._stop()
+            self._motors.stop(self._client, self._status)
             return True
-        if self._mail.drives and self._now() - self._drove_at >= self._drive_interval:
-            self._drive()
-            return True
-        return False
+        seconds = self._motors.seconds_to_drive(self._client)
+        if seconds is None or seconds > 0:
+            return False
+        self._drive()
+        return True
+
+    def _drive(self) -> None:
+        if self._presence.silent:
+            # A board that comes back must not be met by a wish that is seconds old.
+            self._mail.drives.clear()
+            return
+        try:
+            self._motors.drive(self._client)
+        except (NoReply, BadReply) as error:
+            self._note_failure(error)
 
     def _now(self) -> float:
         return self._client.transport.clock()
-
-    # --- Motors -------------------------------------------------------------------------
-
-    @property
-    def _drive_interval(self) -> float:
-        """Seconds between motor packets; leaves half of a slow line to everything else."""
-        return max(_DRIVE_INTERVAL, 2 * self._client.settings.line.seconds(_LONGEST_DRIVE))
-
-    def _drive(self) -> None:
-        wishes = self._mail.drives.take()
-        if self._silent:
-            # A board that comes back must not be met by a wish that is seconds old.
-            return
-        self._drove_at = self._now()
-        self._may_move = True
-        try:
-            for command in packets(wishes):
-                self._client.request(command)
-        except BadRequest as error:
-            log.warning("a wish that no motor can obey was dropped: %s", error)
-        except (NoReply, BadReply) as error:
-            # The echo shows that a packet was damaged: the wish still stands.
-            self._mail.drives.put_back(wishes)
-            self._note_failure(error)
-
-    def _stop(self, attempts: int = ATTEMPTS) -> None:
-        """Serve every stop that waits; each gets its outcome, even when the line is lost."""
-        stops = self._mail.take_stops()
-        try:
-            proved = self._stop_and_prove(attempts)
-        except Exception:
-            self._mail.stops = stops
-            raise
-        error = (
-            None
-            if proved
-            else NoReply(
-                "The stop was sent, but the board does not confirm it. If a motor still turns, "
-                "cut its power."
-            )
-        )
-        for stop in stops:
-            self._emit(Outcome(stop.id, error=error))
-
-    def _stop_and_prove(self, attempts: int = ATTEMPTS) -> bool:
-        stopped = stop_and_prove(self._client, self._status, attempts)
-        self._samples += stopped.news
-        if stopped.proved:
-            self._may_move = False
-        return stopped.proved
 
     # --- What was asked -----------------------------------------------------------------
 
@@ -289,15 +233,15 @@ class Session:
         try:
             value: object = None
             match job:
-                case _ if self._looks_around:
+                case _ if self._presence.looks_around(self._client, self._mail.expected):
                     self._refuse()
                 case Ask(command=command):
-                    self._may_move = self._may_move or command.moves
+                    self._motors.may_move |= command.moves
                     value = self._request(command)
                 case Write():
                     value = self._write(job)
                 case Reload():
-                    returned = Occasion.RETURNED if self._silent else Occasion.RELOADED
+                    returned = Occasion.RETURNED if self._presence.silent else Occasion.RELOADED
                     self._read_everything(returned)
         except (BadRequest, NoReply, BadReply, Rejected) as error:
             self._emit(Outcome(job.id, error=error))
@@ -322,9 +266,9 @@ class Session:
 
         def request(command: Command[ReplyT_co]) -> ReplyT_co:
             nonlocal has_stopped
-            if is_closing() and self._may_move and not has_stopped:
+            if is_closing() and self._motors.may_move and not has_stopped:
                 has_stopped = True
-                self._stop(_CLOSING_ATTEMPTS)
+                self._motors.stop(self._client, self._status, CLOSING_ATTEMPTS)
             self._serve_urgent()
             return self._client.request(command)
 
@@ -356,7 +300,7 @@ class Session:
     def _poll(self, topic: Topic) -> None:
         try:
             sample = poll(self._client.request, topic, self._now, self._status)
-            self._failures = 0
+            self._presence.note_answer()
             if sample is not None:
                 self._samples.append(sample)
             if isinstance(sample, ModeSeen) and self._state and sample.mode is not self._state.mode:
@@ -366,50 +310,31 @@ class Session:
             self._note_failure(error)
 
     def _note_failure(self, error: TrexError) -> None:
-        self._failures += 1
-        if self._failures >= _FAILURES_TO_SILENCE and not self._silent:
-            self._fall_silent(str(error))
+        if self._presence.note_failure(self._now()):
+            self._motors.stop_unheard(self._client)
+            self._flush()
+            self._emit(Silent(str(error), replace(self._client.counters)))
 
-    def _fall_silent(self, reason: str) -> None:
-        self._silent = True
-        self._search.begin()
-        self._retry_at = self._now() + _RETRY_INTERVAL
-        if self._may_move:
-            # It may hear us although we do not hear it.
-            send_stop(self._client)
-        self._flush()
-        self._emit(Silent(reason, replace(self._client.counters)))
+    # --- Silence ------------------------------------------------------------------------
 
     def _look_again(self) -> None:
         """See whether the board is back; if it is, it may have been through a power cycle."""
         try:
-            if self._may_move:
-                send_stop(self._client)
-            if not self._looks_around:
+            self._motors.stop_unheard(self._client)
+            if not self._presence.looks_around(self._client, self._mail.expected):
                 self._client.request(GetMode())
             elif not self._look_at_next_place():
                 return
-            if self._may_move:
-                self._stop_and_prove()
+            if self._motors.may_move:
+                self._motors.stop_and_prove(self._client, self._status)
             self._read_everything(Occasion.RETURNED)
         except (NoReply, BadReply):
-            self._retry_at = self._now() + _RETRY_INTERVAL
-
-    @property
-    def _looks_around(self) -> bool:
-        """Whether a silent board may be at other settings.
-
-        Then nothing goes out but stops and what is harmless to a board at any rate.
-        """
-        can = self._client.transport.can_be_tuned
-        return self._silent and can and (self._search.has_looked or bool(self._mail.expected))
+            self._presence.retry_later(self._now())
 
     def _look_at_next_place(self) -> bool:
         """Put one question; return whether the board answered. The session goes on there."""
-        found = self._search.look(self._client, self._mail.expected)
+        found = self._presence.look(self._client, self._mail.expected)
         if found is None:
-            pause = _RETRY_INTERVAL if self._search.is_round_over else 0.0
-            self._retry_at = self._now() + pause
             return False
         if found is not self._client:
             self._client = found

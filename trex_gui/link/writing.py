@@ -50,6 +50,12 @@ class Written:
     stored: int | Calibration | None = None
     error: TrexError | None = None
 
+    @property
+    def channel(self) -> int | None:
+        """The channel whose calibration was written; `None` for a parameter."""
+        kind, _, number = self.what.partition(" ")
+        return int(number) if kind == "channel" else None
+
 
 def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
     """Store one parameter and return what was read back: the proof that it is stored.

@@ -12,6 +12,7 @@ from trex_gui.link.writing import Written
 from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import sentence
+from trex_gui.settings.document import calibration_key
 from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.history import History
 from trex_gui.settings.snapshot import settings_of
@@ -54,7 +55,6 @@ class Apply(QObject):
 
         A snapshot of what the board stores is saved first; without one nothing is written.
         """
-        source = state.source.value.lower()
         parameters = tuple(
             (key, wire)
             for key, wire in self._draft.parameters.pending
@@ -63,7 +63,7 @@ class Apply(QObject):
         calibrations = tuple(
             (channel, wanted)
             for channel, wanted in self._draft.calibrations.pending
-            if only is None or f"{source}_channel_{channel}" in only
+            if only is None or calibration_key(state.source, channel) in only
         )
         count = len(parameters) + len(calibrations)
         reason = self.tr("Apply of 1 setting")

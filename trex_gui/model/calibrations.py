@@ -139,8 +139,17 @@ class Calibrations(QObject):
         self._left_out &= self._stored.keys()
         self._announce()
 
-    def edit(self, channel: int, wanted: Calibration, source: InputSource | None = None) -> None:
+    def edit(
+        self,
+        channel: int,
+        wanted: Calibration,
+        source: InputSource | None = None,
+        *,
+        run: object = None,
+    ) -> None:
         """Take an edit; editing back to what is stored forgets it.
+
+        Edits of a channel with the same `run`, one right after the other, are one step to undo.
 
         Raises:
             BadRequest: the board would refuse the values.
@@ -150,7 +159,8 @@ class Calibrations(QObject):
         place = (source or self._source, channel)
         before = self._shown(place)
         if wanted != before:
-            self._undo.push(Edit(self._text(channel), self._put, place, before, wanted))
+            text = self._text(channel)
+            self._undo.push(Edit(text, self._put, place, before, wanted, run=run))
 
     def restore(self, channel: int) -> None:
         """Go back to what is stored for a channel, for the input source in force; an edit."""
@@ -195,8 +205,8 @@ class Calibrations(QObject):
     def take_results(self, results: Sequence[Written]) -> None:
         """Take what was read back after a write."""
         for result in results:
-            if isinstance(result.stored, Calibration):
-                place = (self._source, int(result.what.removeprefix("channel ")))
+            if isinstance(result.stored, Calibration) and result.channel is not None:
+                place = (self._source, result.channel)
                 self._stored[place] = self._seen[place] = result.stored
                 if self._edited.get(place) == result.stored:
                     del self._edited[place]

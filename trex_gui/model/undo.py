@@ -13,8 +13,15 @@ KeyT = TypeVar("KeyT")
 ValueT = TypeVar("ValueT")
 
 
+_OF_A_RUN = 1
+"""To Qt, commands of one kind may be merged; -1: never."""
+
+
 class Edit(QUndoCommand, Generic[KeyT, ValueT]):
-    """One value replaced by another, through a function that puts a value in its place."""
+    """One value replaced by another, through a function that puts a value in its place.
+
+    Edits of one place with the same `run`, one right after the other, are one step to undo.
+    """
 
     def __init__(
         self,
@@ -23,15 +30,29 @@ class Edit(QUndoCommand, Generic[KeyT, ValueT]):
         key: KeyT,
         before: ValueT,
         after: ValueT,
+        *,
+        run: object = None,
     ) -> None:
         super().__init__(text)
         self._put = put
-        self._key = key
+        self.key = key
         self._before = before
-        self._after = after
+        self.after = after
+        self.run = run
 
     def redo(self) -> None:
-        self._put(self._key, self._after)
+        self._put(self.key, self.after)
 
     def undo(self) -> None:
-        self._put(self._key, self._before)
+        self._put(self.key, self._before)
+
+    def id(self) -> int:
+        return -1 if self.run is None else _OF_A_RUN
+
+    def mergeWith(self, other: QUndoCommand) -> bool:
+        """Take in the next edit of the run; one that leads back to the start leaves no step."""
+        if not isinstance(other, Edit) or (other.run, other.key) != (self.run, self.key):
+            return False
+        self.after = other.after
+        self.setObsolete(self.after == self._before)
+        return True

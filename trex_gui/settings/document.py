@@ -8,8 +8,14 @@ from trex_gui.protocol.device_table import Model
 from trex_gui.protocol.flags import CHANNELS, InputSource
 from trex_gui.protocol.parameters import ParameterSet, parameters_of
 
+
+def calibration_key(source: InputSource, channel: int) -> str:
+    """Return the key of the calibration of a channel: `rc_channel_1`."""
+    return f"{source.value.lower()}_channel_{channel}"
+
+
 CALIBRATION_KEYS: Mapping[str, tuple[InputSource, int]] = {
-    f"{source.value.lower()}_channel_{channel}": (source, channel)
+    calibration_key(source, channel): (source, channel)
     for source in InputSource
     for channel in CHANNELS
 }

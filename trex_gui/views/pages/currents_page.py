@@ -18,7 +18,7 @@ _WINDOWS = (10, 30, 60, 300)
 
 
 class CurrentsPage(QWidget):
-    """A live plot; the only page that imports the plotting library, and only when shown."""
+    """A live plot; the plotting library is imported when the page is first shown."""
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)

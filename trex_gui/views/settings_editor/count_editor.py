@@ -29,6 +29,7 @@ class CountEditor(QSpinBox):
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._source = source
+        self._stepping = False
         self.setRange(0, HIGHEST_CODED)
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -42,6 +43,16 @@ class CountEditor(QSpinBox):
             self.setToolTip(self._expected())
             with QSignalBlocker(self):
                 self.lineEdit().setText(self.textFromValue(self.value()))
+
+    @property
+    def stepping(self) -> bool:
+        """Whether the value changes by a step now: a key, the wheel or a button, nothing typed."""
+        return self._stepping
+
+    def stepBy(self, steps: int) -> None:
+        self._stepping = True
+        super().stepBy(steps)
+        self._stepping = False
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Turn with the wheel only what has the focus."""

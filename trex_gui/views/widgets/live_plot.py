@@ -1,20 +1,21 @@
-"""A scrolling plot of live values: the one file that knows pyqtgraph.
+"""A scrolling plot of live values.
 
-Importing it takes as long as all of Qt: do so when a plot is to be shown, not at the start.
+Importing it loads the plotting library, which takes as long as all of Qt: do so when a plot is
+to be shown, not at the start.
 """
 
 import math
 from collections.abc import Sequence
 
 import numpy as np
-import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Slot
-from PySide6.QtGui import QFont, QFontMetrics, QPainterPath, QPalette, QPen, QResizeEvent
-from PySide6.QtWidgets import QGraphicsPathItem, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QSize, Qt, Slot
+from PySide6.QtGui import QFontMetrics, QPalette
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.views.theme import theme
 from trex_gui.views.widgets.axis import AutoRange, round_up, ticks
 from trex_gui.views.widgets.bar import MINUS
+from trex_gui.views.widgets.plot_canvas import PlotCanvas, signed
 from trex_gui.views.widgets.plot_legend import CurveStyle, LegendEntry, Tags
 from trex_gui.views.widgets.reduction import Floats, reduce_min_max
 
@@ -46,18 +47,16 @@ class LivePlot(QWidget):
         self._extremes: dict[str, tuple[float, float]] = {}
         self._latest: dict[str, float] = {}
         self._limits: dict[str, float] = {}
-        self._curves: dict[str, pg.PlotCurveItem] = {}
-        self._limit_lines: dict[str, pg.InfiniteLine] = {}
-        self._styles = {style.name: style for style in curves}
         self.setAccessibleName(self.tr("Live plot"))
 
         self._legend = {style.name: LegendEntry(style, unit, self) for style in curves}
-        self._plot = self._make_plot()
-        self._box = self._plot.getViewBox()
-        self._grid = QGraphicsPathItem()
-        self._grid.setZValue(-10)
-        self._box.addItem(self._grid, ignoreBounds=True)
-        self._add_curves()
+        self._plot = PlotCanvas(self)
+        self._plot.setMinimumSize(160, 90)
+        self._limit_lines = {
+            style.name: self._plot.add_curve(style.color, style=Qt.PenStyle.DashLine)
+            for style in curves
+        }
+        self._curves = {style.name: self._plot.add_curve(style.color) for style in curves}
         self._tags = Tags(curves, self._plot)
         self._empty = QLabel(self.tr("No data yet"), self._plot)
         self._empty.setObjectName("emptyLabel")
@@ -75,33 +74,11 @@ class LivePlot(QWidget):
         layout.addWidget(self._plot, 1)
 
         theme().changed.connect(self._on_theme_changed)
-        self._box.sigResized.connect(self._on_box_resized)
+        self._plot.arranged.connect(self._on_arranged)
 
         self._on_theme_changed()
-        self._show_fonts()
+        self._show_margins()
         self._show_ranges()
-
-    def _make_plot(self) -> "pg.PlotWidget":
-        plot = pg.PlotWidget(self, background=None)
-        plot.setMinimumSize(160, 90)
-        plot.setMenuEnabled(False)
-        plot.setMouseEnabled(x=False, y=False)
-        plot.hideButtons()
-        plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        plot.setFrameShape(plot.Shape.NoFrame)
-        plot.getViewBox().disableAutoRange()
-        plot.getViewBox().setDefaultPadding(0)
-        return plot
-
-    def _add_curves(self) -> None:
-        for name in self._styles:
-            line = pg.InfiniteLine(angle=0, movable=False)
-            line.setVisible(False)
-            self._box.addItem(line, ignoreBounds=True)
-            self._limit_lines[name] = line
-            curve = pg.PlotCurveItem(antialias=False, skipFiniteCheck=True)
-            self._box.addItem(curve, ignoreBounds=True)
-            self._curves[name] = curve
 
     @property
     def window_seconds(self) -> float:
@@ -130,18 +107,15 @@ class LivePlot(QWidget):
         if not finite.any():
             self._extremes.pop(name, None)
             self._latest.pop(name, None)
-            self._curves[name].setData([], [])
+            self._curves[name].clear()
         else:
-            whole = bool(finite.all())
             self._extremes[name] = (float(np.nanmin(y)), float(np.nanmax(y)))
             last = float(y[-1])
             if math.isfinite(last):
                 self._latest[name] = last
             else:
                 self._latest.pop(name, None)
-            self._curves[name].setData(
-                x - now, y, connect="all" if whole else "finite", skipFiniteCheck=whole
-            )
+            self._curves[name].set_points(x - now, y, gaps=not finite.all())
         self._legend[name].set_value(self._latest.get(name))
         self._fit()
         self._show_tags()
@@ -153,7 +127,6 @@ class LivePlot(QWidget):
             self._limits.pop(name, None)
         else:
             self._limits[name] = value
-            self._limit_lines[name].setPos(value)
         self._legend[name].set_limit(value)
         self._show_limits()
 
@@ -167,7 +140,7 @@ class LivePlot(QWidget):
         self._extremes.clear()
         self._latest.clear()
         for name, curve in self._curves.items():
-            curve.setData([], [])
+            curve.clear()
             self._legend[name].set_value(None)
         self._range.reset()
         self._show_ranges()
@@ -189,26 +162,17 @@ class LivePlot(QWidget):
         low, high = self._range.low, self._range.high
         # A margin of a hundredth keeps lines at the ends of the range visible.
         margin = (high - low) * 0.012
-        self._box.setRange(
-            xRange=(-self._window, 0), yRange=(low - margin, high + margin), padding=0
-        )
         y_ticks = ticks(low, high, round_up((high - low) / 5.5))
         x_ticks = ticks(-self._window, 0, self._time_step())
-        bottom, left = self._plot.getAxis("bottom"), self._plot.getAxis("left")
-        bottom.setTicks([[(x, self._time_text(x)) for x in x_ticks]])
-        names = [f"{y:g}".replace("-", MINUS) for y in y_ticks]
+        names = [signed(y) for y in y_ticks]
         names[-1] += f" {self._unit}"
-        left.setTicks([list(zip(y_ticks, names, strict=True))])
-        path = QPainterPath()
-        for x in x_ticks:
-            path.moveTo(x, low - margin)
-            path.lineTo(x, high + margin)
-        for y in y_ticks:
-            path.moveTo(-self._window, y)
-            path.lineTo(0, y)
-        self._grid.setPath(path)
+        self._plot.set_axes(
+            (-self._window, 0),
+            (low - margin, high + margin),
+            [(x, self._time_text(x)) for x in x_ticks],
+            list(zip(y_ticks, names, strict=True)),
+        )
         self._show_limits()
-        self._show_tags()
 
     def _time_step(self) -> float:
         for step in _TIME_STEPS:
@@ -224,77 +188,43 @@ class LivePlot(QWidget):
         return self.tr("{n} s").format(n=f"{-x:g}")
 
     def _show_limits(self) -> None:
+        ends = np.array([-self._window, 0.0])
         for name, line in self._limit_lines.items():
             limit = self._limits.get(name)
-            line.setVisible(limit is not None and self._range.low <= limit <= self._range.high)
+            visible = limit is not None and self._range.low <= limit <= self._range.high
+            line.set_visible(visible)
+            if limit is not None and visible:
+                line.set_points(ends, np.full_like(ends, limit))
 
     def _show_tags(self) -> None:
         # The strip over the plot starts at its top, so y needs no further mapping.
-        where = {
-            name: self._box.mapViewToScene(QPointF(0, value)).y()
-            for name, value in self._latest.items()
-        }
+        where = {name: self._plot.y_of(value) for name, value in self._latest.items()}
         self._tags.set_heights(where)
 
-    def _show_fonts(self) -> None:
-        font = QFont(self.font())
-        if font.pointSizeF() > 0:
-            font.setPointSizeF(font.pointSizeF() * 0.9)
-        metrics = QFontMetrics(font)
-        left, bottom = self._plot.getAxis("left"), self._plot.getAxis("bottom")
-        for axis in (left, bottom):
-            # The labels at the ends reach a little over the axis; there is room for them.
-            axis.setStyle(
-                tickFont=font, tickLength=0, tickTextOffset=6, hideOverlappingLabels=False
-            )
-        left.setWidth(metrics.horizontalAdvance(f"{MINUS}0.005 {self._unit}") + 10)
-        bottom.setHeight(metrics.height() + 8)
+    def _show_margins(self) -> None:
+        metrics = QFontMetrics(self._plot.small_font())
         # Half a label must fit beside the ends of the axes.
         half = metrics.height() // 2 + 2
-        side = (
-            max(metrics.horizontalAdvance(self.tr("now")) // 2, self._tags.sizeHint().width()) + 2
-        )
-        self._plot.getPlotItem().layout.setContentsMargins(1, half, side, 1)
+        now = metrics.horizontalAdvance(self.tr("now")) // 2
+        side = max(now, self._tags.sizeHint().width()) + 2
+        widest = f"{MINUS}0.005 {self._unit}"
+        self._plot.set_margins(left=widest, top=half, right=side, x_axis=True)
 
     @Slot()
     def _on_theme_changed(self) -> None:
-        color = theme().color
-        self._plot.setBackground(None)
-        self._box.setBackgroundColor(color("plot_background"))
-        self._box.setBorder(QPen(color("plot_frame"), 1))
-        grid = QPen(color("grid"), 1)
-        grid.setCosmetic(True)
-        self._grid.setPen(grid)
-        for side in ("left", "bottom"):
-            axis = self._plot.getAxis(side)
-            axis.setPen(QPen(Qt.PenStyle.NoPen))  # the frame is the box's border
-            axis.setTickPen(QPen(color("plot_frame"), 1))
-            axis.setTextPen(QPen(color("plot_text"), 1))
-        for name, style in self._styles.items():
-            pen = QPen(color(style.color), 1)
-            pen.setCosmetic(True)
-            self._curves[name].setPen(pen)
-            dashed = QPen(color(style.color), 1, Qt.PenStyle.DashLine)
-            dashed.setCosmetic(True)
-            self._limit_lines[name].setPen(dashed)
         palette = QPalette()
-        palette.setColor(QPalette.ColorRole.WindowText, color("muted"))
+        palette.setColor(QPalette.ColorRole.WindowText, theme().color("muted"))
         self._empty.setPalette(palette)
-        self.update()
 
     @Slot()
-    def _on_box_resized(self) -> None:
-        box = self._box.sceneBoundingRect().toRect()
+    def _on_arranged(self) -> None:
+        box = self._plot.frame.toRect()
         self._empty.setGeometry(box)
         width = self._tags.sizeHint().width()
         self._tags.setGeometry(box.left() + box.width() + 1, 0, width, box.bottom() + 6)
         self._show_tags()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._on_box_resized()
-
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange and hasattr(self, "_empty"):
-            self._show_fonts()
+            self._show_margins()

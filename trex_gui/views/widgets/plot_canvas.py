@@ -1,6 +1,7 @@
 """A plain plot in the theme's colours: frame, grid, ticks; what is drawn on it is others' matter.
 
-Importing it loads pyqtgraph, which takes as long as all of Qt: do so when a plot is to be shown.
+The one file that knows pyqtgraph. Importing it takes as long as all of Qt: do so when a plot is
+to be shown.
 """
 
 from collections.abc import Sequence
@@ -30,6 +31,10 @@ class Curve:
     def set_points(self, x: Floats, y: Floats, *, gaps: bool = False) -> None:
         """Draw through these points; with `gaps`, those that are no number interrupt the line."""
         self._item.setData(x, y, connect="finite" if gaps else "all", skipFiniteCheck=not gaps)
+
+    def clear(self) -> None:
+        """Draw nothing."""
+        self._item.setData([], [])
 
     def set_visible(self, visible: bool) -> None:
         """Show or hide the line."""

@@ -19,10 +19,13 @@ class CalibrationFields(QWidget):
 
     Signals:
         wished: a calibration that the board would take.
+        stepped: the same, one step further; and an object that stays the same until the field is
+            left or typed into: such steps are taken back at once.
         refused: why what was typed was not taken, for people.
     """
 
     wished = Signal(object)
+    stepped = Signal(object, object)
     refused = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -31,6 +34,7 @@ class CalibrationFields(QWidget):
         self._calibration: Calibration | None = None
         self._editors: dict[str, CountEditor] = {}
         self._counts: dict[str, QLabel] = {}
+        self._run = object()
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setHorizontalSpacing(12)
@@ -54,6 +58,7 @@ class CalibrationFields(QWidget):
                 layout.addWidget(widget, row, column)
             layout.setColumnStretch(column, 1)
             editor.valueChanged.connect(partial(self._on_edited, field))
+            editor.editingFinished.connect(self._on_run_ended)
             editor.refused.connect(self.refused)
             self._editors[field] = editor
             self._counts[field] = counts
@@ -84,8 +89,15 @@ class CalibrationFields(QWidget):
         if wrong := wrong_order(wanted, self._source):
             self.show_calibration(self._source, calibration, editable=True)
             self.refused.emit(wrong)
+        elif self._editors[field].stepping:
+            self.stepped.emit(wanted, self._run)
         else:
+            self._on_run_ended()
             self.wished.emit(wanted)
+
+    @Slot()
+    def _on_run_ended(self) -> None:
+        self._run = object()
 
     @Slot()
     def _on_theme_changed(self) -> None:

@@ -116,6 +116,7 @@ class CalibrationPage(QWidget):
         self._channels.chosen.connect(self._on_channel_chosen)
         self._heading.source_chosen.connect(self._on_source_chosen)
         self._fields.wished.connect(self._on_wished)
+        self._fields.stepped.connect(self._on_wished)
         self._fields.refused.connect(self._on_refused)
         self._other.power_cycle_requested.connect(self.power_cycle_requested)
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
@@ -344,9 +345,10 @@ class CalibrationPage(QWidget):
         self._show_note()
 
     @Slot(object)
-    def _on_wished(self, calibration: Calibration) -> None:
+    @Slot(object, object)
+    def _on_wished(self, calibration: Calibration, run: object = None) -> None:
         try:
-            self._device.calibrations.edit(self.channel, calibration)
+            self._device.calibrations.edit(self.channel, calibration, run=run)
         except BadRequest as error:
             self._on_refused(sentence(error))
 
@@ -366,9 +368,8 @@ class CalibrationPage(QWidget):
     def _on_applied(self, results: tuple[Written, ...]) -> None:
         """Remember what the board did not store, and why."""
         for result in results:
-            if not result.what.startswith("channel "):
+            if (channel := result.channel) is None:
                 continue
-            channel = int(result.what.removeprefix("channel "))
             self._failures.pop(channel, None)
             if result.error is not None:
                 wished = self._device.calibrations.shown(channel)

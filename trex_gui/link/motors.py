@@ -1,0 +1,123 @@
+"""The motors over one line: the newest wish goes out in time, a stop goes first and is proved.
+
+Nothing here is sent unasked but a stop.
+"""
+
+import logging
+from collections.abc import Callable, Sequence
+
+from trex_gui.link.client import Client
+from trex_gui.link.drives import packets
+from trex_gui.link.mailbox import Mailbox
+from trex_gui.link.messages import Outcome
+from trex_gui.link.stopping import ATTEMPTS, send_stop, stop_and_prove
+from trex_gui.link.telemetry import StatusNews, StatusReader
+from trex_gui.protocol.errors import BadReply, BadRequest, NoReply
+
+log = logging.getLogger(__name__)
+
+DRIVE_INTERVAL = 0.02
+"""Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
+
+CLOSING_ATTEMPTS = 6
+"""How often a stop is sent when the line is to be given back: somebody waits for that."""
+
+_LONGEST_DRIVE = 11
+"""Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
+
+_UNPROVED = (
+    "The stop was sent, but the board does not confirm it. If a motor still turns, cut its power."
+)
+
+
+class Motors:
+    """Serves the stops and the wishes that wait in a mailbox, when the session lets it.
+
+    `answer` gets the outcome of every stop. `take_news` gets the latched bits that looking for
+    the proof of one has cleared.
+
+    Attributes:
+        may_move: whether motors were driven and no stop was proved since.
+    """
+
+    def __init__(
+        self,
+        mail: Mailbox,
+        answer: Callable[[Outcome], None],
+        take_news: Callable[[Sequence[StatusNews]], None],
+        *,
+        may_move: bool,
+    ) -> None:
+        self._mail = mail
+        self._answer = answer
+        self._take_news = take_news
+        self._drove_at = 0.0
+        self.may_move = may_move
+
+    def seconds_to_drive(self, client: Client) -> float | None:
+        """Return how long the wishes that wait must wait still; `None`: there are none."""
+        if not self._mail.drives:
+            return None
+        return self._drove_at + _interval(client) - client.transport.clock()
+
+    def drive(self, client: Client) -> None:
+        """Send the newest wish for each motor.
+
+        Raises:
+            NoReply, BadReply: the echo shows that a packet was damaged; the wish still stands.
+            PortUnavailable: the line is gone.
+        """
+        wishes = self._mail.drives.take()
+        self._drove_at = client.transport.clock()
+        self.may_move = True
+        try:
+            for command in packets(wishes):
+                client.request(command)
+        except BadRequest as error:
+            log.warning("a wish that no motor can obey was dropped: %s", error)
+        except (NoReply, BadReply):
+            self._mail.drives.put_back(wishes)
+            raise
+
+    def stop(self, client: Client, status: StatusReader, attempts: int = ATTEMPTS) -> None:
+        """Serve every stop that waits; each gets its outcome, even when the line is lost.
+
+        Raises:
+            PortUnavailable: the line is gone; the stops wait again, for the end of the session.
+        """
+        stops = self._mail.take_stops()
+        try:
+            proved = self.stop_and_prove(client, status, attempts)
+        except Exception:
+            self._mail.stops = stops
+            raise
+        for stop in stops:
+            self._answer(Outcome(stop.id, error=None if proved else NoReply(_UNPROVED)))
+
+    def stop_and_prove(
+        self, client: Client, status: StatusReader, attempts: int = ATTEMPTS
+    ) -> bool:
+        """Stop unasked, and return whether the board's status proves that it has arrived.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        stopped = stop_and_prove(client, status, attempts)
+        self._take_news(stopped.news)
+        if stopped.proved:
+            self.may_move = False
+        return stopped.proved
+
+    def stop_unheard(self, client: Client) -> None:
+        """Stop what may move on a board that does not answer: it may hear us all the same.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        if self.may_move:
+            send_stop(client)
+
+
+def _interval(client: Client) -> float:
+    """Seconds between motor packets; leaves half of a slow line to everything else."""
+    return max(DRIVE_INTERVAL, 2 * client.settings.line.seconds(_LONGEST_DRIVE))

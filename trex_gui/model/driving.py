@@ -1,0 +1,121 @@
+"""When the motors may be driven, wishes on their way to the line, and stops with their proof."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.link.messages import (
+    Closed,
+    Connected,
+    Occasion,
+    Outcome,
+    SetAuxiliary,
+    SetDrive,
+    Stop,
+)
+from trex_gui.model.connection import Connection, Link
+from trex_gui.model.motors import Motors
+from trex_gui.protocol.errors import NoReply, TrexError
+
+AfterStop = Callable[[TrexError | None], None]
+"""Gets `None` when a stop is proved, else why it is not."""
+
+
+class Driving(QObject):
+    """Stands between the motors that a person drives and the connection to the board.
+
+    Signals:
+        proved: a stop was; `may_move` tells whether a wish was let through meanwhile.
+        failed: why a stop is not proved, for people.
+    """
+
+    proved = Signal()
+    failed = Signal(str)
+
+    def __init__(
+        self, motors: Motors, connection: Connection, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._motors = motors
+        self._connection = connection
+        self._may_move = False
+        self._after_stop: list[AfterStop] = []
+
+        motors.requested.connect(self._on_drive_requested)
+        motors.stop_requested.connect(self._on_stop_requested)
+        connection.answered.connect(self._on_answered)
+        connection.closing.connect(self._on_out_of_reach)
+        connection.silenced.connect(self._on_out_of_reach)
+        connection.left.connect(self._on_left)
+
+    @property
+    def may_move(self) -> bool:
+        """Whether motors were driven and no stop was proved since, connected or not."""
+        return self._may_move
+
+    def follow(self, *, by_serial: bool) -> None:
+        """Let the motors be armed only while this program's commands reach them.
+
+        Where channels are in control the board keeps a command until channel 5 hands over:
+        what was meant for now would start later.
+        """
+        is_up = self._connection.link is Link.UP
+        allowed = is_up and by_serial
+        if allowed != self._motors.can_arm:
+            if not allowed and self._motors.armed and is_up:
+                self._motors.stop()
+            self._motors.allow(allowed)
+
+    def stop(self, then: AfterStop) -> None:
+        """Stop everything and disarm; `then` is told whether the board has proved it, once.
+
+        Where the line ends before that, `then` is not called.
+        """
+        self._after_stop.append(then)
+        self._motors.stop()
+
+    # --- Wishes and stops ---------------------------------------------------------------
+
+    @Slot(object)
+    def _on_drive_requested(self, wish: SetDrive | SetAuxiliary) -> None:
+        if self._connection.submit(wish):
+            self._may_move = True
+
+    @Slot()
+    def _on_stop_requested(self) -> None:
+        waiting, self._after_stop = self._after_stop, []
+
+        def tell(outcome: Outcome) -> None:
+            self._on_stopped(outcome)
+            for then in waiting:
+                then(outcome.error)
+
+        if not self._connection.ask(Stop, tell):
+            for then in waiting:
+                then(NoReply(self.tr("No board is connected.")))
+
+    def _on_stopped(self, outcome: Outcome) -> None:
+        if outcome.error is None:
+            # A wish that was let through meanwhile is a motor that moves again.
+            self._may_move = self._motors.armed
+            self.proved.emit()
+        elif self._connection.link is not Link.CLOSING:
+            self.failed.emit(str(outcome.error))
+
+    # --- The board comes and goes -------------------------------------------------------
+
+    @Slot(object)
+    def _on_answered(self, report: Connected) -> None:
+        if report.occasion is not Occasion.RELOADED:
+            self._may_move = report.may_move
+            self._motors.allow(False)
+
+    @Slot()
+    def _on_out_of_reach(self) -> None:
+        self._motors.allow(False)
+
+    @Slot(object)
+    def _on_left(self, last: Closed | None) -> None:
+        if last is not None:
+            self._may_move = last.may_move
+        self._motors.allow(False)
