@@ -2,13 +2,14 @@
 
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QCheckBox, QDialog, QLabel, QSpinBox
+from PySide6.QtWidgets import QAbstractButton, QCheckBox, QDialog, QLabel, QSpinBox, QTabBar
 from pytestqt.qtbot import QtBot
 
 from tests.support.people import Person, Stick
@@ -16,10 +17,18 @@ from tests.support.simulator import SimulatorProcess
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.protocol.flags import InputSource
+from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.views.pages.calibration.page import CalibrationPage
+from trex_gui.views.widgets.curve_plot import CurvePlot
+from trex_gui.views.widgets.scroll_box import ScrollBox
 from trex_gui.window import Program
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+pytestmark = [
+    pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals"),
+    # Some take six seconds of a person's time, which a computer with nine other things to do
+    # makes a minute: the default limit. Every wait ends as soon as it may.
+    pytest.mark.timeout(240),
+]
 
 ANALOG = InputSource.ANALOG
 WORN = Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02)
@@ -28,17 +37,23 @@ WORN = Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02)
 class Wizard:
     """The window with its wizard, the board, and somebody with a transmitter."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(
+        self,
+        program: Program,
+        simulator: SimulatorProcess,
+        qtbot: QtBot,
+        line: LineSettings | None = None,
+    ) -> None:
         self.program = program
         self.device = program.device
         self.simulator = simulator
         self.qtbot = qtbot
         self.person = Person(simulator, {})
-        self.device.connect_to(LinkSettings(simulator.url))
+        self.device.connect_to(LinkSettings(simulator.url, line or LineSettings()))
         self.wait(lambda: self.device.link is Link.UP)
         self.before = self.stored()
 
-    def wait(self, condition: Callable[[], bool], timeout: int = 10_000) -> None:
+    def wait(self, condition: Callable[[], bool], timeout: int = 40_000) -> None:
         self.qtbot.waitUntil(condition, timeout=timeout)
 
     @property
@@ -65,7 +80,7 @@ class Wizard:
         label = self.dialog.findChild(QLabel, name)
         return "" if label is None else label.text()
 
-    def until_text(self, name: str, words: str, timeout: int = 10_000) -> None:
+    def until_text(self, name: str, words: str, timeout: int = 40_000) -> None:
         try:
             self.wait(lambda: words in self.text(name), timeout)
         except self.qtbot.TimeoutError:
@@ -258,6 +273,116 @@ def test_joysticks_are_learned_in_volts(
     wizard.until_text("learnHead", "Push every stick")
 
 
+def test_at_1200_baud_ends_are_held_for_longer_and_learned_as_well(
+    program: Program, simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    simulator.do("eeprom uart_settings 0")
+    simulator.do("power cycle")
+    wizard = Wizard(program, simulator, qtbot, LineSettings(1200))
+    wizard.sit_down({1: Stick(rest=1523, low=1090, high=1905, noise=1)})
+    wizard.to_travel(1)
+    wizard.until_text("learnHead", "over this line (1200 baud) only")
+    assert "Hold each end until it is ticked" in wizard.text("learnHead")
+    wizard.person.put(1, 1)
+    wizard.until_text("learnTravel1", "Hold it there …")
+    wizard.until_text("learnTravel1", "High end reached")
+    wizard.person.put(1, -1)
+    wizard.until_text("learnTravel1", "Both ends reached")
+    wizard.person.let_go()
+    wizard.press("learnNextButton")
+    wizard.wait(lambda: wizard.button("learnTakeButton").isVisible())
+    assert wizard.text("learnProblem1") == ""
+    wizard.take_and_write()
+    wizard.assert_learned(1)
+
+
+def test_at_1200_baud_an_end_that_is_let_go_at_once_is_not_learned(
+    program: Program, simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    simulator.do("eeprom uart_settings 0")
+    simulator.do("power cycle")
+    wizard = Wizard(program, simulator, qtbot, LineSettings(1200))
+    wizard.sit_down({1: Stick()})
+    wizard.to_travel(1)
+    wizard.until_text("learnHead", "over this line (1200 baud) only")
+    for position in (1, -1):  # pushed and pulled without a rest for three seconds
+        for step in range(30):
+            wizard.person.put(1, position * (1 - abs(step - 15) / 15))
+            wizard.qtbot.wait(100)
+    wizard.press("learnNextButton")
+    wizard.wait(lambda: wizard.button("learnTakeButton").isVisible())
+    assert "only passed, so" in wizard.text("learnProblem1")
+    assert not wizard.can_press("learnTakeButton")
+    wizard.assert_nothing_changed()
+
+
+# --- The review -------------------------------------------------------------------------
+
+
+def test_the_review_shows_the_curve_before_and_after(wizard: Wizard) -> None:
+    wizard.sit_down({1: Stick(), 2: Stick(rest=1480, low=1050, high=1950, forward_is_down=True)})
+    wizard.to_review(1, 2)
+    plot = wizard.dialog.findChild(CurvePlot, "learnCurve")
+    tabs = wizard.dialog.findChild(QTabBar, "learnChannelTabs")
+    assert plot is not None
+    assert tabs is not None
+    first = plot.curve
+    assert first is not None
+    assert not first.reversed_
+    tabs.setCurrentIndex(1)
+    second = plot.curve
+    assert second is not None
+    assert second.reversed_
+    assert second.calibration.neutral == 3700
+    assert wizard.text("learnCurveBefore") == "as it was"
+    # The live dot follows the stick.
+    wizard.person.put(2, -1)
+    wizard.wait(lambda: plot.dot == (4875, -127))
+    assert "output proposed −127, as it was +113" in wizard.text("learnCurveLive")
+    # The numbers move the curve, and the handles move the numbers.
+    editor = wizard.dialog.findChild(QSpinBox, "learnMaximumEdit2")
+    assert editor is not None
+    editor.setValue(4700)
+    assert plot.curve is not None
+    assert plot.curve.calibration.maximum == 4700
+    plot.wished.emit(replace(plot.curve.calibration, maximum=4600))
+    assert editor.value() == 4600
+    box = wizard.button("learnReversed2")
+    box.click()
+    assert not plot.curve.reversed_
+    # What the board would not take has no curve, only what was there before.
+    editor.setValue(3000)
+    wizard.wait(lambda: plot.curve is None)
+    wizard.until_text("learnHead", "would not take the values of channel 2")
+    wizard.assert_nothing_changed()
+
+
+@pytest.mark.parametrize("factor", [1.0, 2.0])
+def test_every_step_fits_a_low_screen(wizard: Wizard, factor: float) -> None:
+    dialog = wizard.dialog
+    font = dialog.font()
+    font.setPointSizeF(font.pointSizeF() * factor)
+    dialog.setFont(font)
+    wizard.sit_down({channel: Stick() for channel in range(1, 6)})
+    reached = []
+    wizard.to_review(1, 2, 3, 4, 5)
+    reached.append(dialog.minimumSizeHint())
+    for words in ("forward or right first", "Let go of every stick"):
+        wizard.press("learnBackButton")
+        wizard.until_text("learnHead", words)
+        reached.append(dialog.minimumSizeHint())
+    wizard.press("learnCancelButton")
+    wizard.choose("test_sticks")
+    wizard.until_text("learnHead", "Push every stick")
+    reached.append(dialog.minimumSizeHint())
+    assert max(size.width() for size in reached) <= 900
+    assert max(size.height() for size in reached) <= 480
+    dialog.resize(900, 480)
+    wizard.push(1, -1)
+    boxes = dialog.findChildren(ScrollBox)
+    assert [box.isVisible() for box in boxes] == [True]
+
+
 # --- Bad cases --------------------------------------------------------------------------
 
 
@@ -286,6 +411,36 @@ def test_a_stick_that_twitches_while_it_is_sampled_is_said_and_sampled_again(
     wizard.hold()
     wizard.press("learnAgainButton")
     wizard.until_text("learnHead", "forward or right first")
+
+
+def test_a_stick_that_drifts_slowly_is_learned_where_it_was_meanwhile(wizard: Wizard) -> None:
+    """Between where it was at the begin and at the end of the sampling, and 1 µs for rounding."""
+    stick = Stick(rest=1500, drift=1.5)
+    wizard.sit_down({1: stick})
+    wizard.to_rest(1)
+    wizard.press("learnNextButton")
+    wizard.person.wait_for(2.0, wizard.qtbot.wait)
+    wizard.until_text("learnHead", "forward or right first")
+    wizard.push(1, -1)
+    wizard.press("learnNextButton")
+    wizard.wait(lambda: wizard.button("learnTakeButton").isVisible())
+    assert wizard.text("learnProblem1") == ""
+    wizard.take_and_write()
+    found = wizard.device.calibrations.stored(1)
+    assert found is not None
+    assert -1 <= found.neutral / 2.5 - 1500 <= 1.5 * 2.0 + 1
+    assert found.deadband == 75
+
+
+@pytest.mark.parametrize(("drift", "way"), [(12, "up"), (-12, "down")])
+def test_a_stick_that_drifts_away_is_said(wizard: Wizard, drift: float, way: str) -> None:
+    wizard.sit_down({1: Stick(drift=drift)})
+    wizard.to_rest(1)
+    wizard.press("learnNextButton")
+    wizard.person.wait_for(3.0, wizard.qtbot.wait)
+    wizard.until_text("learnHead", "No channel rests")
+    assert f"It drifted {way} by" in wizard.text("learnProblem1")
+    assert not wizard.can_press("learnNextButton")
 
 
 def test_lost_pulses_are_said(wizard: Wizard) -> None:
@@ -327,6 +482,24 @@ def test_a_travel_that_is_no_good_is_said(
     wizard.assert_nothing_changed()
 
 
+def test_an_analog_input_on_which_nothing_moves_may_not_be_connected(
+    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot
+) -> None:
+    simulator = start_simulator("--unpaced")
+    simulator.do("eeprom channel_input_source 1")
+    simulator.do("power cycle")
+    wizard = Wizard(program, simulator, qtbot)
+    wizard.wait(lambda: wizard.device.calibrations.source is ANALOG)
+    simulator.do("channel 1 silent")
+    wizard.hold()
+    wizard.to_travel(1)
+    wizard.press("learnNextButton")
+    wizard.until_text("learnProblem1", "Nothing moves on this input: it stays at 0.00 V")
+    assert "Either nothing is connected to it" in wizard.text("learnProblem1")
+    assert "or what is connected was not moved" in wizard.text("learnProblem1")
+    assert not wizard.can_press("learnTakeButton")
+
+
 def test_a_rest_beside_the_ends_is_said(wizard: Wizard) -> None:
     wizard.sit_down({1: Stick()})
     wizard.to_rest(1)
@@ -363,8 +536,9 @@ def test_cancel_leaves_the_board_as_it_was(wizard: Wizard, step: str, by: str) -
 
 @pytest.mark.parametrize("step", STEPS)
 def test_a_plug_that_is_pulled_is_said_and_nothing_was_changed(
-    program: Program, simulator: SimulatorProcess, qtbot: QtBot, step: str
+    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot, step: str
 ) -> None:
+    simulator = start_simulator("--unpaced")
     wizard = Wizard(program, simulator, qtbot)
     wizard.sit_down({1: WORN})
     getattr(wizard, step)(1)
@@ -373,6 +547,60 @@ def test_a_plug_that_is_pulled_is_said_and_nothing_was_changed(
     assert not wizard.can_press("learnTakeButton")
     assert not wizard.can_press("learnNextButton")
     wizard.assert_nothing_changed()
+
+
+def test_a_plug_that_is_pulled_ends_the_test_in_plain_words(
+    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot
+) -> None:
+    simulator = start_simulator("--unpaced")
+    wizard = Wizard(program, simulator, qtbot)
+    wizard.sit_down({1: Stick(), 2: Stick()})
+    wizard.choose("test_sticks")
+    wizard.until_text("learnHead", "Push every stick")
+    simulator.do("line unplug")
+    wizard.until_text("learnHead", "The line to the board is gone. The test has ended")
+    wizard.press("learnAgainButton")
+    wizard.until_text("learnHead", "Connect to a board first")
+    wizard.assert_nothing_changed()
+    wizard.press("learnCancelButton")
+    assert not wizard.dialog.isVisible()
+
+
+def test_power_that_fails_while_sticks_are_tested_is_said_and_it_goes_on_afterwards(
+    wizard: Wizard,
+) -> None:
+    wizard.sit_down({1: Stick(), 2: Stick(), 3: Stick()})
+    wizard.choose("test_sticks")
+    wizard.until_text("learnHead", "Push every stick")
+    wizard.simulator.do("power off")
+    wizard.until_text("learnHead", "has stopped answering: its power or its cable was cut")
+    assert "what the board stores is as it was" in wizard.text("learnHead")
+    wizard.simulator.do("power on")
+    wizard.wait(lambda: wizard.device.link is Link.UP)
+    wizard.press("learnAgainButton")
+    wizard.until_text("learnHead", "Push every stick")
+    wizard.push(1, -1)
+    for channel in (1, 2, 3):
+        wizard.until_text(f"learnTest{channel}", "Good.")
+    wizard.assert_nothing_changed()
+
+
+def test_a_short_power_cycle_while_sticks_are_tested_leaves_nothing_hanging(
+    wizard: Wizard,
+) -> None:
+    wizard.sit_down({1: Stick(), 2: Stick(), 3: Stick()})
+    wizard.choose("test_sticks")
+    wizard.until_text("learnHead", "Push every stick")
+    wizard.simulator.do("power cycle")  # shorter than it takes to miss the board, or not
+    wizard.wait(
+        lambda: wizard.device.link is Link.UP and wizard.device.telemetry.raw_of(1) is not None
+    )
+    if wizard.can_press("learnAgainButton") and "stopped answering" in wizard.text("learnHead"):
+        wizard.press("learnAgainButton")
+        wizard.until_text("learnHead", "Push every stick")
+    wizard.push(1, -1)
+    for channel in (1, 2, 3):
+        wizard.until_text(f"learnTest{channel}", "Good.")
 
 
 def test_a_board_that_falls_silent_is_said_and_can_be_begun_again(wizard: Wizard) -> None:
@@ -410,6 +638,38 @@ def test_without_a_proved_stop_it_goes_no_further(wizard: Wizard) -> None:
     wizard.wait(lambda: wizard.device.link is Link.UP)
 
 
+def test_a_stop_that_noise_leaves_unproved_goes_no_further(wizard: Wizard) -> None:
+    wizard.device.motors.arm()
+    wizard.device.motors.set_speed(1, 60)
+    wizard.wait(lambda: wizard.simulator.show()["motors"][0]["speed"] == 60)
+    wizard.simulator.do("line noise 0.5")
+    wizard.begin(1)
+    wizard.wait(lambda: wizard.can_press("learnAgainButton"))
+    why = wizard.text("learnHead")
+    assert "not sure that the motors stand" in why or "has stopped answering" in why
+    assert not wizard.can_press("learnNextButton")
+    wizard.simulator.do("line noise 0")
+    wizard.wait(lambda: wizard.device.link is Link.UP)
+    wizard.press("learnAgainButton")
+    wizard.until_text("learnHead", "Let go of every stick")
+    motors = wizard.simulator.show()["motors"]
+    assert [motor["target_direction"] for motor in motors] == ["brake", "brake"]
+
+
+def test_a_motor_that_goes_on_though_the_line_works_has_to_be_looked_at(wizard: Wizard) -> None:
+    wizard.sit_down({1: Stick()})
+    wizard.simulator.do("current 1 4.5")  # as another controller on the line would have it
+    wizard.begin(1)
+    wizard.until_text("learnHead", "and yet motor 1 draws 4.5 A. Look at the motors")
+    assert wizard.button("learnNextButton").text() == "The motors stand: go on"
+    assert not wizard.can_press("learnTakeButton")
+    wizard.press("learnAgainButton")
+    wizard.until_text("learnHead", "Stopping the motors")
+    wizard.simulator.do("current 1 auto")
+    wizard.until_text("learnHead", "Let go of every stick")
+    assert wizard.button("learnNextButton").text() == "Next"
+
+
 def test_the_red_button_can_be_pressed_meanwhile(wizard: Wizard) -> None:
     wizard.to_rest(1)
     assert not wizard.dialog.isModal()
@@ -417,9 +677,12 @@ def test_the_red_button_can_be_pressed_meanwhile(wizard: Wizard) -> None:
     wizard.until_text("learnHead", "Let go of every stick")
 
 
+@pytest.mark.parametrize("mode", ["rc", "analog"])
 @pytest.mark.parametrize("action", ["learn", "test_sticks"])
-def test_where_sticks_drive_motors_it_does_not_begin(wizard: Wizard, action: str) -> None:
-    wizard.simulator.do("jumper mode rc")
+def test_where_sticks_drive_motors_it_does_not_begin(
+    wizard: Wizard, action: str, mode: str
+) -> None:
+    wizard.simulator.do(f"jumper mode {mode}")
     wizard.simulator.do("power cycle")
     wizard.wait(lambda: wizard.device.state is not None and not wizard.device.state.mode.is_serial)
     wizard.choose(action)

@@ -1,7 +1,7 @@
 """Where a stick rests, and what is wrong when it does not."""
 
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.learning.measure import neutral_of
@@ -11,6 +11,8 @@ from trex_gui.learning.problems import Kind
 from trex_gui.learning.samples import LIMITS, Sample
 from trex_gui.protocol.flags import InputSource
 
+unhurried = settings(deadline=None)
+
 ANALOG = InputSource.ANALOG
 
 
@@ -18,6 +20,7 @@ def kinds(stick: Stick, seed: int = 1) -> set[Kind]:
     return {problem.kind for problem in neutral_of(stick, seed).problems}
 
 
+@unhurried
 @given(
     rest=st.floats(1100, 1900),
     noise=st.floats(0, 15),
@@ -31,10 +34,14 @@ def test_a_stick_at_rest_is_found_within_half_its_noise(
 ) -> None:
     stick = Stick(rest=rest, noise=noise, drift=drift, lost=lost, spikes=spikes)
     found = neutral_of(stick, seed)
-    assert not found.problems
+    if found.invalid > 0.05:  # once in thousands so many are lost in a row
+        assert [problem.kind for problem in found.problems] == [Kind.JITTER]
+    else:
+        assert not found.problems
     assert abs(found.value - rest * 2.5) <= max(1, found.noise / 2) + abs(drift) * 2.5
 
 
+@unhurried
 @given(rest=st.floats(1.5, 3.5), noise=st.floats(0, 0.05), seed=st.integers(0, 2**32))
 def test_a_joystick_at_rest_is_found_within_half_its_noise(
     rest: float, noise: float, seed: int
@@ -44,12 +51,15 @@ def test_a_joystick_at_rest_is_found_within_half_its_noise(
     assert abs(found.value - rest * 204.6) <= max(1, found.noise / 2)
 
 
+@unhurried
 @given(noise=st.floats(0.4, 15), seed=st.integers(0, 2**32))
 def test_the_noise_is_measured_within_a_factor_of_two(noise: float, seed: int) -> None:
     found = neutral_of(Stick(noise=noise), seed)
-    assert noise * 2.5 / 2 <= found.deviation <= noise * 2.5 * 2
+    rounding = 0.25  # of counts, which are whole
+    assert noise * 2.5 / 2 <= found.deviation <= noise * 2.5 * 2 + rounding
 
 
+@unhurried
 @given(
     twitch=st.one_of(st.floats(60, 400), st.floats(-400, -60)),
     noise=st.floats(0, 2),
@@ -59,9 +69,13 @@ def test_a_twitch_is_never_taken_for_rest(twitch: float, noise: float, seed: int
     assert kinds(Stick(twitches=twitch, noise=noise), seed) == {Kind.MOVED}
 
 
+@unhurried
+@example(drift=-14.0, seed=113877)
 @given(drift=st.one_of(st.floats(8, 200), st.floats(-200, -8)), seed=st.integers(0, 2**32))
 def test_a_drift_is_never_taken_for_rest(drift: float, seed: int) -> None:
-    assert kinds(Stick(drift=drift, noise=0.5), seed) == {Kind.MOVED}
+    (problem,) = neutral_of(Stick(drift=drift, noise=0.5), seed).problems
+    assert problem.kind is Kind.MOVED
+    assert f"It drifted {'up' if drift > 0 else 'down'} by" in problem.text
 
 
 def test_no_signal_is_told_with_what_to_do() -> None:
@@ -96,6 +110,7 @@ def test_noise_that_no_deadband_can_hold_is_told() -> None:
     assert kinds(Stick(noise=60)) == {Kind.NOISE}
 
 
+@unhurried
 @example(noise=20.0, seed=312)
 @given(noise=st.floats(0, 20), seed=st.integers(0, 2**32))
 def test_the_deadband_holds_the_noise_and_is_never_below_its_floor(noise: float, seed: int) -> None:

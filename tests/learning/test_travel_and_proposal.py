@@ -1,6 +1,6 @@
 """From the ends that a stick reached to the calibration that fits it."""
 
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.learning.measure import learn, neutral_of, travel_of
@@ -10,6 +10,8 @@ from trex_gui.learning.proposal import check
 from trex_gui.learning.travel import Way
 from trex_gui.protocol.calibration import Calibration, remap
 from trex_gui.protocol.flags import InputSource
+
+unhurried = settings(deadline=None)
 
 sticks = st.builds(
     Stick,
@@ -29,6 +31,7 @@ def bound(stick: Stick) -> float:
     return 0.01 * (high - low) + 5 * max(1.0, stick.noise * stick.source.counts_per_unit)
 
 
+@unhurried
 @given(stick=sticks, seed=st.integers(0, 2**32))
 def test_the_ends_are_found_within_one_percent_of_the_travel(stick: Stick, seed: int) -> None:
     found = learn(stick, seed=seed).calibration
@@ -40,6 +43,7 @@ def test_the_ends_are_found_within_one_percent_of_the_travel(stick: Stick, seed:
     assert abs(found.neutral - neutral) <= max(1.0, 2.5 * stick.noise)
 
 
+@unhurried
 @given(stick=sticks, seed=st.integers(0, 2**32))
 def test_full_output_is_surely_reached_and_none_at_rest(stick: Stick, seed: int) -> None:
     proposal = learn(stick, seed=seed)
@@ -52,6 +56,7 @@ def test_full_output_is_surely_reached_and_none_at_rest(stick: Stick, seed: int)
     assert remap(round(neutral - noise), proposal.calibration) == 0
 
 
+@unhurried
 @given(stick=sticks, now=st.booleans(), seed=st.integers(0, 2**32))
 def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, seed: int) -> None:
     proposal = learn(stick, seed=seed, reversed_now=now)
@@ -59,6 +64,7 @@ def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, see
     assert bool(proposal.reversed_reason) is (stick.forward_is_down != now)
 
 
+@unhurried
 @given(low=st.floats(0.2, 1.5), high=st.floats(3.5, 4.8), seed=st.integers(0, 2**32))
 def test_a_joystick_is_learned_within_one_percent_of_its_travel(
     low: float, high: float, seed: int
@@ -71,6 +77,7 @@ def test_a_joystick_is_learned_within_one_percent_of_its_travel(
     assert 0 < maximum - found.maximum <= bound(stick)
 
 
+@unhurried
 @given(
     stick=st.builds(
         Stick,

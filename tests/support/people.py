@@ -1,6 +1,7 @@
 """People with a transmitter: what their sticks put out, well made or worn, steady or not."""
 
-from collections.abc import Iterable, Sequence
+import time
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from random import Random
 
@@ -54,19 +55,29 @@ class Stick:
         return self.low * per_unit, self.rest * per_unit, self.high * per_unit
 
     def samples(
-        self, moves: Iterable[tuple[float, float]], random: Random, start: float = 0.0
+        self,
+        moves: Iterable[tuple[float, float]],
+        random: Random,
+        start: float = 0.0,
+        rate: float = RATE,
     ) -> list[Sample]:
-        """What the board reports while it goes from position to position: (seconds, to where)."""
+        """What the board reports while it goes from position to position: (seconds, to where).
+
+        A slow line asks less often than the board renews its inputs: `rate` times a second.
+        """
         taken: list[Sample] = []
         position, missing, last = 0.0, 0, None
+        pulses = 0
         for seconds, target in moves:
             steps = max(1, round(seconds * RATE))
             begin = position
             for step in range(1, steps + 1):
                 position = begin + (target - begin) * step / steps
-                moment = start + len(taken) / RATE
-                last, missing = self._pulse(position, moment - start, random, last, missing)
-                taken.append(Sample(moment, last))
+                moment = pulses / RATE
+                last, missing = self._pulse(position, moment, random, last, missing)
+                if moment >= len(taken) / rate:
+                    taken.append(Sample(start + moment, last))
+                pulses += 1
         return taken
 
     def _pulse(
@@ -110,6 +121,14 @@ class Person:
     def put(self, channel: int, position: float, seconds: float = 0.0) -> None:
         """Hold one stick somewhere."""
         self._simulator.do(self.sticks[channel].line(channel, position, seconds))
+
+    def wait_for(self, seconds: float, wait: Callable[[int], object]) -> None:
+        """Do nothing for a while but let the sticks drift; `wait` gets milliseconds."""
+        start = time.monotonic()
+        while (past := time.monotonic() - start) < seconds:
+            for channel in self.sticks:
+                self.put(channel, 0.0, past)
+            wait(20)
 
     def let_go(self, channels: Sequence[int] | None = None) -> None:
         """Take the hands off."""

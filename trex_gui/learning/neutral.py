@@ -16,6 +16,12 @@ SAMPLING_SECONDS = 1.5
 LEAST_SAMPLES = 15
 """A slow line needs longer for as many."""
 
+_SHOWN_LEAST = 0.1
+"""Seconds that are said to be left while a sample lacks."""
+
+_OPEN_INPUT = " An input to which nothing is connected does that, too."
+"""Inferred: an open input of a converter follows whatever field is near it."""
+
 _JUDGED_FROM = 5
 """Samples from which on it is worth saying that something is wrong."""
 
@@ -27,6 +33,9 @@ _MOST_SPIKES = 0.03
 
 _SPIKE_LENGTH = 2
 """Samples that a wild pulse makes at most: it may be read twice."""
+
+_BESIDE = 3
+"""Samples to each side that a wild one is compared with: more than it lasts."""
 
 _RANGE_OF_NOISE = 10.0
 """Standard deviations that noise alone never spans: 75 normal values span 4.8, seldom 6.5."""
@@ -65,7 +74,16 @@ class Neutral:
     @property
     def is_complete(self) -> bool:
         """Whether it was sampled for long enough."""
-        return self.seconds >= SAMPLING_SECONDS and self.samples >= LEAST_SAMPLES
+        return self.seconds_left == 0
+
+    @property
+    def seconds_left(self) -> float:
+        """How much longer it has to be sampled, as far as can be told; 0 when it is complete."""
+        time_left = max(0.0, SAMPLING_SECONDS - self.seconds)
+        if self.samples >= LEAST_SAMPLES:
+            return time_left
+        interval = self.seconds / (self.samples - 1) if self.samples > 1 else 0.0
+        return max(time_left, (LEAST_SAMPLES - self.samples) * interval, _SHOWN_LEAST)
 
     @property
     def deadband(self) -> int:
@@ -111,7 +129,7 @@ def measure_neutral(samples: Sequence[Sample], source: InputSource) -> Neutral |
         return None
     counts = [sample.count for sample in samples if sample.count is not None]
     total = len(samples)
-    invalid = 1 - len(counts) / total
+    invalid = (total - len(counts)) / total
     seconds = samples[-1].time - samples[0].time
     if total >= _JUDGED_FROM and len(counts) < total / 2:
         return Neutral(source, 0, 0, 0.0, 0, invalid, total, seconds, (no_signal(source),))
@@ -119,7 +137,7 @@ def measure_neutral(samples: Sequence[Sample], source: InputSource) -> Neutral |
         return None
     spread = deviation(counts)
     middle = median(counts)
-    calm, spikes = _without_spikes(counts, middle, max(LIMITS[source].moved, 10 * spread))
+    calm, spikes = _without_spikes(counts, max(LIMITS[source].moved, 10 * spread))
     noise = max(calm) - min(calm)
     drift = _drift(calm)
     problems: list[Problem] = []
@@ -145,11 +163,15 @@ def no_signal(source: InputSource) -> Problem:
     return Problem(Kind.NO_SIGNAL, text)
 
 
-def _without_spikes(
-    counts: Sequence[int], middle: float, limit: float
-) -> tuple[Sequence[int], int]:
-    """Leave out wild values that stand alone; return what is left and how many there were."""
-    wild = [abs(count - middle) > limit for count in counts]
+def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int], int]:
+    """Leave out wild values that stand alone; return what is left and how many there were.
+
+    Wild is what is far from its neighbours: a stick that drifts is far from its own middle.
+    """
+    wild = [
+        abs(count - median(counts[max(0, index - _BESIDE) : index + _BESIDE + 1])) > limit
+        for index, count in enumerate(counts)
+    ]
     lone: set[int] = set()
     times = 0
     for start, end in runs(wild):
@@ -170,13 +192,18 @@ def _movement(
     limits = LIMITS[source]
     third = max(1, len(counts) // 3)
     drift_limit = _DRIFT_OF_NOISE * _MEDIAN_ERROR * spread * sqrt(2 / third)
-    if noise > max(limits.moved, _RANGE_OF_NOISE * spread):
+    noise_limit = max(limits.moved, _RANGE_OF_NOISE * spread)
+    drifts = len(counts) >= LEAST_SAMPLES and abs(drift) > max(limits.drifted, drift_limit)
+    is_steady = drifts and _noise_beside(counts, drift) <= noise_limit
+    if noise > noise_limit and not is_steady:
         text = (
             f"It moved while it was sampled, between {source.text(min(counts))} and "
             f"{source.text(max(counts))}. Take the hands off and sample again."
         )
+        if source is InputSource.ANALOG:
+            text += _OPEN_INPUT
         return [Problem(Kind.MOVED, text)]
-    if len(counts) >= LEAST_SAMPLES and abs(drift) > max(limits.drifted, drift_limit):
+    if drifts:
         way = "up" if drift > 0 else "down"
         text = (
             f"It drifted {way} by {source.text(abs(drift))} while it was sampled. Take the hands "
@@ -184,6 +211,13 @@ def _movement(
         )
         return [Problem(Kind.MOVED, text)]
     return []
+
+
+def _noise_beside(counts: Sequence[int], drift: int) -> float:
+    """Return from the lowest to the highest value, beside a drift that goes on all the time."""
+    step = drift / (len(counts) - len(counts) // 3)
+    level = [count - step * index for index, count in enumerate(counts)]
+    return max(level) - min(level)
 
 
 def _jitter(invalid: float, spikes: int, total: int) -> list[Problem]:
@@ -212,4 +246,6 @@ def _too_noisy(noise: int, source: InputSource) -> Problem:
         f"At rest it wavers by {swing_text(noise / 2, source)}: a deadband that holds it still "
         "would take a quarter of the way. Mend the cable, the supply or the stick first."
     )
+    if source is InputSource.ANALOG:
+        text += _OPEN_INPUT
     return Problem(Kind.NOISE, text)

@@ -15,6 +15,7 @@ class Kind(Enum):
     TOO_LITTLE = auto()
     ONE_DIRECTION = auto()
     END_TOO_NEAR = auto()
+    NOT_HELD = auto()
     NEUTRAL_OUTSIDE = auto()
     UNEVEN = auto()
     REFUSED = auto()

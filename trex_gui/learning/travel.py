@@ -3,17 +3,15 @@
 from collections import deque
 from dataclasses import dataclass
 from enum import Enum, auto
-from statistics import median_low
+from itertools import pairwise
+from statistics import median, median_low
 
+from trex_gui.learning.holding import HELD, SLOW, WINDOW, EndWatch
 from trex_gui.learning.neutral import Neutral, lost_pulses, no_signal
 from trex_gui.learning.problems import Kind, Problem
 from trex_gui.learning.samples import Sample
 from trex_gui.protocol.calibration import FULL_SCALE
 from trex_gui.protocol.flags import InputSource
-
-WINDOW = 5
-"""Samples whose median counts as seen: up to two wild ones among them make no end, and an end
-counts once it was held for three (60 ms)."""
 
 _SILENT_AFTER = 0.5
 """Seconds without a valid sample until a channel is said to have no signal."""
@@ -21,6 +19,15 @@ _SILENT_AFTER = 0.5
 _MANY_INVALID = 0.1
 _JUDGED_FROM = 25
 """Samples from which on a share of invalid ones says something."""
+
+_TIMES = 16
+"""Samples over which the time between two is measured."""
+
+_LEAST_HOLD = 0.3
+"""Seconds; nobody can hold a stick for less on purpose."""
+
+_RAIL = 5
+"""Counts from the end of the range within which a voltage is at it: 24 mV (inferred)."""
 
 _UNEVEN = 0.5
 """Share of the longer side below which the shorter one is worth a word."""
@@ -55,7 +62,13 @@ def least_travel(deadband: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Travel:
-    """How far a channel went; `low` and `high` are `None` before anything was seen."""
+    """How far a channel went; `low` and `high` are `None` before anything was seen.
+
+    Attributes:
+        held_low, held_high: whether it was held there, not only passed.
+        now: the newest valid count.
+        interval: seconds between two samples; 0 before it is known.
+    """
 
     source: InputSource
     task: Task
@@ -67,6 +80,10 @@ class Travel:
     samples: int = 0
     invalid: int = 0
     is_silent: bool = False
+    held_low: bool = False
+    held_high: bool = False
+    now: int | None = None
+    interval: float = 0.0
 
     @property
     def least(self) -> int:
@@ -83,10 +100,34 @@ class Travel:
         """Whether it went far enough that way."""
         return self.length(way) >= self.least
 
+    def held(self, way: Way) -> bool:
+        """Whether it went far enough that way and was held at the end of it."""
+        return self.reached(way) and (self.held_high if way is Way.UP else self.held_low)
+
+    @property
+    def to_hold(self) -> Way | None:
+        """The way that it is pushed now, where the end still has to be held."""
+        for way in Way:
+            if self.now is not None and not self.held(way):
+                offset = self.now - self.neutral if way is Way.UP else self.neutral - self.now
+                if offset >= self.least:
+                    return way
+        return None
+
+    @property
+    def is_slow(self) -> bool:
+        """Whether samples come so seldom that an end has to be held for longer."""
+        return self.interval > SLOW
+
+    @property
+    def hold_seconds(self) -> float:
+        """How long an end has to be held to be surely seen: a sample more than have to agree."""
+        return max(_LEAST_HOLD, (HELD + 1) * self.interval)
+
     @property
     def is_enough(self) -> bool:
-        """Whether it went everywhere that its task needs."""
-        both = [self.reached(way) for way in Way]
+        """Whether it was held everywhere that its task needs."""
+        both = [self.held(way) for way in Way]
         return all(both) if self.task is Task.STICK else any(both)
 
     @property
@@ -108,7 +149,7 @@ class Travel:
         )
         longest, shortest = max(up, down), min(up, down)
         if longest <= self.deadband:
-            return (Problem(Kind.NEVER_MOVED, "It never moved. Is it the right stick?"),)
+            return (self._never_moved(),)
         if shortest < -self.deadband:
             words = (
                 f"Its rest ({text(self.neutral)}) is not between the ends that it went to "
@@ -120,7 +161,7 @@ class Travel:
             words = f"It went only {text(longest)} from its rest; {needed}."
             return (Problem(Kind.TOO_LITTLE, words),)
         if self.task is not Task.STICK:
-            return ()
+            return self._passed()
         where = "below" if up > down else "above"
         if shortest <= self.deadband:
             words = (
@@ -131,6 +172,8 @@ class Travel:
         if shortest < self.least:
             words = f"The end {where} is only {text(shortest)} from its rest; {needed}."
             return (Problem(Kind.END_TOO_NEAR, words),)
+        if passed := self._passed():
+            return passed
         if shortest < _UNEVEN * longest:
             words = (
                 f"It went {text(longest)} to one side, {text(shortest)} {where}. Was it pushed "
@@ -138,6 +181,38 @@ class Travel:
             )
             return (Problem(Kind.UNEVEN, words, fatal=False),)
         return ()
+
+    def _never_moved(self) -> Problem:
+        if self.source is InputSource.RC:
+            words = (
+                "It never moved: a steady signal comes in. Either another stick belongs to this "
+                "channel, or it was not moved."
+            )
+            return Problem(Kind.NEVER_MOVED, words)
+        words = f"Nothing moves on this input: it stays at {self.source.text(self.neutral)}"
+        if self.neutral <= _RAIL or self.neutral >= self.source.highest_count - _RAIL:
+            words += ", an end of what can be measured"
+        words += (
+            ". Either nothing is connected to it (its voltage then means nothing), or what is "
+            "connected was not moved."
+        )
+        return Problem(Kind.NEVER_MOVED, words)
+
+    def _passed(self) -> tuple[Problem, ...]:
+        """Say which ends were only passed."""
+        names = {Way.UP: "above", Way.DOWN: "below"}
+        ends = [names[way] for way in Way if self.reached(way) and not self.held(way)]
+        if not ends:
+            return ()
+        which = f"The end {ends[0]}" if len(ends) == 1 else "Both ends"
+        words = (
+            f"{which} was only passed, so it may lie further out than what was seen. Go back, "
+            f"push it there and hold it for {self.hold_seconds:.1f} s."
+        )
+        if len(ends) > 1:
+            words = words.replace(" was only passed, so it", " were only passed, so they")
+            words = words.replace("push it there", "push it to each")
+        return (Problem(Kind.NOT_HELD, words),)
 
 
 class TravelWatch:
@@ -148,9 +223,10 @@ class TravelWatch:
         self._task = task
         self._neutral = neutral.value
         self._deadband = neutral.deadband
-        self._window: deque[int] = deque(maxlen=WINDOW)
-        self._low: int | None = None
-        self._high: int | None = None
+        self._recent: deque[int] = deque(maxlen=WINDOW)
+        self._times: deque[float] = deque(maxlen=_TIMES)
+        self._low = EndWatch(neutral.value, neutral.deviation, up=False)
+        self._high = EndWatch(neutral.value, neutral.deviation, up=True)
         self._first: Way | None = None
         self._samples = 0
         self._invalid = 0
@@ -161,21 +237,28 @@ class TravelWatch:
         """Take the next sample."""
         self._samples += 1
         self._now = sample.time
+        self._times.append(sample.time)
         if self._heard_at is None:
             self._heard_at = sample.time
         if sample.count is None:
             self._invalid += 1
             return
         self._heard_at = sample.time
-        self._window.append(sample.count)
-        if len(self._window) < WINDOW:
+        self._recent.append(sample.count)
+        slow = self._interval > SLOW
+        for end in (self._low, self._high):
+            end.feed(self._recent, slow=slow)
+        if self._first is not None or len(self._recent) < WINDOW:
             return
-        seen = median_low(self._window)
-        self._low = seen if self._low is None else min(self._low, seen)
-        self._high = seen if self._high is None else max(self._high, seen)
-        offset = seen - self._neutral
-        if self._first is None and abs(offset) >= least_travel(self._deadband):
+        offset = median_low(self._recent) - self._neutral
+        if abs(offset) >= least_travel(self._deadband):
             self._first = Way.UP if offset > 0 else Way.DOWN
+
+    @property
+    def _interval(self) -> float:
+        """Seconds between two samples, most often."""
+        steps = [b - a for a, b in pairwise(self._times)]
+        return median(steps) if steps else 0.0
 
     @property
     def travel(self) -> Travel:
@@ -186,10 +269,14 @@ class TravelWatch:
             self._task,
             self._neutral,
             self._deadband,
-            self._low,
-            self._high,
+            self._low.end,
+            self._high.end,
             self._first,
             self._samples,
             self._invalid,
             silent,
+            held_low=self._low.held,
+            held_high=self._high.held,
+            now=self._recent[-1] if self._recent else None,
+            interval=self._interval,
         )

@@ -7,6 +7,7 @@ from trex_gui.learning.problems import Problem, has_fatal
 from trex_gui.learning.proposal import Proposal, check, propose
 from trex_gui.learning.samples import Sample
 from trex_gui.learning.travel import TASKS, Travel, TravelWatch
+from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
 
@@ -27,12 +28,21 @@ class LearnedChannel:
     """Collects what is measured of one channel; each step begins afresh."""
 
     def __init__(
-        self, number: int, source: InputSource, stored: Calibration | None, *, reversed_now: bool
+        self,
+        number: int,
+        source: InputSource,
+        stored: Calibration | None,
+        *,
+        reversed_now: bool,
+        parabolic: bool = False,
+        ignored: bool = False,
     ) -> None:
         self.number = number
         self.source = source
         self.stored = stored
         self.reversed_now = reversed_now
+        self._parabolic = parabolic
+        self._ignored = ignored
         self.raw: int | None = None
         self.neutral: Neutral | None = None
         self.travel: Travel | None = None
@@ -127,6 +137,21 @@ class LearnedChannel:
         """Whether the board would take what is chosen, and it is wanted."""
         choice = self.choice
         return choice is not None and choice.included and choice.calibration.problem() is None
+
+    @property
+    def curve_before(self) -> ChannelCurve | None:
+        """What the channel makes of its input without what was learned."""
+        if self.stored is None:
+            return None
+        return ChannelCurve(self.stored, self.reversed_now, self._parabolic, self._ignored)
+
+    @property
+    def curve_after(self) -> ChannelCurve | None:
+        """What it makes of it with what is chosen; `None` where the board would not take that."""
+        if self.choice is None or self.choice.calibration.problem() is not None:
+            return None
+        wanted, reversed_ = self.choice.calibration, self.choice.reversed_
+        return ChannelCurve(wanted, reversed_, self._parabolic, self._ignored)
 
     @property
     def is_silent(self) -> bool:

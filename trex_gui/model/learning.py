@@ -1,37 +1,30 @@
 """Learning channels step by step: motors stopped, hands off, all ends, review, test."""
 
-import math
-import time
 from collections.abc import Sequence
 from enum import Enum, auto
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.learning.neutral import SAMPLING_SECONDS
-from trex_gui.learning.samples import Sample
 from trex_gui.link.writing import Written
-from trex_gui.model.device import Device, Link
+from trex_gui.model.device import Device
 from trex_gui.model.learned_channel import LearnedChannel
+from trex_gui.model.learned_channels import LearnedChannels
+from trex_gui.model.learned_edits import edit_what_is_chosen
+from trex_gui.model.learning_guard import LearningGuard
+from trex_gui.model.measured_inputs import Counts, MeasuredInputs
+from trex_gui.model.ring import FloatArray
+from trex_gui.model.standing import Standing
 from trex_gui.model.stick_tests import StickTests
 from trex_gui.protocol.calibration import Calibration
-from trex_gui.protocol.errors import TrexError
-from trex_gui.protocol.flags import CHANNELS, InputSource, channel_mask, channels_in
-
-_STALLED_AFTER = 1.0
-"""Seconds without a measurement until that is said."""
-
-_TICK_MS = 200
-
-_SAME_VALUE = 0.012
-"""Seconds within which two samples are one: the board renews its inputs every 20 ms, but a line
-that was held up reads them in a burst. One wild pulse, read thrice, must not look held."""
+from trex_gui.protocol.flags import CHANNELS, InputSource
 
 
 class Step(Enum):
-    """How far it is."""
+    """How far it is; in `DOUBT` a person has to say whether the motors stand."""
 
     ENDED = auto()
     STOPPING = auto()
+    DOUBT = auto()
     NEUTRAL = auto()
     TRAVEL = auto()
     REVIEW = auto()
@@ -39,7 +32,10 @@ class Step(Enum):
     FAILED = auto()
 
 
-_MEASURING = {Step.NEUTRAL, Step.TRAVEL, Step.TEST}
+_MOVING = {Step.NEUTRAL, Step.TRAVEL, Step.TEST}
+"""Steps in which sticks are moved, or have to rest."""
+
+_MEASURING = _MOVING | {Step.REVIEW}
 
 
 class Learning(QObject):
@@ -64,25 +60,21 @@ class Learning(QObject):
         self._device = device
         self._step = Step.ENDED
         self._after_stopping = Step.NEUTRAL
-        self._run = 0
         self._trouble = ""
-        self._sampling = False
-        self._stalled = False
         self._numbers: tuple[int, ...] = ()
-        self._channels: dict[int, LearnedChannel] = {}
+        self._channels = LearnedChannels()
         self._tests: StickTests | None = None
-        self._source: InputSource | None = None
         self._waits_for: tuple[int, ...] = ()
-        self._taken_until = -math.inf
-        self._heard_at = 0.0
-        self._timer = QTimer(self)
-        self._timer.setInterval(_TICK_MS)
+        self._guard = LearningGuard(device, self)
+        self._standing = Standing(device, self)
+        self._inputs = MeasuredInputs(device.telemetry, self)
 
-        self._timer.timeout.connect(self._on_tick)
-        device.telemetry.updated.connect(self._on_updated)
-        device.link_changed.connect(self._on_link_changed)
-        device.state_changed.connect(self._on_state_changed)
-        device.motors.changed.connect(self._on_motors_changed)
+        self._guard.broken.connect(self._on_broken)
+        self._standing.stood.connect(self._on_stood)
+        self._standing.doubted.connect(self._on_doubted)
+        self._standing.failed.connect(self._on_stop_failed)
+        self._inputs.arrived.connect(self._on_arrived)
+        self._inputs.stalled_changed.connect(self._on_stalled_changed)
         device.applied.connect(self._on_applied)
 
     # --- What is known ------------------------------------------------------------------
@@ -99,30 +91,28 @@ class Learning(QObject):
 
     @property
     def trouble(self) -> str:
-        """Why it failed, as a sentence."""
+        """Why it failed, or what is doubtful, in sentences."""
         return self._trouble
 
     @property
     def sampling(self) -> bool:
         """Whether the rest is sampled right now."""
-        return self._sampling
+        return self._channels.sampling
 
     @property
     def stalled(self) -> bool:
         """Whether measurements should come, and do not."""
-        return self._stalled
+        return self._inputs.stalled
 
     @property
     def seconds_left(self) -> float:
         """How much longer the rest is sampled."""
-        measured = [channel.neutral for channel in self.channels if channel.neutral is not None]
-        seconds = min((neutral.seconds for neutral in measured), default=0.0)
-        return max(0.0, SAMPLING_SECONDS - seconds)
+        return self._channels.seconds_left
 
     @property
     def channels(self) -> tuple[LearnedChannel, ...]:
         """The channels that are learned."""
-        return tuple(self._channels.values())
+        return self._channels.all
 
     @property
     def tests(self) -> StickTests | None:
@@ -132,13 +122,32 @@ class Learning(QObject):
     @property
     def source(self) -> InputSource:
         """What the inputs are read as."""
-        return self._source or self._device.calibrations.source
+        return self._guard.source
+
+    @property
+    def samples_a_second(self) -> float:
+        """How many measurements come in while the ends are looked for; 0 before it is known."""
+        return self._channels.samples_a_second
+
+    @property
+    def baud(self) -> int:
+        """How fast the line is."""
+        settings = self._device.settings
+        return 0 if settings is None else settings.line.baud
+
+    def trace(self, number: int) -> tuple[FloatArray, FloatArray, float]:
+        """Return the input of the last minute: times, counts, and what time it is."""
+        telemetry = self._device.telemetry
+        column = CHANNELS.index(number)
+        return telemetry.inputs.times, telemetry.inputs.values(column), telemetry.latest
 
     @property
     def can_go_on(self) -> bool:
         """Whether `next` does something now."""
         match self._step:
-            case Step.NEUTRAL if self._sampling or self._stalled:
+            case Step.DOUBT:
+                return True
+            case Step.NEUTRAL if self.sampling or self.stalled:
                 return False
             case Step.NEUTRAL:
                 return not self.has_sampled or any(c.is_at_rest for c in self.channels)
@@ -149,7 +158,7 @@ class Learning(QObject):
     @property
     def has_sampled(self) -> bool:
         """Whether a sampling of the rest has ended."""
-        return not self._sampling and any(c.neutral is not None for c in self.channels)
+        return self._channels.has_sampled
 
     @property
     def can_take(self) -> bool:
@@ -164,17 +173,7 @@ class Learning(QObject):
 
     def why_not(self) -> str:
         """Say why learning cannot begin now; empty when it can."""
-        state = self._device.state
-        if self._device.link is not Link.UP or state is None:
-            return self.tr("Connect to a board first.")
-        if not state.mode.is_serial:
-            return self.tr(
-                "The board is in {0} mode: the sticks drive the motors, and it takes no settings. "
-                "Switch it off, take the mode jumper off, switch it on."
-            ).format(state.mode.source.value)
-        if self._device.applying:
-            return self.tr("Settings are being written.")
-        return ""
+        return self._guard.why_not()
 
     # --- What a person does -------------------------------------------------------------
 
@@ -187,12 +186,17 @@ class Learning(QObject):
         self._start(channels, Step.TEST)
 
     def next(self) -> None:
-        """Sample the rest; go on to the ends without the channels that have none; review."""
+        """Go on with what a person has done or confirmed.
+
+        That is: the motors stand; hands are off; channels without a rest are left behind; all
+        ends were held.
+        """
         if not self.can_go_on:
             return
-        if self._step is Step.TRAVEL:
-            for channel in self.channels:
-                channel.propose()
+        if self._step is Step.DOUBT:
+            self._on_stood()
+        elif self._step is Step.TRAVEL:
+            self._channels.propose()
             self._go(Step.REVIEW)
         elif self.has_sampled:
             self._begin_travel()
@@ -209,7 +213,7 @@ class Learning(QObject):
     def again(self) -> None:
         """Do this step, or after a failure all of them, once more."""
         match self._step:
-            case Step.NEUTRAL if not self._sampling:
+            case Step.NEUTRAL if not self.sampling:
                 self._begin_sampling()
             case Step.TRAVEL:
                 self._begin_travel()
@@ -217,7 +221,7 @@ class Learning(QObject):
                 self._wait_at_rest()
             case Step.TEST:
                 self._begin_tests()
-            case Step.FAILED:
+            case Step.FAILED | Step.DOUBT:
                 self._start(self._numbers, self._after_stopping)
 
     def choose(
@@ -229,8 +233,7 @@ class Learning(QObject):
         included: bool | None = None,
     ) -> None:
         """Choose otherwise for a channel; what is not given stays."""
-        channel = self._channels[number]
-        channel.choose(calibration, reversed_=reversed_, included=included)
+        self._channels[number].choose(calibration, reversed_=reversed_, included=included)
         self.changed.emit()
 
     def take(self) -> None:
@@ -238,18 +241,7 @@ class Learning(QObject):
         if not self.can_take:
             return
         chosen = [channel for channel in self.channels if channel.can_be_taken]
-        reversed_ = set(channels_in(self._mask("reversed_channels")))
-        with self._device.draft.one_edit(self.tr("Learn channels")):
-            for channel in chosen:
-                if channel.choice is None:
-                    continue
-                self._device.calibrations.edit(channel.number, channel.choice.calibration)
-                reversed_.discard(channel.number)
-                if channel.choice.reversed_:
-                    reversed_.add(channel.number)
-            if self._device.parameters.knows("reversed_channels"):
-                mask = channel_mask(reversed_)
-                self._device.parameters.edit("reversed_channels", mask, alone=True)
+        edit_what_is_chosen(self._device, chosen, self.tr("Learn channels"))
         self._waits_for = tuple(channel.number for channel in chosen)
         self._go(Step.ENDED)
         self.taken.emit()
@@ -262,58 +254,57 @@ class Learning(QObject):
     # --- Steps --------------------------------------------------------------------------
 
     def _start(self, channels: Sequence[int], after_stopping: Step) -> None:
-        self._run += 1
+        self._standing.give_up()
         self._numbers = tuple(channels)
-        self._channels = {}
+        self._channels = LearnedChannels()
         self._tests = None
-        self._sampling = self._stalled = False
         self._waits_for = ()
         self._after_stopping = after_stopping
         if trouble := self.why_not():
             self._fail(trouble)
             return
-        state, run = self._device.state, self._run
-        self._source = None if state is None else state.source
+        self._guard.begin()
         self._go(Step.STOPPING)
-        self._device.stop_motors(lambda error: self._on_stopped(run, error))
+        self._standing.stop()
 
-    def _on_stopped(self, run: int, error: TrexError | None) -> None:
-        if self._step is not Step.STOPPING or run != self._run:
-            return
-        if error is not None:
-            self._fail(
-                self.tr("It goes no further, since it is not sure that the motors stand. {0}"),
-                str(error),
-            )
-            return
+    @Slot()
+    def _on_stood(self) -> None:
         if self._after_stopping is Step.TEST:
             self._begin_tests()
         else:
             self._wait_at_rest()
 
+    @Slot(str)
+    def _on_doubted(self, what: str) -> None:
+        self._trouble = self.tr(
+            "The board has taken the stop, and yet {0}. Look at the motors: if one turns, "
+            "something else drives it, such as another controller on this line; cut its power. "
+            "Go on only if they stand."
+        ).format(what)
+        self._go(Step.DOUBT)
+
+    @Slot(str)
+    def _on_stop_failed(self, why: str) -> None:
+        text = self.tr("It goes no further, since it is not sure that the motors stand. {0}")
+        self._fail(text.format(why))
+
+    @Slot(str)
+    def _on_broken(self, why: str) -> None:
+        if self.is_test:
+            self._fail(why + self.tr(" The test has ended; what the board stores is as it was."))
+        else:
+            self._fail(why + self.tr(" Nothing was changed."))
+
     def _wait_at_rest(self) -> None:
-        reversed_ = channels_in(self._mask("reversed_channels"))
-        self._sampling = False
-        self._channels = {
-            number: LearnedChannel(
-                number,
-                self.source,
-                self._device.calibrations.shown(number),
-                reversed_now=number in reversed_,
-            )
-            for number in self._numbers
-        }
+        self._channels = LearnedChannels.of(self._device, self._numbers, self.source)
         self._go(Step.NEUTRAL)
 
     def _begin_sampling(self) -> None:
-        for channel in self.channels:
-            channel.begin_sampling()
-        self._sampling = True
+        self._channels.begin_sampling()
         self.changed.emit()
 
     def _begin_travel(self) -> None:
-        for channel in self.channels:
-            channel.begin_travel()
+        self._channels.begin_travel()
         self._go(Step.TRAVEL)
 
     def _begin_tests(self) -> None:
@@ -322,116 +313,41 @@ class Learning(QObject):
 
     def _go(self, step: Step) -> None:
         self._step = step
-        if step is not Step.NEUTRAL:
-            self._sampling = False
-        self._stalled = False
+        self._channels.follow(step is Step.TRAVEL)
         if step in _MEASURING:
-            times = self._device.telemetry.inputs.times
-            self._taken_until = float(times[-1]) if len(times) else -math.inf
-            self._heard_at = time.monotonic()
-            self._timer.start()
+            self._inputs.begin()
         else:
-            self._timer.stop()
+            self._inputs.end()
+        if step in {Step.ENDED, Step.FAILED}:
+            self._guard.end()
+            self._standing.give_up()
         self.changed.emit()
+        self._guard.watch_motors(step in _MOVING)
 
-    def _fail(self, text: str, *more: str) -> None:
-        self._trouble = text.format(*more)
+    def _fail(self, text: str) -> None:
+        self._trouble = text
         self._go(Step.FAILED)
-
-    def _mask(self, key: str) -> int:
-        return self._device.parameters.value_of(key) or 0
 
     # --- What comes in ------------------------------------------------------------------
 
-    @Slot()
-    def _on_updated(self) -> None:
-        if self._step not in _MEASURING:
-            return
-        inputs = self._device.telemetry.inputs
-        first = int(inputs.times.searchsorted(self._taken_until, side="right"))
-        times = inputs.times[first:].tolist()
-        if not times:
-            return
-        for index, moment in enumerate(times, first):
-            if moment - self._taken_until < _SAME_VALUE:
-                continue
-            self._taken_until = moment
-            row = [inputs.values(column)[index] for column in range(len(CHANNELS))]
-            counts = tuple(None if math.isnan(value) else int(value) for value in row)
-            self._take_sample(moment, counts)
-        self._heard_at = time.monotonic()
-        self._judge()
+    @Slot(object)
+    def _on_arrived(self, measured: Sequence[tuple[float, Counts]]) -> None:
+        if self._step is Step.TEST and self._tests is not None:
+            for moment, counts in measured:
+                self._tests.feed(moment, counts)
+        elif self._channels.feed(measured):
+            if all(channel.is_at_rest for channel in self.channels):
+                self._begin_travel()
+            else:
+                self.changed.emit()
         self.measured.emit()
 
-    def _take_sample(self, moment: float, counts: tuple[int | None, ...]) -> None:
-        if self._tests is not None and self._step is Step.TEST:
-            self._tests.feed(moment, counts)
-            return
-        for channel in self.channels:
-            sample = Sample(moment, counts[CHANNELS.index(channel.number)])
-            if self._sampling:
-                channel.sample(sample)
-            elif self._step is Step.TRAVEL:
-                channel.follow(sample)
-            else:
-                channel.feed(sample)
-
-    def _judge(self) -> None:
-        """See what the new samples have made of each channel."""
-        if self._step is Step.TRAVEL:
-            for channel in self.channels:
-                channel.look()
-        if not self._sampling:
-            return
-        for channel in self.channels:
-            channel.measure()
-        neutrals = [channel.neutral for channel in self.channels]
-        if any(neutral is None or not neutral.is_complete for neutral in neutrals):
-            return
-        self._sampling = False
-        if all(channel.is_at_rest for channel in self.channels):
-            self._begin_travel()
+    @Slot()
+    def _on_stalled_changed(self) -> None:
+        if self.stalled and self.sampling:  # a gap is no rest
+            self._begin_sampling()
         else:
             self.changed.emit()
-
-    @Slot()
-    def _on_tick(self) -> None:
-        stalled = time.monotonic() - self._heard_at > _STALLED_AFTER
-        if stalled != self._stalled:
-            self._stalled = stalled
-            if stalled and self._sampling:  # a gap is no rest
-                self._begin_sampling()
-            self.changed.emit()
-
-    # --- What else happens to the board -------------------------------------------------
-
-    @Slot()
-    def _on_link_changed(self) -> None:
-        if self._step in {Step.ENDED, Step.FAILED}:
-            return
-        link = self._device.link
-        if link is Link.SILENT:
-            self._fail(self.tr("The board has stopped answering. Nothing was changed."))
-        elif link is not Link.UP:
-            self._fail(self.tr("The line to the board is gone. Nothing was changed."))
-
-    @Slot()
-    def _on_state_changed(self) -> None:
-        if self._step in {Step.ENDED, Step.FAILED}:
-            return
-        state = self._device.state
-        if state is None:
-            self._fail(self.tr("The line to the board is gone. Nothing was changed."))
-        elif not state.mode.is_serial or state.source is not self._source:
-            self._fail(
-                self.tr("The board was started in another mode. Nothing was changed. {0}"),
-                self.why_not(),
-            )
-
-    @Slot()
-    def _on_motors_changed(self) -> None:
-        if self._step in _MEASURING and self._device.motors.armed:
-            self._fail(self.tr("The motors were armed, so this has ended. Nothing was changed."))
 
     @Slot(object)
     def _on_applied(self, results: tuple[Written, ...]) -> None:

@@ -15,6 +15,7 @@ from trex_gui.views.learning.step_strip import StepStrip
 from trex_gui.views.learning.test_page import TestPage
 from trex_gui.views.learning.travel_page import TravelPage
 from trex_gui.views.widgets.note import Note
+from trex_gui.views.widgets.scroll_box import ScrollBox
 
 _PAGES: dict[Step, type[RestPage | TravelPage | ReviewPage | TestPage]] = {
     Step.NEUTRAL: RestPage,
@@ -23,7 +24,14 @@ _PAGES: dict[Step, type[RestPage | TravelPage | ReviewPage | TestPage]] = {
     Step.TEST: TestPage,
 }
 
-_PLACES = {Step.STOPPING: 0, Step.NEUTRAL: 1, Step.TRAVEL: 2, Step.REVIEW: 3, Step.TEST: 1}
+_PLACES = {
+    Step.STOPPING: 0,
+    Step.DOUBT: 0,
+    Step.NEUTRAL: 1,
+    Step.TRAVEL: 2,
+    Step.REVIEW: 3,
+    Step.TEST: 1,
+}
 
 
 class LearnDialog(QDialog):
@@ -120,7 +128,7 @@ class LearnDialog(QDialog):
 
     @Slot()
     def _on_measured(self) -> None:
-        if self._learning.sampling or self._learning.step is Step.TEST:
+        if self._learning.sampling or self._learning.step in {Step.TEST, Step.TRAVEL}:
             self._describe()
 
     @Slot()
@@ -135,8 +143,13 @@ class LearnDialog(QDialog):
         if self._shown != (step, subject):
             self._shown = (step, subject)
             make = _PAGES.get(step)
-            self._show_page(QWidget(self) if make is None else make(self._learning, self))
+            self._show_page(QWidget(self) if make is None else self._scrolling(make))
         self._describe()
+
+    def _scrolling(self, make: type[RestPage | TravelPage | ReviewPage | TestPage]) -> QWidget:
+        box = ScrollBox(make(self._learning), self)
+        box.setAccessibleName(self.tr("What is measured"))
+        return box
 
     def _show_page(self, page: QWidget | None) -> None:
         if self._page is not None:
@@ -169,14 +182,16 @@ class LearnDialog(QDialog):
         if step in _PLACES:
             self._steps.show_step(_PLACES[step])
         self._head.show_note(self._head_text(), alarming=self._is_alarming())
-        moving = step in {Step.NEUTRAL, Step.TRAVEL}
+        moving = step in {Step.NEUTRAL, Step.TRAVEL, Step.DOUBT}
         self._back.setVisible(step in {Step.TRAVEL, Step.REVIEW})
-        can_repeat = step in {Step.TRAVEL, Step.REVIEW, Step.TEST, Step.FAILED}
+        can_repeat = step not in {Step.STOPPING, Step.NEUTRAL}
         self._again.setVisible(can_repeat or step is Step.NEUTRAL)
         self._again.setEnabled(can_repeat or learning.has_sampled)
         self._next.setVisible(moving)
         self._next.setEnabled(learning.can_go_on)
-        self._next.setDefault(moving)
+        self._next.setDefault(moving and step is not Step.DOUBT)
+        doubtful = step is Step.DOUBT
+        self._next.setText(self.tr("The motors stand: go on") if doubtful else self.tr("Next"))
         self._take.setVisible(step is Step.REVIEW)
         self._take.setEnabled(learning.can_take)
         self._take.setDefault(step is Step.REVIEW)
@@ -191,7 +206,7 @@ class LearnDialog(QDialog):
             and learning.has_sampled
             and not all(channel.is_at_rest for channel in learning.channels)
         )
-        return learning.step is Step.FAILED or learning.stalled or failed_rest
+        return learning.step in {Step.FAILED, Step.DOUBT} or learning.stalled or failed_rest
 
     def _head_text(self) -> str:
         learning = self._learning
@@ -201,14 +216,14 @@ class LearnDialog(QDialog):
             )
         match learning.step:
             case Step.STOPPING:
-                return self.tr("Stopping the motors. It goes on when the board has confirmed it.")
+                return self.tr(
+                    "Stopping the motors. It goes on when the board has confirmed it and no "
+                    "current flows."
+                )
             case Step.NEUTRAL:
                 return self._rest_text()
             case Step.TRAVEL:
-                return self.tr(
-                    "Push every stick forward or right first, all the way; then the other way. "
-                    "Move switches to all positions. Hold each end for a moment, then click Next."
-                )
+                return self._travel_text()
             case Step.REVIEW:
                 return self._review_text()
             case Step.TEST:
@@ -232,9 +247,33 @@ class LearnDialog(QDialog):
             "without channel {0}."
         ).format(", ".join(bad))
 
+    def _travel_text(self) -> str:
+        text = self.tr(
+            "Push every stick forward or right first, all the way; then the other way. "
+            "Move switches to all positions. "
+        )
+        slow = [c.travel for c in self._learning.channels if c.travel and c.travel.is_slow]
+        if not slow:
+            return text + self.tr("Hold each end for a moment, then click Next.")
+        held = max(travel.hold_seconds for travel in slow)
+        reason = self.tr(
+            "Hold each end until it is ticked, for {0:.1f} s at least: over this line ({1} baud) "
+            "only {2:.1f} measurements come in a second. Then click Next."
+        )
+        return text + reason.format(held, self._learning.baud, self._learning.samples_a_second)
+
     def _review_text(self) -> str:
         if not any(channel.choice is not None for channel in self._learning.channels):
             return self.tr("Nothing was learned; below it says why. Go back, or begin again.")
+        bad = [
+            str(channel.number)
+            for channel in self._learning.channels
+            if channel.choice is not None and channel.choice.included and not channel.can_be_taken
+        ]
+        if bad:
+            return self.tr(
+                "The board would not take the values of channel {0}: change them, or untick it."
+            ).format(", ".join(bad))
         return self.tr(
             "These values fit what was measured. Change what you like and untick what shall stay. "
             "Nothing is written yet: taken, they are edits, and you see them once more before."

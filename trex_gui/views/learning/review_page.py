@@ -1,181 +1,118 @@
-"""What was learned, beside what is stored; everything can be changed or left out."""
+"""What was learned, beside what was there: a tab a channel, its values and its curve."""
 
-from functools import partial
+from PySide6.QtCore import QSize, Slot
+from PySide6.QtGui import QIcon, QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QTabBar, QVBoxLayout, QWidget
 
-from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QFrame,
-    QGridLayout,
-    QLabel,
-    QScrollArea,
-    QVBoxLayout,
-    QWidget,
-)
-
-from trex_gui.link.explain import CHANNEL_ROLES
 from trex_gui.model.learned_channel import LearnedChannel
 from trex_gui.model.learning import Learning
 from trex_gui.protocol.calibration import Calibration
-from trex_gui.views.learning.parts import Muted, in_words
-from trex_gui.views.settings_editor.count_editor import CountEditor
-from trex_gui.views.widgets.note import Note
+from trex_gui.views.icons import icon
+from trex_gui.views.learning.channel_form import ChannelForm
+from trex_gui.views.theme import theme
 
-_FIELDS = ("minimum", "neutral", "maximum", "deadband")
+_GAP = 16
+_MARGIN = 8
 
 
-class ReviewPage(QScrollArea):
-    """A block a channel, with a tick to take it."""
+class ReviewPage(QWidget):
+    """One channel at a time, to be chosen above: numbers and curve change together.
+
+    The curve stands beside the numbers; where there is no room for that, below them.
+    """
 
     def __init__(self, learning: Learning, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWidgetResizable(True)
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        inside = QWidget(self)
-        self._blocks = [_ChannelBlock(learning, channel, inside) for channel in learning.channels]
+        # The plotting library takes as long to load as Qt: only when it is to be seen.
+        from trex_gui.views.learning.curve_pane import CurvePane  # noqa: PLC0415
 
-        layout = QVBoxLayout(inside)
-        layout.setContentsMargins(0, 0, 8, 0)
-        for block in self._blocks:
-            layout.addWidget(block)
-        layout.addStretch(1)
-        self.setWidget(inside)
+        self.setObjectName("learnReviewPage")
+        self._learning = learning
 
+        self._tabs = QTabBar(self)
+        self._tabs.setObjectName("learnChannelTabs")
+        self._tabs.setAccessibleName(self.tr("Channels"))
+        self._tabs.setExpanding(False)
+        self._forms = [ChannelForm(learning, channel, self) for channel in learning.channels]
+        for channel in learning.channels:
+            self._tabs.addTab(self.tr("Channel {0}").format(channel.number))
+        self._curve = CurvePane(learning, self)
+
+        self._body = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._body.setSpacing(_GAP)
+        forms = QVBoxLayout()
+        for form in self._forms:
+            forms.addWidget(form)
+        self._body.addLayout(forms, 2)
+        self._body.addWidget(self._curve, 3)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, _MARGIN, 0)
+        layout.addWidget(self._tabs)
+        layout.addLayout(self._body, 1)
+
+        self._tabs.currentChanged.connect(self._on_tab_changed)
+        self._tabs.setVisible(len(self._forms) > 1)
+        self._curve.wished.connect(self._on_wished)
         learning.changed.connect(self._on_changed)
+        theme().changed.connect(self._show_signs)
         self._on_changed()
+        self._choose_first_to_look_at()
+
+    @property
+    def _form(self) -> ChannelForm:
+        return self._forms[max(0, self._tabs.currentIndex())]
+
+    def minimumSizeHint(self) -> QSize:
+        """As wide as numbers or curve need, whichever needs more."""
+        least = super().minimumSizeHint()
+        form = max(form.minimumSizeHint().width() for form in self._forms)
+        least.setWidth(max(form, self._curve.minimumSizeHint().width()) + _MARGIN)
+        return least
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        form = max(form.minimumSizeHint().width() for form in self._forms)
+        both = form + _GAP + self._curve.minimumSizeHint().width()
+        wide = self.width() - _MARGIN >= both
+        direction = QBoxLayout.Direction
+        self._body.setDirection(direction.LeftToRight if wide else direction.TopToBottom)
+
+    def _choose_first_to_look_at(self) -> None:
+        """Begin with a channel that has a problem, else with the first one."""
+        for index, form in enumerate(self._forms):
+            if form.channel.result_problems:
+                self._tabs.setCurrentIndex(index)
+                return
 
     @Slot()
     def _on_changed(self) -> None:
-        for block in self._blocks:
-            block.refresh()
+        for form in self._forms:
+            form.setVisible(form is self._form)
+            form.refresh()
+        self._curve.show_channel(self._form.channel)
+        self._show_signs()
 
+    @Slot(int)
+    def _on_tab_changed(self, _index: int) -> None:
+        self._on_changed()
 
-class _ChannelBlock(QFrame):
-    """One channel: its values to change, the old ones below them, what there is to say."""
+    @Slot(object)
+    def _on_wished(self, calibration: Calibration) -> None:
+        self._learning.choose(self._form.channel.number, calibration)
 
-    def __init__(self, learning: Learning, channel: LearnedChannel, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setFrameShape(QFrame.Shape.StyledPanel)
-        self._learning = learning
-        self._channel = channel
-        number = channel.number
-        names = {
-            "minimum": self.tr("Minimum"),
-            "neutral": self.tr("Neutral"),
-            "maximum": self.tr("Maximum"),
-            "deadband": self.tr("Deadband"),
-        }
-        self._editors: dict[str, CountEditor] = {}
-        self._were: dict[str, Muted] = {}
-        self._labels: list[QLabel] = []
+    @Slot()
+    def _show_signs(self) -> None:
+        for index, form in enumerate(self._forms):
+            name, color, words = self._sign_of(form.channel)
+            self._tabs.setTabIcon(index, icon(name, color) if name else QIcon())
+            self._tabs.setTabToolTip(index, words)
 
-        self._include = QCheckBox(
-            self.tr("Channel {0}: {1}").format(number, CHANNEL_ROLES[number]), self
-        )
-        self._include.setObjectName(f"learnInclude{number}")
-        font = self._include.font()
-        font.setBold(True)
-        self._include.setFont(font)
-        self._reversed = QCheckBox(self.tr("Reversed"), self)
-        self._reversed.setObjectName(f"learnReversed{number}")
-        self._reversed_was = Muted("", self)
-        self._problem = Note(1, self)
-        self._problem.setObjectName(f"learnProblem{number}")
-        self._reasons = Muted("", self)
-        self._reasons.setObjectName(f"learnReasons{number}")
-
-        grid = QGridLayout(self)
-        grid.setHorizontalSpacing(12)
-        grid.setVerticalSpacing(2)
-        grid.addWidget(self._include, 0, 0, 1, 5)
-        for column, field in enumerate(_FIELDS):
-            label = QLabel(names[field], self)
-            editor = CountEditor(channel.source, self)
-            editor.setObjectName(f"learn{field.capitalize()}Edit{number}")
-            editor.setAccessibleName(self.tr("{0} of channel {1}").format(names[field], number))
-            was = Muted("", self)
-            label.setBuddy(editor)
-            for row, widget in enumerate((label, editor, was), 1):
-                grid.addWidget(widget, row, column)
-            grid.setColumnStretch(column, 1)
-            self._editors[field] = editor
-            self._were[field] = was
-            self._labels.append(label)
-        grid.addWidget(self._reversed, 2, 4)
-        grid.addWidget(self._reversed_was, 3, 4)
-        grid.setColumnStretch(4, 1)
-        grid.addWidget(self._problem, 4, 0, 1, 5)
-        grid.addWidget(self._reasons, 5, 0, 1, 5)
-
-        self._include.toggled.connect(self._on_include_toggled)
-        self._reversed.toggled.connect(self._on_reversed_toggled)
-        for field, editor in self._editors.items():
-            editor.valueChanged.connect(partial(self._on_value_changed, field))
-            editor.refused.connect(self._on_refused)
-
-    @Slot(bool)
-    def _on_include_toggled(self, included: bool) -> None:
-        self._learning.choose(self._channel.number, included=included)
-
-    @Slot(bool)
-    def _on_reversed_toggled(self, reversed_: bool) -> None:
-        self._learning.choose(self._channel.number, reversed_=reversed_)
-
-    def _on_value_changed(self, field: str, value: int) -> None:
-        if self._channel.choice is not None:
-            values = {name: editor.value() for name, editor in self._editors.items()}
-            values[field] = value
-            self._learning.choose(self._channel.number, Calibration(**values))
-
-    @Slot(str)
-    def _on_refused(self, reason: str) -> None:
-        self._problem.show_note(reason, alarming=True)
-
-    def refresh(self) -> None:
-        """Show the choice as it is."""
-        channel, choice = self._channel, self._channel.choice
-        there = choice is not None
-        for widget in (
-            *self._labels,
-            *self._editors.values(),
-            *self._were.values(),
-            self._reversed,
-            self._reversed_was,
-            self._reasons,
-        ):
-            widget.setVisible(there)
-        self._include.setEnabled(there)
-        problems = channel.result_problems
-        text = in_words(problems)
-        if not there:
-            text = self.tr("Nothing was learned. {0}").format(text or self.tr("It was left out."))
-        self._problem.show_note(text, alarming=bool(problems))
-        self._problem.setVisible(bool(text))
-        if choice is None:
-            return
-        self._set(choice.calibration)
-        for box, state in ((self._include, choice.included), (self._reversed, choice.reversed_)):
-            box.blockSignals(True)
-            box.setChecked(state)
-            box.blockSignals(False)
-        for widget in (*self._editors.values(), self._reversed):
-            widget.setEnabled(choice.included)
-        if channel.proposal is not None:
-            reasons = (channel.proposal.reversed_reason, *channel.proposal.reasons)
-            self._reasons.setText(" ".join(reason for reason in reasons if reason))
-        was = self.tr("reversed") if channel.reversed_now else self.tr("not reversed")
-        self._reversed_was.setText(self.tr("\nwas {0}").format(was))
-
-    def _set(self, calibration: Calibration) -> None:
-        for field, editor in self._editors.items():
-            value = getattr(calibration, field)
-            if editor.value() != value:
-                editor.blockSignals(True)
-                editor.setValue(value)
-                editor.blockSignals(False)
-            old = self.tr("not known")
-            if self._channel.stored is not None:
-                count = getattr(self._channel.stored, field)
-                old = f"{self._channel.source.text(count)} ({count})"
-            self._were[field].setText(self.tr("{0} counts\nwas {1}").format(value, old))
+    def _sign_of(self, channel: LearnedChannel) -> tuple[str, str, str]:
+        """Return the icon, its colour and what it means."""
+        if channel.choice is None:
+            return "warning", "warning", self.tr("Nothing was learned.")
+        if not channel.choice.included:
+            return "", "", self.tr("Stays as it is.")
+        if channel.result_problems:
+            return "warning", "warning", self.tr("Needs a look.")
+        return "ok", "good", self.tr("Is taken.")

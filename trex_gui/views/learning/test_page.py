@@ -17,6 +17,7 @@ class TestPage(QWidget):
 
     def __init__(self, learning: Learning, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setObjectName("learnTestPage")
         self._learning = learning
 
         self._bars: dict[int, OutputBar] = {}
@@ -50,7 +51,7 @@ class TestPage(QWidget):
                 grid.addWidget(widget, row, column)
             self._bars[number], self._signs[number], self._words[number] = bar, sign, words
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setContentsMargins(0, 0, 8, 0)
         layout.addLayout(grid)
         layout.addStretch(1)
         layout.addWidget(self._safe_start)

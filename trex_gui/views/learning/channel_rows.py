@@ -1,0 +1,133 @@
+"""What the steps with live bars share: a row a channel, with words beside and below it."""
+
+from PySide6.QtCore import QMargins, QSize, Slot
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from trex_gui.model.learned_channel import LearnedChannel
+from trex_gui.model.learning import Learning
+from trex_gui.views.learning.parts import Sign, channel_label
+from trex_gui.views.widgets.channel_bar import ChannelBar
+from trex_gui.views.widgets.note import Note
+
+_ROWS = 3
+_GAP = 12
+
+_BAR_GROWS = 0.5
+"""Share of its least width by which a bar is longer before words get a place beside it."""
+
+_WORDS_WIDE = 26
+"""Characters that words beside a bar have room for before they wrap."""
+
+
+class ChannelRow:
+    """One channel: its name, its live bar, signs and words beside it, a problem below.
+
+    Attributes:
+        bar: the live bar.
+        beside: what is beside it: `signs`, small icons, and `words`.
+        problem: what is wrong.
+    """
+
+    def __init__(self, channel: LearnedChannel, page: QWidget, *, words: str, signs: int) -> None:
+        self.channel = channel
+        self.page = page
+        number = channel.number
+        self._name = channel_label(number, page)
+        self.bar = ChannelBar(page)
+        self.bar.setAccessibleName(page.tr("Raw input of channel {0}").format(number))
+        self.bar.set_connected(True)
+        self.bar.set_source(channel.source)
+        self.beside = QWidget(page)
+        self.signs = [Sign(self.beside) for _ in range(signs)]
+        self.words = QLabel(self.beside)
+        self.words.setObjectName(f"{words}{number}")
+        self.words.setWordWrap(True)
+        self.words.setMinimumWidth(_WORDS_WIDE * self.words.fontMetrics().averageCharWidth())
+        self.problem = Note(1, page)
+        self.problem.setObjectName(f"learnProblem{number}")
+
+        told = QHBoxLayout(self.beside)
+        told.setContentsMargins(0, 0, 0, 0)
+        for sign in self.signs:
+            told.addWidget(sign)
+        told.addSpacing(4)
+        told.addWidget(self.words, 1)
+
+    def put_into(self, grid: QGridLayout, row: int, *, narrow: bool) -> None:
+        """Take three rows of a grid: name, bar and words; words where it is narrow; a problem."""
+        for widget in (self._name, self.bar, self.beside, self.problem):
+            grid.removeWidget(widget)
+        grid.addWidget(self._name, row, 0)
+        grid.addWidget(self.bar, row, 1)
+        if narrow:
+            grid.addWidget(self.beside, row + 1, 1)
+        else:
+            grid.addWidget(self.beside, row, 2)
+        grid.addWidget(self.problem, row + 2, 1, 1, 2)
+
+    def least_width(self, *, narrow: bool) -> int:
+        """How wide it has to be in pixels, without what is between name, bar and words."""
+        bar, words = self.bar.minimumSizeHint().width(), self.beside.minimumSizeHint().width()
+        both = max(bar, words) if narrow else bar + round(_BAR_GROWS * bar) + words
+        return self._name.minimumSizeHint().width() + both
+
+    def refresh(self) -> None:
+        """Show the channel as it is now."""
+        self.bar.set_raw(self.channel.raw)
+
+
+class ChannelRows(QWidget):
+    """A page of such rows, one for each channel that is learned."""
+
+    def __init__(self, learning: Learning, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.learning = learning
+        self._rows = [self.make_row(channel) for channel in learning.channels]
+        self._narrow = False
+        self._margins = QMargins(0, 0, 8, 0)
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(_GAP)
+        self._grid.setVerticalSpacing(2)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(self._margins)
+        layout.addLayout(self._grid)
+        layout.addStretch(1)
+
+        learning.changed.connect(self._on_changed)
+        learning.measured.connect(self._on_changed)
+        self._arrange()
+        self._on_changed()
+
+    def minimumSizeHint(self) -> QSize:
+        """As wide as it needs with the words below the bars."""
+        least = super().minimumSizeHint()
+        least.setWidth(self._least_width(narrow=True))
+        return least
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        narrow = self.width() < self._least_width(narrow=False)
+        if narrow != self._narrow:
+            self._narrow = narrow
+            self._arrange()
+
+    def _least_width(self, *, narrow: bool) -> int:
+        widest = max((row.least_width(narrow=narrow) for row in self._rows), default=0)
+        margins = self._margins
+        return widest + (_GAP if narrow else 2 * _GAP) + margins.left() + margins.right()
+
+    def _arrange(self) -> None:
+        self._grid.setColumnStretch(1, 3)
+        self._grid.setColumnStretch(2, 0 if self._narrow else 2)
+        for number, row in enumerate(self._rows):
+            row.put_into(self._grid, _ROWS * number, narrow=self._narrow)
+
+    def make_row(self, channel: LearnedChannel) -> ChannelRow:
+        """Make the row of one channel."""
+        raise NotImplementedError
+
+    @Slot()
+    def _on_changed(self) -> None:
+        for row in self._rows:
+            row.refresh()
