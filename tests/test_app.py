@@ -16,9 +16,9 @@ from trex_gui.link.settings import LinkSettings
 from trex_gui.window import Program
 
 
-def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+def run(*arguments: str, timeout: float = 50) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "trex_gui", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, timeout=50, check=False)
+    return subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False)
 
 
 def test_the_version_is_told_without_qt(capsys: pytest.CaptureFixture[str]) -> None:
@@ -40,11 +40,15 @@ def test_the_program_itself_can_be_the_simulator() -> None:
     assert "trex-sim" in result.stdout
 
 
-def test_the_tour_writes_a_picture_of_every_page_light_and_dark(tmp_path: Path) -> None:
-    result = run("--tour", str(tmp_path))
+@pytest.mark.timeout(120)  # it takes as long as a person who learns a channel
+def test_the_tour_writes_a_picture_of_every_page_and_of_the_wizard_light_and_dark(
+    tmp_path: Path,
+) -> None:
+    result = run("--tour", str(tmp_path), timeout=100)
     assert result.returncode == 0, result.stderr
     names = {path.name for path in tmp_path.glob("*.png")}
-    pages = ("status", "channels", "calibration", "motors", "currents", "parameters")
+    pages = ["status", "channels", "calibration", "motors", "currents", "parameters"]
+    pages += [f"learn-{step}" for step in ("rest", "travel", "review", "test")]
     assert names == {f"{page}-{scheme}.png" for page in pages for scheme in ("light", "dark")}
     assert all(path.stat().st_size > 10_000 for path in tmp_path.glob("*.png"))
 

@@ -1,27 +1,39 @@
-"""A look at every page without a person: pictures of them all, light and dark."""
+"""A look at every page and at the wizard without a person: pictures of them, light and dark."""
 
 import sys
+import time
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.model.device import Link
+from trex_gui.protocol.flags import CHANNELS
 from trex_gui.views.theme import Scheme, theme
 from trex_gui.window import Program
 
 _SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simulated board
 _SETTLE_MS = 2500
+_STEP_MS = 200
 _PATIENCE_MS = 15_000
+_HELD_STEPS = 6  # a stick that is held longer than a second is at an end
 _SCHEMES: tuple[Scheme, ...] = ("light", "dark")
+
+Do = Callable[[], object]
+"""A step of the tour; one that answers `False` could not be done yet and is tried again."""
 
 
 class Tour(QObject):
     """Waits for the simulated board, drives its motors a little and writes one PNG a page.
 
+    Then it learns the channels, moving the board's sticks itself, with a picture of each step;
+    what was learned is not taken.
+
     `folder` is made when it is missing. The program ends with exit code 0 when all pictures
-    are written, with 1 when the board did not come up.
+    are written, with 1 when the board did not come up or the wizard did not go on.
     """
 
     def __init__(self, program: Program, folder: Path) -> None:
@@ -29,6 +41,7 @@ class Tour(QObject):
         self._program = program
         self._folder = folder
         self._steps = self._make_steps()
+        self._waiting: tuple[Do, float] | None = None
         self._deadline = QTimer(self)
         self._deadline.setSingleShot(True)
         self._deadline.setInterval(_PATIENCE_MS)
@@ -52,25 +65,95 @@ class Tour(QObject):
             QTimer.singleShot(_SETTLE_MS, self._step)
 
     def _step(self) -> None:
-        step = next(self._steps, None)
+        step, begun = self._waiting or (next(self._steps, None), time.monotonic())
+        self._waiting = None
         if step is None:
             self._program.device.motors.stop()
             QTimer.singleShot(100, self._program.end)
             return
-        step()
-        QTimer.singleShot(300, self._step)
+        if step() is False:
+            if time.monotonic() > begun + _PATIENCE_MS / 1000:
+                self._program.device.motors.stop()
+                QTimer.singleShot(100, lambda: QCoreApplication.exit(1))
+                return
+            self._waiting = step, begun
+        QTimer.singleShot(_STEP_MS, self._step)
 
-    def _make_steps(self) -> Iterator[Callable[[], object]]:
-        tabs = self._program.window.pages
+    def _make_steps(self) -> Iterator[Do]:
+        yield from self._look_at_pages()
+        yield from self._learn()
+
+    def _look_at_pages(self) -> Iterator[Do]:
+        window = self._program.window
+        tabs = window.pages
         for scheme in _SCHEMES:
             yield partial(theme().set_scheme, scheme)
             for index in range(tabs.count()):
                 yield partial(tabs.setCurrentIndex, index)
                 page = tabs.widget(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
-                yield partial(self._write, f"{name}-{scheme}.png")
+                yield partial(self._write, window, f"{name}-{scheme}.png")
 
-    def _write(self, name: str) -> None:
+    def _learn(self) -> Iterator[Do]:
+        sticks = self._program.connector.demo_board
+        yield partial(sticks.set_automatic, False)
+        yield sticks.centre_sticks
+        yield partial(self._choose, "learnAction")
+        yield partial(self._is_seen, "learnRestPage")
+        yield from self._look_at_wizard("learn-rest")
+        yield partial(self._press, "learnNextButton")
+        yield partial(self._is_seen, "learnTravelPage")
+        for microseconds in (1850, 1150):
+            yield from self._hold(microseconds)
+        yield sticks.centre_sticks
+        yield from self._look_at_wizard("learn-travel")
+        yield partial(self._press, "learnNextButton")
+        yield partial(self._is_seen, "learnReviewPage")
+        yield from self._look_at_wizard("learn-review")
+        yield partial(self._press, "learnCancelButton")
+        yield partial(self._choose, "test_sticksAction")
+        yield partial(self._is_seen, "learnTestPage")
+        yield from self._hold(1850)
+        yield from self._look_at_wizard("learn-test")
+        yield partial(self._press, "learnCancelButton")
+
+    def _hold(self, microseconds: float) -> Iterator[Do]:
+        """Hold all sticks for a while where they give pulses of this length."""
+        sticks = self._program.connector.demo_board
+
+        def push() -> None:
+            for channel in CHANNELS:
+                sticks.hold_stick(channel, microseconds)
+
+        yield push
+        yield from [lambda: None] * _HELD_STEPS
+
+    def _look_at_wizard(self, name: str) -> Iterator[Do]:
+        dialog = self._program.window.findChild(QWidget, "learnDialog")
+        for scheme in _SCHEMES:
+            yield partial(theme().set_scheme, scheme)
+            if dialog is not None:
+                yield partial(self._write, dialog, f"{name}-{scheme}.png")
+
+    def _choose(self, name: str) -> bool:
+        action = self._program.window.findChild(QAction, name)
+        if action is None or not action.isEnabled():
+            return False
+        action.trigger()
+        return True
+
+    def _press(self, name: str) -> bool:
+        button = self._program.window.findChild(QAbstractButton, name)
+        if button is None or not (button.isVisible() and button.isEnabled()):
+            return False
+        button.click()
+        return True
+
+    def _is_seen(self, name: str) -> bool:
+        found = self._program.window.findChild(QWidget, name)
+        return found is not None and found.isVisible()
+
+    def _write(self, widget: QWidget, name: str) -> None:
         path = self._folder / name
-        if self._program.window.grab().save(str(path)):
+        if widget.grab().save(str(path)):
             sys.stdout.write(f"{path}\n")

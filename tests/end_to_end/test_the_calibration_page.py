@@ -35,6 +35,7 @@ from trex_gui.protocol.flags import CHANNELS, InputSource
 from trex_gui.views.pages.calibration.page import CalibrationPage
 from trex_gui.views.theme import theme
 from trex_gui.views.widgets.curve_plot import CurvePlot
+from trex_gui.views.widgets.input_trace import InputTrace
 from trex_gui.window import Program
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
@@ -82,6 +83,11 @@ class Person:
     def live(self) -> str:
         return self.find(QWidget, "curveLegend").accessibleDescription()
 
+    def beside(self) -> str:
+        """The handle beside which something is said."""
+        handle = self.plot.message_at
+        return handle.value if handle is not None else ""
+
     def choose(self, channel: int) -> None:
         view = self.find(QListWidget, "calibrationChannels")
         where = view.visualItemRect(view.item(channel - 1)).center()
@@ -91,7 +97,8 @@ class Person:
     def row(self, channel: int) -> str:
         return self.find(QListWidget, "calibrationChannels").item(channel - 1).text()
 
-    def drag(self, handle: Handle, count: int) -> None:
+    def pull(self, handle: Handle, count: int) -> None:
+        """Take a handle and hold it at a count."""
         self.page.grab()  # lets the layout settle
         viewport = self.find(QWidget, "curveViewport")
         start = self.plot.place_of(handle).toPoint()
@@ -99,7 +106,13 @@ class Person:
         QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=start)
         for step in (0.5, 1.0):
             QTest.mouseMove(viewport, start + (end - start) * step)
-        QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=end)
+
+    def let_go(self) -> None:
+        QTest.mouseRelease(self.find(QWidget, "curveViewport"), Qt.MouseButton.LeftButton)
+
+    def drag(self, handle: Handle, count: int) -> None:
+        self.pull(handle, count)
+        self.let_go()
 
     def type_into(self, field: str, typed: str) -> None:
         editor = self.find(QSpinBox, f"{field}Edit")
@@ -257,17 +270,93 @@ def test_an_impossible_order_is_refused_beside_the_fields_and_never_becomes_an_e
     person.connect(quick_simulator)
     person.type_into("minimum", "1600")
     assert person.text("calibrationNote") == "Minimum (1600 µs) cannot be above neutral (1500 µs)."
+    assert person.beside() == "minimum"
+    assert person.plot.message == person.text("calibrationNote")
     assert person.find(QSpinBox, "minimumEdit").text() == "1000 µs"
     person.type_into("maximum", "1.2 ms")
     assert "Maximum (1200 µs) cannot be below neutral" in person.text("calibrationNote")
+    assert person.beside() == "maximum"
     person.type_into("neutral", "nonsense")
     assert "no value" in person.text("calibrationNote")
+    assert person.beside() == ""
+    person.type_into("minimum", "1600")
+    person.choose(2)
+    assert person.beside() == ""
+    person.choose(1)
     assert person.device.pending == 0
     person.drag(Handle.MINIMUM, 4200)
     assert person.shown().minimum == person.shown().neutral
     person.type_into("neutral", "1520")
     assert "The deadband (30 µs to each side of neutral)" in person.text("calibrationNote")
     assert "problem" in person.row(1)
+
+
+def test_why_a_handle_goes_no_further_is_read_while_it_is_held_and_gone_after(
+    person: Person, quick_simulator: SimulatorProcess
+) -> None:
+    person.connect(quick_simulator)
+    person.type_into("minimum", "1500")
+    concern = person.text("calibrationNote")
+    assert "reaches minimum" in concern
+    person.pull(Handle.MINIMUM, 4100)
+    assert person.text("calibrationNote") == "Minimum cannot pass neutral."
+    assert person.beside() == "minimum"
+    person.let_go()
+    assert person.text("calibrationNote") == concern
+    assert person.plot.message == ""
+    person.pull(Handle.MAXIMUM, 3000)
+    assert person.text("calibrationNote") == "Minimum and maximum must differ."
+    person.program.connector.disconnect_port()
+    person.wait(lambda: person.device.link is Link.NONE)
+    assert "No board answers" in person.text("calibrationNote")
+
+
+def test_a_handle_is_dragged_as_far_as_the_input_can_be_and_then_says_why_no_further(
+    person: Person, quick_simulator: SimulatorProcess
+) -> None:
+    person.connect(quick_simulator)
+    person.pull(Handle.MAXIMUM, 7000)
+    assert person.text("calibrationNote") == "A pulse cannot be longer than 2500 µs."
+    assert person.plot.message == person.text("calibrationNote")
+    person.let_go()
+    assert person.shown().maximum == 6250
+    assert "cannot" not in person.text("calibrationNote")
+
+
+def test_full_output_that_no_input_can_ask_for_is_a_problem(
+    person: Person, quick_simulator: SimulatorProcess
+) -> None:
+    person.connect(quick_simulator)
+    person.type_into("maximum", "6000")
+    assert person.text("calibrationNote").startswith("Maximum (6000 µs) is beyond")
+    assert "problem" in person.row(1)
+    person.type_into("maximum", "2500")
+    person.type_into("minimum", "100")
+    assert person.text("calibrationNote").startswith("Minimum (100 µs) is beyond")
+
+
+def test_the_trace_of_the_input_is_high_enough_in_a_small_window(
+    person: Person, quick_simulator: SimulatorProcess
+) -> None:
+    person.program.window.resize(900, 600)
+    person.connect(quick_simulator)
+    for channel in CHANNELS:
+        person.choose(channel)
+        person.page.grab()
+        trace = person.find(InputTrace, "inputTrace")
+        assert trace.frame.height() >= 4.5 * trace.fontMetrics().height()
+
+
+def test_a_channel_with_edits_will_be_learned_after_apply(
+    person: Person, quick_simulator: SimulatorProcess
+) -> None:
+    person.program.window.resize(1300, 800)
+    person.connect(quick_simulator)
+    assert person.text("learnedLabel") == "not learned: has the factory's values"
+    person.type_into("minimum", "1100")
+    assert person.text("learnedLabel") == "not learned yet: will be after Apply"
+    person.device.undo.undo()
+    assert person.text("learnedLabel") == "not learned: has the factory's values"
 
 
 def test_the_live_dot_follows_the_stick_along_the_curve(
@@ -287,6 +376,28 @@ def test_the_live_dot_follows_the_stick_along_the_curve(
     person.wait(lambda: "no signal" in person.row(1))
     person.wait(lambda: person.plot.dot is None)
     assert "no signal" in person.live
+
+
+def test_the_mix_jumper_is_told_as_soon_as_a_stick_shows_it(
+    person: Person, quick_simulator: SimulatorProcess
+) -> None:
+    person.connect(quick_simulator)
+    assert "with the mix jumper on it steers" in person.text("channelDoes")
+    quick_simulator.do("channel 1 1800us")
+    person.wait(lambda: "drives motor 1 (the mix jumper is off)" in person.text("channelDoes"))
+    quick_simulator.do("jumper mix on")
+    person.wait(lambda: "steers (the mix jumper is on)" in person.text("channelDoes"))
+    quick_simulator.do("channel 1 1500us")
+    person.choose(2)
+    assert "forward and back (the mix jumper is on)" in person.text("channelDoes")
+    quick_simulator.do("channel 2 1700us")
+    quick_simulator.do("jumper mix off")
+    person.wait(lambda: "drives motor 2 (the mix jumper is off)" in person.text("channelDoes"))
+    quick_simulator.do("channel 2 1500us")
+    person.program.connector.disconnect_port()
+    person.wait(lambda: "with the mix jumper on it" in person.text("channelDoes"))
+    person.connect(quick_simulator)
+    assert "with the mix jumper on it" in person.text("channelDoes")
 
 
 def test_the_switches_are_bits_of_parameters_that_are_written(
@@ -350,6 +461,16 @@ def test_a_calibration_is_copied_made_symmetric_reset_and_given_up(
     person.do("resetCalibrationAction")
     assert person.shown() == FACTORY
     person.device.undo.undo()
+    person.type_into("minimum", "1500")
+    steps = person.device.undo.count()
+    shorter = person.page.findChild(QAction, "symmetricSmallerAction")
+    assert shorter is not None
+    assert not shorter.isEnabled()
+    assert "too little for every output" in shorter.toolTip()
+    shorter.trigger()
+    assert person.device.undo.count() == steps
+    person.device.undo.undo()
+    assert shorter.isEnabled()
     person.find(QCheckBox, "reversedBox").click()
     person.press("discardChannelButton")
     assert person.shown() == FACTORY
@@ -371,7 +492,21 @@ def test_calibrations_go_to_a_file_and_come_back(
     person.device.discard_edits()
     with person.qtbot.waitSignal(person.page.told) as told:
         person.page.files.load_file(path)
-    assert "1 calibrations" in told.args[0]
+    assert told.args[0].startswith("1 calibration of mine.txt is an edit now.")
+    person.type_into("minimum", "1150")
+    person.do("copyToAllAction")
+    person.page.files.save_file(path)
+    person.device.discard_edits()
+    with person.qtbot.waitSignal(person.page.told) as told:
+        person.page.files.load_file(path)
+    assert told.args[0].startswith("5 calibrations of mine.txt are edits now.")
+    person.device.undo.undo()
+    person.type_into("minimum", "1100")
+    person.page.files.save_file(path)
+    person.type_into("deadband", "1 count")
+    assert person.text("deadbandCounts") == "= 1 count"
+    person.device.discard_edits()
+    person.page.files.load_file(path)
     assert person.shown() == mine
     with person.qtbot.waitSignal(person.page.refused) as refused:
         person.page.files.load_file(tmp_path / "none.txt")
@@ -390,6 +525,18 @@ def test_the_way_to_the_other_source_is_shown_and_what_was_seen_of_it_is_kept(
     for name in ("minimum", "neutral", "maximum", "deadband"):
         assert not person.find(QSpinBox, f"{name}Edit").isEnabled()
     assert not person.find(QAbstractButton, "changeButton").isEnabled()
+    for kind, name in (
+        (QAbstractButton, "learnButton"),
+        (QAbstractButton, "learnAllButton"),
+        (QCheckBox, "reversedBox"),
+        (QCheckBox, "ignoredBox"),
+    ):
+        widget = person.find(kind, name)
+        assert not widget.isEnabled(), name
+        assert widget.toolTip().startswith("The board reads RC pulses now."), name
+        assert "let the board read analog voltages first" in widget.toolTip(), name
+    assert not person.find(QCheckBox, "requiredBox").isVisible()
+    assert not person.find(InputTrace, "inputTrace").isVisible()
     person.press("switchSourceButton")
     assert person.device.parameters.pending == (("channel_input_source", 1),)
     assert "apply this edit" in person.text("otherSourceWords")
@@ -401,6 +548,11 @@ def test_the_way_to_the_other_source_is_shown_and_what_was_seen_of_it_is_kept(
     person.wait(lambda: bar.tabText(1) == "Analog voltages (in force)")
     assert person.find(QSpinBox, "minimumEdit").isEnabled()
     assert person.find(QSpinBox, "maximumEdit").text() == "5.000 V"
+    assert person.find(QAbstractButton, "learnButton").isEnabled()
+    assert not person.find(QAbstractButton, "learnButton").toolTip()
+    assert person.find(QCheckBox, "reversedBox").isEnabled()
+    assert "forward and reverse" in person.find(QCheckBox, "reversedBox").toolTip()
+    assert not person.find(QCheckBox, "requiredBox").isVisible()
     simulator.do("channel 1 2.5V")
     person.wait(lambda: "2.50 V" in person.live)
     person.type_into("minimum", "500 mV")

@@ -1,6 +1,9 @@
 """What is said of a channel."""
 
+import pytest
+
 from trex_gui.link.channel_words import (
+    beyond_input,
     concern,
     learned_words,
     way_to,
@@ -24,6 +27,20 @@ def test_each_channel_says_what_it_does_in_rc_mode() -> None:
     ):
         assert expected in words
     assert "mix jumper" in said[0]
+
+
+def test_a_mix_jumper_that_was_seen_is_told() -> None:
+    said = {
+        (channel, mixed): what_it_does(channel, Mode.RC, joint=False, ignored=False, mixed=mixed)
+        for channel in (1, 2, 3)
+        for mixed in (True, False)
+    }
+    assert said[1, True] == "Channel 1 steers (the mix jumper is on)."
+    assert said[1, False] == "Channel 1 drives motor 1 (the mix jumper is off)."
+    assert "forward and back (the mix jumper is on)" in said[2, True]
+    assert "motor 2 (the mix jumper is off)" in said[2, False]
+    assert said[3, True] == said[3, False]
+    assert "joint" in what_it_does(1, Mode.RC, joint=True, ignored=False, mixed=True)
 
 
 def test_in_serial_mode_it_is_only_measured() -> None:
@@ -73,6 +90,35 @@ def test_a_wrong_order_is_told_in_units() -> None:
 def test_a_deadband_that_swallows_a_side_is_a_concern() -> None:
     assert concern(USUAL, InputSource.RC) == ""
     assert "reaches minimum" in concern(Calibration(3700, 3750, 5000, 75), InputSource.RC)
+
+
+@pytest.mark.parametrize(
+    ("calibration", "source", "words"),
+    [
+        (Calibration(2500, 3750, 15000, 75), InputSource.RC, "Maximum (6000 µs) is beyond"),
+        (Calibration(250, 3750, 5000, 75), InputSource.RC, "Minimum (100 µs) is beyond"),
+        (
+            Calibration(1249, 3750, 6251, 75),
+            InputSource.RC,
+            "Minimum (499.6 µs) and maximum (2500.4 µs) are beyond",
+        ),
+        (Calibration(100, 512, 1100, 20), InputSource.ANALOG, "Maximum (5.376 V) is beyond"),
+        (Calibration(2500, 7000, 9000, 75), InputSource.RC, "Neutral (2800 µs) is beyond"),
+    ],
+)
+def test_what_no_input_can_be_is_a_concern(
+    calibration: Calibration, source: InputSource, words: str
+) -> None:
+    said = concern(calibration, source)
+    assert said.startswith(words)
+    assert said == beyond_input(calibration, source)
+    assert ("a pulse is 500 µs to 2500 µs" in said) is (source is InputSource.RC)
+    assert ("a voltage is 0.00 V to 5.00 V" in said) is (source is InputSource.ANALOG)
+
+
+def test_the_ends_of_what_an_input_can_be_are_no_concern() -> None:
+    assert concern(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
+    assert concern(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""
 
 
 def test_learned_says_what_it_means() -> None:

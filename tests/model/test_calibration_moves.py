@@ -1,10 +1,18 @@
 """Handles that are moved stay where the board takes them."""
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.model.calibration_moves import Handle, moved, symmetric
-from trex_gui.protocol.calibration import HIGHEST_CODED, Calibration
+from trex_gui.model.calibration_moves import (
+    Handle,
+    moved,
+    symmetric,
+    why_not_symmetric,
+    within_input,
+)
+from trex_gui.protocol.calibration import FULL_SCALE, HIGHEST_CODED, Calibration, remap
+from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.flags import InputSource
 
 USUAL = Calibration(2500, 3750, 5000, 75)
@@ -31,14 +39,62 @@ def test_no_move_makes_a_calibration_that_the_board_would_refuse(
 
 
 @given(calibration=calibrations(), source=st.sampled_from(InputSource), larger=st.booleans())
-def test_symmetric_ends_are_equally_far_from_neutral(
+def test_symmetric_ends_are_equally_far_from_neutral_and_every_output_can_be_given(
     calibration: Calibration, source: InputSource, larger: bool
 ) -> None:
+    if why_not_symmetric(calibration, source, larger=larger):
+        with pytest.raises(BadRequest, match="too little"):
+            symmetric(calibration, source, larger=larger)
+        return
     made = symmetric(calibration, source, larger=larger)
-    assert made.neutral == calibration.neutral
-    assert made.deadband == calibration.deadband
-    if made.problem() is None and made.minimum > 0:
-        assert made.neutral - made.minimum == made.maximum - made.neutral
+    assert made.problem() is None
+    assert (made.neutral, made.deadband) == (calibration.neutral, calibration.deadband)
+    assert made.neutral - made.minimum == made.maximum - made.neutral
+    first, last = made.neutral + made.deadband, made.maximum
+    outputs = {remap(raw, made) for raw in range(first, last + 1)}
+    assert outputs == set(range(FULL_SCALE + 1))
+
+
+def test_a_side_without_travel_is_no_model_for_the_other() -> None:
+    one_sided = Calibration(3750, 3750, 5000, 75)
+    why = why_not_symmetric(one_sided, InputSource.RC, larger=False)
+    assert why.startswith("That would leave 0 µs to each side of neutral")
+    assert not why_not_symmetric(one_sided, InputSource.RC, larger=True)
+    assert symmetric(one_sided, InputSource.RC, larger=True) == USUAL
+
+
+@pytest.mark.parametrize(("travel", "good"), [(75 + 127, False), (75 + 128, True)])
+def test_equal_travel_needs_a_count_for_each_output(travel: int, good: bool) -> None:
+    short = Calibration(3750 - travel, 3750, 5000, 75)
+    assert (why_not_symmetric(short, InputSource.RC, larger=False) == "") is good
+
+
+def test_a_pulse_cannot_be_made_to_end_below_500_us() -> None:
+    uneven = Calibration(2000, 2500, 5000, 75)
+    assert symmetric(uneven, InputSource.RC, larger=True) == Calibration(1250, 2500, 3750, 75)
+
+
+@pytest.mark.parametrize(
+    ("source", "handle", "wished", "kept", "words"),
+    [
+        (InputSource.RC, Handle.MAXIMUM, 6250, 6250, ""),
+        (InputSource.RC, Handle.MAXIMUM, 7000, 6250, "A pulse cannot be longer than 2500 µs."),
+        (InputSource.RC, Handle.MINIMUM, 900, 1250, "A pulse cannot be shorter than 500 µs."),
+        (InputSource.ANALOG, Handle.MAXIMUM, 1100, 1023, "A voltage cannot be higher than 5.00 V."),
+        (InputSource.ANALOG, Handle.MINIMUM, -9, 0, "A voltage cannot be lower than 0.00 V."),
+    ],
+)
+def test_a_handle_stays_within_what_the_input_can_be(
+    source: InputSource, handle: Handle, wished: int, kept: int, words: str
+) -> None:
+    calibration = USUAL if source is InputSource.RC else Calibration(100, 512, 900, 20)
+    assert within_input(calibration, handle, wished, source) == (kept, words)
+
+
+def test_a_handle_that_is_further_out_may_stay_there() -> None:
+    wide = Calibration(100, 3750, 15000, 75)
+    assert within_input(wide, Handle.MAXIMUM, 14000, InputSource.RC) == (14000, "")
+    assert within_input(wide, Handle.MINIMUM, 50, InputSource.RC)[0] == 100
 
 
 def test_each_handle_moves_its_own_part() -> None:

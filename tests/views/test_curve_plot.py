@@ -16,6 +16,7 @@ from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
 from trex_gui.views.theme import theme
 from trex_gui.views.widgets.curve_plot import CurvePlot
+from trex_gui.views.widgets.input_trace import InputTrace
 
 USUAL = ChannelCurve(Calibration(2500, 3750, 5000, 75))
 
@@ -115,6 +116,96 @@ def test_a_handle_cannot_pass_another_and_says_so_beside_it(plot: CurvePlot) -> 
     assert wished == [Calibration(3750, 3750, 5000, 75)]
 
 
+def test_a_handle_that_comes_back_to_where_it_was_is_let_go(plot: CurvePlot, qtbot: QtBot) -> None:
+    flat = ChannelCurve(Calibration(3750, 3750, 5000, 75))
+    plot.show_channel(1, InputSource.RC, flat, flat, editable=True)
+    start = place(plot, Handle.MINIMUM)
+    end = QPoint(round(plot.x_of(4100)), start.y())
+    press(plot, start)
+    QTest.mouseMove(viewport(plot), end)
+    assert plot.message == "Minimum cannot pass neutral."
+    with qtbot.assertNotEmitted(plot.wished), qtbot.waitSignal(plot.let_go):
+        release(plot, end)
+    assert plot.message == ""
+
+
+def test_the_axis_goes_with_a_handle_as_far_as_the_input_can_be(plot: CurvePlot) -> None:
+    for handle, count, reached, words in (
+        (Handle.MAXIMUM, 5800, 5800, ""),
+        (Handle.MAXIMUM, 7000, 6250, "A pulse cannot be longer than 2500 µs."),
+        (Handle.MINIMUM, 1600, 1600, ""),
+        (Handle.MINIMUM, 300, 1250, "A pulse cannot be shorter than 500 µs."),
+    ):
+        start = place(plot, handle)
+        end = QPoint(round(plot.x_of(count)), start.y())
+        press(plot, start)
+        QTest.mouseMove(viewport(plot), end)
+        assert plot.curve is not None
+        assert abs(handle.count(plot.curve.calibration) - reached) < 8
+        assert plot.message == words
+        assert plot.message_at is (handle if words else None)
+        low, high = plot.axis
+        assert low <= handle.count(plot.curve.calibration) <= high
+        shown = round(plot.x_of(handle.count(plot.curve.calibration)))
+        assert 0 < shown < viewport(plot).width(), "the handle can be seen"
+        release(plot, end)
+        assert plot.axis == (2000, 5500), "nobody took the wish"
+
+
+def test_a_handle_at_the_end_of_the_axis_goes_on_bit_by_bit(plot: CurvePlot) -> None:
+    start = place(plot, Handle.MAXIMUM)
+    edge = QPoint(round(plot.x_of(5520)), start.y())
+    press(plot, start)
+    counts = []
+    for _ in range(3):
+        QTest.mouseMove(viewport(plot), edge - QPoint(1, 0))
+        QTest.mouseMove(viewport(plot), edge)
+        assert plot.curve is not None
+        counts.append(plot.curve.calibration.maximum)
+    release(plot, edge)
+    assert counts == sorted(counts)
+    assert counts[-1] < 5700
+
+
+def test_a_value_that_was_not_taken_is_told_beside_its_handle(plot: CurvePlot) -> None:
+    plot.say_beside(Handle.MINIMUM, "Minimum cannot be there.")
+    assert (plot.message_at, plot.message) == (Handle.MINIMUM, "Minimum cannot be there.")
+    QTest.mouseMove(viewport(plot), QPoint(1, 1))
+    QTest.mouseMove(viewport(plot), place(plot, Handle.NEUTRAL))
+    picture = plot.grab().toImage()
+    box = {
+        picture.pixelColor(x, y).name()
+        for x in range(round(plot.x_of(2500)), round(plot.x_of(3500)))
+        for y in range(picture.height() // 2)
+    }
+    assert theme().color("warning").name() in box
+    press(plot, place(plot, Handle.MAXIMUM))
+    assert plot.message == ""
+    release(plot, place(plot, Handle.MAXIMUM))
+    plot.say_beside(Handle.MINIMUM, "Minimum cannot be there.")
+    plot.show_channel(2, InputSource.RC, USUAL, USUAL, editable=True)
+    assert plot.message_at is None
+
+
+def test_the_trace_is_high_enough_to_show_noise_and_its_times_can_be_read(plot: CurvePlot) -> None:
+    plot.resize(plot.width(), plot.minimumSizeHint().height())
+    picture = plot.grab().toImage()
+    trace = plot.findChild(InputTrace)
+    assert trace is not None
+    line = trace.fontMetrics().height()
+    frame = trace.frame
+    assert frame.height() >= 4.5 * line
+    top = trace.mapTo(plot, frame.topLeft().toPoint())
+    background, capital = picture.pixelColor(1, 1), plot.fontMetrics().capHeight()
+    written = [
+        y
+        for y in range(top.y() - line, top.y() + line)
+        if any(picture.pixelColor(x, y) != background for x in range(2, top.x() - 3))
+    ]
+    assert written[-1] - written[0] + 1 >= 0.8 * capital, "as high as a capital letter"
+    assert picture.pixelColor(top.x() // 2, written[0] - 1) == background
+
+
 def test_a_click_moves_nothing(plot: CurvePlot, qtbot: QtBot) -> None:
     with qtbot.assertNotEmitted(plot.wished):
         for handle in Handle:
@@ -157,6 +248,7 @@ def test_handles_near_each_other_are_told_apart_by_height(plot: CurvePlot) -> No
 
 
 def test_the_mouse_pointer_tells_what_can_be_dragged(plot: CurvePlot) -> None:
+    QTest.mouseMove(viewport(plot), QPoint(1, 1))  # or it was there already and does not move
     QTest.mouseMove(viewport(plot), place(plot, Handle.NEUTRAL))
     assert viewport(plot).cursor().shape() is Qt.CursorShape.SizeHorCursor
     QTest.mouseMove(viewport(plot), place(plot, Handle.NEUTRAL) + QPoint(60, 20))

@@ -16,6 +16,10 @@ _TASKS = {
     4: "is the flip switch: motors 1 and 2 change places and directions",
     5: "is the override switch: serial commands control the motors",
 }
+_MIXED_TASKS = {
+    1: ("drives motor 1 (the mix jumper is off)", "steers (the mix jumper is on)"),
+    2: ("drives motor 2 (the mix jumper is off)", "drives forward and back (the mix jumper is on)"),
+}
 _JOINT_TASKS = {
     1: "drives the one motor that both drivers work for (joint mode, no mixing)",
     2: "does nothing in joint mode",
@@ -23,10 +27,21 @@ _JOINT_TASKS = {
 
 
 def what_it_does(
-    channel: int, mode: Mode, *, joint: bool, ignored: bool, switches_at: str = ""
+    channel: int,
+    mode: Mode,
+    *,
+    joint: bool,
+    ignored: bool,
+    switches_at: str = "",
+    mixed: bool | None = None,
 ) -> str:
-    """Say what a channel does now; `switches_at` is where a switch does, such as `below 1.2 V`."""
+    """Say what a channel does now; `switches_at` is where a switch does, such as `below 1.2 V`.
+
+    `mixed`: whether the mix jumper was seen to be on; `None` when that is not known.
+    """
     task = _TASKS[channel]
+    if mixed is not None and channel in _MIXED_TASKS:
+        task = _MIXED_TASKS[channel][mixed]
     if joint:
         task = _JOINT_TASKS.get(channel, task)
     if ignored:
@@ -94,10 +109,47 @@ def wrong_order(calibration: Calibration, source: InputSource) -> str:
     return f"The board would not take this: {problem}." if problem else ""
 
 
+def beyond_input(calibration: Calibration, source: InputSource) -> str:
+    """Say what of a calibration no valid input can be; empty when there is nothing.
+
+    Ref: Pololu TReX User's Guide 4.c: a pulse that is shorter than 0.5 ms or longer than 2.5 ms
+    is an error.
+    """
+    lowest, highest = source.lowest_count, source.highest_count
+    what = "a pulse" if source is InputSource.RC else "a voltage"
+    limits = f"{what} is {source.text(lowest)} to {source.text(highest)}."
+    if not lowest <= calibration.neutral <= highest:
+        return (
+            f"Neutral ({_exactly(calibration.neutral, source)}) is beyond what the input can be: "
+            f"{limits} No position of the stick gives 0 as it should."
+        )
+    ends = []
+    if calibration.minimum < lowest:
+        ends.append(f"Minimum ({_exactly(calibration.minimum, source)})")
+    if calibration.maximum > highest:
+        ends.append(f"{'m' if ends else 'M'}aximum ({_exactly(calibration.maximum, source)})")
+    if not ends:
+        return ""
+    verb, side = ("are", "those sides") if len(ends) > 1 else ("is", "that side")
+    return (
+        f"{' and '.join(ends)} {verb} beyond what the input can be: {limits} Full output on "
+        f"{side} is never reached."
+    )
+
+
+def _exactly(count: int, source: InputSource) -> str:
+    """A count as text that tells it from its neighbours."""
+    if source is InputSource.RC:
+        return f"{source.physical(count):.1f}".removesuffix(".0") + " µs"
+    return f"{source.physical(count):.3f} V"
+
+
 def concern(calibration: Calibration, source: InputSource) -> str:
     """Say what the board would take, but nobody would want; empty when there is nothing."""
     if wrong := wrong_order(calibration, source):
         return wrong
+    if beyond := beyond_input(calibration, source):
+        return beyond
     sides = {
         "minimum": calibration.neutral - calibration.minimum,
         "maximum": calibration.maximum - calibration.neutral,

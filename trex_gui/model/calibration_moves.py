@@ -3,7 +3,8 @@
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from trex_gui.protocol.calibration import HIGHEST_CODED, Calibration
+from trex_gui.protocol.calibration import FULL_SCALE, HIGHEST_CODED, Calibration
+from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.flags import InputSource
 
 
@@ -97,17 +98,61 @@ def _deadband_moved(calibration: Calibration, handle: Handle, count: int) -> Mov
     return Move(replace(calibration, deadband=max(0, min(widest, reach))), why)
 
 
+def within_input(
+    calibration: Calibration, handle: Handle, count: int, source: InputSource
+) -> tuple[int, str]:
+    """Return the count nearest to the one wished that the input can be, and why it is another.
+
+    A handle that lies further out already may stay there.
+    """
+    now = handle.count(calibration)
+    lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)
+    kept = max(lowest, min(highest, count))
+    if kept == count:
+        return count, ""
+    what = "A pulse" if source is InputSource.RC else "A voltage"
+    limit = source.lowest_count if kept == lowest else source.highest_count
+    end = "shorter" if kept == lowest else "longer"
+    if source is InputSource.ANALOG:
+        end = "lower" if kept == lowest else "higher"
+    return kept, f"{what} cannot be {end} than {source.text(limit)}."
+
+
 def symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> Calibration:
     """Make the travel to both ends equal: to the larger or the smaller of the two.
 
     An end stays within what the input can be, so the larger travel may be cut on both sides.
+
+    Raises:
+        BadRequest: `why_not_symmetric` says why.
     """
-    ends = calibration.neutral - calibration.minimum, calibration.maximum - calibration.neutral
-    travel = max(ends) if larger else min(ends)
-    highest = max(source.highest_count, calibration.maximum)
-    travel = max(1, min(travel, calibration.neutral, highest - calibration.neutral))
+    if why := why_not_symmetric(calibration, source, larger=larger):
+        raise BadRequest(why)
+    travel = _equal_travel(calibration, source, larger=larger)
     return replace(
         calibration,
-        minimum=max(0, calibration.neutral - travel),
+        minimum=calibration.neutral - travel,
         maximum=calibration.neutral + travel,
     )
+
+
+def why_not_symmetric(calibration: Calibration, source: InputSource, *, larger: bool) -> str:
+    """Say why equal travel would spoil a calibration; empty when it would not.
+
+    Each step of the output needs a count of its own, else a touch gives full output.
+    """
+    travel = _equal_travel(calibration, source, larger=larger)
+    if travel > calibration.deadband + FULL_SCALE:
+        return ""
+    return (
+        f"That would leave {source.text(travel)} to each side of neutral, of which the deadband "
+        f"takes {source.text(calibration.deadband)}: too little for every output up to full."
+    )
+
+
+def _equal_travel(calibration: Calibration, source: InputSource, *, larger: bool) -> int:
+    ends = calibration.neutral - calibration.minimum, calibration.maximum - calibration.neutral
+    travel = max(ends) if larger else min(ends)
+    lowest = min(source.lowest_count, calibration.minimum)
+    highest = max(source.highest_count, calibration.maximum)
+    return min(travel, calibration.neutral - lowest, highest - calibration.neutral)

@@ -120,6 +120,14 @@ class InputSource(Enum):
         """The highest raw count that is a value: 6250 (2.5 ms) or 1023 (5 V)."""
         return 6250 if self is InputSource.RC else 1023
 
+    @property
+    def lowest_count(self) -> int:
+        """The lowest raw count that is a value: 1250 (0.5 ms) or 0.
+
+        Ref: Pololu TReX User's Guide 4.c: shorter and longer pulses are errors.
+        """
+        return 1250 if self is InputSource.RC else 0
+
     def physical(self, count: float) -> float:
         """Turn raw counts into µs or V."""
         return count / self.counts_per_unit

@@ -49,6 +49,7 @@ class HandleLayer(QGraphicsItem):
         self._editable = True
         self._active: Handle | None = None
         self._message = ""
+        self._message_at: Handle | None = None
         self.setZValue(50)
 
     @property
@@ -75,16 +76,27 @@ class HandleLayer(QGraphicsItem):
             self._editable = editable
             self.update()
 
-    def set_active(self, handle: Handle | None, message: str = "") -> None:
-        """Let one handle stand out, and say beside it why it goes no further."""
-        if (handle, message) != (self._active, self._message):
-            self._active, self._message = handle, message
+    def set_active(self, handle: Handle | None) -> None:
+        """Let one handle stand out."""
+        if handle is not self._active:
+            self._active = handle
+            self.update()
+
+    def set_message(self, handle: Handle | None, message: str) -> None:
+        """Say beside a handle why it goes no further; empty: nothing is said."""
+        if (handle, message) != (self._message_at, self._message):
+            self._message_at, self._message = handle, message
             self.update()
 
     @property
     def message(self) -> str:
-        """What stands beside the handle that is held."""
+        """What is said beside a handle."""
         return self._message
+
+    @property
+    def message_at(self) -> Handle | None:
+        """The handle beside which something is said."""
+        return self._message_at if self._message else None
 
     def handle_at(self, where: QPointF) -> Handle | None:
         """Return the handle under the mouse: the nearest, in the lower half the deadband's."""
@@ -114,8 +126,8 @@ class HandleLayer(QGraphicsItem):
         for handle in (*_EDGES, *_MAIN):
             self._paint_handle(painter, handle)
         self._paint_names(painter)
-        if self._message and self._active is not None:
-            self._paint_message(painter, self._places[self._active])
+        if self._message and self._message_at is not None:
+            self._paint_message(painter, self._places[self._message_at])
 
     def _paint_handle(self, painter: QPainter, handle: Handle) -> None:
         x, frame = round(self._places[handle]) + 0.5, self._frame
@@ -185,6 +197,7 @@ class HandleLayer(QGraphicsItem):
         metrics, frame = self.metrics, self._frame
         width, high = metrics.horizontalAdvance(self._message) + 16, metrics.height() + 8
         left = x + 10 if x + 10 + width < frame.right() else x - 10 - width
+        left = max(left, frame.left() + 4)
         box = QRectF(left, frame.top() + GRIP * 2, width, high)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(theme().color("warning"), 1))

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.model.calibration_moves import Handle, moved
+from trex_gui.model.calibration_moves import Handle, moved, within_input
 from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.protocol.flags import InputSource
@@ -29,6 +29,7 @@ _OUTPUT_ROOM = 14
 _OUTPUT_TICKS = (-127, -64, 0, 64, 127)
 _DOT = 5.0
 _WIDEST_TICK = "Output"
+_LEAST_LINES = 6
 
 
 class CurvePlot(QWidget):
@@ -39,10 +40,12 @@ class CurvePlot(QWidget):
 
     Signals:
         previewed: the calibration as a handle that is held would leave it.
+        let_go: no handle is held any more, whether or not one was moved.
         wished: the calibration that the released handle left; one edit.
     """
 
     previewed = Signal(object)
+    let_go = Signal()
     wished = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -88,13 +91,15 @@ class CurvePlot(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
-        layout.addWidget(self._canvas, 3)
+        layout.addWidget(self._canvas, 2)
         layout.addWidget(self._trace, 1)
 
         side = self._canvas.fontMetrics().horizontalAdvance("5000 µs") // 2 + 4
         self._canvas.set_margins(
             left=_WIDEST_TICK, top=self._handles.room_above(), right=side, x_axis=True
         )
+        line = self._canvas.fontMetrics().height()
+        self._canvas.setMinimumHeight((_LEAST_LINES + 2) * line + self._handles.room_above())
         self._trace.set_margins(left=_WIDEST_TICK, right=side)
         theme().changed.connect(self._on_theme_changed)
         self._canvas.arranged.connect(self._place_handles)
@@ -116,6 +121,7 @@ class CurvePlot(QWidget):
         """Show a channel: what the board stores and what it would store after Apply."""
         if (channel, source) != (self._channel, self._source):
             self._let_go()
+            self._handles.set_message(None, "")
             self._raw = None
             self._trace.clear()
         if not editable or shown is None:
@@ -142,6 +148,10 @@ class CurvePlot(QWidget):
         """Draw the input of the last seconds; `times` rise."""
         self._trace.set_samples(times, counts, now)
 
+    def show_trace(self, wanted: bool) -> None:
+        """Show the trace of the input, or leave its room to the curve: nothing comes in."""
+        self._trace.setVisible(wanted)
+
     @property
     def axis(self) -> tuple[int, int]:
         """The raw counts at the left and the right end."""
@@ -162,8 +172,21 @@ class CurvePlot(QWidget):
 
     @property
     def message(self) -> str:
-        """Why the handle that is held goes no further; empty: it does."""
+        """What is said beside a handle: why it goes no further, or was not set so."""
         return self._handles.message
+
+    @property
+    def message_at(self) -> Handle | None:
+        """The handle beside which something is said."""
+        return self._handles.message_at
+
+    def say_beside(self, handle: Handle, message: str) -> None:
+        """Say why a handle was not set as was wished, until it is held or that is taken back.
+
+        An empty message takes it back. While a handle is held it has the word.
+        """
+        if self._held is None:
+            self._handles.set_message(handle, message)
 
     def place_of(self, handle: Handle) -> QPointF:
         """Return where a handle can be taken, in pixels of the viewport."""
@@ -300,6 +323,7 @@ class CurvePlot(QWidget):
         handle = self._handles.handle_at(where)
         if handle is None or self._shown is None:
             return
+        self._handles.set_message(None, "")
         self._held = handle
         self._grabbed_at = where.x() - self._canvas.x_of(handle.count(self._shown.calibration))
         self._handles.set_active(handle)
@@ -307,13 +331,22 @@ class CurvePlot(QWidget):
     def _drag(self, where: QPointF) -> None:
         if self._held is None or self._shown is None:
             return
-        low, high = self._axis
-        count = round(self._canvas.count_at(where.x() - self._grabbed_at))
-        move = moved(self._shown.calibration, self._held, max(low, min(high, count)))
+        calibration = self._shown.calibration
+        wished = round(self._canvas.count_at(where.x() - self._grabbed_at))
+        count, why = within_input(calibration, self._held, wished, self._source)
+        move = moved(calibration, self._held, count)
         self._preview = _with(self._shown, move.calibration)
-        self._handles.set_active(self._held, move.why)
+        self._reach(self._held.count(move.calibration))
+        self._handles.set_message(self._held, move.why or why)
         self._show_curves()
         self.previewed.emit(move.calibration)
+
+    def _reach(self, count: int) -> None:
+        """Let the axis go as far as a handle is pulled, and no further: it stays at the mouse."""
+        low, high = self._axis
+        if not low <= count <= high:
+            self._axis = min(low, count), max(high, count)
+            self._show_axis()
 
     def _release(self) -> None:
         preview, shown = self._preview, self._shown
@@ -326,9 +359,13 @@ class CurvePlot(QWidget):
             self._show_curves()
 
     def _let_go(self) -> None:
+        was_held = self._held is not None
         self._held = None
         self._preview = None
         self._handles.set_active(None)
+        if was_held:
+            self._handles.set_message(None, "")
+            self.let_go.emit()
 
 
 def _with(curve: ChannelCurve, calibration: Calibration) -> ChannelCurve:

@@ -15,12 +15,16 @@ from trex_gui.views.widgets.reduction import Floats
 
 SECONDS = 10.0
 
+_LEAST_LINES = 5
+"""How many lines of text the plot is high at least: less shows neither noise nor drift."""
+
 
 class InputTrace(QWidget):
     """Time runs downwards, so the line hangs below the live dot and shows where it has been."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setObjectName("inputTrace")
         self.setAccessibleName(self.tr("Input of the last 10 seconds"))
         self.setToolTip(self.tr("The input of the last 10 seconds; the newest is at the top"))
         self._canvas = PlotCanvas(self)
@@ -37,18 +41,25 @@ class InputTrace(QWidget):
         self._on_theme_changed()
 
     @property
+    def frame(self) -> QRectF:
+        """The inside of the plot, in pixels of this widget."""
+        return self._canvas.frame
+
+    @property
     def samples(self) -> int:
         """How many samples are drawn."""
         return self._samples
 
     def set_margins(self, *, left: str, right: int) -> None:
         """Leave the same room at the sides as the curve has."""
-        top = self._canvas.fontMetrics().height() // 2 + 3
+        line = self._canvas.fontMetrics().height()
+        top = line // 2 + 3  # the text at the top is centred on the frame
         self._canvas.set_margins(left=left, top=top, right=right, x_axis=False)
+        self._canvas.setMinimumHeight(_LEAST_LINES * line + top + line // 2)
 
     def set_axis(self, axis: tuple[float, float], x_ticks: Ticks) -> None:
         """Show these counts."""
-        y_ticks = [(0.0, self.tr("now")), (SECONDS / 2, "5 s"), (SECONDS, "10 s")]
+        y_ticks = [(0.0, self.tr("Now")), (SECONDS / 2, "5 s"), (SECONDS, "10 s")]
         self._canvas.set_axes(axis, (SECONDS, 0.0), x_ticks, y_ticks)
 
     def set_marks(self, calibration: Calibration | None) -> None:

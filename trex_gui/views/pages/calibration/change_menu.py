@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
 from trex_gui.link.channel_words import CHANNEL_NAMES
-from trex_gui.model.calibration_moves import symmetric
+from trex_gui.model.calibration_moves import symmetric, why_not_symmetric
 from trex_gui.model.device import Device
 from trex_gui.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.protocol.flags import CHANNELS
@@ -45,6 +46,8 @@ class ChangeMenu(QMenu):
         everywhere.triggered.connect(partial(self._copy_to, CHANNELS))
 
         ends = self.addMenu(self.tr("&Equal travel to both ends"))
+        ends.setToolTipsVisible(True)
+        self._equals: dict[bool, QAction] = {}
         for larger, text, name in (
             (False, self.tr("As on the &shorter side"), "symmetricSmallerAction"),
             (True, self.tr("As on the &longer side"), "symmetricLargerAction"),
@@ -52,6 +55,7 @@ class ChangeMenu(QMenu):
             action = ends.addAction(text)
             action.setObjectName(name)
             action.triggered.connect(partial(self._make_symmetric, larger))
+            self._equals[larger] = action
         reset = self.addAction(self.tr("&Reset to the factory's"))
         reset.setObjectName("resetCalibrationAction")
         reset.setToolTip(self.tr("The maker gives no factory values: these are assumed ones"))
@@ -68,10 +72,18 @@ class ChangeMenu(QMenu):
         save.triggered.connect(self.save_requested)
 
     def show_channel(self, channel: int) -> None:
-        """Let the entries be about a channel."""
+        """Let the entries be about a channel; those that would spoil it are greyed, with why."""
         self._channel = channel
         for action in self._copies.actions():
             action.setVisible(action.objectName() != f"copyTo{channel}Action")
+        calibrations = self._device.calibrations
+        shown = calibrations.shown(channel)
+        for larger, action in self._equals.items():
+            why = ""
+            if shown is not None:
+                why = why_not_symmetric(shown, calibrations.source, larger=larger)
+            action.setEnabled(not why)
+            action.setToolTip(why)
 
     def _copy_to(self, channels: Sequence[int], _checked: bool = False) -> None:
         calibrations = self._device.calibrations
@@ -87,7 +99,7 @@ class ChangeMenu(QMenu):
     def _make_symmetric(self, larger: bool, _checked: bool = False) -> None:
         calibrations = self._device.calibrations
         shown = calibrations.shown(self._channel)
-        if shown is not None and not shown.problem():
+        if shown is not None and not shown.problem() and self._equals[larger].isEnabled():
             wanted = symmetric(shown, calibrations.source, larger=larger)
             calibrations.edit(self._channel, wanted)
 

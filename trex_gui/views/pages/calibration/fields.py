@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QSignalBlocker, Signal, Slot
-from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from trex_gui.link.channel_words import wrong_order
 from trex_gui.protocol.calibration import Calibration
@@ -21,12 +21,13 @@ class CalibrationFields(QWidget):
         wished: a calibration that the board would take.
         stepped: the same, one step further; and an object that stays the same until the field is
             left or typed into: such steps are taken back at once.
-        refused: why what was typed was not taken, for people.
+        refused: why what was typed was not taken, for people; and the name of the field whose
+            value stands in the way of another, empty when it is no value at all.
     """
 
     wished = Signal(object)
     stepped = Signal(object, object)
-    refused = Signal(str)
+    refused = Signal(str, str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -54,12 +55,17 @@ class CalibrationFields(QWidget):
             label.setBuddy(editor)
             counts = QLabel(self)
             counts.setObjectName(f"{field}Counts")
-            for row, widget in enumerate((label, editor, counts)):
-                layout.addWidget(widget, row, column)
+            head = QHBoxLayout()
+            head.setSpacing(8)
+            head.addWidget(label)
+            head.addStretch(1)
+            head.addWidget(counts)
+            layout.addLayout(head, 0, column)
+            layout.addWidget(editor, 1, column)
             layout.setColumnStretch(column, 1)
             editor.valueChanged.connect(partial(self._on_edited, field))
             editor.editingFinished.connect(self._on_run_ended)
-            editor.refused.connect(self.refused)
+            editor.refused.connect(self._on_no_value)
             self._editors[field] = editor
             self._counts[field] = counts
         theme().changed.connect(self._on_theme_changed)
@@ -78,8 +84,8 @@ class CalibrationFields(QWidget):
             with QSignalBlocker(editor):
                 editor.setSpecialValueText(NO_VALUE if calibration is None else "")
                 editor.setValue(count)
-            text = self.tr("= {0} counts").format(count) if calibration is not None else ""
-            self._counts[field].setText(text)
+            words = self.tr("= 1 count") if count == 1 else self.tr("= {0} counts").format(count)
+            self._counts[field].setText(words if calibration is not None else "")
 
     def _on_edited(self, field: str, count: int) -> None:
         calibration = self._calibration
@@ -88,12 +94,16 @@ class CalibrationFields(QWidget):
         wanted = replace(calibration, **{field: count})
         if wrong := wrong_order(wanted, self._source):
             self.show_calibration(self._source, calibration, editable=True)
-            self.refused.emit(wrong)
+            self.refused.emit(wrong, field)
         elif self._editors[field].stepping:
             self.stepped.emit(wanted, self._run)
         else:
             self._on_run_ended()
             self.wished.emit(wanted)
+
+    @Slot(str)
+    def _on_no_value(self, why: str) -> None:
+        self.refused.emit(why, "")
 
     @Slot()
     def _on_run_ended(self) -> None:

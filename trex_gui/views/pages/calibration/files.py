@@ -68,7 +68,9 @@ class CalibrationFiles(QObject):
         questions.remember_folder(self._store, path)
         words = [self.tr("{0} has the same calibrations.").format(path.name)]
         if count:
-            words = [self.tr("{0} calibrations of {1} are edits now.").format(count, path.name)]
+            one = self.tr("{0} calibration of {1} is an edit now.")
+            several = self.tr("{0} calibrations of {1} are edits now.")
+            words = [(one if count == 1 else several).format(count, path.name)]
         self.told.emit(" ".join([*words, *left_out]))
 
     def save_file(self, path: Path) -> None:

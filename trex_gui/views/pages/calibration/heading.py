@@ -39,7 +39,7 @@ class ChannelHeading(QWidget):
         self._sources.setDrawBase(False)
         for _ in _SOURCES:
             self._sources.addTab("")
-        self._does = Note(2, self)
+        self._does = Note(1, self)
         self._does.setObjectName("channelDoes")
 
         line = QHBoxLayout()
@@ -74,9 +74,14 @@ class ChannelHeading(QWidget):
         curve: ChannelCurve | None,
         source: InputSource,
         *,
+        edited: bool,
         joint: bool,
+        mixed: bool | None,
     ) -> None:
-        """Say what a channel is; `curve` is what it would be after Apply."""
+        """Say what a channel is; `curve` is what it would be after Apply.
+
+        `edited`: it would have another calibration then. `mixed`: whether the mix jumper is on.
+        """
         name = channel_words.CHANNEL_NAMES[channel]
         self._title.setText(self.tr("Channel {0}: {1}").format(channel, name))
         if state is None:
@@ -86,11 +91,12 @@ class ChannelHeading(QWidget):
             return
         learned = channel in channels_in(state.calibrated)
         in_force = source is state.source
-        self._flag = (
-            self.tr("learned: has a calibration of its own")
-            if learned
-            else self.tr("not learned: has the factory's values")
-        )
+        if learned:
+            self._flag = self.tr("learned: has a calibration of its own")
+        elif edited:
+            self._flag = self.tr("not learned yet: will be after Apply")
+        else:
+            self._flag = self.tr("not learned: has the factory's values")
         self._learned.setVisible(in_force)
         self._show_flag()
         self._learned.setToolTip(channel_words.learned_words(learned))
@@ -102,7 +108,7 @@ class ChannelHeading(QWidget):
         ignored = curve is not None and curve.ignored
         self._does.show_note(
             channel_words.what_it_does(
-                channel, state.mode, joint=joint, ignored=ignored, switches_at=at
+                channel, state.mode, joint=joint, ignored=ignored, switches_at=at, mixed=mixed
             )
         )
 

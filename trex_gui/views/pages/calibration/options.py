@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QWidget
 from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.model.parameters import ParameterModel
 from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.flags import InputSource
 
 
 class ChannelOptions(QWidget):
@@ -18,6 +19,8 @@ class ChannelOptions(QWidget):
         self._parameters = parameters
         self._channel = 1
         self._editable = False
+        self._why_not = ""
+        self._helps: dict[str, str] = {}
         self._boxes: dict[str, QCheckBox] = {}
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -47,7 +50,7 @@ class ChannelOptions(QWidget):
             box = QCheckBox(title, self)
             box.setObjectName(key.removesuffix("_channels") + "Box")
             box.setAccessibleName(title.replace("&", ""))
-            box.setToolTip(help_text)
+            self._helps[key] = help_text
             box.toggled.connect(partial(self._on_toggled, key))
             layout.addWidget(box)
             self._boxes[key] = box
@@ -56,9 +59,17 @@ class ChannelOptions(QWidget):
         parameters.modelReset.connect(self.renew)
         self.renew()
 
-    def show_channel(self, channel: int, *, editable: bool) -> None:
-        """Show the bits of a channel."""
-        self._channel, self._editable = channel, editable
+    def show_channel(
+        self, channel: int, source: InputSource, *, editable: bool, why_not: str = ""
+    ) -> None:
+        """Show the bits of a channel that matter for an input source.
+
+        `why_not` says why they are greyed and what to do, when there is more to say than that
+        no board answers.
+        """
+        self._channel, self._editable = channel, editable and not why_not
+        self._why_not = why_not
+        self._boxes["required_channels"].setVisible(source is InputSource.RC)
         self.renew()
 
     def curve(
@@ -102,6 +113,7 @@ class ChannelOptions(QWidget):
             with QSignalBlocker(box):
                 box.setChecked(now)
             box.setEnabled(self._editable and known)
+            box.setToolTip(self._why_not or self._helps[key])
             font = box.font()
             font.setBold(known and now != self.is_set(key, self._channel, stored=True))
             box.setFont(font)

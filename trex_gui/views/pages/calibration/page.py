@@ -8,7 +8,9 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from trex_gui.link import channel_words
 from trex_gui.link.writing import Written
+from trex_gui.model.calibration_moves import Handle
 from trex_gui.model.device import Device, Link
+from trex_gui.model.mixing import MixWatch
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import BadRequest, sentence
 from trex_gui.protocol.flags import CHANNELS, InputSource
@@ -28,6 +30,12 @@ if TYPE_CHECKING:
     from trex_gui.views.widgets.curve_plot import CurvePlot
 
 _FRAME_MS = 33
+_HANDLES = {
+    "minimum": Handle.MINIMUM,
+    "neutral": Handle.NEUTRAL,
+    "maximum": Handle.MAXIMUM,
+    "deadband": Handle.DEADBAND_HIGH,
+}
 
 
 class CalibrationPage(QWidget):
@@ -56,6 +64,8 @@ class CalibrationPage(QWidget):
         self._followed: InputSource | None = None
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._refusal = ""
+        self._mix = MixWatch()
+        self._mix_shown: bool | None = None
         self._frame_of = -1
         self._plot: CurvePlot | None = None
         self._timer = QTimer(self)
@@ -109,6 +119,8 @@ class CalibrationPage(QWidget):
         body.addWidget(self._channels)
         body.addLayout(self._right, 1)
         layout = QVBoxLayout(self)
+        margins = layout.contentsMargins()
+        layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
         layout.addWidget(self._empty)
         layout.addWidget(self._body, 1)
         layout.addStretch(0)
@@ -176,17 +188,16 @@ class CalibrationPage(QWidget):
 
     @Slot()
     def _on_device_changed(self) -> None:
+        if self._device.link is not Link.UP:
+            self._mix.forget()
         known = self._device.calibrations.stored(1) is not None
         self._empty.setVisible(not known)
         self._body.setVisible(known)
-        is_up = self._device.link is Link.UP
-        self._learn.setEnabled(is_up)
-        self._learn_all.setEnabled(is_up)
         self._show_channel()
 
     @Slot()
     def _on_edits_changed(self) -> None:
-        self._refusal = ""
+        self._forget_refusal()
         self._show_channel()
 
     def _show_channel(self) -> None:
@@ -197,23 +208,49 @@ class CalibrationPage(QWidget):
         before = self._options.curve(channel, stored, stored=True)
         after = self._options.curve(channel, shown, stored=False)
         self._fields.show_calibration(self._source, shown, editable=editable)
-        self._options.show_channel(channel, editable=self._device.link is Link.UP)
+        self._show_possibilities()
         self._menu.show_channel(channel)
         self._change.setEnabled(editable)
         self._heading.show_sources(self._source, self._device.calibrations.source)
-        self._heading.show_channel(
-            channel, self._device.state, after, self._source, joint=self._device.is_joint
-        )
+        self._show_heading()
         self._legend.set_curves(shown is not None, differs=before != after, live=self._in_force)
         self._other.setVisible(not self._in_force)
         if not self._in_force:
             self._other.show_source(self._source, seen=shown is not None)
         if self._plot is not None:
             self._plot.show_channel(channel, self._source, before, after, editable=editable)
+            self._plot.show_trace(self._in_force)
         self._show_marks()
         self._show_note()
         self._frame_of = -1
         self._on_frame()
+
+    def _show_heading(self) -> None:
+        channel, shown = self.channel, self._calibration()
+        self._heading.show_channel(
+            channel,
+            self._device.state,
+            self._options.curve(channel, shown, stored=False),
+            self._source,
+            edited=self._in_force and shown != self._device.calibrations.stored(channel),
+            joint=self._device.is_joint,
+            mixed=self._mix.mixed,
+        )
+
+    def _show_possibilities(self) -> None:
+        """Grey what would be done to the calibrations of the other source than is looked at."""
+        is_up, why_not = self._device.link is Link.UP, ""
+        if not self._in_force:
+            read = channel_words.SOURCE_NAMES[self._device.calibrations.source]
+            shown = channel_words.SOURCE_NAMES[self._source]
+            why_not = self.tr(
+                "The board reads {0} now. Choose the tab of those, or let the board read {1} "
+                "first, as said above."
+            ).format(read, shown)
+        for button in (self._learn, self._learn_all):
+            button.setEnabled(is_up and self._in_force)
+            button.setToolTip(why_not)
+        self._options.show_channel(self.channel, self._source, editable=is_up, why_not=why_not)
 
     def _show_marks(self) -> None:
         calibrations, can_discard = self._device.calibrations, False
@@ -279,6 +316,7 @@ class CalibrationPage(QWidget):
             raw = telemetry.raw_of(channel)
             text = self.tr("N/A") if telemetry.raw is None else self.tr("no signal")
             self._channels.set_input(channel, text if raw is None else source.text(raw))
+        self._look_for_mixing()
         raw = telemetry.raw_of(self.channel) if self._in_force else None
         self._show_live(raw)
         if self._plot is not None:
@@ -286,6 +324,26 @@ class CalibrationPage(QWidget):
             if self._in_force:
                 ring = telemetry.inputs
                 self._plot.set_trace(ring.times, ring.values(self.channel - 1), telemetry.latest)
+
+    def _look_for_mixing(self) -> None:
+        """Compare what channels 1 and 2 make of their inputs with what the board says of them."""
+        device = self._device
+        curves = [
+            self._options.curve(channel, device.calibrations.stored(channel), stored=True)
+            for channel in (1, 2, 4)
+        ]
+        raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
+        answered = [device.telemetry.remapped_of(channel) for channel in (1, 2)]
+        if device.is_joint:
+            self._mix.forget()
+        elif curves[2] is not None and not curves[2].is_switched(4, raws[2]):
+            known = [curve.output(raw) for curve, raw in zip(curves, raws, strict=True) if curve]
+            values = [value for value in answered if value is not None]
+            if len(known) == 3 and len(values) == 2:
+                self._mix.feed((known[0], known[1]), (values[0], values[1]))
+        if self._mix.mixed is not self._mix_shown:
+            self._mix_shown = self._mix.mixed
+            self._show_heading()  # no more: somebody may be typing
 
     def _show_live(self, raw: int | None) -> None:
         if not self._in_force:
@@ -297,8 +355,9 @@ class CalibrationPage(QWidget):
         else:
             curve = self._plot.curve if self._plot is not None else None
             output = curve.output(raw) if curve is not None else 0
-            text = self.tr("input now {0} ({1} counts), output {2}").format(
-                self._source.text(raw), raw, f"{output}".replace("-", MINUS)
+            counts = self.tr("1 count") if raw == 1 else self.tr("{0} counts").format(raw)
+            text = self.tr("input now {0} ({1}), output {2}").format(
+                self._source.text(raw), counts, f"{output}".replace("-", MINUS)
             )
         self._legend.set_live(text)
 
@@ -320,6 +379,7 @@ class CalibrationPage(QWidget):
         plot = CurvePlot(self._body)
         plot.setObjectName("curvePlot")
         plot.previewed.connect(self._on_previewed)
+        plot.let_go.connect(self._on_let_go)
         plot.wished.connect(self._on_wished)
         self._right.insertWidget(self._plot_row, plot, 1)
         return plot
@@ -328,21 +388,31 @@ class CalibrationPage(QWidget):
 
     @Slot(int)
     def _on_channel_chosen(self, _channel: int) -> None:
-        self._refusal = ""
+        self._forget_refusal()
         self._show_channel()
 
     @Slot(object)
     def _on_source_chosen(self, source: InputSource) -> None:
         self._source = source
-        self._refusal = ""
+        self._forget_refusal()
         self._show_channel()
 
     @Slot(object)
     def _on_previewed(self, calibration: Calibration) -> None:
         """Show the numbers of a handle that is held, and why it goes no further."""
         self._fields.show_calibration(self._source, calibration, editable=self._editable)
-        self._refusal = self._plot.message if self._plot is not None else ""
+        stored = self._device.calibrations.stored(self.channel)
+        before = self._options.curve(self.channel, stored, stored=True)
+        if self._plot is not None:
+            self._refusal = self._plot.message
+            self._legend.set_curves(True, differs=self._plot.curve != before, live=True)
         self._show_note()
+
+    @Slot()
+    def _on_let_go(self) -> None:
+        """Take back why the handle went no further: it could be read while it was held."""
+        self._forget_refusal()
+        self._show_channel()
 
     @Slot(object)
     @Slot(object, object)
@@ -352,10 +422,19 @@ class CalibrationPage(QWidget):
         except BadRequest as error:
             self._on_refused(sentence(error))
 
-    @Slot(str)
-    def _on_refused(self, why: str) -> None:
+    @Slot(str, str)
+    def _on_refused(self, why: str, field: str = "") -> None:
+        """Say why a value was not taken: below the fields, and beside the handle it is of."""
+        self._forget_refusal()
         self._refusal = why
+        if self._plot is not None and field in _HANDLES:
+            self._plot.say_beside(_HANDLES[field], why)
         self._show_note()
+
+    def _forget_refusal(self) -> None:
+        self._refusal = ""
+        if self._plot is not None:
+            self._plot.say_beside(Handle.NEUTRAL, "")
 
     @Slot()
     def _on_discard_clicked(self) -> None:

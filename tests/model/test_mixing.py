@@ -1,0 +1,44 @@
+"""Whether the mix jumper is on, as the board's answers show it."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.emulator.mapping import motor_values
+from trex_gui.model.mixing import MixWatch, is_mixed
+
+outputs = st.integers(-127, 127)
+
+
+@given(turn=outputs, forward=outputs, mix=st.booleans(), skew=st.integers(-10, 10))
+def test_what_is_told_of_the_jumper_is_so(turn: int, forward: int, mix: bool, skew: int) -> None:
+    first, second = motor_values([turn, forward], mix=mix, flip=False, joint=False)
+    assert is_mixed((turn, forward), (first + skew, second)) in {mix, None}
+
+
+@pytest.mark.parametrize("pushed", [(80, 0), (-80, 0), (0, 80), (60, 60), (127, 127)])
+@pytest.mark.parametrize("mix", [True, False])
+def test_a_stick_that_is_pushed_shows_it(pushed: tuple[int, int], mix: bool) -> None:
+    answered = motor_values(pushed, mix=mix, flip=False, joint=False)
+    assert is_mixed(pushed, answered) is mix
+
+
+def test_sticks_at_neutral_show_nothing_and_neither_do_values_that_fit_neither_way() -> None:
+    assert is_mixed((0, 0), (0, 0)) is None
+    assert is_mixed((80, 0), (-40, 90)) is None
+
+
+def test_one_value_is_not_believed_and_what_was_seen_is_kept_at_neutral() -> None:
+    watch, seen = MixWatch(), []
+    for times, outputs, answered in (
+        (1, (80, 0), (80, -80)),
+        (5, (80, 0), (80, -80)),
+        (1, (80, 0), (80, 0)),
+        (9, (0, 0), (0, 0)),
+        (5, (80, 0), (80, 0)),
+    ):
+        for _ in range(times):
+            watch.feed(outputs, answered)
+        seen.append(watch.mixed)
+    watch.forget()
+    assert [*seen, watch.mixed] == [None, True, True, True, False, None]
