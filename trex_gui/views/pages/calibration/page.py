@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer, Signal, Slot
+from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
@@ -10,7 +10,6 @@ from trex_gui.link import channel_words
 from trex_gui.link.writing import Written
 from trex_gui.model.calibration_moves import Handle
 from trex_gui.model.device import Device, Link
-from trex_gui.model.mixing import MixWatch
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import BadRequest, sentence
 from trex_gui.protocol.flags import CHANNELS, InputSource
@@ -21,15 +20,14 @@ from trex_gui.views.pages.calibration.fields import CalibrationFields
 from trex_gui.views.pages.calibration.files import CalibrationFiles
 from trex_gui.views.pages.calibration.heading import ChannelHeading
 from trex_gui.views.pages.calibration.legend import CurveLegend
+from trex_gui.views.pages.calibration.live import LiveInputs
 from trex_gui.views.pages.calibration.options import ChannelOptions
 from trex_gui.views.pages.calibration.other_source import OtherSource
-from trex_gui.views.widgets.bar import MINUS
 from trex_gui.views.widgets.note import Note
 
 if TYPE_CHECKING:
     from trex_gui.views.widgets.curve_plot import CurvePlot
 
-_FRAME_MS = 33
 _HANDLES = {
     "minimum": Handle.MINIMUM,
     "neutral": Handle.NEUTRAL,
@@ -64,12 +62,7 @@ class CalibrationPage(QWidget):
         self._followed: InputSource | None = None
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._refusal = ""
-        self._mix = MixWatch()
-        self._mix_shown: bool | None = None
-        self._frame_of = -1
         self._plot: CurvePlot | None = None
-        self._timer = QTimer(self)
-        self._timer.setInterval(_FRAME_MS)
 
         self._empty = QLabel(
             self.tr("Connect to a board to see its calibrations and to change them by pointing."),
@@ -99,6 +92,7 @@ class CalibrationPage(QWidget):
         self._discard.setToolTip(self.tr("Forget the edits of this channel"))
         set_icon(self._discard, "undo")
         self._files = CalibrationFiles(device, self)
+        self._live = LiveInputs(device, self._channels, self._legend, self._options, self)
 
         buttons = QHBoxLayout()
         buttons.addWidget(self._learn)
@@ -138,7 +132,7 @@ class CalibrationPage(QWidget):
         self._discard.clicked.connect(self._on_discard_clicked)
         self._files.told.connect(self.told)
         self._files.refused.connect(self.refused)
-        self._timer.timeout.connect(self._on_frame)
+        self._live.mixing_seen.connect(self._on_mixing_seen)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_state_changed)
         device.applied.connect(self._on_applied)
@@ -189,7 +183,7 @@ class CalibrationPage(QWidget):
     @Slot()
     def _on_device_changed(self) -> None:
         if self._device.link is not Link.UP:
-            self._mix.forget()
+            self._live.forget_mixing()
         known = self._device.calibrations.stored(1) is not None
         self._empty.setVisible(not known)
         self._body.setVisible(known)
@@ -222,8 +216,7 @@ class CalibrationPage(QWidget):
             self._plot.show_trace(self._in_force)
         self._show_marks()
         self._show_note()
-        self._frame_of = -1
-        self._on_frame()
+        self._live.show_again(in_force=self._in_force)
 
     def _show_heading(self) -> None:
         channel, shown = self.channel, self._calibration()
@@ -234,7 +227,7 @@ class CalibrationPage(QWidget):
             self._source,
             edited=self._in_force and shown != self._device.calibrations.stored(channel),
             joint=self._device.is_joint,
-            mixed=self._mix.mixed,
+            mixed=self._live.mixed,
         )
 
     def _show_possibilities(self) -> None:
@@ -306,71 +299,20 @@ class CalibrationPage(QWidget):
     # --- Live ---------------------------------------------------------------------------
 
     @Slot()
-    def _on_frame(self) -> None:
-        telemetry = self._device.telemetry
-        if not self.isVisible() or telemetry.samples == self._frame_of:
-            return
-        self._frame_of = telemetry.samples
-        source = self._device.calibrations.source
-        for channel in CHANNELS:
-            raw = telemetry.raw_of(channel)
-            text = self.tr("N/A") if telemetry.raw is None else self.tr("no signal")
-            self._channels.set_input(channel, text if raw is None else source.text(raw))
-        self._look_for_mixing()
-        raw = telemetry.raw_of(self.channel) if self._in_force else None
-        self._show_live(raw)
-        if self._plot is not None:
-            self._plot.set_raw(raw)
-            if self._in_force:
-                ring = telemetry.inputs
-                self._plot.set_trace(ring.times, ring.values(self.channel - 1), telemetry.latest)
-
-    def _look_for_mixing(self) -> None:
-        """Compare what channels 1 and 2 make of their inputs with what the board says of them."""
-        device = self._device
-        curves = [
-            self._options.curve(channel, device.calibrations.stored(channel), stored=True)
-            for channel in (1, 2, 4)
-        ]
-        raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
-        answered = [device.telemetry.remapped_of(channel) for channel in (1, 2)]
-        if device.is_joint:
-            self._mix.forget()
-        elif curves[2] is not None and not curves[2].is_switched(4, raws[2]):
-            known = [curve.output(raw) for curve, raw in zip(curves, raws, strict=True) if curve]
-            values = [value for value in answered if value is not None]
-            if len(known) == 3 and len(values) == 2:
-                self._mix.feed((known[0], known[1]), (values[0], values[1]))
-        if self._mix.mixed is not self._mix_shown:
-            self._mix_shown = self._mix.mixed
-            self._show_heading()  # no more: somebody may be typing
-
-    def _show_live(self, raw: int | None) -> None:
-        if not self._in_force:
-            text = self.tr("no live value: the board reads the other source")
-        elif self._device.telemetry.raw is None:
-            text = self.tr("no live value")
-        elif raw is None:
-            text = self.tr("no signal now: the output is 0")
-        else:
-            curve = self._plot.curve if self._plot is not None else None
-            output = curve.output(raw) if curve is not None else 0
-            counts = self.tr("1 count") if raw == 1 else self.tr("{0} counts").format(raw)
-            text = self.tr("input now {0} ({1}), output {2}").format(
-                self._source.text(raw), counts, f"{output}".replace("-", MINUS)
-            )
-        self._legend.set_live(text)
+    def _on_mixing_seen(self) -> None:
+        self._show_heading()  # no more: somebody may be typing
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if self._plot is None:
             self._plot = self._make_plot()
+            self._live.set_plot(self._plot)
         self._show_channel()
-        self._timer.start()
+        self._live.start()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        self._timer.stop()
+        self._live.stop()
 
     def _make_plot(self) -> "CurvePlot":
         """Load the plotting library when the page is first seen: it takes as long as Qt."""
