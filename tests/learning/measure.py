@@ -6,6 +6,9 @@ from tests.support.people import HOLD, Stick
 from trex_gui.learning.neutral import Neutral, measure_neutral
 from trex_gui.learning.proposal import Proposal, propose
 from trex_gui.learning.travel import TASKS, Travel, TravelWatch
+from trex_gui.model.channel_curve import ChannelCurve
+from trex_gui.model.learned_check import Check
+from trex_gui.protocol.calibration import Calibration
 
 REST = ((1.6, 0.0),)
 
@@ -41,3 +44,16 @@ def learn(
     neutral = neutral_of(stick, seed)
     travel = travel_of(stick, neutral, channel, moves, seed + 1)
     return propose(channel, neutral, travel, reversed_now=reversed_now)
+
+
+def check(
+    stick: Stick, channel: int, wanted: Calibration | None = None, *, reversed_: bool | None = None
+) -> Check:
+    """What there is to say of values for a stick; of those that are proposed, unless given."""
+    neutral = neutral_of(stick)
+    travel = travel_of(stick, neutral, channel)
+    proposal = propose(channel, neutral, travel, reversed_now=False)
+    assert proposal.calibration is not None
+    turned = proposal.reversed_ if reversed_ is None else reversed_
+    curve = ChannelCurve(wanted or proposal.calibration, turned)
+    return Check(channel, curve, neutral, travel)

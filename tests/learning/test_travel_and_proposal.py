@@ -1,13 +1,18 @@
 """From the ends that a stick reached to the calibration that fits it."""
 
+from dataclasses import replace
+
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.learning.measure import learn, neutral_of, travel_of
+from tests.learning.measure import check, learn, neutral_of, travel_of
 from tests.support.people import HOLD, Stick
 from trex_gui.learning.problems import Kind
-from trex_gui.learning.proposal import check
+from trex_gui.learning.proposal import propose
 from trex_gui.learning.travel import Way
+from trex_gui.model.channel_curve import ChannelCurve
+from trex_gui.model.learned_check import Check
 from trex_gui.protocol.calibration import Calibration, remap
 from trex_gui.protocol.flags import InputSource
 
@@ -201,15 +206,165 @@ def test_a_throttle_on_channel_3_may_rest_at_its_end() -> None:
     assert remap(2500, proposal.calibration) == 0
 
 
+THROTTLE = Stick(rest=1100, low=1100, high=1900)
+
+
+@pytest.mark.parametrize("stick", [THROTTLE, Stick(rest=1900, low=1100, high=1900)])
+def test_a_trim_beyond_the_rest_of_a_throttle_hardly_moves_the_auxiliary_motor(
+    stick: Stick,
+) -> None:
+    found = learn(stick, channel=3, moves=HOLD).calibration
+    assert found is not None
+    beyond = -250 if stick.rest < 1500 else 250
+    assert abs(remap(round(stick.rest * 2.5) + beyond, found)) <= 25
+    assert abs(remap(round(stick.rest * 2.5) + beyond * 6 // 10, found)) <= 10
+
+
+def test_a_throttle_in_volts_may_not_speed_up_far_below_its_rest() -> None:
+    stick = Stick(rest=1.0, low=1.0, high=4.5, source=InputSource.ANALOG)
+    found = learn(stick, channel=3).calibration
+    assert found is not None
+    assert found.minimum == 0
+    stick = Stick(rest=4.0, low=0.5, high=4.0, source=InputSource.ANALOG, forward_is_down=True)
+    found = learn(stick, channel=3).calibration
+    assert found is not None
+    assert remap(1023, found) < 127
+
+
+@unhurried
+@given(rest=st.floats(600, 2400), seed=st.integers(0, 2**32))
+def test_beyond_the_rest_of_a_throttle_there_is_no_sudden_full_speed(
+    rest: float, seed: int
+) -> None:
+    far = 2400.0 if rest < 1500 else 600.0
+    stick = Stick(rest=rest, low=min(rest, far), high=max(rest, far), forward_is_down=rest > far)
+    found = learn(stick, channel=3, seed=seed).calibration
+    assert found is not None
+    assert abs(remap(round(rest * 2.5) + (-150 if rest < far else 150), found)) <= 20
+
+
+def texts(check_: Check) -> list[str]:
+    return [problem.text for problem in check_.problems]
+
+
+def test_what_a_throttle_does_beyond_its_rest_is_said() -> None:
+    found = check(THROTTLE, 3)
+    assert found.problems == ()
+    (text,) = found.remarks
+    assert text.startswith("Below its rest the motor speeds up again, whatever the sign: at 1000")
+
+
+def test_a_throttle_that_could_run_at_once_is_a_warning() -> None:
+    (problem,) = check(THROTTLE, 3, Calibration(2600, 2750, 4700, 75)).problems
+    assert problem.kind is Kind.SPEEDS_UP
+    assert "to 127 of 127" in problem.text
+    stick = Stick(rest=0.3, low=0.3, high=4.5, source=InputSource.ANALOG)
+    (problem,) = check(stick, 3).problems
+    assert "at 0.00 V to 127 of 127" in problem.text
+    assert "broken wire" in problem.text
+
+
 def test_a_deadband_below_the_noise_is_told() -> None:
-    neutral = neutral_of(Stick(noise=10))
-    (problem,) = check(Calibration(2500, 3750, 5000, 5), neutral)
+    (problem,) = check(Stick(noise=10), 1, Calibration(2550, 3750, 4950, 5)).problems
     assert problem.kind is Kind.NOISE
     assert not problem.fatal
-    assert check(Calibration(2500, 3750, 5000, 75), neutral) == ()
+    assert check(Stick(noise=10), 1, Calibration(2550, 3750, 4950, 75)).problems == ()
 
 
-def test_values_that_the_board_refuses_are_told() -> None:
-    (problem,) = check(Calibration(3800, 3750, 5000, 5), None)
-    assert problem.kind is Kind.REFUSED
-    assert "minimum 3800 is above neutral 3750" in problem.text
+@pytest.mark.parametrize(
+    ("wanted", "words"),
+    [
+        (Calibration(2550, 3750, 4950, 3000), "reaches minimum and maximum: there is nothing"),
+        (Calibration(3700, 3750, 4950, 75), "reaches minimum: there is nothing between 0 and"),
+        (Calibration(1000, 3750, 4950, 75), "Minimum (400 µs) is beyond what the input can be"),
+        (Calibration(2550, 3750, 5050, 75), "Maximum is beyond the 2000 µs that was reached"),
+        (Calibration(2450, 3750, 4950, 75), "Minimum is beyond the 1000 µs that was reached"),
+        (Calibration(2550, 3500, 4950, 75), "It rests at 1500 µs: with this neutral it would"),
+    ],
+)
+def test_values_that_nobody_would_want_are_told(wanted: Calibration, words: str) -> None:
+    assert words in " ".join(texts(check(Stick(), 1, wanted)))
+
+
+def test_a_deadband_wider_than_the_throttle_goes_is_told() -> None:
+    (text, *_) = texts(check(THROTTLE, 3, Calibration(1250, 2750, 4700, 3000)))
+    assert "reaches maximum: there is nothing between 0 and full output" in text
+
+
+@pytest.mark.parametrize("channel", [1, 3, 4])
+def test_what_is_proposed_is_never_complained_of(channel: int) -> None:
+    stick = Stick() if channel == 1 else THROTTLE
+    assert check(stick, channel).problems == ()
+
+
+# --- Switches ---------------------------------------------------------------------------
+
+
+def test_where_a_switch_switches_is_said_with_its_doubt() -> None:
+    (text,) = check(THROTTLE, 5).remarks
+    assert "Active above 1495 µs, off at rest (inferred" in text
+
+
+def test_a_switch_that_is_not_reversed_though_it_rests_low_is_told() -> None:
+    (problem,) = check(THROTTLE, 5, reversed_=False).problems
+    assert problem.kind is Kind.NEVER_SWITCHES
+    assert "It is inactive in all its positions" in problem.text
+    assert "Should it be reversed" in problem.text
+
+
+def test_a_switch_that_rests_where_it_switches_is_told() -> None:
+    kinds_ = [
+        p.kind
+        for p in check(THROTTLE, 5, Calibration(2700, 2750, 4700, 75), reversed_=False).problems
+    ]
+    assert Kind.SWITCHES_AT_REST in kinds_
+
+
+# --- A hand on the stick, a trim that moves ---------------------------------------------
+
+
+@unhurried
+@given(off=st.floats(0.1, 0.3), up=st.booleans(), seed=st.integers(0, 2**32))
+def test_a_steady_hand_on_the_stick_while_it_was_sampled_is_told(
+    off: float, up: bool, seed: int
+) -> None:
+    stick = Stick(noise=0.5)
+    held = stick.value(off if up else -off)
+    neutral = neutral_of(replace(stick, rest=held), seed)
+    travel = travel_of(stick, neutral, moves=(*HOLD, (0.5, 0.0)), seed=seed)
+    assert abs(travel.rest - 3750) <= 3
+    wanted = propose(1, neutral, travel, reversed_now=False).calibration
+    assert wanted is not None
+    (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
+    assert problem.kind is Kind.RESTS_ELSEWHERE
+    assert problem.text.startswith("After letting go it rests at 1500 µs, not at ")
+    assert "sample it again, or take the new rest" in problem.text
+    taken = replace(wanted, neutral=travel.rest)
+    assert Check(1, ChannelCurve(taken), neutral, travel).problems == ()
+
+
+@pytest.mark.parametrize("last", [(0.5, 1.0), (0.5, -1.0), (0.5, 0.7)])
+def test_a_stick_that_is_still_pushed_was_not_let_go(last: tuple[float, float]) -> None:
+    neutral = neutral_of(Stick())
+    travel = travel_of(Stick(), neutral, moves=(*HOLD, last, (0.5, last[1])))
+    assert travel.settled is not None
+    assert travel.rest == neutral.value
+
+
+def test_a_stick_that_moves_has_not_settled() -> None:
+    travel = travel_of(Stick(), neutral_of(Stick()), moves=(*HOLD, (1.0, 0.4)))
+    assert travel.settled is None
+
+
+# --- Sticks of two axes -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("share", [0.2, 0.35, 0.5])
+@pytest.mark.parametrize("forward_is_down", [False, True])
+def test_crosstalk_of_the_other_axis_does_not_suggest_to_reverse(
+    share: float, forward_is_down: bool
+) -> None:
+    stick = Stick(forward_is_down=forward_is_down)
+    other = ((0.2, -share), (0.3, -share), (0.3, share), (0.3, share), (0.2, 0.0))
+    found = learn(stick, moves=(*other, *HOLD))
+    assert found.reversed_ is forward_is_down

@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -10,9 +11,10 @@ from tests.support.people import Person, Stick
 from tests.support.simulator import SimulatorProcess
 from trex_gui.learning.problems import Kind
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.writing import Written
 from trex_gui.model.device import Device, Link
 from trex_gui.model.learning import Learning, Step
-from trex_gui.protocol.errors import TrexError
+from trex_gui.protocol.errors import NoReply, TrexError
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -31,6 +33,7 @@ class Bench:
         self._qtbot = qtbot
         self.device.connect_to(LinkSettings(simulator.url))
         self.until(lambda: self.device.link is Link.UP)
+        self.until(lambda: self.person.rests(self.device.telemetry.raw_of))
 
     def until(self, condition: Callable[[], bool], timeout: int = 30_000) -> None:
         self._qtbot.waitUntil(condition, timeout=timeout)
@@ -52,6 +55,15 @@ class Bench:
             self.hold()
         self.person.let_go()
         self.hold()
+
+    def to_review(self, *channels: int) -> None:
+        self.go_to_travel(*channels)
+        self.push_all()
+        self.learning.next()
+
+    def write(self) -> None:
+        self.device.apply()
+        self.until(lambda: not self.device.applying)
 
     def hold(self) -> None:
         """Wait for as many measurements as make an end, on a busy computer too."""
@@ -241,6 +253,7 @@ def test_a_board_whose_power_fails_ends_it_and_can_be_begun_again(bench: Bench, 
     assert "The board has stopped answering" in bench.learning.trouble
     kept = "Nothing was changed" if step is Step.TRAVEL else "The test has ended"
     assert kept in bench.learning.trouble
+    assert ("Nothing was changed" in bench.learning.trouble) is (step is Step.TRAVEL)
     bench.learning.again()
     assert bench.learning.trouble == "Connect to a board first."
     bench.simulator.do("power on")
@@ -317,7 +330,7 @@ def test_what_was_taken_and_written_asks_for_a_test(bench: Bench) -> None:
     assert not tests.passed
     bench.push_all()
     bench.until(lambda: tests.passed)
-    assert "would let the motors go" in tests.safe_start_text
+    assert "would release the motors" in tests.safe_start_text
     bench.person.put(1, 0.5)
     bench.until(lambda: "channel 1 gives +" in tests.safe_start_text)
 
@@ -345,3 +358,199 @@ def test_whoever_stops_the_motors_is_told_once_whether_it_is_proved(bench: Bench
     bench.device.stop_motors(told.append)
     assert len(told) == 2
     assert "No board is connected" in str(told[1])
+
+
+# --- What was taken waits for being stored ----------------------------------------------
+
+
+@pytest.fixture
+def asked(bench: Bench) -> list[tuple[int, ...]]:
+    """The channels whose test was asked for."""
+    found: list[tuple[int, ...]] = []
+    bench.learning.stored.connect(lambda: found.append(bench.learning.numbers))
+    return found
+
+
+def test_an_unrelated_apply_after_an_undo_asks_for_no_test(
+    bench: Bench, asked: list[tuple[int, ...]]
+) -> None:
+    bench.to_review(1)
+    bench.learning.take()
+    bench.device.undo.undo()
+    bench.device.parameters.edit("serial_timeout", 9)
+    bench.write()
+    assert bench.device.parameters.stored_of("serial_timeout") == 9
+    assert asked == []
+
+
+def test_discarding_what_was_taken_forgets_it_too(
+    bench: Bench, asked: list[tuple[int, ...]]
+) -> None:
+    bench.to_review(1)
+    bench.learning.take()
+    bench.device.discard_edits()
+    bench.device.parameters.edit("serial_timeout", 9)
+    bench.write()
+    assert asked == []
+
+
+def test_an_apply_that_leaves_it_out_asks_for_no_test_and_a_later_one_does(
+    bench: Bench, asked: list[tuple[int, ...]]
+) -> None:
+    bench.to_review(1)
+    bench.learning.take()
+    bench.device.parameters.edit("serial_timeout", 9)
+    bench.device.apply({"serial_timeout"})
+    bench.until(lambda: not bench.device.applying)
+    assert asked == []
+    bench.write()
+    assert asked == [(1,)]
+
+
+def test_another_line_forgets_what_was_taken(bench: Bench, asked: list[tuple[int, ...]]) -> None:
+    bench.to_review(1)
+    bench.learning.take()
+    bench.device.disconnect_line()
+    bench.until(lambda: bench.device.link is Link.NONE)
+    bench.device.connect_to(LinkSettings(bench.simulator.url))
+    bench.until(lambda: bench.device.link is Link.UP)
+    assert bench.device.pending
+    bench.write()
+    assert bench.device.pending == 0
+    assert asked == []
+
+
+def test_motors_that_run_by_then_are_not_stopped(
+    bench: Bench, asked: list[tuple[int, ...]]
+) -> None:
+    bench.to_review(1)
+    bench.learning.take()
+    bench.device.motors.arm()
+    bench.device.motors.set_speed(1, 40)
+    bench.until(lambda: bench.simulator.show()["motors"][0]["speed"] == 40)
+    bench.write()
+    assert asked == [(1,)]
+    assert bench.learning.motors_armed  # whoever asks for the test has to be asked
+    assert bench.learning.step is Step.ENDED
+    assert bench.simulator.show()["motors"][0]["speed"] == 40
+    bench.device.motors.stop()
+
+
+def test_of_two_channels_the_one_that_was_written_gets_its_test(
+    bench: Bench, asked: list[tuple[int, ...]]
+) -> None:
+    bench.to_review(1, 2)
+    bench.learning.take()
+    bench.device.apply({"rc_channel_2"})
+    bench.until(lambda: not bench.device.applying)
+    assert asked == [(2,)]
+    bench.write()
+    assert asked == [(2,), (1,)]
+
+
+@pytest.mark.parametrize(
+    ("failed", "expected"), [((2,), (1,)), ((1, 2), None), ((), (1, 2))], ids=str
+)
+def test_what_was_not_written_gets_no_test(
+    bench: Bench,
+    asked: list[tuple[int, ...]],
+    failed: tuple[int, ...],
+    expected: tuple[int, ...] | None,
+) -> None:
+    bench.to_review(1, 2)
+    values = {c.number: c.choice.calibration for c in bench.learning.channels if c.choice}
+    bench.learning.take()
+    results = tuple(
+        Written(f"channel {number}", error=NoReply("no answer"))
+        if number in failed
+        else Written(f"channel {number}", value)
+        for number, value in values.items()
+    )
+    bench.device.calibrations.take_results(results)
+    bench.device.applied.emit(results)
+    assert asked == ([] if expected is None else [expected])
+
+
+def test_values_that_are_stored_already_go_to_the_test_at_once(
+    bench: Bench, asked: list[tuple[int, ...]]
+) -> None:
+    taken: list[bool] = []
+    bench.learning.taken.connect(lambda: taken.append(True))
+    bench.to_review(1)
+    (channel,) = bench.learning.channels
+    assert channel.stored is not None
+    bench.learning.choose(1, channel.stored, reversed_=False)
+    bench.learning.take()
+    assert taken == []
+    assert asked == [(1,)]
+    bench.learning.begin_test(bench.learning.numbers)
+    bench.until_step(Step.TEST)
+    assert bench.learning.news == "These values are stored already."
+    bench.learning.cancel()
+    bench.learning.begin_test((1,))
+    assert bench.learning.news == ""
+
+
+def test_what_was_is_what_the_board_stores_whatever_edit_waits(bench: Bench) -> None:
+    stored = bench.device.calibrations.stored(1)
+    assert stored is not None
+    bench.device.calibrations.edit(1, replace(stored, neutral=3800))
+    bench.device.parameters.edit("reversed_channels", 1)
+    bench.device.parameters.edit("serial_timeout", 9)
+    bench.to_review(1)
+    (channel,) = bench.learning.channels
+    assert channel.stored == stored
+    assert not channel.reversed_now
+    assert channel.curve_before is not None
+    assert not channel.curve_before.reversed_
+    assert bench.learning.has_edit(1)
+    assert bench.learning.other_edits == 1
+    bench.device.parameters.edit("reversed_channels", 0b101)  # that of channel 3 stays
+    assert bench.learning.other_edits == 2
+
+
+@pytest.mark.parametrize("how", ["link", "mode", "motors"])
+def test_a_test_that_ends_after_values_were_written_does_not_deny_them(
+    bench: Bench, asked: list[tuple[int, ...]], how: str
+) -> None:
+    bench.to_review(1)
+    bench.learning.take()
+    bench.write()
+    assert asked
+    bench.learning.begin_test(bench.learning.numbers)
+    bench.until_step(Step.TEST)
+    if how == "motors":
+        bench.device.motors.arm()
+    elif how == "mode":
+        bench.simulator.do("jumper mode rc")
+        bench.simulator.do("power cycle")
+    else:
+        bench.simulator.do("line mute on")
+    bench.until_step(Step.FAILED)
+    assert "Nothing was changed" not in bench.learning.trouble
+    assert "The test has ended; it changes nothing in the board" in bench.learning.trouble
+    bench.device.motors.stop()
+
+
+@pytest.mark.parametrize("step", [Step.NEUTRAL, Step.TRAVEL, Step.REVIEW, Step.TEST])
+def test_a_board_that_was_without_power_is_stopped_again_before_it_goes_on(
+    bench: Bench, step: Step
+) -> None:
+    if step is Step.TEST:
+        bench.learning.begin_test((1,))
+    elif step is Step.REVIEW:
+        bench.to_review(1)
+    elif step is Step.TRAVEL:
+        bench.go_to_travel(1)
+    else:
+        bench.learning.begin((1,))
+    bench.until_step(step)
+    bench.simulator.do("power off")
+    bench.until_step(Step.FAILED)
+    bench.simulator.do("power on")
+    bench.until(lambda: bench.device.link is Link.UP)
+    assert not bench.learning.can_go_on
+    assert not bench.learning.can_take
+    bench.learning.again()
+    assert bench.learning.step is Step.STOPPING
+    bench.until_step(Step.TEST if step is Step.TEST else Step.NEUTRAL)

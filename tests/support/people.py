@@ -111,16 +111,37 @@ HOLD = ((0.2, 1.0), (0.3, 1.0), (0.3, -1.0), (0.3, -1.0), (0.2, 0.0), (0.2, 0.0)
 
 
 class Person:
-    """Somebody with a transmitter in their hands, in front of a simulated board."""
+    """Somebody with a transmitter in their hands, in front of a simulated board.
 
-    def __init__(self, simulator: SimulatorProcess, sticks: dict[int, Stick]) -> None:
+    With `crosstalk`, channels 1 and 2 are one stick of two axes: who pushes one of them moves
+    the other by this share, unless it is pushed itself.
+    """
+
+    def __init__(
+        self, simulator: SimulatorProcess, sticks: dict[int, Stick], crosstalk: float = 0.0
+    ) -> None:
         self._simulator = simulator
         self.sticks = sticks
+        self._crosstalk = crosstalk
         self.let_go()
 
     def put(self, channel: int, position: float, seconds: float = 0.0) -> None:
         """Hold one stick somewhere."""
         self._simulator.do(self.sticks[channel].line(channel, position, seconds))
+        other = {1: 2, 2: 1}.get(channel)
+        if self._crosstalk and other in self.sticks:
+            self._simulator.do(self.sticks[other].line(other, self._crosstalk * position))
+
+    def rests(self, raw: Callable[[int], int | None]) -> bool:
+        """Whether every channel shows what its stick at rest gives, or nothing if that is so."""
+        return all(self._is_resting(channel, raw(channel)) for channel in self.sticks)
+
+    def _is_resting(self, channel: int, count: int | None) -> bool:
+        stick = self.sticks[channel]
+        if count is None:
+            return not stick.connected or stick.lost > 0.5
+        noise = 5 * stick.noise * stick.source.counts_per_unit
+        return stick.connected and abs(count - stick.truth()[1]) <= 2 + noise
 
     def wait_for(self, seconds: float, wait: Callable[[int], object]) -> None:
         """Do nothing for a while but let the sticks drift; `wait` gets milliseconds."""

@@ -19,6 +19,12 @@ class Kind(Enum):
     NEUTRAL_OUTSIDE = auto()
     UNEVEN = auto()
     REFUSED = auto()
+    RESTS_ELSEWHERE = auto()
+    USELESS = auto()
+    NEVER_FULL = auto()
+    SPEEDS_UP = auto()
+    SWITCHES_AT_REST = auto()
+    NEVER_SWITCHES = auto()
 
 
 @dataclass(frozen=True, slots=True)

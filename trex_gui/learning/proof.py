@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from trex_gui.learning.travel import TASKS, Task
-from trex_gui.protocol.calibration import FULL_SCALE
+from trex_gui.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.protocol.flags import channels_in
 
 _HELD = 3
@@ -29,7 +29,9 @@ class Tested:
         forward, reverse: full output was reached on that side.
         rests: it gives 0 since a while.
         on, off: a switch was seen active, inactive.
-        passed: everything that the channel is there for was seen.
+        ignored: the board takes no notice of it, so there is nothing to test.
+        passed: everything that the channel is there for was seen, and it rests now.
+        was_good: it had passed at some time.
     """
 
     channel: int
@@ -39,11 +41,15 @@ class Tested:
     rests: bool = False
     on: bool = False
     off: bool = False
+    ignored: bool = False
     passed: bool = False
+    was_good: bool = False
 
     @property
     def text(self) -> str:
         """What is still to be done, or that it is good."""
+        if self.ignored:
+            return "Ignored: the board holds it at neutral. There is nothing to test."
         if self.output is None:
             return "No signal comes in."
         if self.passed:
@@ -63,7 +69,7 @@ class Tested:
         if not missing:
             return self._rest_text()
         if TASKS[self.channel] is Task.ONE_WAY:
-            return "Full output not reached yet."
+            return "Full output not reached yet. Push it all the way."
         return f"Full output not reached yet: {' and '.join(missing)}."
 
     def _rest_text(self) -> str:
@@ -85,12 +91,26 @@ class StickTest:
         self._seen = {False: 0, True: 0}
         self._full = {False: False, True: False}
         self._zero_since: float | None = None
-        self._passed = False
+        self._was_good = False
 
-    def feed(self, time: float, output: int | None, *, switched: bool) -> None:
-        """Take what the channel gives now; `switched` says whether a switch is active."""
-        self._forward = self._forward + 1 if output == FULL_SCALE else 0
-        self._reverse = self._reverse + 1 if output == -FULL_SCALE else 0
+    def feed(
+        self,
+        time: float,
+        output: int | None,
+        *,
+        switched: bool = False,
+        idle: int = 0,
+        ignored: bool = False,
+    ) -> None:
+        """Take what the channel gives now.
+
+        `switched` says whether a switch is active; `idle` is the sign of the output on the side
+        to which a throttle never goes (`idle_side`); `ignored`, whether the board looks at it.
+        """
+        if TASKS[self.channel] is not Task.ONE_WAY:
+            idle = 0
+        self._forward = self._forward + 1 if output == FULL_SCALE and idle <= 0 else 0
+        self._reverse = self._reverse + 1 if output == -FULL_SCALE and idle >= 0 else 0
         self._full[True] |= self._forward >= _HELD
         self._full[False] |= self._reverse >= _HELD
         if output is not None:
@@ -103,12 +123,12 @@ class StickTest:
         on, off = (self._seen[state] >= _HELD for state in (True, False))
         match TASKS[self.channel]:
             case Task.SWITCH:
-                good = on and off
+                good = on and off and output is not None
             case Task.ONE_WAY:
                 good = rests and any(self._full.values())
             case Task.STICK:
                 good = rests and all(self._full.values())
-        self._passed |= good
+        self._was_good |= good and not ignored
         self._tested = Tested(
             self.channel,
             output,
@@ -117,13 +137,28 @@ class StickTest:
             rests=rests,
             on=on,
             off=off,
-            passed=self._passed,
+            ignored=ignored,
+            passed=good and not ignored,
+            was_good=self._was_good,
         )
 
     @property
     def tested(self) -> Tested:
         """What was seen so far."""
         return self._tested
+
+
+def idle_side(calibration: Calibration, *, reversed_: bool) -> int:
+    """Return the sign of the output on the shorter side of rest; 0 when both are as long.
+
+    The end of a throttle that rests at one end of its way lies only just beyond its rest
+    there: the trim alone reaches it, and that shows nothing.
+    """
+    up = calibration.maximum - calibration.neutral
+    down = calibration.neutral - calibration.minimum
+    if up == down:
+        return 0
+    return -1 if (up > down) != reversed_ else 1
 
 
 def what_keeps_safe_start(

@@ -6,7 +6,7 @@ from math import ceil
 from trex_gui.learning.neutral import Neutral, swing_text
 from trex_gui.learning.problems import Kind, Problem, has_fatal
 from trex_gui.learning.travel import Task, Travel, Way
-from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.protocol.flags import InputSource
 
 INSIDE = 0.01
@@ -15,8 +15,15 @@ INSIDE = 0.01
 INSIDE_DEVIATIONS = 3.0
 """Standard deviations of the noise that are added to it."""
 
-_IDLE_END = 2
-"""Deadbands beyond rest at which an end is put that a channel never goes to."""
+_IDLE_LEAST = 1 / 3
+"""Share of the way to the other end that an end is away from rest to which a channel never goes."""
+
+WHY_THESE_VALUES = (
+    "The ends lie 1 % of the way and three times the noise inside what was reached, so that full "
+    "output is surely reached. The deadband covers the noise at rest, but not less "
+    "than {0}, since a stick does not come back to the very same place each time."
+)
+"""What the values of all channels have in common; the least deadband is to be filled in."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,18 +53,17 @@ def propose(channel: int, neutral: Neutral, travel: Travel, *, reversed_now: boo
     if has_fatal(problems):
         return Proposal(channel, neutral.source, None, reversed_now, "", (), problems)
     down, up = _inside(neutral, travel, Way.DOWN), _inside(neutral, travel, Way.UP)
-    highest = max(neutral.source.highest_count, neutral.value)
     wanted = Calibration(
         minimum=max(0, neutral.value - down),
         neutral=neutral.value,
-        maximum=min(highest, neutral.value + up),
+        maximum=min(HIGHEST_CODED, neutral.value + up),
         deadband=neutral.deadband,
     )
     if refused := wanted.problem():
         words = f"The board would not take what was measured: {refused}."
         problems += (Problem(Kind.REFUSED, words),)
         return Proposal(channel, neutral.source, None, reversed_now, "", (), problems)
-    reasons = (_ends_reason(neutral, travel), neutral.deadband_reason)
+    reasons = tuple(filter(None, (_ends_reason(neutral, travel), neutral.deadband_reason)))
     return Proposal(channel, neutral.source, wanted, reversed_, why, reasons, problems)
 
 
@@ -71,18 +77,30 @@ def _inside(neutral: Neutral, travel: Travel, way: Way) -> int:
     length = travel.length(way)
     if travel.reached(way):
         return length - margin(length, neutral)
-    return _IDLE_END * travel.deadband  # a switch or a throttle that rests at this end
+    return _to_idle_end(neutral, travel, way)
+
+
+def _to_idle_end(neutral: Neutral, travel: Travel, way: Way) -> int:
+    """Return how far from its rest an end is put at which a switch or a throttle rests.
+
+    As far as the input can be: the auxiliary motor turns for both signs alike, and a trim that
+    is moved must not be a command for full speed.
+    """
+    source, other = neutral.source, Way.DOWN if way is Way.UP else Way.UP
+    if way is Way.UP:
+        limit = source.highest_count - neutral.value
+    else:
+        limit = neutral.value - source.lowest_count
+    return max(limit, ceil(_IDLE_LEAST * travel.length(other)))
 
 
 def _ends_reason(neutral: Neutral, travel: Travel) -> str:
-    shares = [margin(travel.length(way), neutral) for way in Way if travel.reached(way)]
-    inside = swing_text(max(shares, default=0), neutral.source).removeprefix("±")
-    text = (
-        f"The ends lie up to {inside} inside what was reached (1 % of the way and three times the "
-        "noise), so that full output is surely reached."
-    )
-    if len(shares) < len(Way):
-        text += " The end that it never goes to is put two deadbands beyond its rest."
+    margins = [margin(travel.length(way), neutral) for way in Way if travel.reached(way)]
+    inside = swing_text(max(margins, default=0), neutral.source).removeprefix("±")
+    text = f"What was reached lies up to {inside} further out than these ends."
+    if (idle := travel.idle) is not None:
+        where, name = ("above", "Maximum") if idle is Way.UP else ("below", "Minimum")
+        text += f" It never goes {where} its rest: {name} is put as far out as the input can be."
     return text
 
 
@@ -106,17 +124,3 @@ def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
     if wanted == reversed_now:
         return wanted, ""
     return wanted, f"{words}: {'reversed' if wanted else 'not reversed'} is suggested."
-
-
-def check(wanted: Calibration, neutral: Neutral | None) -> tuple[Problem, ...]:
-    """Say what is wrong with values that a person has chosen."""
-    if refused := wanted.problem():
-        return (Problem(Kind.REFUSED, f"The board would not take this: {refused}."),)
-    if neutral is not None and wanted.deadband < neutral.noise / 2:
-        source = neutral.source
-        text = (
-            f"At rest the input wavers by {neutral.noise_text}, more than the deadband "
-            f"({source.text(wanted.deadband)}): the motor would creep."
-        )
-        return (Problem(Kind.NOISE, text, fatal=False),)
-    return ()

@@ -1,15 +1,16 @@
 """How far a channel goes to each side of its rest, followed while it moves."""
 
+from bisect import bisect_left
 from collections import deque
 from dataclasses import dataclass
 from enum import Enum, auto
 from itertools import pairwise
-from statistics import median, median_low
+from statistics import median
 
 from trex_gui.learning.holding import HELD, SLOW, WINDOW, EndWatch
 from trex_gui.learning.neutral import Neutral, lost_pulses, no_signal
 from trex_gui.learning.problems import Kind, Problem
-from trex_gui.learning.samples import Sample
+from trex_gui.learning.samples import LIMITS, Sample
 from trex_gui.protocol.calibration import FULL_SCALE
 from trex_gui.protocol.flags import InputSource
 
@@ -28,6 +29,25 @@ _LEAST_HOLD = 0.3
 
 _RAIL = 5
 """Counts from the end of the range within which a voltage is at it: 24 mV (inferred)."""
+
+_MOSTLY = 0.75
+"""Share of the way to an end at which it counts as the first one. Inferred: a stick of two axes
+that is pushed along one moves the other by a third of its way, seldom more."""
+
+_SETTLED_SECONDS = 0.4
+"""How long a channel has to stand still to have settled."""
+
+_SETTLED_LEAST = 0.75
+"""Share of that time that has to be covered by samples."""
+
+_SETTLED_WILD = 0.1
+"""Share of the samples that may be wild."""
+
+_LET_GO = 0.5
+"""Share of the way to an end within which a channel that stands still was let go."""
+
+_DEVIATIONS = 6.0
+"""Standard deviations of the noise that a channel which stands still stays within."""
 
 _UNEVEN = 0.5
 """Share of the longer side below which the shorter one is worth a word."""
@@ -65,7 +85,9 @@ class Travel:
     """How far a channel went; `low` and `high` are `None` before anything was seen.
 
     Attributes:
+        first: the end that was reached first, by most of the way to it.
         held_low, held_high: whether it was held there, not only passed.
+        settled: where it stands still now, if it does.
         now: the newest valid count.
         interval: seconds between two samples; 0 before it is known.
     """
@@ -84,6 +106,22 @@ class Travel:
     held_high: bool = False
     now: int | None = None
     interval: float = 0.0
+    settled: int | None = None
+
+    @property
+    def rest(self) -> int:
+        """Where it rests: where it came to rest when it was let go, else where it was sampled."""
+        if self.settled is None or self.task is Task.SWITCH:
+            return self.neutral
+        way = Way.UP if self.settled > self.neutral else Way.DOWN
+        is_let_go = abs(self.settled - self.neutral) < _LET_GO * self.length(way)
+        return self.settled if is_let_go else self.neutral
+
+    @property
+    def idle(self) -> Way | None:
+        """The way that a switch or a throttle never goes, since it rests at that end."""
+        ways = [way for way in Way if not self.reached(way)]
+        return ways[0] if self.task is not Task.STICK and len(ways) == 1 else None
 
     @property
     def least(self) -> int:
@@ -223,11 +261,13 @@ class TravelWatch:
         self._task = task
         self._neutral = neutral.value
         self._deadband = neutral.deadband
+        self._deviation = neutral.deviation
         self._recent: deque[int] = deque(maxlen=WINDOW)
         self._times: deque[float] = deque(maxlen=_TIMES)
         self._low = EndWatch(neutral.value, neutral.deviation, up=False)
         self._high = EndWatch(neutral.value, neutral.deviation, up=True)
-        self._first: Way | None = None
+        self._ways: dict[Way, list[int]] = {way: [] for way in Way}
+        self._last: deque[tuple[float, int]] = deque()
         self._samples = 0
         self._invalid = 0
         self._heard_at: float | None = None
@@ -248,11 +288,35 @@ class TravelWatch:
         slow = self._interval > SLOW
         for end in (self._low, self._high):
             end.feed(self._recent, slow=slow)
-        if self._first is not None or len(self._recent) < WINDOW:
-            return
-        offset = median_low(self._recent) - self._neutral
-        if abs(offset) >= least_travel(self._deadband):
-            self._first = Way.UP if offset > 0 else Way.DOWN
+        for way, sign, watch in ((Way.DOWN, -1, self._low), (Way.UP, 1, self._high)):
+            if watch.end is not None:
+                self._ways[way].append(sign * (watch.end - self._neutral))
+        self._last.append((sample.time, sample.count))
+        while len(self._last) > HELD and sample.time - self._last[0][0] > _SETTLED_SECONDS:
+            self._last.popleft()
+
+    @property
+    def _first(self) -> Way | None:
+        """The end that was reached first, as can be told when both were reached."""
+        reached = {
+            way: bisect_left(furthest, _MOSTLY * furthest[-1])
+            for way, furthest in self._ways.items()
+            if furthest and furthest[-1] >= least_travel(self._deadband)
+        }
+        return min(reached, key=lambda way: reached[way], default=None)
+
+    @property
+    def _settled(self) -> int | None:
+        """Where it stands still, a wild value aside."""
+        if len(self._last) < HELD:
+            return None
+        if self._last[-1][0] - self._last[0][0] < _SETTLED_LEAST * _SETTLED_SECONDS:
+            return None
+        counts = [count for _, count in self._last]
+        middle = median(counts)
+        tolerance = max(LIMITS[self._source].moved / 2, _DEVIATIONS * self._deviation)
+        wild = sum(abs(count - middle) > tolerance for count in counts)
+        return round(middle) if wild <= _SETTLED_WILD * len(counts) else None
 
     @property
     def _interval(self) -> float:
@@ -279,4 +343,5 @@ class TravelWatch:
             held_high=self._high.held,
             now=self._recent[-1] if self._recent else None,
             interval=self._interval,
+            settled=None if silent else self._settled,
         )

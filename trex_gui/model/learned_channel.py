@@ -3,11 +3,12 @@
 from dataclasses import dataclass, replace
 
 from trex_gui.learning.neutral import Neutral, measure_neutral, no_signal
-from trex_gui.learning.problems import Problem, has_fatal
-from trex_gui.learning.proposal import Proposal, check, propose
+from trex_gui.learning.problems import Kind, Problem, has_fatal
+from trex_gui.learning.proposal import Proposal, propose
 from trex_gui.learning.samples import Sample
-from trex_gui.learning.travel import TASKS, Travel, TravelWatch
+from trex_gui.learning.travel import TASKS, Task, Travel, TravelWatch
 from trex_gui.model.channel_curve import ChannelCurve
+from trex_gui.model.learned_check import Check
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
 
@@ -25,13 +26,19 @@ class Choice:
 
 
 class LearnedChannel:
-    """Collects what is measured of one channel; each step begins afresh."""
+    """Collects what is measured of one channel; each step begins afresh.
+
+    Attributes:
+        curve_before: what the channel makes of its input with what the board stores; `None`
+            where that is not known.
+        parabolic, ignored: what the channel will be, with the edits that wait.
+    """
 
     def __init__(
         self,
         number: int,
         source: InputSource,
-        stored: Calibration | None,
+        curve_before: ChannelCurve | None,
         *,
         reversed_now: bool,
         parabolic: bool = False,
@@ -39,7 +46,7 @@ class LearnedChannel:
     ) -> None:
         self.number = number
         self.source = source
-        self.stored = stored
+        self.curve_before = curve_before
         self.reversed_now = reversed_now
         self._parabolic = parabolic
         self._ignored = ignored
@@ -139,11 +146,31 @@ class LearnedChannel:
         return choice is not None and choice.included and choice.calibration.problem() is None
 
     @property
-    def curve_before(self) -> ChannelCurve | None:
-        """What the channel makes of its input without what was learned."""
-        if self.stored is None:
+    def stored(self) -> Calibration | None:
+        """What the board stores; `None` when it is not known."""
+        return None if self.curve_before is None else self.curve_before.calibration
+
+    @property
+    def new_rest(self) -> int | None:
+        """Where it came to rest, if that is not where it was sampled; a neutral to take."""
+        if self.travel is None or self.choice is None or self.travel.task is Task.SWITCH:
             return None
-        return ChannelCurve(self.stored, self.reversed_now, self._parabolic, self._ignored)
+        rest, wanted = self.travel.rest, self.choice.calibration
+        if abs(rest - wanted.neutral) <= wanted.deadband or rest == self.travel.neutral:
+            return None
+        return rest
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What is good to know of what is chosen."""
+        check = self._check
+        return () if check is None else check.remarks
+
+    @property
+    def _check(self) -> Check | None:
+        if self.curve_after is None or self.neutral is None or self.travel is None:
+            return None
+        return Check(self.number, self.curve_after, self.neutral, self.travel)
 
     @property
     def curve_after(self) -> ChannelCurve | None:
@@ -176,4 +203,9 @@ class LearnedChannel:
             return self.rest_problems
         if self.choice is None:
             return self.proposal.problems
-        return self.proposal.problems + check(self.choice.calibration, self.neutral)
+        check = self._check
+        if check is not None:
+            return self.proposal.problems + check.problems
+        refused = self.choice.calibration.problem()
+        text = f"The board would not take this: {refused}."
+        return (*self.proposal.problems, Problem(Kind.REFUSED, text))

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from trex_gui.learning.neutral import SAMPLING_SECONDS
 from trex_gui.learning.samples import Sample
+from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.model.device import Device
 from trex_gui.model.learned_channel import LearnedChannel
 from trex_gui.model.measured_inputs import Counts
@@ -24,24 +25,8 @@ class LearnedChannels:
 
     @classmethod
     def of(cls, device: Device, numbers: Sequence[int], source: InputSource) -> "LearnedChannels":
-        """Begin with these channels, as they are and as edits leave them."""
-
-        def has(key: str, number: int) -> bool:
-            return number in channels_in(device.parameters.value_of(key) or 0)
-
-        return cls(
-            [
-                LearnedChannel(
-                    number,
-                    source,
-                    device.calibrations.shown(number),
-                    reversed_now=has("reversed_channels", number),
-                    parabolic=has("parabolic_channels", number),
-                    ignored=has("ignored_channels", number),
-                )
-                for number in numbers
-            ]
-        )
+        """Begin with these channels as the board stores them; edits that wait do not count."""
+        return cls([_channel(device, number, source) for number in numbers])
 
     def __iter__(self) -> Iterator[LearnedChannel]:
         return iter(self.all)
@@ -113,3 +98,28 @@ class LearnedChannels:
         intervals = [c.travel.interval for c in self.all if c.travel is not None]
         longest = max(intervals, default=0.0)
         return 1 / longest if longest else 0.0
+
+
+def _channel(device: Device, number: int, source: InputSource) -> LearnedChannel:
+    parameters, stored = device.parameters, device.calibrations.stored(number, source)
+
+    def has(mask: int | None) -> bool:
+        return number in channels_in(mask or 0)
+
+    is_reversed = has(parameters.stored_of("reversed_channels"))
+    before = None
+    if stored is not None:
+        before = ChannelCurve(
+            stored,
+            is_reversed,
+            has(parameters.stored_of("parabolic_channels")),
+            has(parameters.stored_of("ignored_channels")),
+        )
+    return LearnedChannel(
+        number,
+        source,
+        before,
+        reversed_now=is_reversed,
+        parabolic=has(parameters.value_of("parabolic_channels")),
+        ignored=has(parameters.value_of("ignored_channels")),
+    )

@@ -5,16 +5,16 @@ from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.link.writing import Written
 from trex_gui.model.device import Device
 from trex_gui.model.learned_channel import LearnedChannel
 from trex_gui.model.learned_channels import LearnedChannels
-from trex_gui.model.learned_edits import edit_what_is_chosen
+from trex_gui.model.learned_edits import edit_what_is_chosen, has_edit, other_edits
 from trex_gui.model.learning_guard import LearningGuard
 from trex_gui.model.measured_inputs import Counts, MeasuredInputs
 from trex_gui.model.ring import FloatArray
 from trex_gui.model.standing import Standing
 from trex_gui.model.stick_tests import StickTests
+from trex_gui.model.taken_values import TakenValues
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import CHANNELS, InputSource
 
@@ -47,7 +47,7 @@ class Learning(QObject):
         changed: `step`, `sampling`, `stalled` or a choice.
         measured: new samples are in.
         taken: what was learned is edits now, and waits for its review.
-        stored: what was taken last is in the board; a test is due.
+        stored: what was taken last is in the board; a test is due, but for `motors_armed`.
     """
 
     changed = Signal()
@@ -64,7 +64,8 @@ class Learning(QObject):
         self._numbers: tuple[int, ...] = ()
         self._channels = LearnedChannels()
         self._tests: StickTests | None = None
-        self._waits_for: tuple[int, ...] = ()
+        self._news = self._next_news = ""
+        self._taken = TakenValues(device, self)
         self._guard = LearningGuard(device, self)
         self._standing = Standing(device, self)
         self._inputs = MeasuredInputs(device.telemetry, self)
@@ -75,7 +76,7 @@ class Learning(QObject):
         self._standing.failed.connect(self._on_stop_failed)
         self._inputs.arrived.connect(self._on_arrived)
         self._inputs.stalled_changed.connect(self._on_stalled_changed)
-        device.applied.connect(self._on_applied)
+        self._taken.stored.connect(self._on_stored)
 
     # --- What is known ------------------------------------------------------------------
 
@@ -93,6 +94,24 @@ class Learning(QObject):
     def trouble(self) -> str:
         """Why it failed, or what is doubtful, in sentences."""
         return self._trouble
+
+    @property
+    def news(self) -> str:
+        """What has led to the test, as a sentence; empty when a person asked for it."""
+        return self._news
+
+    def has_edit(self, number: int) -> bool:
+        """Whether an edit of a channel waits for Apply, which taking its values replaces."""
+        return has_edit(self._device, number)
+
+    @property
+    def other_edits(self) -> int:
+        """How many edits wait for Apply beside those of the channels that are to be taken."""
+        return other_edits(self._device, [channel.number for channel in self._chosen])
+
+    @property
+    def _chosen(self) -> list[LearnedChannel]:
+        return [channel for channel in self.channels if channel.can_be_taken]
 
     @property
     def sampling(self) -> bool:
@@ -171,6 +190,11 @@ class Learning(QObject):
             and not self._device.applying
         )
 
+    @property
+    def motors_armed(self) -> bool:
+        """Whether somebody drives the motors: to begin would stop them."""
+        return self._device.motors.armed or self._device.may_move
+
     def why_not(self) -> str:
         """Say why learning cannot begin now; empty when it can."""
         return self._guard.why_not()
@@ -179,10 +203,12 @@ class Learning(QObject):
 
     def begin(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels at once; the motors are stopped first."""
+        self._news = self._next_news = ""
         self._start(channels, Step.NEUTRAL)
 
     def begin_test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Test what is stored for these channels; the motors are stopped first."""
+        self._news, self._next_news = self._next_news, ""
         self._start(channels, Step.TEST)
 
     def next(self) -> None:
@@ -237,14 +263,22 @@ class Learning(QObject):
         self.changed.emit()
 
     def take(self) -> None:
-        """Make edits of what is chosen; one step to undo."""
+        """Make edits of what is chosen; one step to undo.
+
+        Where all of it is stored already, nothing waits, and `stored` says so at once.
+        """
         if not self.can_take:
             return
-        chosen = [channel for channel in self.channels if channel.can_be_taken]
+        chosen = self._chosen
         edit_what_is_chosen(self._device, chosen, self.tr("Learn channels"))
-        self._waits_for = tuple(channel.number for channel in chosen)
+        numbers = tuple(channel.number for channel in chosen)
+        is_new = any(self.has_edit(number) for number in numbers)
         self._go(Step.ENDED)
-        self.taken.emit()
+        if is_new:
+            self._taken.wait_for(chosen)
+            self.taken.emit()
+        else:
+            self._tell_stored(numbers, self.tr("These values are stored already."))
 
     def cancel(self) -> None:
         """End it, whatever the step; the board and the edits are as they were."""
@@ -258,7 +292,7 @@ class Learning(QObject):
         self._numbers = tuple(channels)
         self._channels = LearnedChannels()
         self._tests = None
-        self._waits_for = ()
+        self._taken.forget()
         self._after_stopping = after_stopping
         if trouble := self.why_not():
             self._fail(trouble)
@@ -291,7 +325,7 @@ class Learning(QObject):
     @Slot(str)
     def _on_broken(self, why: str) -> None:
         if self.is_test:
-            self._fail(why + self.tr(" The test has ended; what the board stores is as it was."))
+            self._fail(why + self.tr(" The test has ended; it changes nothing in the board."))
         else:
             self._fail(why + self.tr(" Nothing was changed."))
 
@@ -350,14 +384,13 @@ class Learning(QObject):
             self.changed.emit()
 
     @Slot(object)
-    def _on_applied(self, results: tuple[Written, ...]) -> None:
-        del results
-        if not self._waits_for or self._step is not Step.ENDED:
-            return
-        waiting = {channel for channel, _ in self._device.calibrations.pending}
-        if waiting.isdisjoint(self._waits_for):
-            self._numbers, self._waits_for = self._waits_for, ()
-            self.stored.emit()
+    def _on_stored(self, numbers: tuple[int, ...]) -> None:
+        if self._step is Step.ENDED:
+            self._tell_stored(numbers, self.tr("What was learned is stored."))
+
+    def _tell_stored(self, numbers: tuple[int, ...], news: str) -> None:
+        self._numbers, self._next_news = numbers, news
+        self.stored.emit()
 
     @property
     def numbers(self) -> tuple[int, ...]:

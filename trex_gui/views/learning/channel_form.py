@@ -1,9 +1,10 @@
 """The values of one channel to change, what they were, and what there is to say."""
 
+from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QWidget
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QPushButton, QWidget
 
 from trex_gui.link.explain import CHANNEL_ROLES
 from trex_gui.model.learned_channel import LearnedChannel
@@ -48,6 +49,10 @@ class ChannelForm(QWidget):
         self._reversed = QCheckBox(self.tr("Reversed"), self)
         self._reversed.setObjectName(f"learnReversed{number}")
         self._reversed_was = Muted("", self)
+        self._turned = Note(0, self)
+        self._turned.setObjectName(f"learnReversal{number}")
+        self._rest = QPushButton(self)
+        self._rest.setObjectName(f"learnTakeRest{number}")
         self._problem = Note(1, self)
         self._problem.setObjectName(f"learnProblem{number}")
         self._reasons = Muted("", self)
@@ -75,12 +80,15 @@ class ChannelForm(QWidget):
         last = len(_FIELDS) + 1
         grid.addWidget(self._reversed, last, 1)
         grid.addWidget(self._reversed_was, last, 2)
-        grid.addWidget(self._problem, last + 1, 0, 1, 3)
-        grid.addWidget(self._reasons, last + 2, 0, 1, 3)
-        grid.setRowStretch(last + 3, 1)
+        grid.addWidget(self._turned, last + 1, 0, 1, 3)
+        grid.addWidget(self._problem, last + 2, 0, 1, 3)
+        grid.addWidget(self._rest, last + 3, 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
+        grid.addWidget(self._reasons, last + 4, 0, 1, 3)
+        grid.setRowStretch(last + 5, 1)
 
         self._include.toggled.connect(self._on_include_toggled)
         self._reversed.toggled.connect(self._on_reversed_toggled)
+        self._rest.clicked.connect(self._on_rest_clicked)
         for field, editor in self._editors.items():
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.refused.connect(self._on_refused)
@@ -97,6 +105,13 @@ class ChannelForm(QWidget):
     @Slot(bool)
     def _on_reversed_toggled(self, reversed_: bool) -> None:
         self._learning.choose(self._channel.number, reversed_=reversed_)
+
+    @Slot()
+    def _on_rest_clicked(self) -> None:
+        choice, rest = self._channel.choice, self._channel.new_rest
+        if choice is not None and rest is not None:
+            wanted = replace(choice.calibration, neutral=rest)
+            self._learning.choose(self._channel.number, wanted)
 
     def _on_value_changed(self, field: str, value: int) -> None:
         if self._channel.choice is not None:
@@ -120,6 +135,8 @@ class ChannelForm(QWidget):
             self._reversed,
             self._reversed_was,
             self._reasons,
+            self._turned,
+            self._rest,
         ):
             widget.setVisible(there)
         self._include.setEnabled(there)
@@ -138,11 +155,25 @@ class ChannelForm(QWidget):
             box.blockSignals(False)
         for widget in (*self._editors.values(), self._reversed):
             widget.setEnabled(choice.included)
+        self._show_rest(channel.new_rest)
+        reasons = list(channel.remarks)
         if channel.proposal is not None:
-            reasons = (channel.proposal.reversed_reason, *channel.proposal.reasons)
-            self._reasons.setText(" ".join(reason for reason in reasons if reason))
-        was = self.tr("was reversed") if channel.reversed_now else self.tr("was not")
+            turned = channel.proposal.reversed_reason
+            self._turned.show_note(turned, alarming=bool(turned))
+            self._turned.setVisible(bool(turned))
+            reasons += channel.proposal.reasons
+        if self._learning.has_edit(channel.number):
+            reasons.insert(0, self.tr("An edit of it that waits for Apply is replaced."))
+        self._reasons.setText(" ".join(reasons))
+        was = self.tr("was reversed") if channel.reversed_now else self.tr("was not reversed")
         self._reversed_was.setText(was)
+
+    def _show_rest(self, rest: int | None) -> None:
+        """Offer the place where it came to rest, where that is another one."""
+        self._rest.setVisible(rest is not None)
+        if rest is not None:
+            text = self._channel.source.text(rest)
+            self._rest.setText(self.tr("Take {0} as neutral").format(text))
 
     def _show_values(self, calibration: Calibration) -> None:
         for field, editor in self._editors.items():

@@ -1,12 +1,14 @@
 """What the steps with live bars share: a row a channel, with words beside and below it."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QMargins, QSize, Slot
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.model.learned_channel import LearnedChannel
 from trex_gui.model.learning import Learning
-from trex_gui.views.learning.parts import Sign, channel_label
+from trex_gui.views.learning.parts import channel_label
 from trex_gui.views.widgets.channel_bar import ChannelBar
 from trex_gui.views.widgets.note import Note
 
@@ -25,13 +27,14 @@ class ChannelRow:
 
     Attributes:
         bar: the live bar.
-        beside: what is beside it: `signs`, small icons, and `words`.
+        beside: what is beside it: the signs, then `words`.
         problem: what is wrong.
     """
 
-    def __init__(self, channel: LearnedChannel, page: QWidget, *, words: str, signs: int) -> None:
+    def __init__(self, channel: LearnedChannel, page: QWidget, *, words: str) -> None:
         self.channel = channel
         self.page = page
+        self._narrow = False
         number = channel.number
         self._name = channel_label(number, page)
         self.bar = ChannelBar(page)
@@ -39,7 +42,6 @@ class ChannelRow:
         self.bar.set_connected(True)
         self.bar.set_source(channel.source)
         self.beside = QWidget(page)
-        self.signs = [Sign(self.beside) for _ in range(signs)]
         self.words = QLabel(self.beside)
         self.words.setObjectName(f"{words}{number}")
         self.words.setWordWrap(True)
@@ -49,22 +51,29 @@ class ChannelRow:
 
         told = QHBoxLayout(self.beside)
         told.setContentsMargins(0, 0, 0, 0)
-        for sign in self.signs:
+        for sign in self.make_signs(self.beside):
             told.addWidget(sign)
         told.addSpacing(4)
         told.addWidget(self.words, 1)
+
+    def make_signs(self, beside: QWidget) -> Sequence[QWidget]:
+        """Make what stands before the words."""
+        raise NotImplementedError
 
     def put_into(self, grid: QGridLayout, row: int, *, narrow: bool) -> None:
         """Take three rows of a grid: name, bar and words; words where it is narrow; a problem."""
         for widget in (self._name, self.bar, self.beside, self.problem):
             grid.removeWidget(widget)
+        self._narrow = narrow
+        self._align()
         grid.addWidget(self._name, row, 0)
         grid.addWidget(self.bar, row, 1)
         if narrow:
             grid.addWidget(self.beside, row + 1, 1)
         else:
             grid.addWidget(self.beside, row, 2)
-        grid.addWidget(self.problem, row + 2, 1, 1, 2)
+        # Qt works out a height too low for text that wraps across a column without a width.
+        grid.addWidget(self.problem, row + 2, 1, 1, 1 if narrow else 2)
 
     def least_width(self, *, narrow: bool) -> int:
         """How wide it has to be in pixels, without what is between name, bar and words."""
@@ -72,9 +81,21 @@ class ChannelRow:
         both = max(bar, words) if narrow else bar + round(_BAR_GROWS * bar) + words
         return self._name.minimumSizeHint().width() + both
 
+    def least_height(self) -> int:
+        """How high it is with the words below the bar, and a problem of three lines."""
+        lines = 3 * self.problem.fontMetrics().lineSpacing()
+        return self.bar.minimumSizeHint().height() + self.beside.minimumSizeHint().height() + lines
+
     def refresh(self) -> None:
         """Show the channel as it is now."""
         self.bar.set_raw(self.channel.raw)
+        self._align()
+
+    def _align(self) -> None:
+        """Let what stands below the bar begin where its track does."""
+        inset = self.bar.inset
+        self.problem.setContentsMargins(inset, 0, 0, 0)
+        self.beside.setContentsMargins(inset if self._narrow else 0, 0, 0, 0)
 
 
 class ChannelRows(QWidget):
@@ -111,6 +132,11 @@ class ChannelRows(QWidget):
         if narrow != self._narrow:
             self._narrow = narrow
             self._arrange()
+
+    @property
+    def least_seen(self) -> int:
+        """How many pixels of the page have to be in sight: a whole row."""
+        return max((row.least_height() for row in self._rows), default=0)
 
     def _least_width(self, *, narrow: bool) -> int:
         widest = max((row.least_width(narrow=narrow) for row in self._rows), default=0)

@@ -1,11 +1,13 @@
 """Hands off the sticks: where each channel rests, and how still."""
 
+from collections.abc import Sequence
+
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.model.learned_channel import LearnedChannel
 from trex_gui.model.learning import Learning
 from trex_gui.views.learning.channel_rows import ChannelRow, ChannelRows
-from trex_gui.views.learning.parts import in_words
+from trex_gui.views.learning.parts import Sign, in_words
 
 
 class RestPage(ChannelRows):
@@ -23,14 +25,18 @@ class _RestRow(ChannelRow):
     """One channel."""
 
     def __init__(self, channel: LearnedChannel, page: RestPage) -> None:
-        super().__init__(channel, page, words="learnNeutral", signs=1)
+        super().__init__(channel, page, words="learnNeutral")
         self._learning = page.learning
+
+    def make_signs(self, beside: QWidget) -> Sequence[QWidget]:
+        self._sign = Sign(beside)
+        return [self._sign]
 
     def refresh(self) -> None:
         super().refresh()
         problems = self.channel.rest_problems
         self.problem.show_note(in_words(problems), alarming=bool(problems))
-        (sign,) = self.signs
+        sign = self._sign
         if problems:
             sign.show_sign("warning", "warning")
         elif self._learning.has_sampled and self.channel.is_at_rest:
@@ -43,6 +49,6 @@ class _RestRow(ChannelRow):
         neutral = self.channel.neutral
         if neutral is None or neutral.invalid == 1:
             return self.page.tr("not sampled yet") if neutral is None else ""
-        return self.page.tr("rests at {0}, wavers by {1}").format(
+        return self.page.tr("at rest: {0}, noise {1}").format(
             neutral.source.text(neutral.value), neutral.noise_text
         )

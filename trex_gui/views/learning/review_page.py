@@ -4,12 +4,16 @@ from PySide6.QtCore import QSize, Slot
 from PySide6.QtGui import QIcon, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QTabBar, QVBoxLayout, QWidget
 
+from trex_gui.learning.neutral import deadband_floor
+from trex_gui.learning.proposal import WHY_THESE_VALUES
 from trex_gui.model.learned_channel import LearnedChannel
 from trex_gui.model.learning import Learning
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.views.icons import icon
 from trex_gui.views.learning.channel_form import ChannelForm
+from trex_gui.views.learning.parts import Muted
 from trex_gui.views.theme import theme
+from trex_gui.views.widgets.note import Note
 
 _GAP = 16
 _MARGIN = 8
@@ -37,6 +41,11 @@ class ReviewPage(QWidget):
         for channel in learning.channels:
             self._tabs.addTab(self.tr("Channel {0}").format(channel.number))
         self._curve = CurvePane(learning, self)
+        floor = learning.source.text(deadband_floor(learning.source))
+        self._common = Muted(WHY_THESE_VALUES.format(floor), self)
+        self._common.setObjectName("learnCommonReasons")
+        self._earlier = Note(0, self)
+        self._earlier.setObjectName("learnEarlierEdits")
 
         self._body = QBoxLayout(QBoxLayout.Direction.LeftToRight)
         self._body.setSpacing(_GAP)
@@ -49,6 +58,8 @@ class ReviewPage(QWidget):
         layout.setContentsMargins(0, 0, _MARGIN, 0)
         layout.addWidget(self._tabs)
         layout.addLayout(self._body, 1)
+        layout.addWidget(self._common)
+        layout.addWidget(self._earlier)
 
         self._tabs.currentChanged.connect(self._on_tab_changed)
         self._tabs.setVisible(len(self._forms) > 1)
@@ -90,7 +101,18 @@ class ReviewPage(QWidget):
             form.setVisible(form is self._form)
             form.refresh()
         self._curve.show_channel(self._form.channel)
+        self._common.setVisible(any(form.channel.choice is not None for form in self._forms))
+        self._show_earlier_edits()
         self._show_signs()
+
+    def _show_earlier_edits(self) -> None:
+        """Say what else the list will hold that Apply shows."""
+        count = self._learning.other_edits
+        text = self.tr("1 earlier edit is in the list of Apply, too.")
+        if count != 1:
+            text = self.tr("{0} earlier edits are in the list of Apply, too.").format(count)
+        self._earlier.show_note(text if count else "", alarming=bool(count))
+        self._earlier.setVisible(bool(count))
 
     @Slot(int)
     def _on_tab_changed(self, _index: int) -> None:

@@ -1,13 +1,19 @@
 """Every stick to its end once more: does what is stored give full output, and none at rest?"""
 
-from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt, Slot
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.learning.proof import Tested
 from trex_gui.model.learning import Learning
+from trex_gui.model.stick_tests import StickTests
 from trex_gui.views.learning.parts import Muted, Sign, channel_label
 from trex_gui.views.widgets.note import Note
 from trex_gui.views.widgets.output_bar import OutputBar
+
+_WORDS_WIDE = 20
+"""Characters that the words beside a bar have room for before they wrap."""
+
+_LINES = 3
 
 
 class TestPage(QWidget):
@@ -23,13 +29,15 @@ class TestPage(QWidget):
         self._bars: dict[int, OutputBar] = {}
         self._signs: dict[int, Sign] = {}
         self._words: dict[int, QLabel] = {}
+        self._safe_sign = Sign(self)
         self._safe_start = Note(2, self)
         self._safe_start.setObjectName("learnSafeStart")
         self._inferred = Muted(
             self.tr(
-                "Worked out here, each channel by itself, from what the board stores. Sourced: "
-                "full output beyond the ends, none in the deadband, and what safe-start waits "
-                "for. Inferred: that up to 8 of 127 counts as neutral, and where a switch switches."
+                "Calculated here for each channel alone, from the values in the board. From the "
+                "manual: full output at and beyond the ends, 0 in the deadband, and what "
+                "safe-start waits for. Assumed: up to 8 of 127 counts as neutral; where a "
+                "switch switches."
             ),
             self,
         )
@@ -47,19 +55,29 @@ class TestPage(QWidget):
             sign, words = Sign(self), QLabel(self)
             words.setObjectName(f"learnTest{number}")
             words.setWordWrap(True)
+            words.setMinimumWidth(_WORDS_WIDE * words.fontMetrics().averageCharWidth())
             for column, widget in enumerate((channel_label(number, self), bar, sign, words)):
                 grid.addWidget(widget, row, column)
             self._bars[number], self._signs[number], self._words[number] = bar, sign, words
+        safe_start = QHBoxLayout()
+        safe_start.addWidget(self._safe_sign, 0, Qt.AlignmentFlag.AlignTop)
+        safe_start.addWidget(self._safe_start, 1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 8, 0)
         layout.addLayout(grid)
         layout.addStretch(1)
-        layout.addWidget(self._safe_start)
+        layout.addLayout(safe_start)
         layout.addWidget(self._inferred)
 
         learning.changed.connect(self._on_changed)
         learning.measured.connect(self._on_changed)
         self._on_changed()
+
+    @property
+    def least_seen(self) -> int:
+        """How many pixels of the page have to be in sight: a whole row."""
+        words = _LINES * self.fontMetrics().lineSpacing()
+        return max([words, *(bar.minimumSizeHint().height() for bar in self._bars.values())])
 
     @property
     def _tested(self) -> tuple[Tested, ...]:
@@ -71,9 +89,25 @@ class TestPage(QWidget):
         for tested in self._tested:
             self._bars[tested.channel].set_value(tested.output)
             self._words[tested.channel].setText(tested.text)
-            name, color = ("ok", "good") if tested.passed else ("", "icon")
-            if tested.output is None:
-                name, color = "warning", "warning"
-            self._signs[tested.channel].show_sign(name, color)
+            self._signs[tested.channel].show_sign(*_sign_of(tested))
         if self._learning.tests is not None:
-            self._safe_start.show_note(self._learning.tests.safe_start_text)
+            self._show_safe_start(self._learning.tests)
+
+    def _show_safe_start(self, tests: StickTests) -> None:
+        held = bool(tests.safe_start_reasons)
+        self._safe_start.show_note(tests.safe_start_text, alarming=held)
+        if not tests.heard:
+            self._safe_sign.show_sign("")
+        elif held:
+            self._safe_sign.show_sign("warning", "warning")
+        else:
+            self._safe_sign.show_sign("ok", "good")
+
+
+def _sign_of(tested: Tested) -> tuple[str, str]:
+    """Return the icon of a channel and its colour; the words beside it say the same."""
+    if tested.ignored:
+        return "info", "muted"
+    if tested.output is None:
+        return "warning", "warning"
+    return ("ok", "good") if tested.passed else ("todo", "muted")

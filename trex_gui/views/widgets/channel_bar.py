@@ -33,6 +33,7 @@ class ChannelBar(Bar):
     def __init__(self, parent: QWidget | None = None) -> None:
         self._source = InputSource.RC
         self._calibration: Calibration | None = None
+        self._drawn: dict[str, int] = {}
         self._raw: int | None = None
         self._axis = _USUAL[self._source]
         super().__init__("bar", "bar_negative", parent)
@@ -51,11 +52,21 @@ class ChannelBar(Bar):
         self._measure()
         self._refresh()
 
-    def set_calibration(self, calibration: Calibration | None) -> None:
-        """Draw these marks, or none."""
-        if calibration == self._calibration:
+    def set_calibration(
+        self, calibration: Calibration | None, *, minimum: bool = True, maximum: bool = True
+    ) -> None:
+        """Draw these marks, or none; an end that is not known yet can be left out."""
+        drawn: dict[str, int] = {}
+        if calibration is not None and minimum:
+            drawn[self.tr("min")] = calibration.minimum
+        if calibration is not None:
+            drawn[self.tr("neutral")] = calibration.neutral
+        if calibration is not None and maximum:
+            drawn[self.tr("max")] = calibration.maximum
+        if calibration == self._calibration and drawn == self._drawn:
             return
         self._calibration = calibration
+        self._drawn = drawn
         self._axis = _USUAL[self._source]
         self._widen()
         self._refresh()
@@ -68,6 +79,16 @@ class ChannelBar(Bar):
         self._raw = raw
         self._widen()
         self._refresh()
+
+    @property
+    def marks(self) -> dict[str, int]:
+        """The marks that are drawn: their names, and the counts where they stand."""
+        return dict(self._drawn)
+
+    @property
+    def inset(self) -> int:
+        """How far the track begins right of the widget's edge: text below it can, too."""
+        return self._side()
 
     @property
     def axis(self) -> tuple[int, int]:
@@ -146,7 +167,7 @@ class ChannelBar(Bar):
         return QRect(self._side(), top + 1, max(width, 1), self._track_height())
 
     def _look(self) -> tuple[object, ...]:
-        return (self._source, self._calibration, self._axis)
+        return (self._source, self._calibration, tuple(self._drawn), self._axis)
 
     def _paint_static(self, painter: QPainter, track: QRect) -> None:
         painter.setFont(self._small)
@@ -155,9 +176,9 @@ class ChannelBar(Bar):
         if self._calibration is not None:
             if self._state is BarState.LIVE:
                 self._paint_deadband(painter, track, self._calibration)
-            self._paint_marks(painter, track, self._calibration)
+            self._paint_marks(painter, track)
             painter.setPen(self._marks.text)
-            self._paint_mark_labels(painter, track, self._calibration)
+            self._paint_mark_labels(painter, track)
         painter.setFont(self.font())
 
     def _paint_ticks(self, painter: QPainter, track: QRect) -> None:
@@ -199,19 +220,18 @@ class ChannelBar(Bar):
         for x in (left, right - 1):
             painter.fillRect(QRectF(x, track.top(), 1, track.height()), self._marks.neutral)
 
-    def _paint_marks(self, painter: QPainter, track: QRect, calibration: Calibration) -> None:
-        for count in (calibration.minimum, calibration.neutral, calibration.maximum):
+    def _paint_marks(self, painter: QPainter, track: QRect) -> None:
+        for count in self._drawn.values():
             x = self._snap(self.x_of(count) - 0.5)
             painter.fillRect(
                 QRectF(x, track.top() - _MARK_OVERSHOOT, 1, track.height() + _MARK_OVERSHOOT),
                 self._marks.mark,
             )
 
-    def _paint_mark_labels(self, painter: QPainter, track: QRect, calibration: Calibration) -> None:
+    def _paint_mark_labels(self, painter: QPainter, track: QRect) -> None:
         low, high = self._axis
         metrics = self._small_metrics
-        names = (self.tr("min"), self.tr("neutral"), self.tr("max"))
-        counts = (calibration.minimum, calibration.neutral, calibration.maximum)
+        names, counts = self._drawn.keys(), self._drawn.values()
         texts = [
             f"◂ {name}" if count < low else f"{name} ▸" if count > high else name
             for name, count in zip(names, counts, strict=True)
@@ -223,7 +243,7 @@ class ChannelBar(Bar):
         gap = metrics.averageCharWidth() * 0.8
         end = float(track.left() + track.width() + self._side())
         centres = spread(xs, widths, 0.0, end, gap)
-        if centres is None:  # too narrow for three
+        if centres is None:  # too narrow for all: the ends alone, as far as there are two
             texts, xs, widths = texts[::2], xs[::2], widths[::2]
             centres = spread(xs, widths, 0.0, end, gap) or []
         top = track.top() - _MARK_OVERSHOOT - metrics.height()
@@ -238,7 +258,7 @@ class ChannelBar(Bar):
         x = self.x_of(raw)
         if self._calibration is not None:
             self._paint_way(painter, track, self._calibration, raw)
-            self._paint_marks(painter, track, self._calibration)
+            self._paint_marks(painter, track)
         self._paint_pointer(painter, track, x, _POINTER_HEAD)
 
     def _paint_way(
