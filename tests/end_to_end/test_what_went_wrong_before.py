@@ -226,7 +226,7 @@ def test_polynomials_that_cannot_be_are_forgotten_though_crc_is_off(qtbot: QtBot
 
 
 def test_motors_refuse_an_auxiliary_speed_that_cannot_be(qtbot: QtBot) -> None:
-    from trex_gui.model.motors import Motors
+    from trex_gui.model.driving.motors import Motors
     from trex_gui.protocol.errors import BadRequest
 
     motors = Motors()

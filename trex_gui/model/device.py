@@ -24,10 +24,10 @@ from trex_gui.link.writing import Written
 from trex_gui.model.apply import Apply
 from trex_gui.model.board_state import after_writing, in_force
 from trex_gui.model.connection import Connection, Link
-from trex_gui.model.driving import AfterStop, Driving
+from trex_gui.model.driving.motors import Motors
+from trex_gui.model.driving.orders import AfterStop, Driving
 from trex_gui.model.errors import ErrorLog
 from trex_gui.model.kept_edits import KeptEdits
-from trex_gui.model.motors import Motors
 from trex_gui.model.parameters import Column
 from trex_gui.model.reset_order import ResetOrder
 from trex_gui.model.settings_draft import SettingsDraft

@@ -14,7 +14,7 @@ from trex_gui.link.messages import (
     Stop,
 )
 from trex_gui.model.connection import Connection, Link
-from trex_gui.model.motors import Motors
+from trex_gui.model.driving.motors import Motors
 from trex_gui.protocol.errors import NoReply, TrexError
 
 AfterStop = Callable[[TrexError | None], None]

@@ -4,7 +4,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.link.messages import SetAuxiliary, SetDrive
-from trex_gui.model.motors import Motors
+from trex_gui.model.driving.motors import LOCKOUT, Motors
 from trex_gui.protocol.commands import Drive
 from trex_gui.protocol.errors import BadRequest
 
@@ -192,3 +192,176 @@ def test_wishes_are_told_in_few_words(armed: Asked) -> None:
 def test_the_first_wish_is_sent_even_when_it_is_to_brake(armed: Asked) -> None:
     armed.motors.set_brake(1, 127)
     assert armed.wishes == [SetDrive(1, Drive.brake(), accelerate=True)]
+
+
+# --- The lock after a stop --------------------------------------------------------------
+
+
+class Clock:
+    """A time that a test sets."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def test_after_stop_was_pressed_the_motors_cannot_be_armed_for_a_while(qtbot: QtBot) -> None:
+    clock = Clock()
+    motors = Motors(clock=clock)
+    motors.allow(True)
+    motors.lockout = 3.0
+    motors.arm()
+    motors.press_stop()
+    assert motors.locked_for == 3.0
+    clock.now += 2.9
+    motors.arm()
+    assert not motors.armed
+    clock.now += 0.2
+    with qtbot.waitSignal(motors.changed):  # the end of the lock is announced
+        pass
+    assert motors.locked_for == 0
+    motors.arm()
+    assert motors.armed
+
+
+def test_a_second_press_lengthens_the_lock_and_never_shortens_it(qtbot: QtBot) -> None:
+    clock = Clock()
+    motors = Motors(clock=clock)
+    motors.press_stop()
+    clock.now += 1
+    motors.lockout = 1.0
+    motors.press_stop()
+    assert motors.locked_for == pytest.approx(LOCKOUT - 1)
+    motors.lockout = 9.0
+    motors.press_stop()
+    assert motors.locked_for == pytest.approx(9)
+
+
+def test_a_stop_of_the_program_locks_nothing_and_says_why(armed: Asked) -> None:
+    armed.motors.stop("The gamepad is gone.")
+    assert armed.motors.stop_reason == "The gamepad is gone."
+    armed.motors.arm()
+    assert armed.motors.armed
+    assert armed.motors.stop_reason == ""
+
+
+# --- Ceiling and link -------------------------------------------------------------------
+
+
+def test_no_wish_goes_beyond_the_ceiling(armed: Asked) -> None:
+    armed.motors.set_ceiling(40)
+    armed.motors.set_speed(1, 100)
+    armed.motors.set_speed(2, -100)
+    armed.motors.set_auxiliary(100)
+    assert [wish.drive.signed for wish in armed.wishes if isinstance(wish, SetDrive)] == [40, -40]
+    assert armed.motors.auxiliary == 40
+
+
+def test_a_lower_ceiling_slows_down_what_runs_faster(armed: Asked) -> None:
+    armed.motors.set_speed(1, -100)
+    armed.motors.set_brake(2, 127)
+    armed.motors.set_auxiliary(100)
+    armed.wishes.clear()
+    armed.motors.set_ceiling(30)
+    assert armed.wishes == [SetDrive(1, Drive.at(-30), True), SetAuxiliary(30, True)]
+
+
+def test_a_higher_ceiling_speeds_nothing_up(armed: Asked) -> None:
+    armed.motors.set_ceiling(30)
+    armed.motors.set_speed(1, 100)
+    armed.wishes.clear()
+    armed.motors.set_ceiling(127)
+    assert armed.wishes == []
+
+
+@pytest.mark.parametrize("speed", [0, 128])
+def test_a_ceiling_that_is_none_is_refused(asked: Asked, speed: int) -> None:
+    with pytest.raises(ValueError, match="1 to 127"):
+        asked.motors.set_ceiling(speed)
+
+
+def test_linked_motors_do_the_same(armed: Asked) -> None:
+    armed.motors.set_linked(True)
+    armed.motors.set_speed(2, 30)
+    armed.motors.set_brake(1, 60)
+    assert armed.wishes == [
+        SetDrive(1, Drive.at(30), True),
+        SetDrive(2, Drive.at(30), True),
+        SetDrive(1, Drive.brake(60), True),
+        SetDrive(2, Drive.brake(60), True),
+    ]
+
+
+# --- Controls that must be held ---------------------------------------------------------
+
+
+def test_a_held_control_that_lets_go_leaves_the_motors_braked(armed: Asked) -> None:
+    armed.motors.set_release_brake(64)
+    assert armed.motors.hold("pad")
+    armed.motors.set_speed(1, 50, "pad")
+    armed.motors.set_speed(2, 50, "pad")
+    armed.wishes.clear()
+    armed.motors.let_go("pad")
+    assert armed.wishes == [
+        SetDrive(1, Drive.brake(64), True),
+        SetDrive(2, Drive.brake(64), True),
+    ]
+    assert armed.motors.armed
+    assert armed.motors.holder == ""
+
+
+def test_letting_go_stops_what_was_held_and_nothing_else(armed: Asked) -> None:
+    armed.motors.set_speed(2, 30)
+    armed.motors.set_auxiliary(30)
+    armed.motors.hold("motor1")
+    armed.motors.set_speed(1, 50, "motor1")
+    armed.motors.let_go("motor1")
+    assert armed.motors.drive(1) == Drive.brake(127)
+    assert armed.motors.drive(2) == Drive.at(30)
+    assert armed.motors.auxiliary == 30
+
+
+def test_an_auxiliary_motor_that_was_held_is_let_go_too(armed: Asked) -> None:
+    armed.motors.hold("aux")
+    armed.motors.set_auxiliary(50, "aux")
+    armed.motors.let_go("aux")
+    assert armed.motors.auxiliary == 0
+
+
+def test_two_controls_cannot_hold_at_once(armed: Asked) -> None:
+    assert armed.motors.hold("pad")
+    assert armed.motors.hold("pad")
+    assert not armed.motors.hold("keys")
+    armed.motors.set_speed(1, 20, "pad")
+    armed.motors.set_speed(1, 99, "keys")
+    armed.motors.set_speed(1, 99)
+    assert armed.motors.drive(1) == Drive.at(20)
+    armed.motors.let_go("keys")
+    assert armed.motors.holder == "pad"
+
+
+def test_a_wish_that_comes_after_letting_go_is_dropped(armed: Asked) -> None:
+    armed.motors.hold("pad")
+    armed.motors.set_speed(1, 20, "pad")
+    armed.motors.let_go("pad")
+    armed.motors.set_speed(1, 99, "pad")
+    assert armed.motors.drive(1) == Drive.brake(127)
+
+
+def test_nothing_can_be_held_before_the_motors_are_armed(asked: Asked) -> None:
+    asked.motors.allow(True)
+    assert not asked.motors.hold("pad")
+
+
+def test_a_control_that_disappears_stops_everything(armed: Asked) -> None:
+    armed.motors.hold("gamepad")
+    armed.motors.set_speed(1, 20, "gamepad")
+    armed.motors.lose("keys", "not held")
+    assert armed.stops == 0
+    armed.motors.lose("gamepad", "The gamepad is gone.")
+    assert armed.stops == 1
+    assert not armed.motors.armed
+    assert armed.motors.stop_reason == "The gamepad is gone."
+    assert armed.motors.holder == ""

@@ -1,0 +1,55 @@
+"""Forward and turn become two speeds."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.emulator.mapping import motor_values
+from trex_gui.model.driving.mixing import mix
+
+SHARE = st.floats(-1, 1, allow_nan=False)
+
+
+@pytest.mark.parametrize(
+    ("forward", "turn", "speeds"),
+    [
+        (0, 0, (0, 0)),
+        (1, 0, (127, 127)),
+        (-1, 0, (-127, -127)),
+        (0, 1, (127, -127)),
+        (0.5, 0.5, (127, 0)),
+        (1, 1, (127, 0)),
+        (1, 0.5, (127, 42)),
+        (-0.5, 0.25, (-32, -95)),
+    ],
+)
+def test_forward_and_turn_are_two_speeds(
+    forward: float, turn: float, speeds: tuple[int, int]
+) -> None:
+    assert mix(forward, turn) == speeds
+
+
+@given(forward=SHARE, turn=SHARE, ceiling=st.integers(1, 127))
+def test_no_motor_is_asked_for_more_than_the_ceiling(
+    forward: float, turn: float, ceiling: int
+) -> None:
+    assert all(abs(speed) <= ceiling for speed in mix(forward, turn, ceiling))
+
+
+@given(forward=SHARE, turn=SHARE)
+def test_a_robot_turns_as_it_does_by_the_boards_own_mixing(forward: float, turn: float) -> None:
+    by_pad = mix(forward, turn)
+    channels = (round(turn * 127), round(forward * 127), 0, 0, 0)
+    by_stick = motor_values(channels, mix=True, flip=False, joint=False)
+    for pad, stick in zip(by_pad, by_stick, strict=True):
+        assert abs(pad) <= abs(stick) + 1
+        assert pad * stick >= 0 or abs(pad) <= 1
+
+
+@given(forward=SHARE, turn=SHARE)
+def test_the_curve_that_was_asked_for_is_kept_beyond_full_speed(
+    forward: float, turn: float
+) -> None:
+    left, right = mix(forward, turn)
+    # Either way the two stand in the ratio of the sums, within what rounding does.
+    assert abs(left * (forward - turn) - right * (forward + turn)) <= 2
