@@ -70,8 +70,8 @@ WINDOW_PACKAGES = (
 QT_PACKAGES = OFFSCREEN_PACKAGES + WINDOW_PACKAGES
 
 # Programs that tests want, and the packages that hold them: what is exported as code is compiled
-# there. Tests skip without them.
-COMPILERS = {"gcc": "gcc", "g++": "g++"}
+# there, and a message bus says that the screen is locked. Tests of compilers skip without them.
+COMPILERS = {"gcc": "gcc", "g++": "g++", "dbus-daemon": "dbus"}
 
 # pip builds the project with these from `.venv/`, where the constraints hold, instead of in an
 # isolated environment, where they do not.
@@ -384,7 +384,7 @@ def pip_commands(pip: Sequence[str]) -> list[list[str]]:
     install = [*pip, "install", "--constraint", str(CONSTRAINTS)]
     return [
         [*install, *BUILD_REQUIREMENTS],
-        [*install, "--no-build-isolation", "--editable", f"{ROOT}[test]"],
+        [*install, "--no-build-isolation", "--editable", f"{ROOT}[gamepad,test]"],
     ]
 
 

@@ -2,7 +2,6 @@
 
 import argparse
 import os
-import signal
 import sys
 from pathlib import Path
 
@@ -48,6 +47,7 @@ def main(argv: list[str] | None = None) -> int:
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
     from trex_gui.views.theme import theme  # noqa: PLC0415
+    from trex_gui.watching import Watching  # noqa: PLC0415
     from trex_gui.window import build  # noqa: PLC0415
     from trex_gui.worker.garbage import GuiThreadCollector  # noqa: PLC0415
 
@@ -61,13 +61,7 @@ def main(argv: list[str] | None = None) -> int:
     collector.setObjectName("collector")
     program = build()
     program.window.show()
-    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
-        if number := getattr(signal, name, None):  # not every system has each of them
-            signal.signal(number, lambda *_: program.end())
-    # Python sees a signal only when its interpreter runs; without this it may sleep in Qt.
-    heartbeat = QTimer()
-    heartbeat.timeout.connect(lambda: None)
-    heartbeat.start(200)
+    watching = Watching(program, app)
 
     if arguments.tour is not None:
         from trex_gui.tour import Tour  # noqa: PLC0415
@@ -91,6 +85,7 @@ def main(argv: list[str] | None = None) -> int:
     if not program.connector.shut_down():
         # A thread hangs in a port. Qt would abort on destroying it; everything is saved.
         os._exit(code)
+    watching.close()
     return code
 
 

@@ -8,14 +8,17 @@ import pytest
 from tests.link.helpers import among, run_for, staged
 from trex_gui.link.client import Counters
 from trex_gui.link.messages import (
+    Arm,
     Ask,
     Batch,
     Close,
     Closed,
     Connected,
     Expect,
+    Halted,
     Outcome,
     Progress,
+    Pulse,
     Reload,
     Report,
     Request,
@@ -61,6 +64,9 @@ REQUESTS: list[Request] = [
     SetDrive(1, Drive.at(-127), accelerate=True),
     SetAuxiliary(127),
     Stop(5),
+    Stop(5, lockout=3.0),
+    Arm(),
+    Pulse(),
     Write(6, (("serial_timeout", 5),), ((1, LEARNED),)),
     Reload(7),
     Expect((LinkSettings("", LineSettings(9600)),)),
@@ -88,6 +94,7 @@ SAMPLES = (
 REPORTS: list[Report] = [
     Progress(1, 2, "x"),
     Silent("x", Counters(requests=3)),
+    Halted("x", proved=False),
     Batch(SAMPLES, Counters(1, 2, 3, 4, 0.5)),
     Outcome(1, LEARNED),
     Outcome(2, (Written("channel 1", LEARNED), Written("motor_mode", 1))),

@@ -6,7 +6,7 @@ from tests.link.helpers import moving, staged
 from tests.support.virtual import Stage
 from trex_gui.emulator.motors import Direction
 from trex_gui.link.mailbox import Mailbox
-from trex_gui.link.messages import Outcome, SetDrive, Stop
+from trex_gui.link.messages import Halted, Outcome, SetDrive, Stop
 from trex_gui.link.motors import DRIVE_INTERVAL, Motors
 from trex_gui.link.telemetry import StatusNews, StatusReader
 from trex_gui.protocol.commands import Drive, DriveMotor
@@ -20,7 +20,7 @@ class Bench:
         self.stage = stage
         self.client = stage.client()
         self.status = StatusReader(stage.transport.clock)
-        self.outcomes: list[Outcome] = []
+        self.outcomes: list[Outcome | Halted] = []
         self.news: list[StatusNews] = []
         self.mail = Mailbox(stage.script)
         self.motors = Motors(self.mail, self.outcomes.append, self.news.extend, may_move=False)
@@ -70,6 +70,7 @@ def test_a_stop_that_nobody_confirms_says_so_and_motors_may_move(bench: Bench) -
     bench.stage.board.power_off()
     bench.stop()
     (outcome,) = bench.outcomes
+    assert isinstance(outcome, Outcome)
     assert isinstance(outcome.error, NoReply)
     assert "cut its power" in str(outcome.error)
     assert bench.motors.may_move

@@ -4,6 +4,7 @@ A TReX is deaf while it answers, so there is never a second request in flight. D
 from the bytes on the wire and from what the board needs, not from a flat second.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -154,8 +155,10 @@ class Client:
         if self.echo:
             self._read_echo(packet)
 
-    def detect_echo(self) -> bool:
+    def detect_echo(self, before: Callable[[], None] | None = None) -> bool:
         """Find out, with the null command, whether everything sent comes back.
+
+        `before` is called before each probe: something may have to go out first.
 
         Raises:
             BadReply: bytes come without end; no TReX sends without being asked.
@@ -164,6 +167,8 @@ class Client:
         null = Framing().encode(Null())
         self.echo = False
         for _ in range(_ECHO_PROBES):
+            if before is not None:
+                before()
             self.drain()
             self._transport.discard()
             self._transport.write(null)

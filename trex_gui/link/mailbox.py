@@ -5,10 +5,13 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from trex_gui.link.drives import DriveSlots
+from trex_gui.link.guard import Guard
 from trex_gui.link.messages import (
+    Arm,
     Ask,
     Close,
     Expect,
+    Pulse,
     Reload,
     Request,
     SetAuxiliary,
@@ -35,6 +38,8 @@ class Mailbox:
         stops: stops that were asked for and not yet sent.
         drives: the newest wish for each motor.
         jobs: everything else, first come first served.
+        guard: whether wishes are let through, and whether somebody is still there.
+        overtaken: ids of motor commands that a stop has overtaken.
         expected: settings at which to look for a board that has fallen silent.
         closing: whether the session was asked to end.
     """
@@ -43,14 +48,16 @@ class Mailbox:
     stops: list[Stop] = field(default_factory=list)
     drives: DriveSlots = field(default_factory=DriveSlots)
     jobs: deque[Ask | Write | Reload] = field(default_factory=deque)
+    guard: Guard = field(default_factory=Guard)
+    overtaken: list[int] = field(default_factory=list)
     expected: tuple[LinkSettings, ...] = ()
     closing: bool = False
 
     def collect(self, seconds: float = 0.0) -> None:
         """Sort everything that has come, waiting up to `seconds` for the first of it.
 
-        A stop wipes out the wishes that came before it; those after it stand. `Close` wipes
-        out those after it, too: what is still written then moves nothing.
+        A stop wipes out the wishes that came before it; those after it stand, unless it locks
+        the motors. `Close` wipes out those after it, too: what is still written then moves nothing.
         """
         request = self.inbox.get(max(seconds, 0.0))
         while request is not None:
@@ -59,16 +66,30 @@ class Mailbox:
                     self.closing = True
                     self.drives.clear()
                 case Stop():
-                    self.stops.append(request)
-                    self.drives.clear()
-                case SetDrive() | SetAuxiliary():
+                    self._take_stop(request)
+                case Arm():
                     if not self.closing:
+                        self.guard.arm()
+                case Pulse():
+                    self.guard.note_life()
+                case SetDrive() | SetAuxiliary():
+                    self.guard.note_life()
+                    if not self.closing and not self.guard.is_locked:
                         self.drives.put(request)
                 case Expect(settings=settings):
                     self.expected = settings
                 case Ask() | Write() | Reload():
                     self.jobs.append(request)
             request = self.inbox.get(0.0)
+
+    def _take_stop(self, stop: Stop) -> None:
+        self.stops.append(stop)
+        self.guard.stop(stop.lockout)
+        self.drives.clear()
+        late = [job for job in self.jobs if isinstance(job, Ask) and job.command.moves]
+        for job in late:
+            self.jobs.remove(job)
+            self.overtaken.append(job.id)
 
     def take_stops(self) -> list[Stop]:
         """Return the stops that wait, and forget them."""
@@ -77,7 +98,8 @@ class Mailbox:
 
     def abandon(self) -> list[int]:
         """Forget everything, and return the ids that still wait for an outcome."""
-        ids = [request.id for request in (*self.stops, *self.jobs)]
+        ids = [*self.overtaken, *(request.id for request in (*self.stops, *self.jobs))]
+        self.overtaken.clear()
         self.stops.clear()
         self.drives.clear()
         self.jobs.clear()

@@ -45,9 +45,27 @@ class SetAuxiliary:
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """Stop every motor before anything else; answered by an `Outcome` when it is proved."""
+    """Stop every motor before anything else; answered by an `Outcome` when it is proved.
+
+    For `lockout` seconds, or until an `Arm` comes, whatever moves a motor is refused.
+    """
 
     id: int
+    lockout: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """The motors are armed from here on, until a `Stop`; has no outcome.
+
+    The line is kept busy enough for the board's own serial timeout then, and where neither a
+    `Pulse` nor a wish comes for `guard.PATIENCE` seconds, the motors are stopped; `Halted` tells.
+    """
+
+
+@dataclass(frozen=True, slots=True)
+class Pulse:
+    """Whoever has armed the motors is still there; due every `guard.PULSE_INTERVAL` seconds."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +105,7 @@ class Close:
     """Stop the motors if they were driven, give the port back, end."""
 
 
-Request = Ask | SetDrive | SetAuxiliary | Stop | Write | Reload | Expect | Close
+Request = Ask | SetDrive | SetAuxiliary | Stop | Arm | Pulse | Write | Reload | Expect | Close
 
 # --- Out --------------------------------------------------------------------------------
 
@@ -143,6 +161,19 @@ class Silent:
 
 
 @dataclass(frozen=True, slots=True)
+class Halted:
+    """The motors were stopped unasked, or a stop that was not proved has been at last.
+
+    Attributes:
+        reason: why nobody had to ask, for people; empty where it is the late proof of a stop.
+        proved: whether the board's status proves that it has arrived.
+    """
+
+    reason: str
+    proved: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Batch:
     """Every sample since the last batch; at most one each display frame.
 
@@ -174,4 +205,4 @@ class Closed:
     may_move: bool = False
 
 
-Report = Progress | Connected | Silent | Batch | Outcome | Closed
+Report = Progress | Connected | Silent | Halted | Batch | Outcome | Closed

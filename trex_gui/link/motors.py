@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from trex_gui.link.client import Client
 from trex_gui.link.drives import packets
 from trex_gui.link.mailbox import Mailbox
-from trex_gui.link.messages import Outcome
+from trex_gui.link.messages import Halted, Outcome
 from trex_gui.link.stopping import ATTEMPTS, send_stop, stop_and_prove
 from trex_gui.link.telemetry import StatusNews, StatusReader
 from trex_gui.protocol.errors import BadReply, BadRequest, NoReply
@@ -22,6 +22,10 @@ DRIVE_INTERVAL = 0.02
 CLOSING_ATTEMPTS = 6
 """How often a stop is sent when the line is to be given back: somebody waits for that."""
 
+INSISTING_ATTEMPTS = 4
+INSISTING_INTERVAL = 0.25
+"""How often, and seconds after which, a stop is sent again that no status has proved yet."""
+
 _LONGEST_DRIVE = 11
 """Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
 
@@ -30,11 +34,18 @@ _UNPROVED = (
 )
 
 
+_ABANDONED = (
+    "The window did not respond for a second, so the motors were stopped. Press Run motor to go on."
+)
+
+_OVERTAKEN = "A stop came before it; nothing was sent."
+
+
 class Motors:
     """Serves the stops and the wishes that wait in a mailbox, when the session lets it.
 
-    `answer` gets the outcome of every stop. `take_news` gets the latched bits that looking for
-    the proof of one has cleared.
+    `answer` gets the outcome of every stop, and what was stopped unasked. `take_news` gets the
+    latched bits that looking for the proof of one has cleared.
 
     Attributes:
         may_move: whether motors were driven and no stop was proved since.
@@ -43,7 +54,7 @@ class Motors:
     def __init__(
         self,
         mail: Mailbox,
-        answer: Callable[[Outcome], None],
+        answer: Callable[[Outcome | Halted], None],
         take_news: Callable[[Sequence[StatusNews]], None],
         *,
         may_move: bool,
@@ -52,6 +63,7 @@ class Motors:
         self._answer = answer
         self._take_news = take_news
         self._drove_at = 0.0
+        self._tried_at: float | None = None
         self.may_move = may_move
 
     def seconds_to_drive(self, client: Client) -> float | None:
@@ -70,6 +82,7 @@ class Motors:
         wishes = self._mail.drives.take()
         self._drove_at = client.transport.clock()
         self.may_move = True
+        self._tried_at = None
         try:
             for command in packets(wishes):
                 client.request(command)
@@ -91,6 +104,9 @@ class Motors:
         except Exception:
             self._mail.stops = stops
             raise
+        for number in self._mail.overtaken:
+            self._answer(Outcome(number, error=BadRequest(_OVERTAKEN)))
+        self._mail.overtaken.clear()
         for stop in stops:
             self._answer(Outcome(stop.id, error=None if proved else NoReply(_UNPROVED)))
 
@@ -106,7 +122,46 @@ class Motors:
         self._take_news(stopped.news)
         if stopped.proved:
             self.may_move = False
+        self._tried_at = None if stopped.proved else client.transport.clock()
         return stopped.proved
+
+    def stop_abandoned(self, client: Client, status: StatusReader) -> None:
+        """Stop because nobody seems to be there who could.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        self._mail.guard.give_up()
+        self._mail.drives.clear()
+        self._answer(Halted(_ABANDONED, self.stop_and_prove(client, status)))
+
+    def seconds_to_insist(self, client: Client) -> float | None:
+        """Return when to send a stop again that is not proved; `None`: the motors stand."""
+        if self._tried_at is None or not self.may_move:
+            return None
+        return self._tried_at + INSISTING_INTERVAL - client.transport.clock()
+
+    def insist(self, client: Client, status: StatusReader) -> None:
+        """Send a stop again that is not proved, and tell if it is at last.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        if self.stop_and_prove(client, status, INSISTING_ATTEMPTS):
+            self._answer(Halted("", proved=True))
+
+    def stop_early(self, client: Client) -> None:
+        """Send the stops that wait, or are due, on a line of which nothing is known yet.
+
+        They go on waiting for their proof. What may come back as an echo is let pass.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        if self.may_move or self._mail.stops:
+            send_stop(client)
+            client.drain()
+            client.transport.wait(client.transport.latency)
 
     def stop_unheard(self, client: Client) -> None:
         """Stop what may move on a board that does not answer: it may hear us all the same.

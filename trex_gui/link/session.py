@@ -26,9 +26,10 @@ from trex_gui.link.messages import (
     Write,
 )
 from trex_gui.link.motors import CLOSING_ATTEMPTS, Motors
+from trex_gui.link.polling import Polling
 from trex_gui.link.presence import RETRY_INTERVAL, Presence
 from trex_gui.link.reading import DeviceState, read_everything
-from trex_gui.link.schedule import Schedule, Topic, rates
+from trex_gui.link.schedule import Topic
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import ModeSeen, Sample, StatusReader, poll
 from trex_gui.link.transport import SerialTransport, Transport
@@ -41,6 +42,7 @@ from trex_gui.protocol.errors import (
     Rejected,
     TrexError,
 )
+from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.protocol.parameters import ParameterSet
 
 log = logging.getLogger(__name__)
@@ -54,6 +56,10 @@ _TICK = 1e-5
 
 class _Closing(Exception):  # noqa: N818 - no error: the session was asked to end
     pass
+
+
+def _known(*moments: float | None) -> list[float]:
+    return [seconds for seconds in moments if seconds is not None]
 
 
 class Session:
@@ -80,7 +86,7 @@ class Session:
         self._motors = Motors(self._mail, emit, self._samples.extend, may_move=may_move)
         self._presence = Presence()
         self._state: DeviceState | None = None
-        self._schedule = Schedule()
+        self._polling = Polling()
         self._flushed_at = 0.0
         self._port_rates: frozenset[int] | None = None
 
@@ -97,6 +103,7 @@ class Session:
             transport = self._open_transport(self._settings)
             self._port_rates = transport.rates()
             self._client = Client(transport, self._settings)
+            self._mail.guard.clock = transport.clock
             is_open = True
             self._status = StatusReader(transport.clock)
             self._connect()
@@ -106,7 +113,7 @@ class Session:
             pass
         except TrexError as reason:
             error = reason
-        except Exception as reason:
+        except BaseException as reason:  # whatever ends this thread, motors come first
             log.exception("the line session failed")
             error = TrexError(f"The program made a mistake on this line: {reason!r}")
         if is_open:
@@ -118,16 +125,21 @@ class Session:
     def _connect(self) -> None:
         echo = False
         try:
-            echo = self._client.detect_echo()
+            echo = self._client.detect_echo(self._stop_early)
             if self._motors.may_move:
                 self._motors.stop_and_prove(self._client, self._status)
             self._read_everything(Occasion.OPENED)
         except (NoReply, BadReply) as error:
             raise why_no_board(self._settings, echo=echo, error=error) from error
 
+    def _stop_early(self) -> None:
+        self._mail.collect()
+        self._motors.stop_early(self._client)
+
     def _read_everything(self, occasion: Occasion) -> None:
         self._state = read_everything(self._request, self._progress)
-        self._schedule.start(rates(self._state.source), self._now())
+        self._polling.start(self._state, self._now())
+        self._mail.guard.armed &= occasion is Occasion.RELOADED
         self._presence.begin()
         self._flush()
         self._emit(
@@ -174,11 +186,18 @@ class Session:
             self._run(self._mail.jobs.popleft())
         elif self._presence.silent and now >= self._presence.retry_at:
             self._look_again()
-        elif not self._presence.silent and (topic := self._schedule.next(now)):
-            self._schedule.asked(topic, now)
+        elif self._presence.silent:
+            self._collect(self._seconds_to_wait(now))
+        elif self._has_to_insist():
+            self._motors.insist(self._client, self._status)
+        elif topic := self._polling.next(now, self._line, armed=self._mail.guard.armed):
             self._poll(topic)
         else:
             self._collect(self._seconds_to_wait(now))
+
+    def _has_to_insist(self) -> bool:
+        seconds = self._motors.seconds_to_insist(self._client)
+        return seconds is not None and seconds <= 0
 
     def _collect(self, seconds: float = 0.0) -> None:
         self._mail.collect(seconds)
@@ -189,12 +208,16 @@ class Session:
         moments = [RETRY_INTERVAL]
         if self._presence.silent:
             moments.append(self._presence.retry_at - now)
-        elif (seconds := self._schedule.seconds_to_next(now)) is not None:
-            moments.append(seconds)
+        else:
+            moments += _known(
+                self._polling.seconds_to_next(now, armed=self._mail.guard.armed),
+                self._motors.seconds_to_insist(self._client),
+            )
         if self._samples:
             moments.append(self._flushed_at + FRAME - now)
-        if (seconds := self._motors.seconds_to_drive(self._client)) is not None:
-            moments.append(seconds)
+        moments += _known(
+            self._motors.seconds_to_drive(self._client), self._mail.guard.seconds_to_alarm
+        )
         return max(_TICK, min(moments))
 
     def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
@@ -207,6 +230,9 @@ class Session:
         """Stop or drive when that is due; return whether the line was used."""
         if self._mail.stops:
             self._motors.stop(self._client, self._status)
+            return True
+        if self._mail.guard.is_abandoned:
+            self._motors.stop_abandoned(self._client, self._status)
             return True
         seconds = self._motors.seconds_to_drive(self._client)
         if seconds is None or seconds > 0:
@@ -236,6 +262,7 @@ class Session:
                 case _ if self._presence.looks_around(self._client, self._mail.expected):
                     self._refuse()
                 case Ask(command=command):
+                    self._mail.guard.check(command)
                     self._motors.may_move |= command.moves
                     value = self._request(command)
                 case Write():
@@ -272,7 +299,7 @@ class Session:
             self._serve_urgent()
             return self._client.request(command)
 
-        return write_all(
+        results = write_all(
             request,
             self._specs,
             job.parameters,
@@ -281,16 +308,28 @@ class Session:
             source=None if self._state is None else self._state.source,
             cancelled=is_closing,
         )
+        for written in results:
+            if written.what == "serial_timeout" and isinstance(written.stored, int):
+                self._polling.take(written.stored, self._known_state)
+        return results
 
     def _refuse(self) -> None:
         """Let nothing that a person asks reach a board at settings which nobody knows."""
         raise NoReply("No board answers; it is being looked for.")
 
     @property
-    def _specs(self) -> ParameterSet:
+    def _known_state(self) -> DeviceState:
         if self._state is None:
             raise NoReply("No board has been read yet.")
-        return self._state.specs
+        return self._state
+
+    @property
+    def _specs(self) -> ParameterSet:
+        return self._known_state.specs
+
+    @property
+    def _line(self) -> LineSettings:
+        return self._client.settings.line
 
     def _progress(self, done: int, total: int, what: str) -> None:
         self._emit(Progress(done, total, what))
@@ -299,18 +338,21 @@ class Session:
 
     def _poll(self, topic: Topic) -> None:
         try:
-            sample = poll(self._client.request, topic, self._now, self._status)
+            sample = poll(self._request, topic, self._now, self._status)
             self._presence.note_answer()
             if sample is not None:
                 self._samples.append(sample)
             if isinstance(sample, ModeSeen) and self._state and sample.mode is not self._state.mode:
                 # The power was off and a jumper has moved: everything may be different now.
+                if self._motors.may_move:
+                    self._motors.stop_and_prove(self._client, self._status)
                 self._read_everything(Occasion.MODE_CHANGED)
         except (NoReply, BadReply) as error:
             self._note_failure(error)
 
     def _note_failure(self, error: TrexError) -> None:
         if self._presence.note_failure(self._now()):
+            self._mail.guard.armed = False
             self._motors.stop_unheard(self._client)
             self._flush()
             self._emit(Silent(str(error), replace(self._client.counters)))

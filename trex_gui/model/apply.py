@@ -72,6 +72,14 @@ class Apply(QObject):
         if count:
             self._write(state, link, reason, parameters, calibrations)
 
+    def store(self, state: DeviceState, link: LinkSettings | None, key: str, wire: int) -> bool:
+        """Write one parameter at once; edits of others go on waiting.
+
+        Return whether it is on its way.
+        """
+        reason = self.tr("{0} set").format(state.specs[key].name)
+        return self._write(state, link, reason, ((key, wire),), ())
+
     def reset(self, state: DeviceState, link: LinkSettings | None) -> bool:
         """Let the board put every parameter back to the factory's value at its next start.
 

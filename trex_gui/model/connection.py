@@ -12,6 +12,7 @@ from trex_gui.link.messages import (
     Batch,
     Closed,
     Connected,
+    Halted,
     Outcome,
     Progress,
     Reload,
@@ -51,6 +52,7 @@ class Connection(QObject):
         silenced: the board has stopped answering.
         left: the line is closed, and nothing of the board counts any more: the `Closed`; `None`
             at the end of the program.
+        halted: the line session has stopped the motors by itself: the `Halted`.
         sampled: a `Batch`.
         progressed: steps done, steps in all, what comes next.
         failed: why the line is closed, for people.
@@ -62,6 +64,7 @@ class Connection(QObject):
     closing = Signal()
     silenced = Signal()
     left = Signal(object)
+    halted = Signal(object)
     sampled = Signal(object)
     progressed = Signal(int, int, str)
     failed = Signal(str)
@@ -139,6 +142,10 @@ class Connection(QObject):
             self._line.close()
             self._stand(Link.CLOSING, self.tr("Disconnecting …"))
 
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every motor, from any thread; see `Line.stop_now`."""
+        self._line.stop_now(ending=ending)
+
     def shut_down(self) -> bool:
         """Close the line and wait for it; return whether it ended in time. See `Line.shut_down`."""
         self._next = None
@@ -176,6 +183,8 @@ class Connection(QObject):
             case Batch():
                 self._counters = report.counters
                 self.sampled.emit(report)
+            case Halted():
+                self.halted.emit(report)
             case Progress(done=done, total=total, what=what):
                 self.progressed.emit(done, total, what)
             case Connected() | Silent() if self._link is Link.CLOSING:

@@ -27,6 +27,8 @@ from trex_gui.model.connection import Connection, Link
 from trex_gui.model.driving.motors import Motors
 from trex_gui.model.driving.orders import AfterStop, Driving
 from trex_gui.model.errors import ErrorLog
+from trex_gui.model.event_watch import EventWatch
+from trex_gui.model.events import Events
 from trex_gui.model.kept_edits import KeptEdits
 from trex_gui.model.parameters import Column
 from trex_gui.model.reset_order import ResetOrder
@@ -35,6 +37,8 @@ from trex_gui.model.telemetry import Telemetry
 from trex_gui.settings.document import calibration_key
 from trex_gui.settings.factory import factory_settings
 from trex_gui.settings.history import History
+
+_TIMEOUT = "serial_timeout"
 
 __all__ = ["AfterStop", "Device", "Link"]
 
@@ -49,12 +53,14 @@ class Device(QObject):
         failed: why a connection ended or something asked did not work, for people.
         told: what was done without being asked, for people.
         applied: the `Written` of everything that Apply tried.
+        sampled: a `Batch`; the models of the device have taken it in.
         pending_changed: how many edits of parameters and calibrations wait for Apply.
 
     Attributes:
         draft: what the board stores and the edits of it; `parameters`, `calibrations` and `undo`
             are its parts.
         history: what boards stored before each Apply.
+        events: what happened since the line was opened, on the clock of `telemetry`.
     """
 
     link_changed = Signal()
@@ -63,6 +69,7 @@ class Device(QObject):
     failed = Signal(str)
     told = Signal(str)
     applied = Signal(object)
+    sampled = Signal(object)
     pending_changed = Signal(int)
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -78,6 +85,9 @@ class Device(QObject):
         self.motors = Motors(self)
         self._connection = Connection(self)
         self._driving = Driving(self.motors, self._connection, self)
+        self.events = Events(self)
+        self._event_watch = EventWatch(self.events, self.motors, self._connection, self)
+        self.telemetry.watch(self.motors)
         self._kept = KeptEdits(self.history, self)
         self._reset_order = ResetOrder()
         self._state: DeviceState | None = None
@@ -175,6 +185,22 @@ class Device(QObject):
         return self._driving.may_move
 
     @property
+    def serial_timeout_s(self) -> float | None:
+        """Seconds of silence after which the board stops its motors by itself, 0 for never.
+
+        `None` while no board answers, or where it was not read.
+        """
+        wire = None if self._state is None else self._state.parameters.get(_TIMEOUT)
+        if self._state is None or wire is None or self.link is not Link.UP:
+            return None
+        return wire * self._state.specs[_TIMEOUT].scale
+
+    @property
+    def timeout_off(self) -> bool:
+        """Whether motors would go on when the cable or this computer fails."""
+        return self.serial_timeout_s == 0
+
+    @property
     def applying(self) -> bool:
         """Whether edits are being written."""
         return self._apply.running
@@ -205,6 +231,27 @@ class Device(QObject):
         Where the line ends before that, `then` is not called; `link_changed` tells.
         """
         self._driving.stop(then)
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every motor, from any thread and without telling anybody; see `Line.stop_now`."""
+        self._driving.stop_now(ending=ending)
+
+    def set_serial_timeout(self, seconds: float) -> None:
+        """Write how long the board waits for a byte before it stops its motors, 0 for ever.
+
+        Only that is written, at once, after a snapshot, and read back; `applied` tells how it
+        went.
+
+        Raises:
+            BadRequest: the board cannot wait so long.
+        """
+        if self._state is None or not self._connection.is_open:
+            self.failed.emit(self.tr("No board is connected."))
+            return
+        spec = self._state.specs[_TIMEOUT]
+        self._apply.store(
+            self._state, self.settings, _TIMEOUT, spec.check(round(seconds / spec.scale))
+        )
 
     def reload(self) -> None:
         """Read everything from the board again."""
@@ -276,6 +323,8 @@ class Device(QObject):
     def _on_applied(self, results: tuple[Written, ...]) -> None:
         self._note_written(results)
         self.link_changed.emit()
+        names = tuple(self.name_of(result.what) for result in results)
+        self._event_watch.note_applied(results, names)
         self.applied.emit(results)
 
     @Slot(str)
@@ -320,6 +369,7 @@ class Device(QObject):
                 self.errors.take(sample)
         self.telemetry.take(batch)
         self._follow_control()
+        self.sampled.emit(batch)
 
     def _follow_control(self) -> None:
         self._driving.follow(by_serial=bool(self.telemetry.serial_controls))

@@ -24,6 +24,9 @@ from trex_gui.worker.line_worker import LineWorker
 _ENDING: list[LineWorker] = []
 """Threads between their last report and their end; Qt aborts when one is destroyed running."""
 
+NOBODY = 0
+"""The number of a request of which nobody waits for the outcome."""
+
 _PATIENCE_MS = 1000
 _PATIENCE_WHILE_WRITING_MS = 3000
 """How long the end waits: line settings and polynomial are not parted, whatever they take."""
@@ -90,6 +93,17 @@ class Line(QObject):
     def close(self) -> None:
         """Stop the motors if they were driven, and give the port back; `closed` tells when."""
         self.submit(Close())
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every motor, and give the port back where the program is `ending`.
+
+        For emergencies, from any thread: it waits for nobody, and nobody is told how it went but
+        by what follows from it.
+        """
+        if (worker := self._worker) is not None:
+            worker.submit(Stop(NOBODY))
+            if ending:
+                worker.submit(Close())
 
     def shut_down(self) -> bool:
         """Close and wait for it, at most a second; return whether it ended in time.

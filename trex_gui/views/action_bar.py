@@ -1,11 +1,14 @@
 """The row below the pages, the same on every page: stop, run, apply."""
 
+import math
+
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from trex_gui.model.device import Device, Link
 from trex_gui.views.icons import set_icon
 from trex_gui.views.theme import theme, tint
+from trex_gui.views.widgets.timeout_notice import TimeoutNotice
 
 
 class ActionBar(QWidget):
@@ -46,16 +49,22 @@ class ActionBar(QWidget):
         for button in (self._stop, self._run, self._apply):
             button.setMinimumSize(4 * height, height)
 
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        self._notice = TimeoutNotice(device, self)
+
+        layout = QHBoxLayout()
         layout.addWidget(self._stop)
         layout.addWidget(self._run)
         layout.addSpacing(8)
         layout.addWidget(self._state, 1)
         layout.addWidget(self._unapplied)
         layout.addWidget(self._apply)
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.addWidget(self._notice)
+        rows.addLayout(layout)
 
-        self._stop.clicked.connect(device.motors.stop)
+        # At the press, not when it is let go; a finger that slips off it does not take it back.
+        self._stop.pressed.connect(device.motors.press_stop)
         self._run.clicked.connect(device.motors.arm)
         self._apply.clicked.connect(self.apply_requested)
         device.link_changed.connect(self._on_changed)
@@ -69,7 +78,7 @@ class ActionBar(QWidget):
     def _on_changed(self) -> None:
         motors, link = self._device.motors, self._device.link
         self._stop.setEnabled(link in {Link.OPENING, Link.UP, Link.SILENT})
-        self._run.setEnabled(motors.can_arm and not motors.armed)
+        self._run.setEnabled(motors.can_arm and not motors.armed and not motors.locked_for)
         self._state.setText(self._state_text())
         self._show_state(alarming=motors.armed or self._device.may_move)
         pending = self._device.pending > 0
@@ -87,6 +96,11 @@ class ActionBar(QWidget):
             if link is Link.NONE:
                 return self.tr("The line was lost: motors may still turn. Cut their power.")
             return self.tr("Not known: motors may still turn. The stop is sent again and again.")
+        if motors.locked_for:
+            left = math.ceil(motors.locked_for)
+            return self.tr("Stopped. Motors are locked for {0} s.").format(left)
+        if link is Link.UP and motors.stop_reason:
+            return self.tr("Stopped. {0}").format(motors.stop_reason)
         if link is Link.UP and motors.can_arm:
             return self.tr("Not armed: nothing is sent before Run motor.")
         if link is Link.UP:

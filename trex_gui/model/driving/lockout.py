@@ -4,9 +4,33 @@ import math
 import time
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, QTimer, Signal, Slot
 
 _STEP_MS = 100
+_KEY = "motors/lockout"
+
+LOCKOUT = 3.0
+"""Seconds that nothing drives after a person has pressed stop, unless set otherwise.
+
+Inferred from what others do: 5 s where throttles are large, none where people drag on and meet a
+motor that starts again.
+"""
+
+LONGEST = 10.0
+
+
+def remembered_lockout() -> float:
+    """Return the seconds that a person has set last, 0 to 10."""
+    try:
+        seconds = float(str(QSettings().value(_KEY, LOCKOUT)))
+    except ValueError:
+        return LOCKOUT
+    return min(max(seconds, 0.0), LONGEST) if math.isfinite(seconds) else LOCKOUT
+
+
+def remember_lockout(seconds: float) -> None:
+    """Lock for so many seconds, 0 to 10, from the next start of the program on, too."""
+    QSettings().setValue(_KEY, min(max(seconds, 0.0), LONGEST))
 
 
 class Lockout(QObject):

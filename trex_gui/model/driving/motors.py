@@ -6,20 +6,15 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.link.messages import SetAuxiliary, SetDrive
-from trex_gui.model.driving.lockout import Lockout
+from trex_gui.model.driving.lockout import LOCKOUT, Lockout, remembered_lockout
 from trex_gui.protocol.calibration import FULL_SCALE
 from trex_gui.protocol.command import seven_bits
 from trex_gui.protocol.commands import Drive
 
+__all__ = ["LOCKOUT", "Motors"]
+
 _AUXILIARY = 0
 """The auxiliary motor among the numbers of the two others."""
-
-LOCKOUT = 3.0
-"""Seconds that nothing drives after a person has pressed stop, unless set otherwise.
-
-Inferred from what others do: 5 s where throttles are large, none where people drag on and meet a
-motor that starts again.
-"""
 
 
 class Motors(QObject):
@@ -37,7 +32,8 @@ class Motors(QObject):
 
     Attributes:
         accelerate: whether wishes go through the board's ramp (accelerate) or at once (set).
-        lockout: seconds that nothing drives after `press_stop`, 0 for none.
+        lockout: seconds that nothing drives after `press_stop`, 0 to 10; 0 for none. What a
+            person has set is remembered under "motors/lockout".
     """
 
     changed = Signal()
@@ -49,7 +45,7 @@ class Motors(QObject):
     ) -> None:
         super().__init__(parent)
         self.accelerate = True
-        self.lockout = LOCKOUT
+        self.lockout = remembered_lockout()
         self._lock = Lockout(clock, self)
         self._lock.changed.connect(self.changed)
         self._armed = False

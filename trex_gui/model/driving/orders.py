@@ -2,13 +2,17 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, QTimer, Signal, Slot
 
+from trex_gui.link.guard import PULSE_INTERVAL
 from trex_gui.link.messages import (
+    Arm,
     Closed,
     Connected,
+    Halted,
     Occasion,
     Outcome,
+    Pulse,
     SetAuxiliary,
     SetDrive,
     Stop,
@@ -39,14 +43,20 @@ class Driving(QObject):
         self._motors = motors
         self._connection = connection
         self._may_move = False
+        self._was_armed = False
         self._after_stop: list[AfterStop] = []
+        self._pulse = QTimer(self)
+        self._pulse.setInterval(round(PULSE_INTERVAL * 1000))
 
+        self._pulse.timeout.connect(self._on_pulse_due)
+        motors.changed.connect(self._on_motors_changed)
         motors.requested.connect(self._on_drive_requested)
         motors.stop_requested.connect(self._on_stop_requested)
         connection.answered.connect(self._on_answered)
         connection.closing.connect(self._on_out_of_reach)
         connection.silenced.connect(self._on_out_of_reach)
         connection.left.connect(self._on_left)
+        connection.halted.connect(self._on_halted)
 
     @property
     def may_move(self) -> bool:
@@ -63,8 +73,12 @@ class Driving(QObject):
         allowed = is_up and by_serial
         if allowed != self._motors.can_arm:
             if not allowed and self._motors.armed and is_up:
-                self._motors.stop()
+                self._motors.stop(self.tr("Serial commands do not reach the motors any more."))
             self._motors.allow(allowed)
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every motor, from any thread; `Motors.stop` has to follow in that of the window."""
+        self._connection.stop_now(ending=ending)
 
     def stop(self, then: AfterStop) -> None:
         """Stop everything and disarm; `then` is told whether the board has proved it, once.
@@ -82,6 +96,20 @@ class Driving(QObject):
             self._may_move = True
 
     @Slot()
+    def _on_motors_changed(self) -> None:
+        armed, was_armed = self._motors.armed, self._was_armed
+        self._was_armed = armed
+        if armed and not was_armed:
+            self._connection.submit(Arm())
+            self._pulse.start()
+        elif not armed:
+            self._pulse.stop()
+
+    @Slot()
+    def _on_pulse_due(self) -> None:
+        self._connection.submit(Pulse())
+
+    @Slot()
     def _on_stop_requested(self) -> None:
         waiting, self._after_stop = self._after_stop, []
 
@@ -90,7 +118,8 @@ class Driving(QObject):
             for then in waiting:
                 then(outcome.error)
 
-        if not self._connection.ask(Stop, tell):
+        lockout = self._motors.locked_for
+        if not self._connection.ask(lambda number: Stop(number, lockout), tell):
             for then in waiting:
                 then(NoReply(self.tr("No board is connected.")))
 
@@ -101,6 +130,15 @@ class Driving(QObject):
             self.proved.emit()
         elif self._connection.link is not Link.CLOSING:
             self.failed.emit(str(outcome.error))
+
+    @Slot(object)
+    def _on_halted(self, report: Halted) -> None:
+        if report.reason:
+            self._motors.stop(report.reason)
+            self.failed.emit(report.reason)
+        if report.proved:
+            self._may_move = self._motors.armed
+            self.proved.emit()
 
     # --- The board comes and goes -------------------------------------------------------
 

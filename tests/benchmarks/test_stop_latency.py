@@ -1,0 +1,147 @@
+"""From the press of a button or the move of a slider to its bytes on the wire.
+
+The window paints, telemetry runs at full rate, the simulated board is a process of its own at the
+pace of the wire. Beside each figure stands the least that was possible: what the transaction that
+was in flight at the moment of the press still took. A board is deaf while it answers, so nothing
+can go out before that.
+"""
+
+import random
+import statistics
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton, QSlider
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.emulator.eeprom import Eeprom
+from trex_gui.link.client import Client
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import SerialTransport
+from trex_gui.model.device import Link
+from trex_gui.protocol.commands import STOP, Command, ReplyT_co
+from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.window import Program
+
+_PRESSES = 1000
+_STOP_BYTES = STOP[0].opcode.to_bytes()
+_ADDED_MS = 10.0
+"""What the program may add to the least possible, in the median; more is a bug, however busy the
+computer is."""
+
+
+class Wiretap:
+    """What went out when, and which transactions were in flight, on `time.perf_counter`."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.writes: list[tuple[float, bytes]] = []
+        self.transactions: list[tuple[float, float]] = []
+        write, transact = SerialTransport.write, Client._transact
+
+        def note_write(port: SerialTransport, data: bytes) -> None:
+            self.writes.append((time.perf_counter(), data))
+            write(port, data)
+
+        def note_transaction(client: Client, command: Command[ReplyT_co]) -> ReplyT_co:
+            begun = time.perf_counter()
+            try:
+                return transact(client, command)
+            finally:
+                self.transactions.append((begun, time.perf_counter()))
+
+        monkeypatch.setattr(SerialTransport, "write", note_write)
+        monkeypatch.setattr(Client, "_transact", note_transaction)
+
+    def forget(self) -> None:
+        self.writes.clear()
+        self.transactions.clear()
+
+    def first_after(self, moment: float, is_wanted: Callable[[bytes], bool]) -> float | None:
+        """When the first bytes of this kind went out after a moment."""
+        return next((at for at, data in self.writes if at >= moment and is_wanted(data)), None)
+
+    def rest_of_the_transaction_at(self, moment: float) -> float:
+        """How long the transaction that was in flight at a moment still took."""
+        return next((end - moment for begun, end in self.transactions if begun <= moment < end), 0)
+
+
+def is_stop(data: bytes) -> bool:
+    return data[:1] == _STOP_BYTES
+
+
+def is_drive(data: bytes) -> bool:
+    return 0xC0 <= data[0] <= 0xEF and not is_stop(data)
+
+
+@pytest.mark.timeout(600)
+@pytest.mark.parametrize("baud", [19200, 115200])
+def test_press_to_wire(
+    baud: int,
+    program: Program,
+    qtbot: QtBot,
+    start_simulator: Callable[..., SimulatorProcess],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    tap = Wiretap(monkeypatch)
+    line = LineSettings(baud)
+    eeprom = Eeprom.open(tmp_path / "board.json", "trex")
+    eeprom.write("uart_settings", line.to_wire())
+    simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
+    device = program.device
+    device.connect_to(LinkSettings(simulator.url, line))
+    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm, timeout=20_000)
+    device.motors.lockout = 0.0
+    program.window.pages.setCurrentIndex(3)
+    stop = program.window.findChild(QPushButton, "stopButton")
+    slider = program.window.findChild(QSlider, "motor1Slider")
+    assert stop is not None
+    assert slider is not None
+    chance = random.Random(1)
+
+    def measure(
+        act: Callable[[int], object], is_wanted: Callable[[bytes], bool]
+    ) -> tuple[list[float], list[float]]:
+        took, least = [], []
+        for number in range(_PRESSES):
+            device.motors.arm()
+            qtbot.wait(chance.randint(25, 45))  # anywhere between two questions
+            assert device.motors.armed, device.motors.stop_reason or device.status
+            tap.forget()
+            pressed = time.perf_counter()
+            act(number)
+            sent: float | None = None
+            end = pressed + 2
+            while sent is None and time.perf_counter() < end:
+                qtbot.wait(1)
+                sent = tap.first_after(pressed, is_wanted)
+            assert sent is not None
+            took.append(1000 * (sent - pressed))
+            least.append(1000 * tap.rest_of_the_transaction_at(pressed))
+        return took, least
+
+    def press_stop(_: int) -> None:
+        QTest.mouseClick(stop, Qt.MouseButton.LeftButton)
+
+    figures = {
+        "slider": measure(lambda number: slider.setValue(1 + number % 100), is_drive),
+        "stop": measure(press_stop, is_stop),
+    }
+    with capsys.disabled():
+        print(f"\n{baud} baud, {_PRESSES} presses each, ms:  median   99 %  worst | least possible")
+        for name, (took, least) in figures.items():
+            ordered = sorted(took)
+            late = ordered[len(ordered) * 99 // 100]
+            print(
+                f"  {name:8} {statistics.median(took):34.2f} {late:6.2f} {ordered[-1]:6.2f} "
+                f"| {statistics.median(least):.2f}, worst {max(least):.2f}"
+            )
+    for took, least in figures.values():
+        added = [all_in_all - needed for all_in_all, needed in zip(took, least, strict=True)]
+        assert statistics.median(added) < _ADDED_MS

@@ -1,0 +1,287 @@
+"""Whatever happens to the window, the motors of the board stop: the board is asked, not we.
+
+The simulated board and the window are processes of their own.
+"""
+
+import itertools
+import os
+import select
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtDBus import QDBusConnection, QDBusMessage
+
+from tests.support.driven_window import AUXILIARY, SPEEDS
+from tests.support.simulator import SimulatorProcess
+
+pytestmark = [
+    pytest.mark.skipif(sys.platform == "win32", reason="pseudo-terminals and POSIX signals"),
+    pytest.mark.timeout(120),
+]
+
+ROOT = Path(__file__).parents[2]
+
+
+def is_driven(simulator: SimulatorProcess) -> bool:
+    """Whether every motor runs as it was told."""
+    shown = simulator.show()
+    speeds = [
+        motor["speed"] * {"forward": 1, "reverse": -1, "brake": 0}[motor["direction"]]
+        for motor in shown["motors"]
+    ]
+    return speeds == list(SPEEDS.values()) and shown["aux"]["speed"] == AUXILIARY
+
+
+def is_stopped(simulator: SimulatorProcess) -> bool:
+    """Whether both motors brake fully, are told nothing else, and the auxiliary one is off."""
+    shown = simulator.show()
+    braked = {"direction": "brake", "speed": 127, "target_direction": "brake", "target_speed": 127}
+    return shown["aux"] == {"speed": 0, "target_speed": 0} and all(
+        {key: motor[key] for key in braked} == braked for motor in shown["motors"]
+    )
+
+
+def seconds_until(happened: Callable[[], bool], patience: float) -> float:
+    """Return how long something took; fails when it does not happen."""
+    begun = time.monotonic()
+    while not happened():
+        assert time.monotonic() - begun < patience, "it never happened"
+    return time.monotonic() - begun
+
+
+class DrivingWindow:
+    """The program in a process of its own, with every motor running."""
+
+    def __init__(self, simulator: SimulatorProcess, folder: Path, **environment: str) -> None:
+        self.simulator = simulator
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "tests.support.driven_window", simulator.url],
+            cwd=ROOT,
+            env={
+                **os.environ,
+                "QT_QPA_PLATFORM": "offscreen",
+                "XDG_CONFIG_HOME": str(folder),
+                "TREX_STUDIO_DATA": str(folder),
+                **environment,
+            },
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        assert self.process.stdout is not None
+        ready, _, _ = select.select([self.process.stdout], [], [], 60)
+        assert ready, "the window never drove"
+        assert self.process.stdout.readline() == "driving\n"
+        seconds_until(lambda: is_driven(simulator), 5)
+
+    def provoke(self, cause: str) -> None:
+        assert self.process.stdin is not None
+        self.process.stdin.write(f"{cause}\n")
+        self.process.stdin.flush()
+
+    def end(self) -> None:
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+
+
+@pytest.fixture
+def start(simulator: SimulatorProcess, tmp_path: Path) -> Iterator[Callable[..., DrivingWindow]]:
+    """Start a window that drives."""
+    windows: list[DrivingWindow] = []
+
+    def start(**environment: str) -> DrivingWindow:
+        windows.append(DrivingWindow(simulator, tmp_path, **environment))
+        return windows[-1]
+
+    yield start
+    for window in windows:
+        window.end()
+
+
+def stays_stopped(simulator: SimulatorProcess) -> bool:
+    """Whether nothing that was on its way starts a motor again."""
+    end = time.monotonic() + 0.5
+    while time.monotonic() < end:
+        if not is_stopped(simulator):
+            return False
+    return True
+
+
+# --- In the program ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "cause",
+    [
+        "mistake_in_a_slot",
+        "mistake_in_a_thread",
+        "mistake_nobody_can_catch",
+        "mistake_in_the_line",
+        "end_of_the_line_thread",
+        "close",
+        "disconnect_line",
+        "sleep_unnoticed",
+        "lose_the_gamepad",
+    ],
+)
+def test_motors_stop_at(
+    cause: str, start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    window = start()
+    window.provoke(cause)
+    assert seconds_until(lambda: is_stopped(simulator), 3) < 2
+    assert stays_stopped(simulator)
+
+
+def test_a_window_that_goes_on_after_a_mistake_still_answers(
+    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    window = start()
+    window.provoke("mistake_in_a_slot")
+    seconds_until(lambda: is_stopped(simulator), 3)
+    window.provoke("close")
+    _, errors = window.process.communicate(timeout=20)
+    assert window.process.returncode == 0
+    assert "ZeroDivisionError: on purpose" in errors
+
+
+@pytest.mark.parametrize("cause", ["hang", "hang_computing"])
+def test_motors_stop_while_the_window_hangs(
+    cause: str, start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    window = start()
+    window.provoke(cause)
+    took = seconds_until(lambda: is_stopped(simulator), 3)
+    assert took < 2, "it hangs for 3 s: the motors must not wait for its end"
+    assert stays_stopped(simulator)
+
+
+# --- From outside -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
+def test_motors_stop_at_a_signal_and_the_program_ends_well(
+    number: signal.Signals, start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    window = start()
+    window.process.send_signal(number)
+    assert seconds_until(lambda: is_stopped(simulator), 3) < 1
+    assert window.process.wait(20) == 0
+    assert stays_stopped(simulator)
+
+
+def test_motors_stop_at_a_signal_to_a_window_that_hangs_and_the_program_ends_all_the_same(
+    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    window = start()
+    window.provoke("hang_for_long")
+    window.process.send_signal(signal.SIGTERM)
+    assert seconds_until(lambda: is_stopped(simulator), 3) < 0.9, "not only for want of a pulse"
+    assert window.process.wait(15) == 128 + signal.SIGTERM
+    assert is_stopped(simulator)
+
+
+def test_nothing_helps_against_kill_9_but_the_boards_own_timeout(
+    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    """Why the window speaks of the serial timeout beside Run motor."""
+    window = start()
+    assert simulator.show()["parameters"]["serial_timeout"] == 0
+    window.process.kill()
+    window.process.wait(10)
+    time_of_death = time.monotonic()
+    while time.monotonic() < time_of_death + 2:
+        assert is_driven(simulator), "nobody told it to stop"
+
+
+def test_a_board_with_a_serial_timeout_stops_after_kill_9(
+    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    set_timeout = [
+        *(sys.executable, "-m", "trex_gui.cli", "set", "serial_timeout", "0.5 s"),
+        *("--port", simulator.url),
+    ]
+    subprocess.run(set_timeout, check=True, capture_output=True, timeout=30)
+    window = start()
+    window.process.kill()
+    assert seconds_until(lambda: is_stopped(simulator), 3) < 1.5
+    assert stays_stopped(simulator)
+
+
+def test_trexcmd_stops_what_a_killed_window_left_running(
+    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    window = start()
+    window.process.kill()
+    window.process.wait(10)
+    assert is_driven(simulator)
+    stop = [sys.executable, "-m", "trex_gui.cli", "stop", "--port", simulator.url]
+    subprocess.run(stop, check=True, capture_output=True, timeout=30)
+    assert is_stopped(simulator)
+
+
+# --- From the desktop -------------------------------------------------------------------
+
+_buses = itertools.count(1)
+
+
+@pytest.fixture
+def bus() -> Iterator[tuple[str, QDBusConnection]]:
+    """A message bus of the test's own: its address, and a connection to it."""
+    with subprocess.Popen(
+        ["dbus-daemon", "--session", "--print-address", "--nofork", "--nopidfile"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    ) as daemon:
+        assert daemon.stdout is not None
+        address = daemon.stdout.readline().strip()
+        name = f"desktop{next(_buses)}"
+        yield address, QDBusConnection.connectToBus(address, name)
+        QDBusConnection.disconnectFromBus(name)
+        daemon.terminate()
+
+
+_LOGIN = "/org/freedesktop/login1"
+
+
+@pytest.mark.parametrize(
+    ("path", "interface", "name", "arguments"),
+    [
+        (_LOGIN, "org.freedesktop.login1.Manager", "PrepareForSleep", [True]),
+        (_LOGIN, "org.freedesktop.login1.Manager", "PrepareForShutdown", [True]),
+        (f"{_LOGIN}/session/_31", "org.freedesktop.login1.Session", "Lock", []),
+        ("/ScreenSaver", "org.freedesktop.ScreenSaver", "ActiveChanged", [True]),
+        ("/org/gnome/ScreenSaver", "org.gnome.ScreenSaver", "ActiveChanged", [True]),
+    ],
+)
+def test_motors_stop_when_the_desktop_says(
+    path: str,
+    interface: str,
+    name: str,
+    arguments: list[Any],
+    start: Callable[..., DrivingWindow],
+    simulator: SimulatorProcess,
+    bus: tuple[str, QDBusConnection],
+) -> None:
+    address, connection = bus
+    start(DBUS_SESSION_BUS_ADDRESS=address, DBUS_SYSTEM_BUS_ADDRESS=address)
+    # Waking up and unlocking say the same with a false: that stops nothing.
+    if arguments:
+        harmless = QDBusMessage.createSignal(path, interface, name)
+        harmless.setArguments([False])
+        assert connection.send(harmless)
+    said = QDBusMessage.createSignal(path, interface, name)
+    said.setArguments(arguments)
+    assert is_driven(simulator)
+    assert connection.send(said)
+    assert seconds_until(lambda: is_stopped(simulator), 3) < 1
+    assert stays_stopped(simulator)

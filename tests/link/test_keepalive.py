@@ -1,0 +1,104 @@
+"""While motors are armed, the board's own serial timeout is fed; else nothing is done for it."""
+
+import pytest
+
+from tests.link.helpers import among, commands, run_for, samples, seen_at, staged
+from trex_gui.link.guard import PULSE_INTERVAL
+from trex_gui.link.keepalive import longest_pause, silence, too_slow
+from trex_gui.link.messages import Arm, Connected, Outcome, Pulse, SetDrive, Stop, Write
+from trex_gui.link.schedule import Topic
+from trex_gui.link.telemetry import Raw, StatusNews
+from trex_gui.protocol.commands import Drive, GetRawChannels
+from trex_gui.protocol.flags import UartError
+from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
+
+
+def opening(baud: int) -> float:
+    """Seconds after which everything has been read, amply."""
+    return 1.0 + 4.0 * 1200 / baud
+
+
+@pytest.mark.parametrize("detection", list(Detection))
+@pytest.mark.parametrize("baud", baud_rates())
+def test_a_tenth_of_a_second_is_enough_at_every_rate_while_armed(
+    baud: int, detection: Detection
+) -> None:
+    stage, settings = staged(baud, detection)
+    stage.board.eeprom.write("serial_timeout", 1)
+    start = opening(baud)
+    stage.script.at(start, Arm()).at(start, SetDrive(1, Drive.at(90)))
+    for number in range(20):
+        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+    speeds = seen_at(stage, start + 5.0, lambda: stage.board.motors[0].speed)
+    reports = run_for(stage, start + 5.1, settings)
+    assert speeds == [90]
+    fired = [
+        one.time
+        for one in samples(reports, StatusNews)
+        if one.uart & UartError.TIMEOUT and one.time > start + 0.5
+    ]
+    assert fired == []
+
+
+def test_on_a_slow_line_only_questions_that_fit_are_asked_while_armed() -> None:
+    stage, settings = staged(1200)
+    stage.board.eeprom.write("serial_timeout", 1)
+    start = opening(1200)
+    stage.script.at(start, Arm())
+    for number in range(20):
+        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+    stage.script.at(start + 5.0, Stop(1))
+    reports = run_for(stage, start + 8.0, settings)
+    seen = [one.time for one in samples(reports, Raw)]
+    assert [time for time in seen if start + 0.2 < time < start + 5.0] == []
+    assert [time for time in seen if time > start + 5.5] != [], "all is asked again after the stop"
+
+
+def test_without_armed_motors_nothing_is_done_for_the_timeout() -> None:
+    stage, settings = staged(1200)
+    stage.board.eeprom.write("serial_timeout", 1)
+    reports = run_for(stage, opening(1200) + 5.0, settings)
+    assert samples(reports, Raw)
+
+
+def test_a_timeout_that_is_set_while_connected_counts_at_once() -> None:
+    stage, settings = staged(1200)
+    start = opening(1200)
+    stage.script.at(start, Write(1, (("serial_timeout", 1),)))
+    stage.script.at(start + 1.0, Arm())
+    for number in range(16):
+        stage.script.at(start + 1.0 + number * PULSE_INTERVAL, Pulse())
+    reports = run_for(stage, start + 4.0, settings)
+    assert among(reports, Outcome)[0].error is None
+    assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
+
+
+def test_what_is_too_slow_follows_from_bytes_and_rate() -> None:
+    assert too_slow(LineSettings(1200), 0.1) == {Topic.RAW}
+    assert too_slow(LineSettings(1200), 0.2) == frozenset()
+    assert too_slow(LineSettings(2400), 0.1) == frozenset()
+    assert too_slow(LineSettings(1200), 0) == frozenset()
+    # Ten bytes of answer and one of the next question, ten bits each, and the margin.
+    assert silence(LineSettings(1200), GetRawChannels()) == pytest.approx(11 / 120 + 0.015)
+
+
+@pytest.mark.parametrize("detection", list(Detection))
+@pytest.mark.parametrize("stop_bits", [1, 2])
+@pytest.mark.parametrize("baud", baud_rates())
+def test_at_every_rate_something_can_be_asked_in_time(
+    baud: int, detection: Detection, stop_bits: int
+) -> None:
+    left_out = too_slow(LineSettings(baud, detection, stop_bits), 0.1)
+    assert {Topic.CURRENTS, Topic.CONTROL, Topic.STATUS, Topic.MODE}.isdisjoint(left_out)
+
+
+def test_without_a_timeout_there_is_no_hurry() -> None:
+    assert longest_pause(0) is None
+    assert longest_pause(0.5) == pytest.approx(0.2)
+
+
+def test_the_board_is_read_before_any_of_this() -> None:
+    stage, settings = staged(1200)
+    reports = run_for(stage, opening(1200), settings)
+    assert among(reports, Connected)
+    assert commands(stage.transport.sent)

@@ -1,0 +1,137 @@
+"""The whole program in a process of its own, driving motors until something goes wrong.
+
+Run as `python -m tests.support.driven_window URL`; prints `driving` once everything turns, then
+takes lines on stdin, each the name of something that goes wrong.
+"""
+
+import os
+import sys
+import threading
+import time
+
+from PySide6.QtCore import QObject, QSocketNotifier, QTimer
+from PySide6.QtGui import QAction
+
+from trex_gui import app, window
+from trex_gui.link import session
+from trex_gui.model.device import Link
+from trex_gui.system.wake import WakeWatch
+from trex_gui.window import Program
+
+SPEEDS = {1: 60, 2: -60}
+AUXILIARY = 50
+
+
+class Driver(QObject):
+    """Does what a person does, and what a person cannot do."""
+
+    def __init__(self, program: Program) -> None:
+        super().__init__(program.window)
+        self._program = program
+        self._motors = program.device.motors
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._drive_as_soon_as_possible)
+        self._timer.start(20)
+        self._orders = QSocketNotifier(0, QSocketNotifier.Type.Read, self)
+        self._orders.activated.connect(self._on_order)
+        self._mistake = QTimer(self)
+        self._mistake.setSingleShot(True)
+        self._mistake.timeout.connect(self._make_a_mistake)
+
+    def _drive_as_soon_as_possible(self) -> None:
+        if self._program.device.link is not Link.UP or not self._motors.can_arm:
+            return
+        self._timer.stop()
+        self._motors.accelerate = False
+        self._motors.arm()
+        for motor, speed in SPEEDS.items():
+            self._motors.set_speed(motor, speed)
+        self._motors.set_auxiliary(AUXILIARY)
+        sys.stdout.write("driving\n")
+        sys.stdout.flush()
+
+    def _on_order(self) -> None:
+        for order in os.read(0, 4096).decode().split():
+            getattr(self, order)()
+
+    def _make_a_mistake(self) -> None:
+        raise ZeroDivisionError("on purpose")
+
+    def mistake_in_a_slot(self) -> None:
+        self._mistake.start(0)
+
+    def mistake_in_a_thread(self) -> None:
+        threading.Thread(target=self._make_a_mistake).start()
+
+    def mistake_nobody_can_catch(self) -> None:
+        class Dying:
+            def __del__(self) -> None:
+                raise ZeroDivisionError("on purpose")
+
+        Dying()
+
+    def mistake_in_the_line(self) -> None:
+        def poll(*_: object) -> None:
+            raise ZeroDivisionError("on purpose")
+
+        setattr(session, "poll", poll)  # noqa: B010 - not the name's own module
+
+    def end_of_the_line_thread(self) -> None:
+        def step(_: session.Session) -> None:
+            raise SystemExit("on purpose")  # which no handler of errors catches
+
+        setattr(session.Session, "_step", step)  # noqa: B010 - on purpose
+
+    def hang(self) -> None:
+        time.sleep(3)
+
+    def hang_for_long(self) -> None:
+        time.sleep(20)
+
+    def hang_computing(self) -> None:
+        end = time.monotonic() + 3
+        while time.monotonic() < end:
+            pass
+
+    def close(self) -> None:
+        self._program.window.close()
+
+    def disconnect_line(self) -> None:
+        action = self._program.window.findChild(QAction, "disconnectAction")
+        assert action is not None
+        action.trigger()
+
+    def sleep_unnoticed(self) -> None:
+        watch = self._program.window.findChild(WakeWatch) or WATCHES[0].findChild(WakeWatch)
+        assert watch is not None
+        watch._slept = lambda: 1e6
+
+    def lose_the_gamepad(self) -> None:
+        self._motors.hold("gamepad")
+        self._motors.set_speed(1, 90, "gamepad")
+        self._motors.lose("gamepad", "The gamepad is gone.")
+
+
+WATCHES: list[QObject] = []
+
+
+def main(url: str) -> int:
+    """Run the program until it is ended."""
+    build = window.build
+
+    def build_and_drive() -> Program:
+        program = build()
+        Driver(program)
+        from PySide6.QtCore import QCoreApplication
+
+        instance = QCoreApplication.instance()
+        assert instance is not None
+        WATCHES.append(instance)
+        return program
+
+    window.build = build_and_drive
+    return app.main(["--port", url])
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))

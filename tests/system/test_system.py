@@ -1,0 +1,152 @@
+"""What the system tells, turned into stops."""
+
+import os
+import signal
+import sys
+import threading
+from collections.abc import Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.system.exceptions import ExceptionWatch
+from trex_gui.system.signals import SignalWatch
+from trex_gui.system.stopper import Stopper
+from trex_gui.system.wake import WakeWatch, slept_so_far
+from trex_gui.system.windows_events import (
+    PBT_APMSUSPEND,
+    WM_POWERBROADCAST,
+    WM_QUERYENDSESSION,
+    WM_WTSSESSION_CHANGE,
+    WTS_SESSION_LOCK,
+    why_to_stop,
+)
+
+
+def test_a_stop_from_another_thread_is_sent_there_and_told_in_the_thread_of_the_window(
+    qtbot: QtBot,
+) -> None:
+    sent_from: list[int] = []
+    stopper = Stopper(lambda: sent_from.append(threading.get_ident()))
+    thread = threading.Thread(target=lambda: stopper.stop("why"))
+    with qtbot.waitSignal(stopper.stopped) as told:
+        thread.start()
+        thread.join()
+        assert sent_from, "before the window has heard of it"
+    assert sent_from != [threading.get_ident()]
+    assert told.args == ["why"]
+
+
+# --- Signals ----------------------------------------------------------------------------
+
+
+class Ending:
+    """A watch of signals, and what it did."""
+
+    def __init__(self) -> None:
+        self.acted = threading.Event()
+        self.ended_with: list[int] = []
+        self.ended = threading.Event()
+        self.watch = SignalWatch(self.acted.set, grace=0.05, end=self._end)
+
+    def _end(self, code: int) -> None:
+        self.ended_with.append(code)
+        self.ended.set()
+
+
+@pytest.fixture
+def ending() -> Iterator[Ending]:
+    ending = Ending()
+    yield ending
+    ending.watch.close()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_a_signal_acts_while_the_thread_of_the_window_is_busy(ending: Ending) -> None:
+    os.kill(os.getpid(), signal.SIGTERM)
+    assert ending.acted.wait(5), "this thread waits and returns to no event loop"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_a_window_that_does_not_end_is_ended(ending: Ending) -> None:
+    os.kill(os.getpid(), signal.SIGTERM)
+    assert ending.ended.wait(5)
+    assert ending.ended_with == [128 + signal.SIGTERM]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_the_window_is_told_which_signal_it_was(ending: Ending, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(ending.watch.caught) as told:
+        os.kill(os.getpid(), signal.SIGHUP)
+    assert told.args == [signal.SIGHUP]
+
+
+def test_the_signals_are_given_back(ending: Ending) -> None:
+    ending.watch.close()
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    ending.watch = SignalWatch(lambda: None)
+
+
+# --- Mistakes ---------------------------------------------------------------------------
+
+
+def test_a_mistake_stops_before_it_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+    order: list[str] = []
+    monkeypatch.setattr(sys, "excepthook", lambda *_: order.append("reported"))
+    watch = ExceptionWatch(order.append)
+    try:
+        sys.excepthook(ValueError, ValueError("x"), None)
+    finally:
+        watch.close()
+    assert order[1] == "reported"
+    assert "ValueError" in order[0]
+
+
+def test_a_mistake_is_reported_even_when_stopping_is_one_too(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    reported: list[object] = []
+    monkeypatch.setattr(sys, "excepthook", lambda *args: reported.append(args))
+
+    def fail(_: str) -> None:
+        raise RuntimeError
+
+    watch = ExceptionWatch(fail)
+    try:
+        with pytest.raises(RuntimeError):
+            sys.excepthook(ValueError, ValueError("x"), None)
+    finally:
+        watch.close()
+    assert reported
+
+
+# --- Sleep ------------------------------------------------------------------------------
+
+
+def test_a_computer_that_was_asleep_says_so_once(qtbot: QtBot) -> None:
+    slept = 100.0
+    watch = WakeWatch(lambda: slept)
+    told: list[str] = []
+    watch.woke.connect(told.append)
+    watch.look()
+    slept = 100.3
+    watch.look()
+    assert told == []
+    slept = 130.0
+    watch.look()
+    watch.look()
+    assert len(told) == 1
+    assert "asleep" in told[0]
+
+
+def test_the_clocks_of_this_computer_can_be_compared() -> None:
+    assert slept_so_far() >= -0.01
+
+
+def test_windows_messages_that_mean_a_stop() -> None:
+    assert "sleep" in (why_to_stop(WM_POWERBROADCAST, PBT_APMSUSPEND) or "")
+    assert "locked" in (why_to_stop(WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK) or "")
+    assert "ends" in (why_to_stop(WM_QUERYENDSESSION, 0) or "")
+    assert why_to_stop(WM_POWERBROADCAST, 0x12) is None  # it wakes
+    assert why_to_stop(WM_WTSSESSION_CHANGE, 8) is None  # it was unlocked
+    assert why_to_stop(0x0200, 0) is None  # the mouse

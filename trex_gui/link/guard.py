@@ -1,0 +1,80 @@
+"""Who may drive at this moment: not after a stop, and not when nobody is there any more."""
+
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from trex_gui.protocol.commands import Command
+from trex_gui.protocol.errors import BadRequest
+
+PULSE_INTERVAL = 0.25
+"""Seconds between two signs of life of whoever has armed the motors."""
+
+PATIENCE = 1.0
+"""Seconds without a sign of life after which armed motors are stopped: four missed in a row.
+
+A window that paints slowly is late by tenths of a second; a motor at full speed moves a robot by
+metres in a second, so it is not more.
+"""
+
+
+@dataclass(slots=True)
+class Guard:
+    """Remembers stops, and whether whoever has armed the motors is still there.
+
+    Attributes:
+        clock: seconds, as for every time here.
+        armed: whether somebody has armed the motors and none has stopped them since.
+    """
+
+    clock: Callable[[], float] = time.monotonic
+    armed: bool = False
+    _locked_until: float = -math.inf
+    _heard_at: float = -math.inf
+
+    @property
+    def is_locked(self) -> bool:
+        """Whether wishes are dropped, since a stop came before them."""
+        return self.clock() < self._locked_until
+
+    @property
+    def seconds_to_alarm(self) -> float | None:
+        """How long nothing may be heard still; `None` while nothing is armed."""
+        return self._heard_at + PATIENCE - self.clock() if self.armed else None
+
+    @property
+    def is_abandoned(self) -> bool:
+        """Whether motors are armed and nobody seems to be there."""
+        seconds = self.seconds_to_alarm
+        return seconds is not None and seconds <= 0
+
+    def check(self, command: Command[object]) -> None:
+        """Let a command pass, unless it moves a motor while motors are locked.
+
+        Raises:
+            BadRequest: it does.
+        """
+        if command.moves and self.is_locked:
+            raise BadRequest("The motors are locked for a while after a stop; nothing was sent.")
+
+    def arm(self) -> None:
+        """Let wishes through: requests keep their order, so this is younger than any stop."""
+        self.armed = True
+        self._locked_until = -math.inf
+        self.note_life()
+
+    def note_life(self) -> None:
+        """Somebody is there."""
+        self._heard_at = self.clock()
+
+    def stop(self, lockout: float) -> None:
+        """Drop every wish for so many seconds, or until somebody arms the motors again."""
+        self.armed = False
+        if lockout > 0:
+            self._locked_until = max(self._locked_until, self.clock() + lockout)
+
+    def give_up(self) -> None:
+        """Drop every wish until somebody arms the motors again: those of the lost are late."""
+        self.armed = False
+        self._locked_until = math.inf

@@ -1,0 +1,88 @@
+"""SIGTERM, SIGINT and SIGHUP stop the motors even while the window's thread is busy.
+
+Python runs its handlers in the main thread only, and only between two steps of Python: a window
+that waits for something never gets there. But the interpreter writes each signal's number into a
+file descriptor at once, and a thread of its own reads it.
+"""
+
+import contextlib
+import os
+import signal
+import socket
+import threading
+from collections.abc import Callable
+from types import FrameType
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+_NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
+"""Those that ask a program to end; not every system has each of them."""
+
+_GRACE_S = 4.0
+"""Seconds that the window has to end by itself. Closing a line while settings are written may take
+three; whoever sends signals to end a system waits longer than that before SIGKILL."""
+
+
+def _nothing(_number: int, _frame: FrameType | None) -> None:
+    """Keep the signal from ending the process; the watching thread has been told."""
+
+
+class SignalWatch(QObject):
+    """Watches for the end that somebody outside wants; to be made in the main thread.
+
+    A window that does not end within a few seconds is ended: exit code 128 + number then, as a
+    shell reports it. One that ends by itself has done all that was asked of it: exit code 0.
+
+    `act` is called in a thread of its own, once for each signal, before anything else.
+
+    Signals:
+        caught: the number of the signal; in the thread of the receiver.
+    """
+
+    caught = Signal(int)
+
+    def __init__(
+        self,
+        act: Callable[[], None],
+        parent: QObject | None = None,
+        *,
+        grace: float = _GRACE_S,
+        end: Callable[[int], Any] = os._exit,
+    ) -> None:
+        super().__init__(parent)
+        self._act = act
+        self._grace = grace
+        self._end = end
+        self._closed = threading.Event()
+        self._numbers = [getattr(signal, name) for name in _NAMES if hasattr(signal, name)]
+        self._ours, self._signals = socket.socketpair()
+        self._signals.setblocking(False)
+        self._fd_before = signal.set_wakeup_fd(self._signals.fileno(), warn_on_full_buffer=False)
+        self._before = {number: signal.signal(number, _nothing) for number in self._numbers}
+        self._thread = threading.Thread(target=self._watch, name="signal watch", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """Give the signals back; for the end of the program."""
+        self._closed.set()
+        signal.set_wakeup_fd(self._fd_before)
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+        self._signals.close()  # which ends the reading
+        if threading.current_thread() is not self._thread:
+            self._thread.join(1)
+        self._ours.close()
+
+    def _watch(self) -> None:
+        with contextlib.suppress(OSError):
+            while data := self._ours.recv(16):
+                for number in data:
+                    if number in self._numbers:
+                        self._leave(number)
+
+    def _leave(self, number: int) -> None:
+        self._act()
+        self.caught.emit(number)
+        if not self._closed.wait(self._grace):
+            self._end(128 + number)

@@ -1,0 +1,71 @@
+"""A locked screen, sleep and the end of a session, as Windows tells a window.
+
+Ref: Microsoft's documentation of WM_POWERBROADCAST, WM_WTSSESSION_CHANGE, WM_QUERYENDSESSION.
+Written after it; seen on no Windows machine yet.
+"""
+
+import ctypes
+import ctypes.wintypes
+import sys
+
+from PySide6.QtCore import QAbstractNativeEventFilter, QByteArray, QCoreApplication, QObject, Signal
+
+WM_QUERYENDSESSION, WM_POWERBROADCAST, WM_WTSSESSION_CHANGE = 0x0011, 0x0218, 0x02B1
+PBT_APMSUSPEND = 0x0004
+WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WTS_SESSION_LOCK = 2, 4, 6, 7
+_LEAVES = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WTS_SESSION_LOCK}
+
+
+def why_to_stop(message: int, parameter: int) -> str | None:
+    """Return what a window message means for motors, for people; `None`: nothing."""
+
+    def tr(text: str) -> str:
+        return QCoreApplication.translate("WindowsEvents", text)
+
+    if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
+        return tr("The computer goes to sleep, so the motors were stopped.")
+    if message == WM_WTSSESSION_CHANGE and parameter in _LEAVES:
+        return tr("The screen was locked, so the motors were stopped.")
+    if message == WM_QUERYENDSESSION:
+        return tr("The session ends, so the motors were stopped.")
+    return None
+
+
+class _Filter(QAbstractNativeEventFilter):
+    def __init__(self, owner: "WindowsEvents") -> None:
+        super().__init__()
+        self._owner = owner
+
+    def nativeEventFilter(  # noqa: N802 - Qt's name
+        self, kind: QByteArray | bytes | bytearray | memoryview, message: int
+    ) -> object:
+        if bytes(kind) == b"windows_generic_MSG":  # type: ignore[arg-type] # a QByteArray is bytes too
+            seen = ctypes.wintypes.MSG.from_address(int(message))
+            self._owner.take(seen.message, seen.wParam)
+        return False, 0
+
+
+class WindowsEvents(QObject):
+    """Sees the messages of every window of the program.
+
+    Signals:
+        leaving: nobody looks at the window any more, or soon; why to stop, for people.
+    """
+
+    leaving = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._filter = _Filter(self)
+        if (app := QCoreApplication.instance()) is not None:
+            app.installNativeEventFilter(self._filter)
+
+    def watch_session_of(self, window: int) -> None:
+        """Ask for the messages of a locked screen; `window` is a native handle."""
+        if sys.platform == "win32":
+            ctypes.windll.wtsapi32.WTSRegisterSessionNotification(window, 0)
+
+    def take(self, message: int, parameter: int) -> None:
+        """Take a window message in."""
+        if reason := why_to_stop(message, parameter):
+            self.leaving.emit(reason)

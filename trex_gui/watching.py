@@ -1,0 +1,62 @@
+"""Everything outside the window that has to stop the motors, put together in one place."""
+
+import logging
+import sys
+
+from PySide6.QtCore import QObject, Slot
+
+from trex_gui.system.exceptions import ExceptionWatch
+from trex_gui.system.signals import SignalWatch
+from trex_gui.system.stopper import Stopper
+from trex_gui.system.wake import WakeWatch
+from trex_gui.window import Program
+
+log = logging.getLogger(__name__)
+
+
+class Watching(QObject):
+    """Lives as long as the program's event loop; to be made in the main thread."""
+
+    def __init__(self, program: Program, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._program = program
+        self._stopper = Stopper(program.device.stop_now, self)
+        self._signals = SignalWatch(lambda: program.device.stop_now(ending=True), self)
+        self._exceptions = ExceptionWatch(self._stopper.stop)
+        self._wake = WakeWatch(parent=self)
+        self._session = self._session_events()
+
+        self._stopper.stopped.connect(self._on_stopped)
+        self._signals.caught.connect(self._on_signal)
+        self._wake.woke.connect(self._stopper.stop)
+
+    def _session_events(self) -> QObject | None:
+        if sys.platform == "win32":
+            from trex_gui.system.windows_events import WindowsEvents  # noqa: PLC0415
+
+            windows = WindowsEvents(self)
+            windows.watch_session_of(int(self._program.window.winId()))
+            windows.leaving.connect(self._stopper.stop)
+            return windows
+        try:
+            from trex_gui.system.session_events import SessionEvents  # noqa: PLC0415
+        except ImportError as error:  # a system without the library of D-Bus
+            log.info("nobody tells of a locked screen: %s", error)
+            return None
+        events = SessionEvents(parent=self)
+        events.leaving.connect(self._stopper.stop)
+        return events
+
+    def close(self) -> None:
+        """Watch no longer: the line is closed."""
+        self._exceptions.close()
+        self._signals.close()
+
+    @Slot(str)
+    def _on_stopped(self, reason: str) -> None:
+        self._program.device.motors.stop(reason)
+        self._program.device.failed.emit(reason)
+
+    @Slot(int)
+    def _on_signal(self, _number: int) -> None:
+        self._program.end()
