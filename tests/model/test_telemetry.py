@@ -16,7 +16,8 @@ from trex_gui.link.telemetry import (
     Sample,
     StatusNews,
 )
-from trex_gui.model.telemetry import Telemetry
+from trex_gui.model.driving.motors import Motors
+from trex_gui.model.telemetry import Series, Telemetry
 from trex_gui.protocol.flags import Mode, Status, UartError
 
 
@@ -110,7 +111,27 @@ def test_an_hour_of_currents_is_kept(telemetry: Telemetry) -> None:
     for number in range(3):
         take(telemetry, *(Currents(float(time), (number, 0)) for time in range(1000)))
     assert len(telemetry.currents) == 3000
-    assert telemetry.currents._capacity >= 3600 * 80
+    assert telemetry.currents.capacity >= 3600 * 80
+
+
+def test_wishes_and_channels_are_kept_beside_the_currents(telemetry: Telemetry) -> None:
+    motors = Motors()
+    take(telemetry, Currents(1.0, (0, 0)))
+    assert math.isnan(telemetry.currents.values(Series.WISHED1)[0])
+    assert math.isnan(telemetry.currents.values(Series.CHANNEL5)[0])
+    telemetry.watch(motors)
+    motors.allow(allowed=True)
+    motors.arm()
+    motors.set_speed(1, -90)
+    motors.set_brake(2, 127)
+    take(telemetry, Remapped(1.0, (10, 20, 30, 40, -50)), Currents(1.0125, (0, 0)))
+    assert telemetry.currents.values(Series.WISHED1)[1] == -90
+    assert telemetry.currents.values(Series.WISHED2)[1] == 0
+    assert telemetry.currents.values(Series.CHANNEL1)[1] == 10
+    assert telemetry.currents.values(Series.CHANNEL5)[1] == -50
+    motors.stop()
+    take(telemetry, Currents(1.025, (0, 0)))
+    assert telemetry.currents.values(Series.WISHED1)[2] == 0
 
 
 def test_inputs_are_kept_with_their_times_and_gaps(telemetry: Telemetry) -> None:

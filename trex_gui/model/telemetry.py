@@ -1,26 +1,44 @@
 """What the board reports again and again: inputs, currents, who is in control."""
 
 import math
+from enum import IntEnum, auto
 
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.link.messages import Batch
 from trex_gui.link.telemetry import Control, Currents, ModeSeen, Raw, Remapped, StatusNews
+from trex_gui.model.driving.motors import Motors
 from trex_gui.model.ring import Ring
+from trex_gui.model.trace.history import History
 from trex_gui.protocol.flags import CHANNELS
-
-_HISTORY = 300_000
-"""Current samples kept: an hour at 80 a second."""
 
 _INPUT_HISTORY = 3_000
 """Samples of the inputs kept: a minute at 50 a second."""
 
+_UNKNOWN = (math.nan,) * len(CHANNELS)
+
+
+class Series(IntEnum):
+    """The columns of `Telemetry.currents`."""
+
+    CURRENT1 = 0
+    CURRENT2 = auto()
+    WISHED1 = auto()
+    WISHED2 = auto()
+    CHANNEL1 = auto()
+    CHANNEL2 = auto()
+    CHANNEL3 = auto()
+    CHANNEL4 = auto()
+    CHANNEL5 = auto()
+
 
 class Telemetry(QObject):
-    """The newest values, the currents of the last hour and the inputs of the last minute.
+    """The newest values, the currents of the last hours and the inputs of the last minute.
 
-    In `inputs` a channel without a signal is not a number. The newest values are `None` while
-    nothing is known: before a connection and after it.
+    A row of `currents` holds what both motors draw (A), the speeds wished for them (-127 to 127)
+    and the remapped channels at that moment. What is not known is not a number, in `inputs` a
+    channel without a signal too. The newest values are `None` while nothing is known: before a
+    connection and after it.
 
     Signals:
         updated: new samples are in; at most once a display frame.
@@ -30,7 +48,7 @@ class Telemetry(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.currents = Ring(_HISTORY, columns=2)
+        self.currents = History(len(Series))
         self.inputs = Ring(_INPUT_HISTORY, columns=len(CHANNELS))
         self.raw: tuple[int | None, ...] | None = None
         self.remapped: tuple[int, ...] | None = None
@@ -39,6 +57,11 @@ class Telemetry(QObject):
         self.latest: float = 0.0
         self.samples = 0
         self._ampere = 1.0
+        self._motors: Motors | None = None
+
+    def watch(self, motors: Motors) -> None:
+        """Keep what is wished for these motors beside what they draw."""
+        self._motors = motors
 
     def begin(self, ampere_per_count: float) -> None:
         """Start with an empty history for a board with this current unit (A a count)."""
@@ -71,7 +94,12 @@ class Telemetry(QObject):
                     self.remapped = values
                 case Currents(time=time, counts=(first, second)):
                     self.motor_currents = first * self._ampere, second * self._ampere
-                    self.currents.append(time, *self.motor_currents)
+                    self.currents.append(
+                        time,
+                        *self.motor_currents,
+                        *self._wished(),
+                        *(self.remapped or _UNKNOWN),
+                    )
                 case Control(by_serial=by_serial):
                     self.serial_controls = by_serial
                 case StatusNews() | ModeSeen():
@@ -79,6 +107,13 @@ class Telemetry(QObject):
             self.latest = sample.time
         self.samples += len(batch.samples)
         self.updated.emit()
+
+    def _wished(self) -> tuple[float, float]:
+        """Return the speeds wished for motors 1 and 2; 0 where nothing or braking is wished."""
+        if self._motors is None:
+            return math.nan, math.nan
+        first, second = (self._motors.drive(motor) for motor in (1, 2))
+        return first.signed if first else 0, second.signed if second else 0
 
     def raw_of(self, channel: int) -> int | None:
         """Raw count of a channel (1-5); `None` without a valid signal or a connection."""

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.model.calibration_moves import Handle, moved, within_input
 from trex_gui.model.channel_curve import ChannelCurve
+from trex_gui.model.trace.source import Floats
 from trex_gui.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.protocol.flags import InputSource
 from trex_gui.views.theme import theme
@@ -23,7 +24,6 @@ from trex_gui.views.widgets.curve_handles import GRIP, HandleLayer, Threshold
 from trex_gui.views.widgets.input_axis import axis_for, input_ticks
 from trex_gui.views.widgets.input_trace import InputTrace
 from trex_gui.views.widgets.plot_canvas import PlotCanvas, signed
-from trex_gui.views.widgets.reduction import Floats
 
 _OUTPUT_ROOM = 14
 _OUTPUT_TICKS = (-127, -64, 0, 64, 127)

@@ -8,10 +8,10 @@ from PySide6.QtCore import QRectF, Qt, Slot
 from PySide6.QtGui import QBrush, QPen
 from PySide6.QtWidgets import QGraphicsRectItem, QVBoxLayout, QWidget
 
+from trex_gui.model.trace.source import Floats
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.views.theme import theme
 from trex_gui.views.widgets.plot_canvas import PlotCanvas, Ticks
-from trex_gui.views.widgets.reduction import Floats
 
 SECONDS = 10.0
 

@@ -11,9 +11,9 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal, Slot
 from PySide6.QtGui import QFont, QFontMetrics, QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QVBoxLayout, QWidget
 
+from trex_gui.model.trace.source import Floats
 from trex_gui.views.theme import theme
 from trex_gui.views.widgets.bar import MINUS
-from trex_gui.views.widgets.reduction import Floats
 
 Ticks = Sequence[tuple[float, str]]
 
@@ -80,6 +80,7 @@ class PlotCanvas(QWidget):
         self._ranges = (0.0, 1.0), (0.0, 1.0)
         self._margins = (0, 0, 0)
         self._has_x_axis = True
+        self._has_right_axis = False
 
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -144,6 +145,26 @@ class PlotCanvas(QWidget):
         self._grid.setPath(path)
         self.arranged.emit()
 
+    def set_right_axis(self, marks: Ticks, widest: str) -> None:
+        """Mark heights, in values of the left axis, at the right too; no marks, no axis."""
+        axis = self.plot.getAxis("right")
+        if bool(marks) != self._has_right_axis:
+            self._has_right_axis = bool(marks)
+            self.plot.showAxis("right", self._has_right_axis)
+            self._show_fonts()
+            self._on_theme_changed()
+        if marks:
+            metrics = QFontMetrics(self.small_font())
+            axis.setWidth(metrics.horizontalAdvance(widest) + 10)
+            axis.setTicks([list(marks)])
+
+    @property
+    def right_edge(self) -> float:
+        """Where the right axis ends, or the plot where there is none; in pixels."""
+        if not self._has_right_axis:
+            return self.frame.right()
+        return self.frame.right() + float(self.plot.getAxis("right").width())
+
     def set_margins(self, *, left: str, top: int, right: int, x_axis: bool) -> None:
         """Leave room beside the plot: for the widest text at the left, for pixels elsewhere."""
         self._has_x_axis = x_axis
@@ -176,7 +197,7 @@ class PlotCanvas(QWidget):
         return font
 
     def _show_fonts(self) -> None:
-        for side in ("left", "bottom"):
+        for side in ("left", "bottom", "right"):
             self.plot.getAxis(side).setStyle(
                 tickFont=self.small_font(),
                 tickLength=0,
@@ -197,7 +218,7 @@ class PlotCanvas(QWidget):
         grid = QPen(color("grid"), 1)
         grid.setCosmetic(True)
         self._grid.setPen(grid)
-        for side in ("left", "bottom"):
+        for side in ("left", "bottom", "right"):
             axis = self.plot.getAxis(side)
             axis.setPen(QPen(Qt.PenStyle.NoPen))  # the frame is the box's border
             axis.setTickPen(QPen(color("plot_frame"), 1))

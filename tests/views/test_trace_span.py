@@ -1,0 +1,117 @@
+"""Which part of the time is shown, and what stands at the axes."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.views.traces.axes import ValueAxis, ago_labels, clock_text, since_labels
+from trex_gui.views.traces.span import LEAST, Span
+
+
+@pytest.fixture
+def span() -> Span:
+    span = Span(30)
+    span.take(0, 100)
+    return span
+
+
+def test_live_the_right_edge_is_the_newest_sample(span: Span) -> None:
+    assert (span.start, span.end) == (70, 100)
+    span.take(0, 101)
+    assert (span.start, span.end) == (71, 101)
+
+
+def test_held_it_stays_while_samples_come(span: Span) -> None:
+    span.hold()
+    span.take(0, 200)
+    assert (span.start, span.end) == (70, 100)
+    span.go_live()
+    assert span.end == 200
+
+
+def test_zooming_keeps_the_place_under_the_mouse(span: Span) -> None:
+    span.show(40, 80)
+    span.zoom(0.5, 50)
+    assert (span.start, span.end) == pytest.approx((45, 65))
+
+
+def test_zooming_live_stays_live(span: Span) -> None:
+    span.zoom(0.5, 80)
+    assert span.live
+    assert (span.start, span.end) == (85, 100)
+
+
+def test_a_span_drawn_from_right_to_left_is_the_same_span(span: Span) -> None:
+    span.show(80, 40)
+    assert (span.start, span.end) == (40, 80)
+    assert not span.live
+
+
+def test_a_span_of_nothing_is_widened(span: Span) -> None:
+    span.show(50, 50)
+    assert span.length == LEAST
+    assert (span.start + span.end) / 2 == pytest.approx(50)
+
+
+def test_a_window_of_nothing_is_refused(span: Span) -> None:
+    with pytest.raises(ValueError, match="shows nothing"):
+        span.set_length(0)
+
+
+@given(moves=st.lists(st.floats(-1000, 1000), max_size=20))
+def test_nobody_gets_lost_by_moving(moves: list[float]) -> None:
+    span = Span(30)
+    span.take(0, 100)
+    for move in moves:
+        span.pan(move)
+        assert span.end > 0
+        assert span.start < 100
+
+
+def test_times_are_read_as_minutes_and_seconds() -> None:
+    assert clock_text(0, 1) == "0:00"
+    assert clock_text(75.25, 0.1) == "1:15.2"
+    assert clock_text(3723.4567) == "1:02:03.457"
+    assert clock_text(59.9996) == "1:00.000"
+    assert clock_text(-5, 1) == "\N{MINUS SIGN}0:05"
+
+
+@pytest.mark.parametrize(
+    ("seconds", "labels"),
+    [
+        (5, ["5 s", "4 s", "3 s", "2 s", "1 s", "now"]),
+        (30, ["30 s", "25 s", "20 s", "15 s", "10 s", "5 s", "now"]),
+        (120, ["2 min", "90 s", "1 min", "30 s", "now"]),
+        (600, ["10 min", "8 min", "6 min", "4 min", "2 min", "now"]),
+        (3600, ["1 h", "50 min", "40 min", "30 min", "20 min", "10 min", "now"]),
+    ],
+)
+def test_the_live_axis_is_labelled_in_round_steps(seconds: float, labels: list[str]) -> None:
+    assert [text for _, text in ago_labels(seconds)] == labels
+
+
+def test_the_axis_of_the_past_counts_from_the_beginning() -> None:
+    labels = since_labels(60, 70)
+    assert [text for _, text in labels] == ["1:00", "1:02", "1:04", "1:06", "1:08", "1:10"]
+    assert labels[0][0] == -10
+
+
+def ends(axis: ValueAxis) -> tuple[float, float]:
+    return axis.ends
+
+
+def test_plain_counts_have_an_axis_that_holds_still() -> None:
+    axis = ValueAxis("")
+    axis.fit([(0, 3)])
+    assert ends(axis) == (-127, 127)
+    axis.fit([(-127, 100)])
+    assert ends(axis) == (-127, 127)
+
+
+def test_a_value_of_one_axis_is_found_on_the_other() -> None:
+    ampere, counts = ValueAxis("A"), ValueAxis("")
+    ampere.fit([(0, 9)])
+    assert ends(ampere) == (0, 10)
+    assert counts.onto(ampere, 127) == pytest.approx(10)
+    assert counts.onto(ampere, 0) == pytest.approx(5)
+    assert counts.onto(ampere, -127) == pytest.approx(0)

@@ -1,0 +1,1 @@
+"""Curves over time: how they are kept, thinned for a picture and summed up."""

@@ -1,0 +1,1 @@
+"""Curves over time to look at: plot, cursors, figures, events, pictures and tables of them."""
