@@ -301,7 +301,7 @@ def test_where_channels_are_in_control_the_motors_cannot_be_armed(
     person.connect(simulator.url)
     person.open_page("motorsPage")
     assert not person.find(QAbstractButton, "runButton").isEnabled()
-    assert "RC channels control the motors" in person.text("motorsControl")
+    assert "RC channels control the motors" in person.text("motorsReason")
 
 
 def test_what_was_written_is_what_every_page_shows_and_what_is_saved(

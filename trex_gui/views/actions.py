@@ -40,6 +40,9 @@ def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
             SEPARATOR,
             ActionInfo("history", tr("&History…"), "Ctrl+H", "history"),
             SEPARATOR,
+            ActionInfo("record", tr("&Record…"), "Ctrl+Shift+R", "record"),
+            ActionInfo("open_recording", tr("Open recor&ding…"), "Ctrl+Shift+O", "plot"),
+            SEPARATOR,
             ActionInfo("quit", tr("E&xit"), QKeySequence.StandardKey.Quit),
         ),
         tr("&Edit"): (
@@ -63,6 +66,7 @@ def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
             SEPARATOR,
             ActionInfo("learn", tr("Lear&n channels…"), "", "calibrate"),
             ActionInfo("test_sticks", tr("&Test the sticks…")),
+            ActionInfo("bench", tr("&Bench test…"), "Ctrl+B", "plot"),
             SEPARATOR,
             ActionInfo("defaults", tr("Restore &factory defaults…")),
             ActionInfo("serial_defaults", tr("Restore serial de&faults…")),

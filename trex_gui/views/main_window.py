@@ -24,6 +24,7 @@ from trex_gui.model.power_cycle import PowerCycle
 from trex_gui.protocol.errors import sentence
 from trex_gui.views.action_bar import ActionBar
 from trex_gui.views.actions import build_menus
+from trex_gui.views.bench.opener import BenchOpener
 from trex_gui.views.connection_bar import ConnectionBar
 from trex_gui.views.demo.panel import DemoPanel
 from trex_gui.views.escape import EscapeWatch
@@ -32,10 +33,11 @@ from trex_gui.views.icons import application_icon
 from trex_gui.views.learning.dialog import LearnDialog
 from trex_gui.views.pages.calibration.page import CalibrationPage
 from trex_gui.views.pages.channels_page import ChannelsPage
-from trex_gui.views.pages.currents_page import CurrentsPage
-from trex_gui.views.pages.motors_page import MotorsPage
+from trex_gui.views.pages.currents import CurrentsPage
+from trex_gui.views.pages.motors.page import MotorsPage
 from trex_gui.views.pages.parameters_page import ParametersPage
 from trex_gui.views.pages.status_page import StatusPage
+from trex_gui.views.recording.recordings import SUFFIXES, Recordings
 from trex_gui.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.views.review.power_cycle_dialog import PowerCycleDialog
 from trex_gui.views.review.review_dialog import ReviewDialog
@@ -80,11 +82,12 @@ class MainWindow(QMainWindow):
         self._tabs.setDocumentMode(True)
         parameters_page = ParametersPage(device, self)
         calibration_page = CalibrationPage(device, self)
+        motors_page = MotorsPage(device, self)
         pages = {
             self.tr("Status"): StatusPage(device, self),
             self.tr("Channels"): ChannelsPage(device, self),
             self.tr("Calibration"): calibration_page,
-            self.tr("Motors"): MotorsPage(device, self),
+            self.tr("Motors"): motors_page,
             self.tr("Currents"): CurrentsPage(device, self),
             self.tr("Parameters"): parameters_page,
         }
@@ -98,6 +101,8 @@ class MainWindow(QMainWindow):
         layout.addWidget(self._banner)
         layout.addWidget(self._question)
         layout.addWidget(self._tabs, 1)
+        self._recordings = Recordings(device, self)
+        layout.addWidget(self._recordings.indicator)
         self._bar = ActionBar(device, self)
         layout.addWidget(self._bar)
         self.setCentralWidget(frame)
@@ -112,15 +117,22 @@ class MainWindow(QMainWindow):
         self._history = HistoryDialog(device, self)
         learning = Learning(device, self)
         self._learn = LearnDialog(learning, self)
+        self._bench = BenchOpener(device, self)
         self._actions = build_menus(self, self._slots())
 
         self._files.told.connect(self._banner.show_news)
         self._files.refused.connect(self._banner.show_problem)
         self._files.staged.connect(lambda: self._tabs.setCurrentIndex(parameters_index))
         self._drop.dropped.connect(self._files.open_file)
+        FileDrop(self, SUFFIXES).dropped.connect(self._recordings.open_file)
+        self._recordings.told.connect(self._banner.show_news)
+        self._recordings.refused.connect(self._banner.show_problem)
+        self._recordings.settings_wanted.connect(self._files.open_editor)
+        self._recordings.changed.connect(self._on_recording_changed)
         self._connection.connecting.connect(self._banner.clear)
         self._connection.interruption_wanted.connect(self._on_interruption_wanted)
         self._bar.apply_requested.connect(self._review.review)
+        self._bench.apply_requested.connect(self._review.review)
         self._defaults.staged.connect(self._review.review)
         self._history.restore_requested.connect(self._review.review)
         self._defaults.reset_requested.connect(device.reset_to_factory)
@@ -129,6 +141,8 @@ class MainWindow(QMainWindow):
         calibration_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
         calibration_page.learn_requested.connect(self._learn.learn)
         learning.taken.connect(self._review.review)
+        motors_page.parameter_wanted.connect(parameters_page.show_parameter)
+        motors_page.parameter_wanted.connect(lambda: self._tabs.setCurrentIndex(parameters_index))
         calibration_page.told.connect(self._banner.show_news)
         calibration_page.refused.connect(self._banner.show_problem)
         connector.failed.connect(self._banner.show_problem)
@@ -141,13 +155,13 @@ class MainWindow(QMainWindow):
         device.applied.connect(self._on_applied)
         device.applied.connect(self._question.reconsider)
         device.link_changed.connect(self._on_link_changed)
-        device.motors.changed.connect(self._on_possibilities_changed)
+        device.motors.changed.connect(self._on_motors_changed)
         device.pending_changed.connect(self._on_possibilities_changed)
         self._undo_watch = device.undo.indexChanged.connect(self._on_undo_changed)
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
-            self._escape = EscapeWatch(app, device.motors.stop, self)
+            self._escape = EscapeWatch(app, device.motors.press_stop, self)
         self._on_link_changed()
         self._restore()
         self._on_theme_changed()
@@ -156,6 +170,11 @@ class MainWindow(QMainWindow):
     def files(self) -> SettingsFiles:
         """Opening and saving of settings files."""
         return self._files
+
+    @property
+    def recordings(self) -> Recordings:
+        """What is recorded, and the recordings that are open."""
+        return self._recordings
 
     @property
     def pages(self) -> QTabWidget:
@@ -172,6 +191,8 @@ class MainWindow(QMainWindow):
             "new": self._files.ask_and_begin,
             "open": self._files.ask_and_open,
             "history": self._history.open_history,
+            "record": self._recordings.toggle,
+            "open_recording": self._recordings.ask_and_open,
             "save": self._files.ask_and_save,
             "print": self._files.preview,
             "export": self._files.ask_and_export,
@@ -183,13 +204,14 @@ class MainWindow(QMainWindow):
             "disconnect": self._connection.leave,
             "line": self._connection.edit_line,
             "find": self._connection.find_board,
-            "stop": self._device.motors.stop,
+            "stop": self._device.motors.press_stop,
             "run": self._device.motors.arm,
             "reload": self._on_reload_requested,
             "apply": self._review.review,
             "power": self._on_power_cycle_wanted,
             "learn": self._learn.learn,
             "test_sticks": self._learn.test,
+            "bench": self._bench.open,
             "defaults": lambda: self._defaults.preview(serial_only=False),
             "serial_defaults": lambda: self._defaults.preview(serial_only=True),
             **{f"page{index}": page(index) for index in range(self._tabs.count())},
@@ -210,6 +232,14 @@ class MainWindow(QMainWindow):
         self._on_possibilities_changed()
 
     @Slot()
+    def _on_motors_changed(self) -> None:
+        """A drag tells of wishes many hundred times a second; no action depends on them."""
+        motors = self._device.motors
+        run = motors.can_arm and not motors.armed and not motors.locked_for
+        if run != self._actions["run"].isEnabled():
+            self._on_possibilities_changed()
+
+    @Slot()
     def _on_possibilities_changed(self) -> None:
         """Let every action say whether it can be done now."""
         link, motors = self._device.link, self._device.motors
@@ -227,7 +257,7 @@ class MainWindow(QMainWindow):
             "print": shown,
             "export": shown,
             "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
-            "run": motors.can_arm and not motors.armed,
+            "run": motors.can_arm and not motors.armed and not motors.locked_for,
             "apply": up and self._device.pending > 0 and not self._device.applying,
             "power": up and (waiting or self._device.reset_ordered),
             "defaults": up and not self._device.applying,
@@ -239,7 +269,15 @@ class MainWindow(QMainWindow):
             "redo": shown and self._device.undo.canRedo(),
         }.items():
             self._actions[key].setEnabled(possible)
+        self._on_recording_changed()
         self._question.reconsider()
+
+    @Slot()
+    def _on_recording_changed(self) -> None:
+        recorder = self._recordings.recorder
+        text = self.tr("Stop &recording") if recorder.recording else self.tr("&Record…")
+        self._actions["record"].setText(text)
+        self._actions["record"].setEnabled(recorder.recording or recorder.can_record)
 
     @Slot()
     def _on_undo_changed(self) -> None:
@@ -359,12 +397,14 @@ class MainWindow(QMainWindow):
         self._store.setValue("window/state", self.saveState())
         self._history.close()
         self._learn.close()
+        self._bench.close()
         self._demo.leave()
         self._files.close_all()
         self._connection.close_dialogs()
         self._store.setValue("window/geometry", self.saveGeometry())
         self._store.setValue("window/page", self._tabs.currentIndex())
         self._connector.shut_down()
+        self._recordings.close_all()  # behind the stop of the motors: a disk may take its time
         super().closeEvent(event)
 
     def _may_close(self) -> bool:

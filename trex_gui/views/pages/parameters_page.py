@@ -64,6 +64,11 @@ class ParametersPage(QWidget):
         device.link_changed.connect(self._on_link_changed)
         self._on_link_changed()
 
+    @Slot(str)
+    def show_parameter(self, key: str) -> None:
+        """Go to a parameter by its key."""
+        self._table.show_parameter(key)
+
     @Slot()
     def _on_link_changed(self) -> None:
         up = self._device.link is Link.UP

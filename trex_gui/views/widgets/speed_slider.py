@@ -1,32 +1,141 @@
 """A slider whose middle is rest: filled from zero, with zero marked."""
 
-from PySide6.QtCore import QRect, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QRect, QSize, Qt, Signal, Slot
+from PySide6.QtGui import (
+    QFocusEvent,
+    QHideEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
 
+from trex_gui.views.driving.hold_watch import HoldWatch
 from trex_gui.views.theme import theme
 
 _MARKS = (-127, -64, 0, 64, 127)
+
+_MOVING_KEYS = {
+    *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
+    *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
+}
 
 
 class SpeedSlider(QSlider):
     """Horizontal, from `lowest` to 127; the groove is filled from zero to the handle.
 
-    Qt's own slider fills from the left end and has no tick at zero for such a range.
+    Qt's own slider fills from the left end and has no tick at zero for such a range. Home is
+    zero, and End does nothing: one key must not mean full speed.
+
+    Signals:
+        grabbed: a mouse button or a key that moves it went down.
+        released: that is over, or cannot be told any more: the focus is gone, or it is hidden,
+            disabled, or covered by a menu or a dialog.
     """
+
+    grabbed = Signal()
+    released = Signal()
 
     def __init__(self, lowest: int, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
+        self._ceiling = 127
+        self._held = False
+        self._watch = HoldWatch(self)
         self.setRange(lowest, 127)
         self.setPageStep(16)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
+        self._watch.blinded.connect(self.let_go)
+        theme().changed.connect(self.update)
+
+    @property
+    def held(self) -> bool:
+        """Whether a hand is on it."""
+        return self._held
+
+    def set_ceiling(self, ceiling: int) -> None:
+        """Show up to which speed, 1-127, it is of use, either way."""
+        if ceiling != self._ceiling:
+            self._ceiling = ceiling
+            self.update()
+
+    @Slot()
+    def let_go(self) -> None:
+        """End a hold, whatever the hand does; it has to press anew."""
+        if self._held:
+            self._held = False
+            self._watch.end()
+            self.setSliderDown(False)
+            self.setRepeatAction(QSlider.SliderAction.SliderNoAction)
+            self.released.emit()
+
+    # --- Hands --------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() is Qt.MouseButton.LeftButton:
+            self._grab()
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._held:  # one that was let go meanwhile is not to follow the mouse
+            super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        if event.button() is Qt.MouseButton.LeftButton:
+            self.let_go()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        match event.key():
+            case Qt.Key.Key_Home | Qt.Key.Key_0:
+                self.setValue(0)
+            case Qt.Key.Key_End:
+                pass
+            case key if key in _MOVING_KEYS:
+                self._grab()
+                super().keyPressEvent(event)
+            case _:
+                super().keyPressEvent(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        super().keyReleaseEvent(event)
+        if event.key() in _MOVING_KEYS and not event.isAutoRepeat():
+            self.let_go()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() in {QEvent.Type.UngrabMouse, QEvent.Type.WindowDeactivate}:
+            self.let_go()
+        return super().event(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self.let_go()
+        super().focusOutEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self.let_go()
+        super().hideEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
+            self.let_go()
+        super().changeEvent(event)
+
+    def _grab(self) -> None:
+        if not self._held:
+            self._held = True
+            self._watch.begin()
+            self.grabbed.emit()
+
+    # --- Looks --------------------------------------------------------------------------
+
     def sizeHint(self) -> QSize:
         hint = super().sizeHint()
-        return QSize(max(hint.width(), 320), hint.height() + self.fontMetrics().height() + 10)
+        return QSize(max(hint.width(), 240), hint.height() + self.fontMetrics().height() + 10)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(200, self.sizeHint().height())
+        return QSize(150, self.sizeHint().height())
 
     def initStyleOption(self, option: QStyleOptionSlider) -> None:
         """Keep groove and handle, painted or clicked on, above the numbers."""
@@ -53,9 +162,14 @@ class SpeedSlider(QSlider):
         middle = handle.center().y()
         left, right = self._x_of(self.minimum(), handle), self._x_of(self.maximum(), handle)
         groove = QRect(left, middle - 3, right - left, 7)
-        painter.setPen(QPen(theme().color("grid")))
-        painter.setBrush(theme().color("track"))
+        painter.setPen(QPen(theme().color("track_edge")))
+        painter.setBrush(theme().color("track_off"))
         painter.drawRoundedRect(groove, 3, 3)
+        if self.isEnabled():  # as far as the ceiling lets it go
+            start = self._x_of(max(-self._ceiling, self.minimum()), handle)
+            end = self._x_of(self._ceiling, handle)
+            painter.setBrush(theme().color("track"))
+            painter.drawRoundedRect(QRect(start, middle - 3, end - start, 7), 3, 3)
         if not self.isEnabled():
             return
         zero, here = self._x_of(0, handle), handle.center().x()

@@ -1,0 +1,111 @@
+"""The one line that says why motors do not do what is asked."""
+
+import itertools
+
+import pytest
+
+from trex_gui.model.connection import Link
+from trex_gui.model.driving.reasons import Kind, Situation, reason_for
+from trex_gui.protocol.flags import Mode, UartError
+
+
+@pytest.mark.parametrize(
+    ("situation", "kind", "said"),
+    [
+        (Situation(link=Link.NONE), Kind.NO_BOARD, "No board"),
+        (Situation(link=Link.OPENING), Kind.OPENING, "being read"),
+        (Situation(link=Link.CLOSING), Kind.CLOSING, "closed"),
+        (Situation(link=Link.SILENT), Kind.SILENT, "does not answer"),
+        (Situation(mode=None), Kind.UNKNOWN, "not said yet"),
+        (Situation(by_serial=None), Kind.UNKNOWN, "not said yet"),
+        (Situation(by_serial=False), Kind.NOT_SERIAL, "serial commands do not"),
+        (Situation(mode=Mode.RC, by_serial=False), Kind.CHANNELS, "The RC channels"),
+        (Situation(mode=Mode.ANALOG, by_serial=False), Kind.CHANNELS, "The analog channels"),
+        (
+            Situation(mode=Mode.RC, by_serial=False, missing=(1,)),
+            Kind.SAFE_START,
+            "channel 1 is required and has no signal",
+        ),
+        (
+            Situation(mode=Mode.RC, by_serial=False, missing=(1, 2, 4)),
+            Kind.SAFE_START,
+            "channels 1, 2 and 4 are required and have no signal",
+        ),
+        (Situation(locked_for=2.2), Kind.LOCKED, "locked for 3 s"),
+        (Situation(faults=(1,)), Kind.FAULT, "Motor 1"),
+        (Situation(faults=(1, 2), armed=True), Kind.FAULT, "Motors 1 and 2"),
+        (Situation(uart=UartError.TIMEOUT, timeout="0.5 s"), Kind.TIMEOUT, "nothing for 0.5 s"),
+        (Situation(uart=UartError.PARITY, error_shutdown=True), Kind.LINE_ERROR, "damaged"),
+        (Situation(uart=UartError.PARITY), Kind.NOT_ARMED, "Not armed"),
+        (Situation(can_arm=False), Kind.NOT_ALLOWED, "cannot be armed"),
+        (Situation(), Kind.NOT_ARMED, "nothing is sent yet"),
+        (Situation(stop_reason="The gamepad is gone."), Kind.NOT_ARMED, "The gamepad is gone."),
+        (Situation(armed=True, over_limit=(2,)), Kind.OVER_LIMIT, "Motor 2 is slowed down"),
+        (Situation(over_limit=(2,)), Kind.NOT_ARMED, "Not armed"),
+        (Situation(armed=True), Kind.RUNNING, "armed"),
+        (Situation(armed=True, joint=True), Kind.RUNNING, "Joint mode"),
+        (Situation(mode=Mode.RC, armed=True), Kind.RUNNING, "Channel 5 overrides"),
+    ],
+)
+def test_what_is_said(situation: Situation, kind: Kind, said: str) -> None:
+    reason = reason_for(situation)
+    assert reason.kind is kind
+    assert said in reason.text
+
+
+_EVERYTHING = [
+    Situation(
+        link=link,
+        mode=mode,
+        by_serial=by_serial,
+        joint=joint,
+        missing=missing,
+        faults=faults,
+        over_limit=over_limit,
+        uart=uart,
+        error_shutdown=True,
+        locked_for=locked,
+        can_arm=can_arm,
+        armed=armed,
+    )
+    for link, mode, by_serial, joint, missing, faults, over_limit, uart, locked, can_arm, armed in (
+        itertools.product(
+            Link,
+            (None, *Mode),
+            (None, False, True),
+            (False, True),
+            ((), (1,)),
+            ((), (2,)),
+            ((), (1,)),
+            (UartError(0), UartError.TIMEOUT, UartError.CRC),
+            (0.0, 1.5),
+            (False, True),
+            (False, True),
+        )
+    )
+]
+
+
+def test_every_situation_has_a_reason_that_is_a_sentence() -> None:
+    for situation in _EVERYTHING:
+        reason = reason_for(situation)
+        assert reason.text.endswith("."), situation
+        assert not reason.remedy or reason.remedy.endswith("."), situation
+
+
+def test_motors_are_said_to_obey_only_where_they_do() -> None:
+    for now in _EVERYTHING:
+        obeyed = (
+            now.link is Link.UP
+            and now.mode is not None
+            and now.by_serial is True
+            and now.armed
+            and not now.faults
+            and not now.uart
+        )
+        assert reason_for(now).obeyed is obeyed, now
+
+
+def test_all_reasons_can_be_met() -> None:
+    met = {reason_for(situation).kind for situation in _EVERYTHING}
+    assert met == set(Kind)

@@ -1,0 +1,65 @@
+"""What is asked of a motor, and what the board says of it, in few words."""
+
+from PySide6.QtCore import QCoreApplication
+
+from trex_gui.model.device import Device
+from trex_gui.protocol.calibration import FULL_SCALE
+from trex_gui.protocol.commands import Drive
+
+
+def wish_text(drive: Drive | None) -> str:
+    """What is asked of motor 1 or 2; `None`: nothing since it was armed."""
+    if drive is None:
+        return _tr("Asked: nothing yet")
+    if drive.is_brake:
+        if not drive.speed:
+            return _tr("Asked: coast")
+        return _tr("Asked: brake, {0:.0f} %").format(100 * drive.speed / FULL_SCALE)
+    return _tr("Asked: {0}").format(speed_text(drive.signed))
+
+
+def speed_text(speed: int) -> str:
+    """A signed speed with its share of full: `forward 64 (50 %)`."""
+    if not speed:
+        return "0"
+    direction = _tr("forward") if speed > 0 else _tr("reverse")
+    return f"{direction} {abs(speed)} ({100 * abs(speed) / FULL_SCALE:.0f} %)"
+
+
+def channel_text(device: Device, channel: int) -> str:
+    """What a channel wishes for where channels drive: the board's own view of its speed."""
+    telemetry = device.telemetry
+    value = telemetry.remapped_of(channel)
+    if value is None:
+        return _tr("Channel {0}: N/A").format(channel)
+    if telemetry.raw is not None and telemetry.raw_of(channel) is None:
+        return _tr("Channel {0}: no signal").format(channel)
+    if channel == 3:  # drives one way only, whichever side the stick is on
+        return _tr("Channel {0}: {1}").format(channel, abs(value))
+    return _tr("Channel {0}: {1}").format(channel, speed_text(value))
+
+
+def report_text(device: Device, motor: int) -> str:
+    """What the board says of a motor: its current, and what it has latched of late."""
+    currents = device.telemetry.motor_currents
+    if currents is None:
+        return _tr("Board: N/A")
+    if device.is_joint:
+        return _tr("Board: no current sensing in joint mode")
+    parts = [f"{currents[motor - 1]:.2f} A"]
+    parts += [entry.name.lower() for entry in device.errors.recent(motor)]
+    return _tr("Board: {0}").format(", ".join(parts))
+
+
+def auxiliary_report_text(device: Device) -> str:
+    """What the board says of the auxiliary motor: nothing but who controls it."""
+    by_serial = device.telemetry.serial_controls
+    if by_serial is None:
+        return _tr("Board: N/A")
+    if by_serial:
+        return _tr("Board: takes serial commands, reports nothing")
+    return _tr("Board: channels are in control")
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("MotorsPage", text)

@@ -1,0 +1,1 @@
+"""Controls that drive while they are held: keys, gamepads."""
