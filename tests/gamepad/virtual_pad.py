@@ -1,0 +1,52 @@
+"""A gamepad that SDL itself takes for one: its own virtual joystick, reached with ctypes."""
+
+import ctypes
+import importlib.util
+import sys
+from pathlib import Path
+
+_GAMEPAD = 1  # SDL_JOYSTICK_TYPE_GAMECONTROLLER
+
+
+def _library() -> ctypes.CDLL:
+    """The very SDL that pygame has loaded: the wheel brings it along."""
+    if sys.platform == "win32":
+        found = importlib.util.find_spec("pygame")
+        assert found is not None
+        assert found.origin is not None
+        return ctypes.CDLL(str(Path(found.origin).parent / "SDL2.dll"))
+    maps = Path("/proc/self/maps").read_text(encoding="utf-8").splitlines()
+    return ctypes.CDLL(next(line.split()[-1] for line in maps if "libSDL2-" in line))
+
+
+class VirtualPad:
+    """Plugged in when made. SDL must be open."""
+
+    def __init__(self, axes: int = 6, buttons: int = 15) -> None:
+        self._sdl = _library()
+        self._sdl.SDL_JoystickOpen.restype = ctypes.c_void_p
+        self._sdl.SDL_JoystickSetVirtualAxis.argtypes = [
+            ctypes.c_void_p,
+            ctypes.c_int,
+            ctypes.c_int16,
+        ]
+        self._sdl.SDL_JoystickSetVirtualButton.argtypes = [
+            ctypes.c_void_p,
+            ctypes.c_int,
+            ctypes.c_uint8,
+        ]
+        self._index = self._sdl.SDL_JoystickAttachVirtual(_GAMEPAD, axes, buttons, 0)
+        assert self._index >= 0
+        self._joystick = self._sdl.SDL_JoystickOpen(self._index)
+        assert self._joystick
+
+    def move(self, axis: int, value: float) -> None:
+        """Put an axis somewhere between -1 and 1."""
+        count = max(-32768, min(32767, round(value * 32768)))
+        assert self._sdl.SDL_JoystickSetVirtualAxis(self._joystick, axis, count) == 0
+
+    def press(self, button: int, *, down: bool = True) -> None:
+        assert self._sdl.SDL_JoystickSetVirtualButton(self._joystick, button, int(down)) == 0
+
+    def unplug(self) -> None:
+        assert self._sdl.SDL_JoystickDetachVirtual(self._index) == 0
