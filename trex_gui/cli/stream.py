@@ -30,6 +30,16 @@ from trex_gui.link.telemetry import (
 from trex_gui.protocol.commands import GetMode
 from trex_gui.protocol.errors import BadReply, NoReply
 from trex_gui.protocol.flags import CHANNELS, Mode, Status, UartError
+from trex_gui.recording.columns import (
+    ampere,
+    channel_columns,
+    current_column,
+    measured_columns,
+    news_columns,
+    physical,
+    status_column,
+    uart_column,
+)
 
 _FLUSH = 0.25
 """Seconds after which what was written can be read by others."""
@@ -119,22 +129,11 @@ class _Table:
     _lacks: set[type[Sample]] = field(default_factory=lambda: {Raw, Remapped, Control})
 
     def __post_init__(self) -> None:
-        physical = "us" if self.mode.source.unit == "µs" else "V"
-        columns = ["time_s"]
-        for channel in CHANNELS:
-            columns += [
-                f"channel_{channel}_raw",
-                f"channel_{channel}_{physical}",
-                f"channel_{channel}_remapped",
-            ]
-        columns += [f"motor_{motor}_current_A" for motor in (1, 2)]
-        self.row = dict.fromkeys(columns)
-        self.row["serial_controls"] = None
+        self.row = dict.fromkeys(["time_s", *measured_columns(self.mode.source)])
         self._clear_news()
 
     def _clear_news(self) -> None:
-        self.row |= {_status_column(bit): 0 for bit in Status}
-        self.row |= {_uart_column(bit): 0 for bit in UartError}
+        self.row |= dict.fromkeys(news_columns(), 0)
 
     def take(self, sample: Sample) -> bool:
         """Take a sample; return whether it completes a row that lacks nothing."""
@@ -143,28 +142,23 @@ class _Table:
         match sample:
             case Currents(counts=counts):
                 for motor, count in enumerate(counts, start=1):
-                    self.row[f"motor_{motor}_current_A"] = round(count * self.unit, 4)
+                    self.row[current_column(motor)] = ampere(count, self.unit)
                 return not self._lacks
             case Raw(counts=raw):
-                places = 1 if source.unit == "µs" else 4
-                name = "us" if source.unit == "µs" else "V"
                 for channel, count_or_none in zip(CHANNELS, raw, strict=True):
-                    self.row[f"channel_{channel}_raw"] = count_or_none
-                    self.row[f"channel_{channel}_{name}"] = (
-                        None
-                        if count_or_none is None
-                        else round(source.physical(count_or_none), places)
-                    )
+                    as_counts, in_unit, _ = channel_columns(source, channel)
+                    self.row[as_counts] = count_or_none
+                    self.row[in_unit] = physical(source, count_or_none)
             case Remapped(values=values):
                 for channel, value in zip(CHANNELS, values, strict=True):
-                    self.row[f"channel_{channel}_remapped"] = value
+                    self.row[channel_columns(source, channel)[2]] = value
             case Control(by_serial=by_serial):
                 self.row["serial_controls"] = int(by_serial)
             case ModeSeen():
                 pass
             case StatusNews(status=status, uart=uart):
-                self.row |= {_status_column(bit): 1 for bit in Status if bit & status}
-                self.row |= {_uart_column(bit): 1 for bit in UartError if bit & uart}
+                self.row |= {status_column(bit): 1 for bit in Status if bit & status}
+                self.row |= {uart_column(bit): 1 for bit in UartError if bit & uart}
         return False
 
     def finish(self, time: float) -> Row:
@@ -172,14 +166,6 @@ class _Table:
         row = {**self.row, "time_s": round(time, 4)}
         self._clear_news()
         return row
-
-
-def _status_column(bit: Status) -> str:
-    return f"status_{str(bit.name).lower()}"
-
-
-def _uart_column(bit: UartError) -> str:
-    return f"uart_{str(bit.name).lower()}"
 
 
 def _rows(

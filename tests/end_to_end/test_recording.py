@@ -1,0 +1,182 @@
+"""A person records a session, sees that it is recorded, and opens it again without the board."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.recording.samples import an_hour, write
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.device import Link
+from trex_gui.views.recording.indicator import RecordIndicator
+from trex_gui.window import Program
+
+
+@pytest.fixture
+def connected(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Program:
+    program.device.connect_to(LinkSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=10_000)
+    return program
+
+
+def indicator(program: Program) -> RecordIndicator:
+    found = program.window.findChild(RecordIndicator, "recordIndicator")
+    assert found is not None
+    return found
+
+
+def text(window: QWidget, name: str) -> str:
+    label = window.findChild(QLabel, name)
+    assert label is not None
+    return label.text()
+
+
+def action(program: Program, key: str) -> QAction:
+    found = program.window.findChild(QAction, f"{key}Action")
+    assert found is not None
+    return found
+
+
+def record(program: Program, path: Path, qtbot: QtBot) -> None:
+    """Record until there is something in the file, and end it with the button."""
+    program.window.recordings.record(path)
+    qtbot.waitUntil(lambda: indicator(program).isVisible())
+    samples = program.device.telemetry.samples
+    qtbot.waitUntil(lambda: program.device.telemetry.samples > samples + 300, timeout=10_000)
+    button = indicator(program).findChild(QPushButton, "stopRecordingButton")
+    assert button is not None
+    with qtbot.waitSignal(program.window.recordings.recorder.ended, timeout=10_000):
+        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def test_recording_is_seen_on_every_page_with_time_and_size(
+    connected: Program, tmp_path: Path, qtbot: QtBot
+) -> None:
+    assert not indicator(connected).isVisible()
+    connected.window.recordings.record(tmp_path / "a.trexrec")
+    qtbot.waitUntil(lambda: "Recording  0:00:00" in text(connected.window, "recordText"))
+    qtbot.waitUntil(lambda: " kB" in text(connected.window, "recordText"), timeout=10_000)
+    for page in range(connected.window.pages.count()):
+        connected.window.pages.setCurrentIndex(page)
+        assert indicator(connected).isVisible()
+        assert "Recording" in indicator(connected).accessibleName()
+    assert action(connected, "record").text() == "Stop &recording"
+    with qtbot.waitSignal(connected.window.recordings.recorder.ended, timeout=10_000):
+        action(connected, "record").trigger()
+    assert not indicator(connected).isVisible()
+    assert action(connected, "record").text() == "&Record…"
+    assert "Recorded in" in text(connected.window, "bannerText")
+
+
+@pytest.mark.parametrize("suffix", [".trexrec", ".csv"])
+def test_a_recording_is_opened_again_without_a_board(
+    connected: Program, tmp_path: Path, qtbot: QtBot, suffix: str
+) -> None:
+    path = tmp_path / f"session{suffix}"
+    record(connected, path, qtbot)
+    connected.device.disconnect_line()
+    qtbot.waitUntil(lambda: connected.device.link is Link.NONE, timeout=10_000)
+    connected.window.recordings.open_file(path)
+    (window,) = connected.window.recordings.windows
+    qtbot.waitUntil(lambda: window.playback.is_loaded)
+    assert window.playback.problems == []
+    assert window.playback.end > window.playback.start
+    window.playback.set_position(window.playback.end)
+    assert text(window, "channel1PhysicalAtPosition").endswith("µs")
+    connected.window.recordings.open_file(path)
+    assert connected.window.recordings.windows == [window]
+    button = window.findChild(QPushButton, "settingsInForceButton")
+    assert button is not None
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    (editor,) = connected.window.files.editors
+    assert editor.document.readable
+    editor.close()
+    window.close()
+    assert connected.window.recordings.windows == []
+
+
+def test_a_recording_that_is_dropped_onto_the_window_opens(
+    program: Program, tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "a.trexrec"
+    write(path, list(an_hour(5)))
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    copy = Qt.DropAction.CopyAction
+    left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    enter = QDragEnterEvent(QPoint(9, 9), copy, data, left, none)
+    QApplication.sendEvent(program.window, enter)
+    assert enter.isAccepted()
+    QApplication.sendEvent(program.window, QDropEvent(QPointF(9, 9), copy, data, left, none))
+    (window,) = program.window.recordings.windows
+    qtbot.waitUntil(lambda: window.playback.is_loaded)
+    window.close()
+
+
+def test_a_file_that_is_none_is_refused_with_its_name(program: Program, tmp_path: Path) -> None:
+    path = tmp_path / "none.trexrec"
+    path.write_text("nothing of the kind")
+    program.window.recordings.open_file(path)
+    assert "none.trexrec, byte 0: This is no recording" in text(program.window, "bannerText")
+    assert program.window.recordings.windows == []
+
+
+def test_nothing_can_be_recorded_without_a_board(program: Program, tmp_path: Path) -> None:
+    assert not action(program, "record").isEnabled()
+    assert action(program, "open_recording").isEnabled()
+
+
+def test_a_recording_that_runs_is_whole_after_the_window_is_closed(
+    connected: Program, tmp_path: Path, qtbot: QtBot, make_sure: Callable[[Path], None]
+) -> None:
+    path = tmp_path / "a.trexrec"
+    connected.window.recordings.record(path)
+    samples = connected.device.telemetry.samples
+    qtbot.waitUntil(lambda: connected.device.telemetry.samples > samples + 100, timeout=10_000)
+    connected.window.close()
+    make_sure(path)
+
+
+@pytest.fixture
+def make_sure() -> Callable[[Path], None]:
+    """Fail where a recording is not whole."""
+    from trex_gui.recording.files import open_recording
+
+    def check(path: Path) -> None:
+        file = open_recording(path)
+        assert file.problems == []
+        assert sum(block.count for block in file.blocks) > 50
+        file.close()
+
+    return check
+
+
+def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(
+    connected: Program, quick_simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    full = Path("/dev/full")
+    if not full.exists():
+        pytest.skip("this system has no disk that is always full")
+    device = connected.device
+    connected.window.recordings.record(full)
+    device.motors.arm()
+    device.motors.accelerate = False
+    device.motors.set_speed(1, 60)
+    qtbot.waitUntil(
+        lambda: quick_simulator.show()["motors"][0]["target_speed"] == 60, timeout=10_000
+    )
+    device.motors.press_stop()
+    qtbot.waitUntil(
+        lambda: quick_simulator.show()["motors"][0]["direction"] == "brake", timeout=10_000
+    )
+    qtbot.waitUntil(
+        lambda: "cannot be written: No space left" in text(connected.window, "bannerText"),
+        timeout=20_000,
+    )
+    assert not indicator(connected).isVisible()

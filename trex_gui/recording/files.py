@@ -1,0 +1,38 @@
+"""Recordings by their file: which format it is, writing one, opening one."""
+
+from pathlib import Path
+from typing import BinaryIO
+
+from trex_gui.recording import csv_format, layout
+from trex_gui.recording.csv_format import CsvWriter
+from trex_gui.recording.csv_reader import CsvFile
+from trex_gui.recording.reader import TrexrecFile
+from trex_gui.recording.recording import Header, RecordingFile, Writer
+from trex_gui.recording.writer import TrexrecWriter
+
+SUFFIXES = (layout.SUFFIX, csv_format.SUFFIX)
+
+
+def open_recording(path: Path) -> RecordingFile:
+    """Open a recording of either format; what is in it decides, not its name.
+
+    Raises:
+        RecordingError: there is none that can be read.
+    """
+    try:
+        with path.open("rb") as file:
+            is_csv = file.read(6) == b"time_s"
+    except (OSError, ValueError):
+        is_csv = False  # the reader says what is the matter
+    return CsvFile(path) if is_csv else TrexrecFile(path)
+
+
+def writer_for(path: Path, file: BinaryIO, header: Header) -> Writer:
+    """Return what writes a recording into a file of this name.
+
+    Raises:
+        OSError: the head cannot be written.
+    """
+    if path.suffix.lower() == csv_format.SUFFIX:
+        return CsvWriter(file, header)
+    return TrexrecWriter(file, header)

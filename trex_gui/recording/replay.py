@@ -1,0 +1,153 @@
+"""What was known at one time of a recording, found without reading it from the start."""
+
+from collections.abc import Iterator
+from copy import copy
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from trex_gui.link.telemetry import Control, Currents, ModeSeen, Raw, Remapped, StatusNews
+from trex_gui.protocol.commands import Drive
+from trex_gui.protocol.flags import Mode
+from trex_gui.recording.csv_format import CsvWriter
+from trex_gui.recording.errors import RecordingError
+from trex_gui.recording.recording import (
+    AuxiliaryWish,
+    Marker,
+    Record,
+    RecordingFile,
+    SettingsSeen,
+    Wish,
+)
+
+STOP = "stop"
+"""The kind of a marker after which nothing is asked of a motor."""
+
+
+@dataclass(slots=True)
+class Latest:
+    """The newest of everything; `None` while nothing was known yet.
+
+    `wishes` has motors 1 and 2; one that nothing was asked of is missing.
+    """
+
+    mode: Mode
+    settings: str
+    raw: tuple[int | None, ...] | None = None
+    remapped: tuple[int, ...] | None = None
+    currents: tuple[int, int] | None = None
+    by_serial: bool | None = None
+    wishes: dict[int, Drive] = field(default_factory=dict)
+    auxiliary: int | None = None
+
+    def take(self, record: Record) -> None:
+        """Take a record as the newest."""
+        match record:
+            case Currents(counts=counts):
+                self.currents = counts
+            case Raw(counts=raw):
+                self.raw = raw
+            case Remapped(values=values):
+                self.remapped = values
+            case Control(by_serial=by_serial):
+                self.by_serial = by_serial
+            case ModeSeen(mode=mode):
+                self.mode = mode
+            case Wish(motor=motor, drive=drive):
+                self.wishes = {**self.wishes, motor: drive}
+            case AuxiliaryWish(speed=speed):
+                self.auxiliary = speed
+            case Marker(kind=kind):
+                if kind == STOP:
+                    self.wishes, self.auxiliary = {}, None
+            case SettingsSeen(text=text):
+                self.settings = text
+            case StatusNews():
+                pass
+
+
+class Replay:
+    """Goes to any time of a recording; remembers what was known where each block begins."""
+
+    def __init__(self, file: RecordingFile) -> None:
+        self._file = file
+        self._known = [Latest(file.header.mode, file.header.settings)]
+        self._read: tuple[int, list[Record]] = (-1, [])
+
+    @property
+    def blocks_seen(self) -> int:
+        """How many blocks, from the first on, were gone through."""
+        return len(self._known) - 1
+
+    def go_through_next(self) -> tuple[Latest, list[Record]]:
+        """Go through one block more; return what was known before it, and its records.
+
+        Raises:
+            RecordingError: the file has changed since it was opened.
+            IndexError: there is none.
+        """
+        records = self._file.read(self.blocks_seen)
+        latest = copy(self._known[-1])
+        for record in records:
+            latest.take(record)
+        self._known.append(latest)
+        return copy(self._known[-2]), records
+
+    def at(self, time: float) -> Latest:
+        """Return what was known at a time, as far as the blocks were gone through.
+
+        Raises:
+            RecordingError: the file has changed since it was opened.
+        """
+        index = self._block_of(time)
+        latest = copy(self._known[index])
+        if index < self.blocks_seen:
+            if self._read[0] != index:
+                self._read = (index, self._file.read(index))
+            for record in self._read[1]:
+                if record.time <= time:
+                    latest.take(record)
+        return latest
+
+    def _block_of(self, time: float) -> int:
+        """Return the last block seen that begins no later than that."""
+        low, high = 0, self.blocks_seen
+        while low + 1 < high:
+            middle = (low + high) // 2
+            if self._file.blocks[middle].first <= time:
+                low = middle
+            else:
+                high = middle
+        return low
+
+
+def export_span(file: RecordingFile, path: Path, start: float, end: float) -> Iterator[float]:
+    """Write what was recorded from `start` to `end` (session's clock) as CSV.
+
+    Yields the share that is done, 0 to 1, after each block; whoever stops asking leaves a file
+    that is whole as far as it goes.
+
+    Raises:
+        RecordingError: the recording cannot be read, or the CSV cannot be written.
+    """
+    settings = file.header.settings
+    indices = [
+        index
+        for index, block in enumerate(file.blocks)
+        if block.first <= end and block.last >= start
+    ]
+    try:
+        with path.open("wb") as target:
+            writer: CsvWriter | None = None
+            for done, index in enumerate(indices, 1):
+                records = file.read(index)
+                if writer is None:
+                    for record in records:
+                        if isinstance(record, SettingsSeen) and record.time <= start:
+                            settings = record.text
+                    writer = CsvWriter(target, replace(file.header, settings=settings))
+                writer.write([record for record in records if start <= record.time <= end])
+                yield done / len(indices)
+            (writer or CsvWriter(target, file.header)).finish()
+    except OSError as error:
+        reason = error.strerror or error
+        raise RecordingError(str(path), f"It cannot be written: {reason}.") from error

@@ -1,0 +1,88 @@
+"""The row that says that something is being recorded, the same on every page."""
+
+from PySide6.QtCore import QSize, Qt, QTimer, Slot
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+
+from trex_gui.model.recorder import Recorder
+from trex_gui.views.icons import icon, set_icon
+from trex_gui.views.recording.words import size_text, time_text
+from trex_gui.views.theme import theme
+
+_INTERVAL_MS = 250
+
+
+class RecordIndicator(QWidget):
+    """A red dot, how long, how much, into which file, and a button to end it.
+
+    Hidden while nothing is recorded. The dot is not all that tells it: the words do.
+    """
+
+    def __init__(self, recorder: Recorder, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("recordIndicator")
+        self.setAccessibleName(self.tr("Recording"))
+        self._recorder = recorder
+
+        self._dot = QLabel(self)
+        self._text = QLabel(self)
+        self._text.setObjectName("recordText")
+        font = self._text.font()
+        font.setBold(True)
+        self._text.setFont(font)
+        self._file = QLabel(self)
+        self._file.setObjectName("recordFile")
+        self._file.setTextFormat(Qt.TextFormat.PlainText)
+        # A long name is cut rather than making the window wide; its tool tip has all of it.
+        self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._stop = QPushButton(self.tr("Stop recordin&g"), self)
+        self._stop.setObjectName("stopRecordingButton")
+        self._stop.setToolTip(self.tr("End the recording; motors and line go on as they are"))
+        set_icon(self._stop, "ok")
+        self._timer = QTimer(self)
+        self._timer.setInterval(_INTERVAL_MS)
+
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self._dot)
+        layout.addWidget(self._text)
+        layout.addWidget(self._file, 1)
+        layout.addWidget(self._stop)
+
+        self._stop.clicked.connect(recorder.stop)
+        self._timer.timeout.connect(self._show)
+        recorder.changed.connect(self._on_changed)
+        theme().changed.connect(self._on_theme_changed)
+        self._on_theme_changed()
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        recording = self._recorder.recording
+        if recording and not self._timer.isActive():
+            self._timer.start()
+        elif not recording:
+            self._timer.stop()
+        self._show()
+        self.setVisible(recording)
+
+    @Slot()
+    def _show(self) -> None:
+        recorder = self._recorder
+        text = self.tr("Recording  {0}  {1}").format(
+            time_text(recorder.seconds), size_text(recorder.size)
+        )
+        if recorder.lost:
+            text += "  " + self.tr("{0} samples lost: the disk is too slow").format(recorder.lost)
+        self._text.setText(text)
+        path = recorder.path
+        name = path.name if path is not None else ""
+        width = max(0, self._file.width())
+        shown = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, width)
+        self._file.setText(shown)
+        self._file.setToolTip(str(path or ""))
+        self.setAccessibleDescription(f"{text}, {name}")
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        side = self.fontMetrics().height()
+        self._dot.setPixmap(icon("record", "led_red").pixmap(QSize(side, side)))
