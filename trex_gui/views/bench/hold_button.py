@@ -1,0 +1,90 @@
+"""A button that means something only while it is held."""
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QPushButton, QWidget
+
+
+class HoldButton(QPushButton):
+    """Held with the mouse, a finger or the space bar.
+
+    Whatever could mean that nobody holds it any more counts as letting go: another window or
+    widget takes the focus, the mouse leaves it, it is hidden or greyed. It is held again only
+    by a press anew: a mouse that comes back with its button down does not count.
+
+    Signals:
+        held: somebody begins to hold it.
+        let_go: nobody holds it any more.
+    """
+
+    held = Signal()
+    let_go = Signal()
+
+    def __init__(self, text: str, parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self._is_held = False
+        self.setAutoDefault(False)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    @property
+    def is_held(self) -> bool:
+        """Whether somebody holds it."""
+        return self._is_held
+
+    def _begin(self) -> None:
+        if not self._is_held and self.isEnabled():
+            self._is_held = True
+            self.held.emit()
+
+    def _end(self) -> None:
+        if self._is_held:
+            self._is_held = False
+            self.setDown(False)
+            self.let_go.emit()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._begin()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._is_held:  # else Qt would press it again when the mouse comes back
+            if not self.rect().contains(event.position().toPoint()):
+                self._end()
+            event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._end()
+        super().mouseReleaseEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        super().keyPressEvent(event)
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._begin()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._end()
+        super().keyReleaseEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self._end()
+        super().focusOutEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self._end()
+        super().hideEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
+            self._end()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() in {
+            QEvent.Type.WindowDeactivate,
+            QEvent.Type.UngrabMouse,
+            QEvent.Type.TouchCancel,
+        }:
+            self._end()
+        return super().event(event)
