@@ -71,7 +71,7 @@ QT_PACKAGES = OFFSCREEN_PACKAGES + WINDOW_PACKAGES
 
 # Programs that tests want, and the packages that hold them: what is exported as code is compiled
 # there, and a message bus says that the screen is locked. Tests of compilers skip without them.
-COMPILERS = {"gcc": "gcc", "g++": "g++", "dbus-daemon": "dbus"}
+TEST_PROGRAMS = {"gcc": "gcc", "g++": "g++", "dbus-daemon": "dbus"}
 
 # pip builds the project with these from `.venv/`, where the constraints hold, instead of in an
 # isolated environment, where they do not.
@@ -224,9 +224,9 @@ def find_debian() -> Debian | None:
     return Debian(run_captured, is_root=hasattr(os, "geteuid") and os.geteuid() == 0)
 
 
-def missing_compilers() -> list[str]:
-    """Return the packages of the compilers that are not here, wherever they may have come from."""
-    return [package for program, package in COMPILERS.items() if shutil.which(program) is None]
+def missing_test_programs() -> list[str]:
+    """Return the packages of those programs that are not here."""
+    return [package for program, package in TEST_PROGRAMS.items() if shutil.which(program) is None]
 
 
 # --- Does Qt start? ----------------------------------------------------------------------------
@@ -536,9 +536,9 @@ def summary(results: Iterable[CheckResult]) -> str:
 def command_test(pytest_arguments: Sequence[str]) -> int:
     """Run every check, also after one has failed."""
     set_up()
-    debian = find_debian() if missing_compilers() else None
+    debian = find_debian() if missing_test_programs() else None
     if debian:
-        debian.supply(missing_compilers())
+        debian.supply(missing_test_programs())
     results = []
     for check in checks(pytest_arguments):
         say(f"\n--- {check.name}")

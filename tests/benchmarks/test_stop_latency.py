@@ -74,8 +74,13 @@ def is_stop(data: bytes) -> bool:
     return data[:1] == _STOP_BYTES
 
 
-def is_drive(data: bytes) -> bool:
-    return 0xC0 <= data[0] <= 0xEF and not is_stop(data)
+def speed_of(number: int) -> int:
+    return 1 + number % 100
+
+
+def is_drive(data: bytes, number: int) -> bool:
+    """Whether this is the wish of that move, and no repetition of an older one."""
+    return 0xC0 <= data[0] <= 0xEF and data[1] == speed_of(number)
 
 
 @pytest.mark.timeout(600)
@@ -106,7 +111,7 @@ def test_press_to_wire(
     chance = random.Random(1)
 
     def measure(
-        act: Callable[[int], object], is_wanted: Callable[[bytes], bool]
+        act: Callable[[int], object], is_wanted: Callable[[bytes, int], bool]
     ) -> tuple[list[float], list[float]]:
         took, least = [], []
         for number in range(_PRESSES):
@@ -120,8 +125,8 @@ def test_press_to_wire(
             end = pressed + 2
             while sent is None and time.perf_counter() < end:
                 qtbot.wait(1)
-                sent = tap.first_after(pressed, is_wanted)
-            assert sent is not None
+                sent = tap.first_after(pressed, lambda data: is_wanted(data, number))  # noqa: B023
+            assert sent is not None, device.motors.stop_reason or device.status
             took.append(1000 * (sent - pressed))
             least.append(1000 * tap.rest_of_the_transaction_at(pressed))
         return took, least
@@ -130,8 +135,8 @@ def test_press_to_wire(
         QTest.mouseClick(stop, Qt.MouseButton.LeftButton)
 
     figures = {
-        "slider": measure(lambda number: slider.setValue(1 + number % 100), is_drive),
-        "stop": measure(press_stop, is_stop),
+        "slider": measure(lambda number: slider.setValue(speed_of(number)), is_drive),
+        "stop": measure(press_stop, lambda data, _: is_stop(data)),
     }
     with capsys.disabled():
         print(f"\n{baud} baud, {_PRESSES} presses each, ms:  median   99 %  worst | least possible")

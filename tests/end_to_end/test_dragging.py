@@ -7,7 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
-from trex_gui.link.motors import DRIVE_INTERVAL
+from trex_gui.link.motors import DRIVE_INTERVAL, REPEATS
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
@@ -49,7 +49,7 @@ def test_a_drag_never_floods_the_line_and_its_last_position_arrives(
         qtbot.wait(1)
     last = 1 + (move - 1) % _CYCLE
     qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == last)
-    assert len(packets) <= (moved[-1] - begun) / DRIVE_INTERVAL + 2
+    assert len(packets) <= (moved[-1] - begun) / DRIVE_INTERVAL + 2 + len(REPEATS)
     late = []
     for moment, speed in packets:
         newest = sum(1 for at in moved if at <= moment) - 1

@@ -4,7 +4,7 @@ import pytest
 
 from tests.link.helpers import run_for, seen_at, staged
 from trex_gui.link.messages import SetDrive
-from trex_gui.link.motors import DRIVE_INTERVAL
+from trex_gui.link.motors import DRIVE_INTERVAL, REPEATS
 from trex_gui.protocol.commands import Drive, DriveMotor
 
 _MOVES = 10_000
@@ -32,7 +32,7 @@ def test_each_packet_of_a_drag_carries_the_newest_position_and_the_last_one_arri
     speeds = seen_at(stage, end + 0.3, lambda: stage.board.motors[0].speed)
     run_for(stage, end + 0.4, settings)
     assert speeds == [(_MOVES - 1) % 128]
-    assert len(sent) <= _MOVES / _RATE / DRIVE_INTERVAL + 1
+    assert len(sent) <= _MOVES / _RATE / DRIVE_INTERVAL + 1 + len(REPEATS)
     for moment, speed in sent:
         newest = min(int((moment - start) * _RATE + 1e-6), _MOVES - 1)
         assert (newest - speed) % 128 <= 1, "an older position was sent than the newest"

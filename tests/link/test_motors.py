@@ -6,10 +6,10 @@ from tests.link.helpers import moving, staged
 from tests.support.virtual import Stage
 from trex_gui.emulator.motors import Direction
 from trex_gui.link.mailbox import Mailbox
-from trex_gui.link.messages import Halted, Outcome, SetDrive, Stop
-from trex_gui.link.motors import DRIVE_INTERVAL, Motors
+from trex_gui.link.messages import Halted, Outcome, SetAuxiliary, SetDrive, Stop
+from trex_gui.link.motors import DRIVE_INTERVAL, REPEATS, Motors
 from trex_gui.link.telemetry import StatusNews, StatusReader
-from trex_gui.protocol.commands import Drive, DriveMotor
+from trex_gui.protocol.commands import Drive, DriveAuxiliary, DriveMotor
 from trex_gui.protocol.errors import NoReply, PortUnavailable
 
 
@@ -55,6 +55,51 @@ def test_the_newest_wish_goes_and_the_next_waits_for_its_turn(bench: Bench) -> N
     seconds = bench.motors.seconds_to_drive(bench.client)
     assert seconds is not None
     assert seconds >= DRIVE_INTERVAL
+
+
+def let_time_pass(bench: Bench, seconds: float) -> None:
+    """Drive whenever that is due, as a session does."""
+    end = bench.client.transport.clock() + seconds
+    while (due := bench.motors.seconds_to_drive(bench.client)) is not None:
+        if bench.client.transport.clock() + due > end:
+            break
+        if due > 0:
+            bench.client.transport.wait(max(due, 1e-5))
+        else:
+            bench.motors.drive(bench.client)
+
+
+def test_a_wish_is_sent_again_for_a_board_that_was_deaf(bench: Bench) -> None:
+    bench.stage.line.to_drop_sent = 2  # the whole packet, so the board latches nothing
+    bench.drive(20)
+    assert bench.stage.board.motors[0].target_speed == 0
+    let_time_pass(bench, 1.0)
+    assert moving(bench.stage.transport.sent) == [DriveMotor(1, Drive.at(20))] * (1 + len(REPEATS))
+    assert bench.stage.board.motors[0].target_speed == 20
+    assert bench.motors.seconds_to_drive(bench.client) is None
+
+
+def test_a_newer_wish_takes_the_place_of_the_one_that_stands(bench: Bench) -> None:
+    bench.drive(20)
+    let_time_pass(bench, 0.15)
+    bench.mail.drives.put(SetAuxiliary(9))
+    bench.mail.drives.put(SetDrive(1, Drive.at(30)))
+    let_time_pass(bench, 1.0)
+    sent = moving(bench.stage.transport.sent)
+    assert sent[:2] == [DriveMotor(1, Drive.at(20))] * 2
+    assert sent[2:] == [DriveMotor(1, Drive.at(30)), DriveAuxiliary(9)] * (1 + len(REPEATS))
+
+
+def test_after_a_stop_nothing_stands_any_more(bench: Bench) -> None:
+    bench.drive(20)
+    bench.stop()
+    assert bench.motors.seconds_to_drive(bench.client) is None
+    bench.drive(20)
+    bench.motors.stop_unheard(bench.client)
+    assert bench.motors.seconds_to_drive(bench.client) is None
+    bench.drive(20)
+    bench.motors.forget()
+    assert bench.motors.seconds_to_drive(bench.client) is None
 
 
 def test_a_proved_stop_is_answered_and_nothing_may_move(bench: Bench) -> None:

@@ -26,6 +26,11 @@ class DriveSlots:
         else:
             self._motors[wish.motor] = wish
 
+    def put_all(self, wishes: Sequence[SetDrive | SetAuxiliary]) -> None:
+        """Take several wishes, each as by `put`."""
+        for wish in wishes:
+            self.put(wish)
+
     def clear(self) -> None:
         """Forget every wish."""
         self._motors.clear()

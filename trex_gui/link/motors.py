@@ -7,7 +7,7 @@ import logging
 from collections.abc import Callable, Sequence
 
 from trex_gui.link.client import Client
-from trex_gui.link.drives import packets
+from trex_gui.link.drives import DriveSlots, packets
 from trex_gui.link.mailbox import Mailbox
 from trex_gui.link.messages import Halted, Outcome
 from trex_gui.link.stopping import ATTEMPTS, send_stop, stop_and_prove
@@ -18,6 +18,14 @@ log = logging.getLogger(__name__)
 
 DRIVE_INTERVAL = 0.02
 """Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
+
+REPEATS = (0.1, 0.3)
+"""Seconds after the newest wish at which what stands is sent once more.
+
+Motor packets have no reply, and a board that is deaf while it answers latches nothing for one that
+it lost whole. Further apart than an answer is long, so not all of them meet a deaf board; soon
+enough to be the same press of a person; and harmless to a board that heard the first.
+"""
 
 CLOSING_ATTEMPTS = 6
 """How often a stop is sent when the line is to be given back: somebody waits for that."""
@@ -63,17 +71,24 @@ class Motors:
         self._answer = answer
         self._take_news = take_news
         self._drove_at = 0.0
+        self._wished_at = 0.0
+        self._standing = DriveSlots()
+        self._repeats: tuple[float, ...] = ()
         self._tried_at: float | None = None
         self.may_move = may_move
 
     def seconds_to_drive(self, client: Client) -> float | None:
-        """Return how long the wishes that wait must wait still; `None`: there are none."""
-        if not self._mail.drives:
+        """Return how long what is to be sent must wait still; `None`: there is nothing."""
+        if self._mail.drives:
+            due = self._drove_at + _interval(client)
+        elif self._repeats:
+            due = max(self._wished_at + self._repeats[0], self._drove_at + _interval(client))
+        else:
             return None
-        return self._drove_at + _interval(client) - client.transport.clock()
+        return due - client.transport.clock()
 
     def drive(self, client: Client) -> None:
-        """Send the newest wish for each motor.
+        """Send the newest wish for each motor; or, where none waits, those that stand once more.
 
         Raises:
             NoReply, BadReply: the echo shows that a packet was damaged; the wish still stands.
@@ -81,16 +96,32 @@ class Motors:
         """
         wishes = self._mail.drives.take()
         self._drove_at = client.transport.clock()
+        if wishes:
+            self._wished_at, self._repeats = self._drove_at, REPEATS
+        else:
+            wishes, self._repeats = self._standing.take(), self._repeats[1:]
+        if self._repeats:
+            self._standing.put_all(wishes)
         self.may_move = True
         self._tried_at = None
         try:
             for command in packets(wishes):
                 client.request(command)
         except BadRequest as error:
+            self._rest()
             log.warning("a wish that no motor can obey was dropped: %s", error)
         except (NoReply, BadReply):
             self._mail.drives.put_back(wishes)
             raise
+
+    def forget(self) -> None:
+        """Send no wish that waits or stands: a stop or the silence of the board came after it."""
+        self._mail.drives.clear()
+        self._rest()
+
+    def _rest(self) -> None:
+        self._standing.clear()
+        self._repeats = ()
 
     def stop(self, client: Client, status: StatusReader, attempts: int = ATTEMPTS) -> None:
         """Serve every stop that waits; each gets its outcome, even when the line is lost.
@@ -118,6 +149,7 @@ class Motors:
         Raises:
             PortUnavailable: the line is gone.
         """
+        self._rest()
         stopped = stop_and_prove(client, status, attempts)
         self._take_news(stopped.news)
         if stopped.proved:
@@ -158,6 +190,7 @@ class Motors:
         Raises:
             PortUnavailable: the line is gone.
         """
+        self._rest()
         if self.may_move or self._mail.stops:
             send_stop(client)
             client.drain()
@@ -169,6 +202,7 @@ class Motors:
         Raises:
             PortUnavailable: the line is gone.
         """
+        self._rest()
         if self.may_move:
             send_stop(client)
 

@@ -243,7 +243,7 @@ class Session:
     def _drive(self) -> None:
         if self._presence.silent:
             # A board that comes back must not be met by a wish that is seconds old.
-            self._mail.drives.clear()
+            self._motors.forget()
             return
         try:
             self._motors.drive(self._client)
