@@ -38,9 +38,9 @@ PROJECT_FILE = ROOT / "pyproject.toml"
 CONSTRAINTS = ROOT / "packaging" / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
 
-SIDE_BY_SIDE = ("-n", str(min(4, (os.cpu_count() or 1) + 1)), "--dist", "worksteal")
-"""How the tests are shared out: many wait for bytes at their real pace, so one process more than
-there are cores. Many more would disturb that pace."""
+SIDE_BY_SIDE = ("-n", str(min(4, os.cpu_count() or 1)), "--dist", "worksteal")
+"""How the tests are shared out: many of them have a simulated board in a process of its own, which
+has to keep the pace of a wire. More processes than cores disturb that pace."""
 SCREENSHOTS = ROOT / "demo-screenshots"
 
 # What Qt loads from the system, by the names of Debian 12; later releases still provide these

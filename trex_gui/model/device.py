@@ -24,6 +24,7 @@ from trex_gui.link.writing import Written
 from trex_gui.model.apply import Apply
 from trex_gui.model.board_state import after_writing, in_force
 from trex_gui.model.connection import Connection, Link
+from trex_gui.model.driving.board_stop import SHUTDOWN, why_the_board_stopped
 from trex_gui.model.driving.motors import Motors
 from trex_gui.model.driving.orders import AfterStop, Driving
 from trex_gui.model.errors import ErrorLog
@@ -367,9 +368,17 @@ class Device(QObject):
         for sample in batch.samples:
             if isinstance(sample, StatusNews):
                 self.errors.take(sample)
+                self._follow_board_stop(sample)
         self.telemetry.take(batch)
         self._follow_control()
         self.sampled.emit(batch)
+
+    def _follow_board_stop(self, news: StatusNews) -> None:
+        """Wish nothing any more of motors that the board has stopped by itself."""
+        errors_stop = bool(self._state and self._state.parameters.get(SHUTDOWN))
+        why = why_the_board_stopped(news, errors_stop=errors_stop)
+        if why and self.motors.text:
+            self.motors.stop(why)
 
     def _follow_control(self) -> None:
         self._driving.follow(by_serial=bool(self.telemetry.serial_controls))

@@ -1,7 +1,6 @@
 """Reading a recording that was written as CSV."""
 
 import csv
-import json
 import math
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -77,7 +76,7 @@ class CsvFile:
                 line = self._file.readline(_LONGEST_LINE)
                 try:
                     records.append(self._record(line))
-                except (ValueError, KeyError, csv.Error) as error:
+                except (ValueError, KeyError) as error:
                     self._refuse(number, error)
         except (OSError, ValueError) as error:
             raise self._error(f"It cannot be read: {error}.", self._lines[index]) from error
@@ -94,7 +93,7 @@ class CsvFile:
             if row["sample"] != "header":
                 raise ValueError("the header is missing")  # noqa: TRY301
             self.header = Header.from_json(several_lines(row["text"]))
-        except (ValueError, KeyError, csv.Error, json.JSONDecodeError) as error:
+        except (ValueError, KeyError) as error:
             raise self._error(f"The header cannot be understood: {error}.", 2) from error
         missing = set(columns(self.header.mode.source)) - set(self._names)
         if missing:
@@ -146,7 +145,10 @@ class CsvFile:
 
     def _cells(self, line: bytes) -> list[str]:
         text = line.decode("utf-8", "surrogatepass").removesuffix("\n").removesuffix("\r")
-        return next(csv.reader([text], strict=True), [])
+        try:
+            return next(csv.reader([text], strict=True), [])
+        except csv.Error as error:
+            raise ValueError(str(error)) from error
 
     def _row(self, line: bytes) -> Row:
         return dict(zip(self._names, self._cells(line), strict=True))

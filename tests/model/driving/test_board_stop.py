@@ -1,0 +1,53 @@
+"""When the board stops its motors by itself, the program follows."""
+
+from collections.abc import Callable
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.telemetry import StatusNews
+from trex_gui.model.device import Link
+from trex_gui.model.driving.board_stop import why_the_board_stopped
+from trex_gui.protocol.flags import Status, UartError
+from trex_gui.window import Program
+
+NO_STATUS = Status(0)
+
+
+@pytest.mark.parametrize("errors_stop", [False, True])
+def test_a_serial_timeout_stops_the_motors_whatever_is_set(*, errors_stop: bool) -> None:
+    news = StatusNews(0.0, Status.UART_ERROR, UartError.TIMEOUT)
+    assert "Serial Timeout" in why_the_board_stopped(news, errors_stop=errors_stop)
+
+
+@pytest.mark.parametrize("bit", [bit for bit in UartError if bit is not UartError.TIMEOUT])
+def test_another_error_does_where_the_board_is_told_to(bit: UartError) -> None:
+    news = StatusNews(0.0, Status.UART_ERROR, bit)
+    assert "error on the line" in why_the_board_stopped(news, errors_stop=True)
+    assert why_the_board_stopped(news, errors_stop=False) == ""
+
+
+def test_no_other_bit_says_that_they_stand() -> None:
+    news = StatusNews(0.0, Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT, UartError(0))
+    assert why_the_board_stopped(news, errors_stop=True) == ""
+
+
+def test_after_an_error_on_the_line_the_window_wishes_nothing_any_more(
+    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot
+) -> None:
+    device = program.device
+    simulator = start_simulator("--unpaced")
+    device.connect_to(LinkSettings(simulator.url))
+    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm, timeout=20_000)
+    device.motors.arm()
+    device.motors.accelerate = False
+    device.motors.set_speed(1, 90)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=10_000)
+    simulator.do("line error framing 1")
+    qtbot.waitUntil(lambda: not device.motors.armed, timeout=10_000)
+    assert "framing error" in device.motors.stop_reason
+    assert device.motors.text == ""
+    qtbot.waitUntil(lambda: not device.may_move, timeout=10_000)
+    assert simulator.show()["motors"][0]["direction"] == "brake"
