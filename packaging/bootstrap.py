@@ -38,7 +38,7 @@ PROJECT_FILE = ROOT / "pyproject.toml"
 CONSTRAINTS = ROOT / "packaging" / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
 
-SIDE_BY_SIDE = ("-n", str(min(4, os.cpu_count() or 1)), "--dist", "worksteal")
+SIDE_BY_SIDE = ("-n", str(max(2, min(4, os.cpu_count() or 1))), "--dist", "worksteal")
 """How the tests are shared out: many of them have a simulated board in a process of its own, which
 has to keep the pace of a wire. More processes than cores disturb that pace."""
 SCREENSHOTS = ROOT / "demo-screenshots"

@@ -12,8 +12,10 @@ import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from PySide6.QtCore import QCoreApplication, QEvent, QSettings
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QCoreApplication, QEvent, QSettings, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
@@ -71,6 +73,11 @@ def _collects_in_the_gui_thread_only() -> Iterator[None]:
     gc.enable()
 
 
+_MOUSE_BUTTONS = (
+    Qt.MouseButton.LeftButton,
+    Qt.MouseButton.MiddleButton,
+    Qt.MouseButton.RightButton,
+)
 _uncollected = itertools.count(1)
 
 
@@ -93,6 +100,23 @@ def _leaves_nothing_behind() -> Iterator[None]:
         time.sleep(0.01)
     assert not _threads() - threads
     assert not _windows()
+
+
+class _MouseRest(QWidget):
+    """A place where buttons of the mouse can go up unseen."""
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+
+
+@pytest.fixture(autouse=True)
+def _lets_go_of_the_mouse() -> Iterator[None]:
+    """Release what a test left pressed: QTest goes on telling it, and no drag would take."""
+    yield
+    if isinstance(QCoreApplication.instance(), QApplication):
+        rest = _MouseRest()
+        for button in _MOUSE_BUTTONS:
+            QTest.mouseRelease(rest, button)
 
 
 @pytest.fixture(autouse=True, scope="session")

@@ -6,8 +6,8 @@ from functools import partial
 from typing import TypeVar
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QPointingDevice
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QKeyEvent, QPointingDevice
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -234,6 +234,22 @@ def test_a_number_typed_with_enter_drives(armed: Driver) -> None:
     assert armed.slider("motor2").value() == -45
 
 
+def test_a_number_that_was_not_entered_never_drives(armed: Driver) -> None:
+    sent: list[object] = []
+    armed.motors.requested.connect(sent.append)
+    entry = armed.find(QSpinBox, "motor1Entry")
+    entry.setFocus()
+    entry.selectAll()
+    QTest.keyClicks(entry, "120")
+    armed.find(QAbstractButton, "stopButton").setFocus(Qt.FocusReason.MouseFocusReason)
+    assert entry.value() == 0
+    entry.setFocus()
+    entry.selectAll()
+    QTest.keyClicks(entry, "120")
+    armed.open_page(0)
+    assert not [wish for wish in sent if "120" in repr(wish)]
+
+
 def test_the_auxiliary_motor_is_driven_one_way(armed: Driver) -> None:
     armed.drag("aux", 70)
     armed.wait(lambda: armed.simulator.show()["aux"]["target_speed"] == 70)
@@ -434,6 +450,56 @@ def test_arrow_keys_in_the_pad_drive_without_being_switched_on(armed: Driver) ->
     assert "back 100%" in armed.pad.accessibleDescription()
     armed.key_up(Qt.Key.Key_Down)
     armed.wait_for(BRAKE, BRAKE)
+
+
+def test_keys_in_the_pad_let_go_when_the_focus_leaves_it(armed: Driver) -> None:
+    armed.pad.setFocus()
+    armed.key_down(Qt.Key.Key_Up)
+    armed.wait_for(("forward", 127), ("forward", 127))
+    armed.find(QAbstractButton, "motor1Zero").setFocus()
+    armed.wait_for(BRAKE, BRAKE)
+
+
+def test_keys_let_go_when_the_focus_goes_where_keys_are_needed(keys: Driver) -> None:
+    keys.key_down(Qt.Key.Key_W)
+    keys.wait_for(("forward", 127), None)
+    keys.find(QSpinBox, "motor1Entry").setFocus()
+    keys.wait_for(BRAKE, BRAKE)
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda keys: keys.key_up(Qt.Key.Key_Z),
+        lambda keys: keys.key_up(Qt.Key.Key_8),
+        lambda keys: keys.key_down(Qt.Key.Key_Shift),
+        lambda keys: keys.key_down(Qt.Key.Key_NumLock),
+    ],
+)
+def test_keys_that_cannot_be_told_any_more_let_go(
+    keys: Driver, end: Callable[[Driver], None]
+) -> None:
+    keys.key_down(Qt.Key.Key_W)
+    keys.wait_for(("forward", 127), None)
+    end(keys)
+    assert not keys.motors.holder
+    keys.wait_for(BRAKE, BRAKE)
+
+
+def test_a_key_is_known_by_its_place_whatever_it_is_called(keys: Driver) -> None:
+    window = keys.window.windowHandle()
+    none, place = Qt.KeyboardModifier.NoModifier, 25
+
+    def send(kind: QEvent.Type, key: Qt.Key, scan_code: int) -> None:
+        QApplication.sendEvent(window, QKeyEvent(kind, key, none, scan_code, 0, 0))
+
+    send(QEvent.Type.KeyPress, Qt.Key.Key_W, place)
+    send(QEvent.Type.KeyPress, Qt.Key.Key_D, 40)
+    keys.wait_for(("forward", 127), ("forward", 42))
+    send(QEvent.Type.KeyRelease, Qt.Key.Key_Z, place)
+    keys.wait_for(("forward", 127), ("reverse", 127))
+    send(QEvent.Type.KeyRelease, Qt.Key.Key_D, 40)
+    keys.wait_for(BRAKE, BRAKE)
 
 
 def test_a_slider_with_the_focus_does_not_take_the_arrow_keys(keys: Driver) -> None:

@@ -188,6 +188,14 @@ def test_without_a_board_the_button_is_greyed_and_the_reason_given(window: Windo
     assert "Connect to a board" in window.find(QLabel, "benchNote").text()
 
 
+def test_the_red_button_stops_when_it_goes_down(window: Window) -> None:
+    stop = window.find(QAbstractButton, "benchStopButton")
+    stop.setEnabled(True)
+    assert not window.device.motors.locked_for
+    QTest.mousePress(stop, Qt.MouseButton.LeftButton)
+    assert window.device.motors.locked_for
+
+
 def test_the_form_makes_the_plan(window: Window) -> None:
     window.choose("benchMotor", 2)
     window.choose("benchShape", Shape.SINE)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QHBoxLayout, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from trex_gui.views.widgets.drive_pad import DrivePad
+from trex_gui.views.widgets.speed_entry import SpeedEntry
 from trex_gui.views.widgets.speed_slider import SpeedSlider
 
 LEFT = Qt.MouseButton.LeftButton
@@ -167,4 +168,94 @@ def test_a_second_finger_changes_nothing(bench: Bench) -> None:
     one = QTest.touchEvent(bench.pad, finger)
     one.release(0, centre, bench.pad)
     one.stationary(1).commit()
-    assert not bench.pad.held
+    assert bench.ends == ["pad"]
+    QTest.touchEvent(bench.pad, finger).release(1, centre, bench.pad).commit()
+
+
+@pytest.mark.parametrize("button", [Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton])
+@pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)
+def test_only_the_left_button_moves_a_slider(bench: Bench, button: Qt.MouseButton) -> None:
+    QTest.mousePress(bench.slider, button, pos=QPoint(20, 12))
+    QTest.mouseMove(bench.slider, QPoint(30, 12))
+    QTest.mouseRelease(bench.slider, button, pos=QPoint(30, 12))
+    assert bench.slider.value() == 0
+    assert not bench.slider.held
+
+
+@pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)
+def test_another_button_does_not_end_a_drag(bench: Bench) -> None:
+    QTest.mousePress(bench.slider, LEFT, pos=QPoint(20, 12))
+    QTest.mouseRelease(bench.slider, Qt.MouseButton.RightButton, pos=QPoint(20, 12))
+    assert bench.slider.held
+
+
+def test_a_slider_key_that_goes_up_under_another_name_lets_go(bench: Bench) -> None:
+    bench.slider.setFocus()
+    QTest.keyPress(bench.slider, Qt.Key.Key_PageUp)
+    assert bench.slider.held
+    QTest.keyRelease(bench.slider, Qt.Key.Key_9)
+    assert bench.ends == ["slider"]
+
+
+def test_a_slider_key_that_repeats_does_not_take_hold_again(bench: Bench) -> None:
+    bench.slider.setFocus()
+    QTest.keyPress(bench.slider, Qt.Key.Key_PageUp)
+    bench.slider.let_go()
+    value = bench.slider.value()
+    key, none = Qt.Key.Key_PageUp, Qt.KeyboardModifier.NoModifier
+    QTest.simulateEvent(bench.slider, True, key, none, "", True)
+    assert bench.slider.value() == value
+    assert not bench.slider.held
+
+
+def typing_in(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
+    entry = SpeedEntry()
+    qtbot.addWidget(entry)
+    entry.setRange(-127, 127)
+    chosen: list[int] = []
+    entry.chosen.connect(chosen.append)
+    entry.show()
+    entry.activateWindow()
+    entry.setFocus()
+    qtbot.waitUntil(entry.hasFocus)
+    entry.show_wish(7)
+    entry.selectAll()
+    QTest.keyClicks(entry, text)
+    return entry, chosen
+
+
+def test_a_wish_does_not_overwrite_a_number_that_is_typed(qtbot: QtBot) -> None:
+    entry, chosen = typing_in(qtbot, "10")
+    entry.show_wish(30)
+    assert entry.text() == "10"
+    QTest.keyClick(entry, Qt.Key.Key_Return)
+    assert chosen == [10]
+    entry.show_wish(30)
+    assert entry.text() == "30"
+
+
+def test_the_same_number_entered_again_is_asked_for_again(qtbot: QtBot) -> None:
+    entry, chosen = typing_in(qtbot, "7")
+    QTest.keyClick(entry, Qt.Key.Key_Return)
+    QTest.keyClick(entry, Qt.Key.Key_Return)
+    assert chosen == [7]
+
+
+def test_a_step_is_asked_for_at_once(qtbot: QtBot) -> None:
+    entry, chosen = typing_in(qtbot, "10")
+    QTest.keyClick(entry, Qt.Key.Key_Up)
+    assert chosen[-1] == 11
+
+
+@pytest.mark.parametrize(
+    "leave",
+    [SpeedEntry.clearFocus, SpeedEntry.hide, SpeedEntry.close],
+)
+def test_a_number_that_was_not_entered_is_given_up(
+    qtbot: QtBot, leave: Callable[[SpeedEntry], object]
+) -> None:
+    entry, chosen = typing_in(qtbot, "100")
+    entry.show_wish(30)
+    leave(entry)
+    assert not chosen
+    assert entry.text() == "30"

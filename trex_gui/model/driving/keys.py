@@ -25,7 +25,7 @@ class HeldKeys:
         self._down: dict[int, Heading] = {}
 
     def press(self, key: int, heading: Heading) -> None:
-        """Take a key that went down; `key` tells it from others with the same heading."""
+        """Take a key that went down; `key` tells it from all others, whatever it is called."""
         self._down[key] = heading
 
     def release(self, key: int) -> bool:

@@ -143,7 +143,7 @@ class BenchDialog(QDialog):
 
         self._hold.held.connect(bench.begin)
         self._hold.let_go.connect(bench.let_go)
-        self._stop.clicked.connect(device.motors.press_stop)
+        self._stop.pressed.connect(device.motors.press_stop)
         self._run.clicked.connect(device.motors.arm)
         self._save.clicked.connect(self._on_save_clicked)
         self._open.clicked.connect(self._files.ask_and_open)

@@ -18,7 +18,7 @@ from trex_gui.model.driving.keys import Heading, HeldKeys
 from trex_gui.model.driving.motors import Motors
 from trex_gui.views.driving.hold_watch import HoldWatch
 
-_HEADINGS = {
+_HEADINGS: dict[int, Heading] = {
     Qt.Key.Key_Up: Heading.FORWARD,
     Qt.Key.Key_W: Heading.FORWARD,
     Qt.Key.Key_Down: Heading.BACK,
@@ -41,13 +41,25 @@ _OTHER_KEYS = (
 )
 """With one of these held it is a shortcut."""
 
+_CHANGING_KEYS: set[int] = {
+    *(Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_Meta, Qt.Key.Key_AltGr),
+    *(Qt.Key.Key_CapsLock, Qt.Key.Key_NumLock, Qt.Key.Key_ScrollLock, Qt.Key.Key_Mode_switch),
+    *(Qt.Key.Key_Super_L, Qt.Key.Key_Super_R, Qt.Key.Key_Hyper_L, Qt.Key.Key_Hyper_R),
+}
+"""Keys that give others another meaning, with which they may go up."""
+
 
 class KeyDriver(QObject):
     """Sees the keys of the page's window before any widget does.
 
     While it drives, sliders, buttons and tabs get no arrow keys, wherever the focus is: a robot
     must not depend on which of them was clicked last. Fields for text and numbers, tables and
-    lists keep theirs. The pad's own arrow keys work without switching this on.
+    lists keep theirs. The pad's own arrow keys work without switching this on, until it loses
+    the focus.
+
+    A key is known by its place on the keyboard: it may go up under another name than it went
+    down, after a switch of the layout or with Num Lock. All are let go of when one that is not
+    known goes up, and when a key like Shift comes or goes.
 
     Signals:
         steered: forward and turn that the held keys wish for, -1 to 1 each; 0, 0 at the end.
@@ -63,6 +75,7 @@ class KeyDriver(QObject):
         self._pad = pad
         self._enabled = False
         self._keys = HeldKeys()
+        self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = HoldWatch(page)
 
         self._watch.blinded.connect(self.let_go)
@@ -71,6 +84,8 @@ class KeyDriver(QObject):
         if isinstance(app, QGuiApplication):
             app.focusWindowChanged.connect(self._on_focus_window_changed)
             self._on_focus_window_changed(app.focusWindow())
+        if isinstance(app, QApplication):
+            app.focusChanged.connect(self._on_focus_changed)
 
     @property
     def enabled(self) -> bool:
@@ -100,24 +115,28 @@ class KeyDriver(QObject):
         return False
 
     def _on_pressed(self, event: QKeyEvent) -> bool:
-        heading = _HEADINGS.get(Qt.Key(event.key()))
+        if self._keys and (_modifiers(event) != self._modifiers or event.key() in _CHANGING_KEYS):
+            self.let_go()
+        heading = _HEADINGS.get(event.key())
         if heading is None or event.modifiers() & _OTHER_KEYS or not self._listens():
             return False
         if not event.isAutoRepeat():
-            self._keys.press(event.key(), heading)
+            self._modifiers = _modifiers(event)
+            self._keys.press(_place(event), heading)
             self._steer()
         return True
 
     def _on_released(self, event: QKeyEvent) -> bool:
         if event.isAutoRepeat():
             return event.key() in _HEADINGS and bool(self._keys)
-        if not self._keys.release(event.key()):
+        if not self._keys:
             return False
-        if self._keys:
+        is_known = self._keys.release(_place(event))
+        if is_known and self._keys and _modifiers(event) == self._modifiers:
             self._steer()
         else:
             self.let_go()
-        return True
+        return is_known
 
     def _listens(self) -> bool:
         """Whether a key that goes down is meant for the motors."""
@@ -125,7 +144,10 @@ class KeyDriver(QObject):
             return False
         if QApplication.activePopupWidget() or QApplication.activeModalWidget():
             return False
-        focus = QApplication.focusWidget()
+        return self._is_at(QApplication.focusWidget())
+
+    def _is_at(self, focus: QWidget | None) -> bool:
+        """Whether keys drive with the focus there."""
         if focus is self._pad:
             return True
         return self._enabled and not isinstance(focus, _NEEDS_KEYS)
@@ -157,3 +179,19 @@ class KeyDriver(QObject):
             window.installEventFilter(self)
         elif self._keys:
             self.let_go()
+
+    @Slot(QWidget, QWidget)
+    def _on_focus_changed(self, _old: QWidget | None, new: QWidget | None) -> None:
+        if self._keys and not self._is_at(new):
+            self.let_go()
+
+
+def _place(event: QKeyEvent) -> int:
+    """Tell a key from others by where it is; by its name where the system does not say."""
+    place = event.nativeScanCode()
+    return -place if place else event.key()
+
+
+def _modifiers(event: QKeyEvent) -> Qt.KeyboardModifier:
+    """Return what is held beside the key; that it is on the keypad is no such thing."""
+    return event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier

@@ -1,9 +1,10 @@
 """One motor's hand-hold: slider, entry box, brake, and what the board reports beside it."""
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from trex_gui.views.widgets.output_bar import OutputBar
+from trex_gui.views.widgets.speed_entry import SpeedEntry
 from trex_gui.views.widgets.speed_slider import SpeedSlider
 
 FULL_SPEED = 127
@@ -41,14 +42,11 @@ class DriveControl(QWidget):
         self._title.setFont(font)
         self._slider = SpeedSlider(lowest, self)
         self._slider.setObjectName(f"{name}Slider")
-        self._entry = QSpinBox(self)
+        self._entry = SpeedEntry(self)
         self._entry.setObjectName(f"{name}Entry")
         self._entry.setRange(-FULL_SPEED, FULL_SPEED)
         self._entry.setMinimumWidth(self._entry.sizeHint().width() + 8)  # as wide with any range
         self._entry.setRange(lowest, FULL_SPEED)
-        self._entry.setKeyboardTracking(False)
-        self._entry.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self._entry.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         for widget in (self._slider, self._entry):
             widget.installEventFilter(self)
         self._zero = QPushButton(self.tr("Zero"), self)
@@ -92,7 +90,7 @@ class DriveControl(QWidget):
         self._slider.valueChanged.connect(self._on_slider_changed)
         self._slider.grabbed.connect(self.grabbed)
         self._slider.released.connect(self.released)
-        self._entry.valueChanged.connect(self._on_entry_changed)
+        self._entry.chosen.connect(self._on_entry_chosen)
         self._zero.clicked.connect(self._on_zero_clicked)
         self._brake.clicked.connect(self.brake_wanted)
         self.set_title(title)
@@ -109,8 +107,7 @@ class DriveControl(QWidget):
     def set_ceiling(self, ceiling: int) -> None:
         """Offer no speed beyond this one, 1-127."""
         self._slider.set_ceiling(ceiling)
-        with QSignalBlocker(self._entry):
-            self._entry.setRange(-ceiling if self._two_way else 0, ceiling)
+        self._entry.set_limits(-ceiling if self._two_way else 0, ceiling)
 
     def set_brake_text(self, tip: str) -> None:
         """Say what the brake button does now."""
@@ -131,10 +128,10 @@ class DriveControl(QWidget):
 
     def show_wish(self, speed: int, text: str) -> None:
         """Show the wish in force, without asking for it again."""
-        with QSignalBlocker(self._slider), QSignalBlocker(self._entry):
+        with QSignalBlocker(self._slider):
             if not self._slider.isSliderDown():
                 self._slider.setValue(speed)
-            self._entry.setValue(speed)
+        self._entry.show_wish(speed)
         if self._asked.text() != text:
             self._asked.setText(text)
 
@@ -157,14 +154,14 @@ class DriveControl(QWidget):
     @Slot(int)
     def _on_slider_changed(self, position: int) -> None:
         """The entry box holds the ceiling, which the slider comes back to."""
-        with QSignalBlocker(self._entry), QSignalBlocker(self._slider):
-            self._entry.setValue(position)
-            speed = self._entry.value()
+        self._entry.put(position)
+        speed = self._entry.value()
+        with QSignalBlocker(self._slider):
             self._slider.setValue(speed)
         self.speed_wanted.emit(speed)
 
     @Slot(int)
-    def _on_entry_changed(self, speed: int) -> None:
+    def _on_entry_chosen(self, speed: int) -> None:
         with QSignalBlocker(self._slider):
             self._slider.setValue(speed)
         self.speed_wanted.emit(speed)

@@ -74,18 +74,25 @@ class SpeedSlider(QSlider):
     # --- Hands --------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        if event.button() is Qt.MouseButton.LeftButton:
-            self._grab()
+        """Take the left button only: a middle one would make Qt jump to where it is."""
+        if event.button() is not Qt.MouseButton.LeftButton:
+            event.ignore()
+            return
+        self._grab()
         super().mousePressEvent(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self.isSliderDown() and not event.buttons() & Qt.MouseButton.LeftButton:
+            self.let_go()
         if self._held:  # one that was let go meanwhile is not to follow the mouse
             super().mouseMoveEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() is not Qt.MouseButton.LeftButton:
+            event.ignore()
+            return
         super().mouseReleaseEvent(event)
-        if event.button() is Qt.MouseButton.LeftButton:
-            self.let_go()
+        self.let_go()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         match event.key():
@@ -94,14 +101,17 @@ class SpeedSlider(QSlider):
             case Qt.Key.Key_End:
                 pass
             case key if key in _MOVING_KEYS:
+                if event.isAutoRepeat() and not self._held:
+                    return  # it was let go meanwhile; the key has to go down anew
                 self._grab()
                 super().keyPressEvent(event)
             case _:
                 super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        """Let go with any key: what went down as an arrow may go up as a digit (Num Lock)."""
         super().keyReleaseEvent(event)
-        if event.key() in _MOVING_KEYS and not event.isAutoRepeat():
+        if not event.isAutoRepeat() and not self.isSliderDown():
             self.let_go()
 
     def event(self, event: QEvent) -> bool:
