@@ -43,7 +43,7 @@ def main(argv: list[str] | None = None) -> int:
     arguments = _arguments(words)
 
     # Qt is imported only now: --help, --version and the simulator do without it.
-    from PySide6.QtCore import QTimer  # noqa: PLC0415
+    from PySide6.QtCore import Qt, QTimer  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
     from trex_gui.views.theme import theme  # noqa: PLC0415
@@ -55,6 +55,8 @@ def main(argv: list[str] | None = None) -> int:
     QApplication.setOrganizationName("TReX Studio")
     QApplication.setApplicationVersion(__version__)
     QApplication.setDesktopFileName("trex-studio")
+    # A dialog of the system's takes Esc for itself, and Esc has to stop the motors there too.
+    QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
     theme().install(app)
     collector = GuiThreadCollector(app)
@@ -82,8 +84,8 @@ def main(argv: list[str] | None = None) -> int:
     # Hidden while Python is whole: Qt destroys what is still shown when half of it is gone.
     for window in app.topLevelWidgets():
         window.hide()
-    if not program.connector.shut_down():
-        # A thread hangs in a port. Qt would abort on destroying it; everything is saved.
+    if not program.shut_down():
+        # A thread hangs in a port or a disk. Qt would abort on destroying it; the rest is saved.
         os._exit(code)
     watching.close()
     return code

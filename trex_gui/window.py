@@ -30,6 +30,14 @@ class Program:
 
         self.device.state_changed.connect(open_once)
 
+    def shut_down(self) -> bool:
+        """Stop the motors, close the line, then end what is recorded; for the end of the program.
+
+        Return whether every thread has ended; Qt aborts on destroying one that runs.
+        """
+        is_closed = self.connector.shut_down()
+        return self.window.recordings.recorder.shut_down() and is_closed
+
     def end(self) -> None:
         """Stop the motors, close the line and leave, without asking anything."""
         self.connector.shut_down()

@@ -1,13 +1,18 @@
 """A person records a session, sees that it is recorded, and opens it again without the board."""
 
+import os
+import select
+import signal
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.recording.samples import an_hour, write
@@ -155,6 +160,69 @@ def make_sure() -> Callable[[Path], None]:
         file.close()
 
     return check
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+@pytest.mark.parametrize("disk", ["0.2", "never"])
+def test_a_signal_while_it_is_recorded_ends_the_program_in_good_order(
+    disk: str,
+    simulator: SimulatorProcess,
+    tmp_path: Path,
+    make_sure: Callable[[Path], None],
+) -> None:
+    path = tmp_path / "a.trexrec"
+    command = [sys.executable, "-m", "tests.support.recording_window"]
+    with subprocess.Popen(
+        [*command, simulator.url, str(path), disk],
+        cwd=Path(__file__).parents[2],
+        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        try:
+            assert process.stdout is not None
+            ready, _, _ = select.select([process.stdout], [], [], 40)
+            assert ready, "it never recorded"
+            assert process.stdout.readline() == "recording\n"
+            process.send_signal(signal.SIGTERM)
+            _, errors = process.communicate(timeout=15)
+        finally:
+            process.kill()
+    assert process.returncode == 0
+    assert "QThread" not in errors
+    assert "Traceback" not in errors
+    if disk != "never":
+        make_sure(path)
+
+
+@pytest.mark.parametrize("ask", ["ask_and_open", "ask_and_record"])
+def test_esc_in_a_file_dialog_stops_the_motors(program: Program, qtbot: QtBot, ask: str) -> None:
+    stops: list[str] = []
+    program.device.motors.stop_requested.connect(lambda: stops.append("stop"))
+
+    def press_esc() -> None:
+        dialog = QApplication.activeModalWidget()
+        assert isinstance(dialog, QFileDialog)
+        window = dialog.windowHandle()
+        QTest.qWaitForWindowActive(dialog)
+        QTest.keyClick(window, Qt.Key.Key_Escape)
+
+    QTimer.singleShot(100, press_esc)
+    getattr(program.window.recordings, ask)()
+    assert stops == ["stop"]
+
+
+def test_file_dialogs_are_those_in_which_esc_can_be_seen() -> None:
+    script = (
+        "import sys; from PySide6.QtCore import Qt; from PySide6.QtWidgets import QApplication; "
+        "from trex_gui import app, window; "
+        "native = Qt.ApplicationAttribute.AA_DontUseNativeDialogs; "
+        "window.build = lambda: sys.exit(7 if QApplication.testAttribute(native) else 8); "
+        "app.main([])"
+    )
+    result = subprocess.run([sys.executable, "-c", script], timeout=40, check=False)
+    assert result.returncode == 7
 
 
 def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(

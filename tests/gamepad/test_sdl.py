@@ -105,6 +105,16 @@ def test_where_sdl_was_ended_by_others_every_gamepad_has_gone(source: SdlPads) -
     assert source.read(pad) is None
 
 
+def test_one_that_sdl_has_closed_without_a_word_has_gone(source: SdlPads) -> None:
+    virtual = VirtualPad()
+    (pad,) = source.pads()
+    importlib.import_module("pygame.joystick").Joystick(0).quit()
+    assert source.pads() == (pad,)
+    assert source.read(pad) is None
+    assert source.pads() == ()
+    virtual.unplug()
+
+
 def test_reading_gamepads_leaves_environment_and_signals_alone() -> None:
     environment = dict(os.environ)
     handlers = [signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)]

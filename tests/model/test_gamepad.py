@@ -136,6 +136,21 @@ def test_a_gamepad_that_vanishes_while_it_drives_stops_the_motors(hands: Hands) 
     assert not hands.motors.armed
 
 
+def test_a_gamepad_that_can_no_longer_be_read_stops_the_motors_though_it_is_still_there(
+    hands: Hands, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hands.go()
+    monkeypatch.setattr(hands.pads, "read", lambda _pad: None)
+    hands.wait_for("has gone")
+    assert hands.stops == ["The gamepad “Test pad” has gone."]
+    assert not hands.motors.armed
+    assert hands.gamepad.pads == (PAD,)
+    changes: list[str] = []
+    hands.gamepad.changed.connect(lambda: changes.append(hands.gamepad.text))
+    hands.qtbot.wait(100)
+    assert changes == [], "it is not tried again and again"
+
+
 def test_the_next_gamepad_does_not_take_over_by_itself(hands: Hands) -> None:
     hands.go()
     hands.pads.plug_in(OTHER)

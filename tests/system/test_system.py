@@ -37,6 +37,49 @@ def test_a_stop_from_another_thread_is_sent_there_and_told_in_the_thread_of_the_
     assert told.args == ["why"]
 
 
+def test_a_stop_while_a_stop_is_told_is_sent_but_not_told_again(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sent: list[int] = []
+    told: list[str] = []
+    reported: list[BaseException] = []
+    stopper = Stopper(lambda: sent.append(1))
+
+    def fail(reason: str) -> None:
+        told.append(reason)
+        raise ValueError("always")
+
+    stopper.stopped.connect(fail)
+    monkeypatch.setattr(sys, "excepthook", lambda _kind, error, _trace: reported.append(error))
+    watch = ExceptionWatch(stopper.stop)
+    try:
+        stopper.stop("why")
+        assert told == [], "whoever stops is not held up"
+        qtbot.waitUntil(lambda: bool(reported))
+        qtbot.wait(50)
+        assert (len(sent), told, len(reported)) == (2, ["why"], 1)
+        stopper.stop("again")
+        qtbot.waitUntil(lambda: told == ["why", "again"])
+    finally:
+        watch.close()
+
+
+def test_a_stop_from_another_thread_while_one_is_told_is_told_too(qtbot: QtBot) -> None:
+    told: list[str] = []
+    stopper = Stopper(lambda: None)
+
+    def stop_elsewhere(reason: str) -> None:
+        told.append(reason)
+        if len(told) == 1:
+            thread = threading.Thread(target=lambda: stopper.stop("elsewhere"))
+            thread.start()
+            thread.join()
+
+    stopper.stopped.connect(stop_elsewhere)
+    stopper.stop("here")
+    qtbot.waitUntil(lambda: told == ["here", "elsewhere"])
+
+
 # --- Signals ----------------------------------------------------------------------------
 
 
@@ -45,9 +88,15 @@ class Ending:
 
     def __init__(self) -> None:
         self.acted = threading.Event()
+        self.fails = False
         self.ended_with: list[int] = []
         self.ended = threading.Event()
-        self.watch = SignalWatch(self.acted.set, grace=0.05, end=self._end)
+        self.watch = SignalWatch(self._act, grace=0.05, end=self._end)
+
+    def _act(self) -> None:
+        self.acted.set()
+        if self.fails:
+            raise RuntimeError("on purpose")
 
     def _end(self, code: int) -> None:
         self.ended_with.append(code)
@@ -79,6 +128,20 @@ def test_the_window_is_told_which_signal_it_was(ending: Ending, qtbot: QtBot) ->
     with qtbot.waitSignal(ending.watch.caught) as told:
         os.kill(os.getpid(), signal.SIGHUP)
     assert told.args == [signal.SIGHUP]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_a_mistake_while_acting_keeps_neither_this_signal_nor_the_next_from_ending_the_window(
+    ending: Ending, qtbot: QtBot
+) -> None:
+    ending.fails = True
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        ending.ended.clear()
+        with qtbot.waitSignal(ending.watch.caught) as told:
+            os.kill(os.getpid(), number)
+        assert told.args == [number]
+        assert ending.ended.wait(5)
+    assert ending.ended_with == [128 + signal.SIGTERM, 128 + signal.SIGHUP]
 
 
 def test_the_signals_are_given_back(ending: Ending) -> None:

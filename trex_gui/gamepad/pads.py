@@ -77,7 +77,7 @@ class PadSource(Protocol):
         """Look at what has happened since, and return the gamepads that are there now."""
 
     def read(self, pad: Pad) -> PadState | None:
-        """What a gamepad showed at the last `pads`; `None` when it has gone."""
+        """What a gamepad showed at the last `pads`; `None` when it has gone or cannot be read."""
 
     def close(self) -> None:
         """Let all of them go. Closing twice is closing once."""

@@ -69,7 +69,8 @@ class SdlPads:
                 tuple(joystick.get_axis(number) for number in range(pad.axes)),
                 tuple(bool(joystick.get_button(number)) for number in range(pad.buttons)),
             )
-        except self._pygame.error:
+        except self._pygame.error:  # it is no joystick any more, whether SDL tells so or not
+            del self._open[pad.ident]
             return None
 
     def close(self) -> None:

@@ -136,13 +136,23 @@ class Recorder(QObject):
             self._backlog.close(self._clock())
             self.changed.emit()
 
-    def shut_down(self) -> None:
-        """End the recording and wait for it a little; for the end of the program."""
+    def shut_down(self) -> bool:
+        """End the recording and wait for it a little; for the end of the program.
+
+        Return whether its thread has ended. While it has not, the process must not end by
+        itself: Qt aborts on destroying a thread that runs.
+        """
         self.stop()
         worker = self._worker
-        if worker is not None and not worker.wait(_PATIENCE_MS):
-            worker.setParent(None)
-            _abandoned.append(worker)
+        if worker is None:
+            return True
+        if worker in _abandoned:
+            return worker.isFinished()
+        if worker.wait(_PATIENCE_MS):
+            return True
+        worker.setParent(None)
+        _abandoned.append(worker)
+        return False
 
     # --- What is recorded ---------------------------------------------------------------
 

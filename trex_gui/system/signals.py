@@ -6,22 +6,27 @@ file descriptor at once, and a thread of its own reads it.
 """
 
 import contextlib
+import logging
 import os
 import signal
 import socket
 import threading
 from collections.abc import Callable
+from functools import partial
 from types import FrameType
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+log = logging.getLogger(__name__)
+
 _NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
 """Those that ask a program to end; not every system has each of them."""
 
-_GRACE_S = 4.0
+_GRACE_S = 7.0
 """Seconds that the window has to end by itself. Closing a line while settings are written may take
-three; whoever sends signals to end a system waits longer than that before SIGKILL."""
+three, and a disk that is recorded to three more; whoever sends signals to end a system waits longer
+than that before SIGKILL."""
 
 
 def _nothing(_number: int, _frame: FrameType | None) -> None:
@@ -82,7 +87,10 @@ class SignalWatch(QObject):
                         self._leave(number)
 
     def _leave(self, number: int) -> None:
-        self._act()
-        self.caught.emit(number)
+        for step in (self._act, partial(self.caught.emit, number)):
+            try:
+                step()
+            except Exception:  # whatever it is, this thread lives on and the process has to end
+                log.exception("signal %d", number)
         if not self._closed.wait(self._grace):
             self._end(128 + number)

@@ -13,8 +13,9 @@ _LEAST_S = 1.0
 def slept_so_far() -> float:
     """Return seconds that this computer has slept since it was started, as far as it tells.
 
-    Linux has a clock that stands still meanwhile and one that does not. Elsewhere 0: there Python's
-    monotonic clock goes on, and the line session misses its signs of life.
+    Linux has a clock that stands still meanwhile and one that does not. Elsewhere 0. On Windows
+    Python's monotonic clock goes on, so that the line session misses its signs of life. On macOS
+    it stands still during sleep, as everything that is measured with it: sleep is not seen there.
     """
     boottime = getattr(time, "CLOCK_BOOTTIME", None)
     return time.clock_gettime(boottime) - time.monotonic() if boottime is not None else 0.0

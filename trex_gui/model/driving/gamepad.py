@@ -195,8 +195,11 @@ class Gamepad(QObject):
             self._tell()
             return
         state = self._source.read(pad)
-        if state is None:
-            return  # gone since: the next look tells
+        if state is None:  # gone since the look, or still there and mute: nobody holds it
+            self._miss(pad)
+            self.changed.emit()
+            self._tell()
+            return
         self._ask = self._pilot.take(state)
         self._looked = True
         if self._ask.stop:
@@ -215,14 +218,18 @@ class Gamepad(QObject):
             return
         self._pads = pads
         if self._pad is not None and self._pad not in pads:
-            self._gone = self._pad.name
-            self._take(None)
-            self._lose(self.tr("The gamepad “{0}” has gone.").format(self._gone))
+            self._miss(self._pad)
         if self._pad is None and pads:
             last = str(self._store.value("gamepad/last", ""))
             self._gone = ""
             self._take(next((pad for pad in pads if pad.guid == last), pads[0]))
         self.changed.emit()
+
+    def _miss(self, pad: Pad) -> None:
+        """Stop what this one drives, and read it no more; the next look may find another."""
+        self._gone = pad.name
+        self._take(None)
+        self._lose(self.tr("The gamepad “{0}” has gone.").format(self._gone))
 
     def _drive(self) -> None:
         if self._unattended or not self._motors.armed:

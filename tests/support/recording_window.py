@@ -1,0 +1,66 @@
+"""The whole program in a process of its own, recording onto a disk that takes its time.
+
+Run as `python -m tests.support.recording_window URL FILE SECONDS`, or `never` for a disk that
+hangs; prints `recording` once something was recorded.
+"""
+
+import os
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, QTimer
+
+from trex_gui import app, window
+from trex_gui.model.device import Link
+from trex_gui.window import Program
+
+ENOUGH = 100  # samples
+
+
+class Recording(QObject):
+    """Begins to record as soon as there is something."""
+
+    def __init__(self, program: Program, path: Path) -> None:
+        super().__init__(program.window)
+        self._program = program
+        self._path = path
+        self._samples = 0
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._look)
+        self._timer.start(20)
+
+    def _look(self) -> None:
+        recorder = self._program.window.recordings.recorder
+        if self._program.device.link is not Link.UP:
+            return
+        samples = self._program.device.telemetry.samples
+        if recorder.recording and samples > self._samples + ENOUGH:
+            self._timer.stop()
+            sys.stdout.write("recording\n")
+            sys.stdout.flush()
+        elif recorder.can_record and recorder.start(self._path):
+            self._samples = samples
+
+
+def main(url: str, path: str, disk: str) -> int:
+    """Run the program until it is ended."""
+    build, sync = window.build, os.fsync
+
+    def slow_sync(fd: Any) -> None:
+        time.sleep(60 if disk == "never" else float(disk))
+        sync(fd)
+
+    def build_and_record() -> Program:
+        program = build()
+        Recording(program, Path(path))
+        return program
+
+    os.fsync = slow_sync
+    window.build = build_and_record
+    return app.main(["--port", url])
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
