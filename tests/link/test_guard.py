@@ -1,5 +1,7 @@
 """After a stop nothing drives for a while, and nothing does while nobody is there."""
 
+import math
+
 import pytest
 
 from tests.link.helpers import among, moving, outcomes, run_for, seen_at, staged
@@ -55,11 +57,16 @@ def test_wishes_that_come_after_a_stop_with_a_lock_are_dropped(stage: Stage) -> 
     assert is_stopped(stage.board)
 
 
-def test_wishes_are_obeyed_again_when_the_lock_is_over(stage: Stage) -> None:
-    stage.script.at(1.0, Stop(1, lockout=1.0)).at(2.5, SetDrive(1, Drive.at(40)))
-    speeds = seen_at(stage, 2.8, lambda: stage.board.motors[0].speed)
-    run_for(stage, 3.0)
-    assert speeds == [40]
+@pytest.mark.parametrize("lockout", [0.0, 1.0, math.inf])
+def test_wishes_are_dropped_until_somebody_arms_the_motors(stage: Stage, lockout: float) -> None:
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80))).at(1.2, Stop(1, lockout))
+    stage.script.at(1.2, SetDrive(1, Drive.at(80))).at(2.5, SetDrive(1, Drive.at(40)))
+    dropped = seen_at(stage, 2.8, lambda: is_stopped(stage.board))
+    stage.script.at(3.0, Arm()).at(3.0, SetDrive(1, Drive.at(50)))
+    obeyed = seen_at(stage, 3.2, lambda: stage.board.motors[0].speed)
+    run_for(stage, 3.5)
+    assert dropped == [True], "it was on its way when the motors were stopped"
+    assert obeyed == [50]
 
 
 def test_arming_ends_the_lock_since_it_is_younger_than_the_stop(stage: Stage) -> None:

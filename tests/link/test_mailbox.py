@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from trex_gui.link.drives import DriveSlots, packets
 from trex_gui.link.mailbox import Mailbox
 from trex_gui.link.messages import (
+    Arm,
     Ask,
     Close,
     Expect,
@@ -176,8 +177,10 @@ def test_a_stop_wipes_out_the_wishes_before_it() -> None:
     assert not mail.drives
 
 
-def test_a_stop_leaves_the_wishes_after_it() -> None:
-    mail = mailbox(SetDrive(1, Drive.at(9)), Stop(1), SetDrive(2, Drive.at(5)))
+def test_a_stop_wipes_out_the_wishes_after_it_until_somebody_arms() -> None:
+    wish = SetDrive(2, Drive.at(5))
+    assert not mailbox(SetDrive(1, Drive.at(9)), Stop(1), wish).drives
+    mail = mailbox(SetDrive(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), wish)
     assert mail.drives.take() == [SetDrive(2, Drive.at(5))]
 
 

@@ -73,7 +73,7 @@ def test_a_wish_is_sent_again_for_a_board_that_was_deaf(bench: Bench) -> None:
     bench.stage.line.to_drop_sent = 2  # the whole packet, so the board latches nothing
     bench.drive(20)
     assert bench.stage.board.motors[0].target_speed == 0
-    let_time_pass(bench, 1.0)
+    let_time_pass(bench, 4.0)
     assert moving(bench.stage.transport.sent) == [DriveMotor(1, Drive.at(20))] * (1 + len(REPEATS))
     assert bench.stage.board.motors[0].target_speed == 20
     assert bench.motors.seconds_to_drive(bench.client) is None
@@ -81,10 +81,10 @@ def test_a_wish_is_sent_again_for_a_board_that_was_deaf(bench: Bench) -> None:
 
 def test_a_newer_wish_takes_the_place_of_the_one_that_stands(bench: Bench) -> None:
     bench.drive(20)
-    let_time_pass(bench, 0.15)
+    let_time_pass(bench, 0.2)
     bench.mail.drives.put(SetAuxiliary(9))
     bench.mail.drives.put(SetDrive(1, Drive.at(30)))
-    let_time_pass(bench, 1.0)
+    let_time_pass(bench, 4.0)
     sent = moving(bench.stage.transport.sent)
     assert sent[:2] == [DriveMotor(1, Drive.at(20))] * 2
     assert sent[2:] == [DriveMotor(1, Drive.at(30)), DriveAuxiliary(9)] * (1 + len(REPEATS))

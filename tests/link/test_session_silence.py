@@ -15,6 +15,7 @@ from tests.link.helpers import (
 )
 from tests.support.virtual import Stage
 from trex_gui.link.messages import (
+    Arm,
     Ask,
     Batch,
     Close,
@@ -184,7 +185,7 @@ def test_wishes_during_silence_are_not_kept_for_the_return(stage: Stage) -> None
 
 def test_a_wish_after_the_return_is_obeyed(stage: Stage) -> None:
     off_and_on(stage, 1.0, 3.0)
-    stage.script.at(5.0, SetDrive(1, Drive.at(100)))
+    stage.script.at(5.0, Arm()).at(5.0, SetDrive(1, Drive.at(100)))
     speeds = seen_at(stage, 5.1, lambda: stage.board.motors[0].speed)
     run_for(stage, 5.2)
     assert speeds == [100]

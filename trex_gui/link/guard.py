@@ -30,13 +30,19 @@ class Guard:
 
     clock: Callable[[], float] = time.monotonic
     armed: bool = False
+    _awaits_arm: bool = False
     _locked_until: float = -math.inf
     _heard_at: float = -math.inf
 
     @property
     def is_locked(self) -> bool:
-        """Whether wishes are dropped, since a stop came before them."""
+        """Whether motor commands that are asked for are refused, since a stop came before."""
         return self.clock() < self._locked_until
+
+    @property
+    def drops_wishes(self) -> bool:
+        """Whether wishes are dropped: motors were stopped, and nobody has armed them since."""
+        return self._awaits_arm or self.is_locked
 
     @property
     def seconds_to_alarm(self) -> float | None:
@@ -61,6 +67,7 @@ class Guard:
     def arm(self) -> None:
         """Let wishes through: requests keep their order, so this is younger than any stop."""
         self.armed = True
+        self._awaits_arm = False
         self._locked_until = -math.inf
         self.note_life()
 
@@ -69,12 +76,17 @@ class Guard:
         self._heard_at = self.clock()
 
     def stop(self, lockout: float) -> None:
-        """Drop every wish for so many seconds, or until somebody arms the motors again."""
+        """Drop every wish until somebody arms the motors again.
+
+        For `lockout` seconds what is asked for and moves a motor is refused, too.
+        """
         self.armed = False
+        self._awaits_arm = True
         if lockout > 0:
             self._locked_until = max(self._locked_until, self.clock() + lockout)
 
     def give_up(self) -> None:
         """Drop every wish until somebody arms the motors again: those of the lost are late."""
         self.armed = False
+        self._awaits_arm = True
         self._locked_until = math.inf

@@ -56,8 +56,9 @@ class Mailbox:
     def collect(self, seconds: float = 0.0) -> None:
         """Sort everything that has come, waiting up to `seconds` for the first of it.
 
-        A stop wipes out the wishes that came before it; those after it stand, unless it locks
-        the motors. `Close` wipes out those after it, too: what is still written then moves nothing.
+        A stop wipes out the wishes that came before it, and those after it until an `Arm` comes:
+        they may have been on their way before whoever wished them knew of it. `Close` wipes out
+        all that come after it, too: what is still written then moves nothing.
         """
         request = self.inbox.get(max(seconds, 0.0))
         while request is not None:
@@ -74,7 +75,7 @@ class Mailbox:
                     self.guard.note_life()
                 case SetDrive() | SetAuxiliary():
                     self.guard.note_life()
-                    if not self.closing and not self.guard.is_locked:
+                    if not self.closing and not self.guard.drops_wishes:
                         self.drives.put(request)
                 case Expect(settings=settings):
                     self.expected = settings

@@ -47,7 +47,8 @@ class SetAuxiliary:
 class Stop:
     """Stop every motor before anything else; answered by an `Outcome` when it is proved.
 
-    For `lockout` seconds, or until an `Arm` comes, whatever moves a motor is refused.
+    Until an `Arm` comes every wish is dropped, and for `lockout` seconds whatever else moves a
+    motor is refused.
     """
 
     id: int

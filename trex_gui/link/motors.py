@@ -9,23 +9,36 @@ from collections.abc import Callable, Sequence
 from trex_gui.link.client import Client
 from trex_gui.link.drives import DriveSlots, packets
 from trex_gui.link.mailbox import Mailbox
-from trex_gui.link.messages import Halted, Outcome
+from trex_gui.link.messages import Halted, Outcome, SetAuxiliary, SetDrive
 from trex_gui.link.stopping import ATTEMPTS, send_stop, stop_and_prove
 from trex_gui.link.telemetry import StatusNews, StatusReader
 from trex_gui.protocol.errors import BadReply, BadRequest, NoReply
+from trex_gui.protocol.flags import Status, UartError
 
 log = logging.getLogger(__name__)
 
 DRIVE_INTERVAL = 0.02
 """Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
 
-REPEATS = (0.1, 0.3)
-"""Seconds after the newest wish at which what stands is sent once more.
+REPEATS = (0.15, 0.3, 0.6, 1.2)
+"""Seconds after which what stands is sent once more, one after the other, until it is proved.
 
-Motor packets have no reply, and a board that is deaf while it answers latches nothing for one that
-it lost whole. Further apart than an answer is long, so not all of them meet a deaf board; soon
-enough to be the same press of a person; and harmless to a board that heard the first.
+Motor packets have no reply: a status that was read after one, and is clean, is the proof. The
+first is later than the next status of a line that is not slow; where none comes, they become rare.
+A status with an error begins anew, at once.
 """
+
+LONGEST_REPEATING = 5.0
+"""Seconds after the newest wish from which on it is not repeated any more, proved or not."""
+
+_ROUNDS = 2
+"""Packets and clean statuses, one after the other, that prove a wish; see `stopping`.
+
+One does where a repeat could do harm: setting a speed at once goes round the current limiter.
+"""
+
+_SHUT_DOWN = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
+"""What the status says when the board has stopped a motor itself."""
 
 CLOSING_ATTEMPTS = 6
 """How often a stop is sent when the line is to be given back: somebody waits for that."""
@@ -73,7 +86,10 @@ class Motors:
         self._drove_at = 0.0
         self._wished_at = 0.0
         self._standing = DriveSlots()
-        self._repeats: tuple[float, ...] = ()
+        self._repeat_at: float | None = None
+        self._repeated = 0
+        self._proofs = 0
+        self._unseen = False
         self._tried_at: float | None = None
         self.may_move = may_move
 
@@ -81,8 +97,8 @@ class Motors:
         """Return how long what is to be sent must wait still; `None`: there is nothing."""
         if self._mail.drives:
             due = self._drove_at + _interval(client)
-        elif self._repeats:
-            due = max(self._wished_at + self._repeats[0], self._drove_at + _interval(client))
+        elif self._repeat_at is not None:
+            due = max(self._repeat_at, self._drove_at + _interval(client))
         else:
             return None
         return due - client.transport.clock()
@@ -97,11 +113,12 @@ class Motors:
         wishes = self._mail.drives.take()
         self._drove_at = client.transport.clock()
         if wishes:
-            self._wished_at, self._repeats = self._drove_at, REPEATS
+            self._wished_at = self._drove_at
+            self._repeated = self._proofs = 0
         else:
-            wishes, self._repeats = self._standing.take(), self._repeats[1:]
-        if self._repeats:
-            self._standing.put_all(wishes)
+            wishes = self._standing.take()
+            self._repeated += 1
+        self._stand(wishes)
         self.may_move = True
         self._tried_at = None
         try:
@@ -114,6 +131,44 @@ class Motors:
             self._mail.drives.put_back(wishes)
             raise
 
+    def _stand(self, wishes: Sequence[SetDrive | SetAuxiliary]) -> None:
+        """Remember what is being sent now, for the next repeat if there shall be one."""
+        is_late = self._drove_at >= self._wished_at + LONGEST_REPEATING
+        if is_late or self._repeated >= len(REPEATS):
+            self._rest()
+            return
+        self._standing.put_all(wishes)
+        self._repeat_at = self._drove_at + REPEATS[self._repeated]
+        self._unseen = True
+
+    def note_status(
+        self, news: StatusNews | None, now: float, *, is_whole: bool, stops_on_error: bool
+    ) -> None:
+        """Learn from a status that was read: whether what stands has arrived, or must go again.
+
+        `is_whole` says that no error can be waiting behind it, `stops_on_error` that the board
+        stops its motors on any. What it has stopped itself is not started again.
+        """
+        if self._repeat_at is None:
+            return
+        status = Status(0) if news is None else news.status
+        uart = UartError(0) if news is None else news.uart
+        is_clean = is_whole and not uart & ~UartError.TIMEOUT
+        wishes = self._standing.take()
+        if status & _SHUT_DOWN or uart & UartError.TIMEOUT or (stops_on_error and not is_clean):
+            wishes = [wish for wish in wishes if _rests(wish)]
+        if is_clean and self._unseen:
+            self._unseen = False
+            self._proofs += 1
+        elif not is_clean:
+            self._proofs = self._repeated = 0
+            self._repeat_at = now
+        is_harmless = all(wish.accelerate or _rests(wish) for wish in wishes)
+        if not wishes or self._proofs >= (_ROUNDS if is_harmless else 1):
+            self._rest()
+        else:
+            self._standing.put_all(wishes)
+
     def forget(self) -> None:
         """Send no wish that waits or stands: a stop or the silence of the board came after it."""
         self._mail.drives.clear()
@@ -121,7 +176,7 @@ class Motors:
 
     def _rest(self) -> None:
         self._standing.clear()
-        self._repeats = ()
+        self._repeat_at = None
 
     def stop(self, client: Client, status: StatusReader, attempts: int = ATTEMPTS) -> None:
         """Serve every stop that waits; each gets its outcome, even when the line is lost.
@@ -205,6 +260,13 @@ class Motors:
         self._rest()
         if self.may_move:
             send_stop(client)
+
+
+def _rests(wish: SetDrive | SetAuxiliary) -> bool:
+    """Whether a motor that obeys it comes to rest."""
+    if isinstance(wish, SetAuxiliary):
+        return not wish.speed
+    return wish.drive.is_brake or not wish.drive.signed
 
 
 def _interval(client: Client) -> float:

@@ -31,7 +31,7 @@ from trex_gui.link.presence import RETRY_INTERVAL, Presence
 from trex_gui.link.reading import DeviceState, read_everything
 from trex_gui.link.schedule import Topic
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.telemetry import ModeSeen, Sample, StatusReader, poll
+from trex_gui.link.telemetry import ModeSeen, Sample, StatusNews, StatusReader, poll
 from trex_gui.link.transport import SerialTransport, Transport
 from trex_gui.link.writing import Written, write_all
 from trex_gui.protocol.commands import Command, GetMode, ReplyT_co
@@ -137,9 +137,20 @@ class Session:
         self._motors.stop_early(self._client)
 
     def _read_everything(self, occasion: Occasion) -> None:
+        """Read everything and tell it. But on a mere reload nothing drives meanwhile.
+
+        Whoever drives does not know yet that the board was without power, or is another one, and
+        goes on wishing; when it is told, every motor stands and has to be armed anew.
+        """
+        if occasion.power_cycled:
+            self._give_up_driving()
         self._state = read_everything(self._request, self._progress)
+        if occasion is not Occasion.RELOADED:
+            if occasion.power_cycled or self._mail.guard.armed:
+                self._give_up_driving()
+            if self._motors.may_move:
+                self._motors.stop_and_prove(self._client, self._status)
         self._polling.start(self._state, self._now())
-        self._mail.guard.armed &= occasion is Occasion.RELOADED
         self._presence.begin()
         self._flush()
         self._emit(
@@ -152,6 +163,11 @@ class Session:
                 self._port_rates,
             )
         )
+
+    def _give_up_driving(self) -> None:
+        """Drop what is wished until somebody arms the motors again."""
+        self._mail.guard.give_up()
+        self._motors.forget()
 
     def _leave_safely(self) -> None:
         """Stop what was driven and give the port back, whatever the line does."""
@@ -188,8 +204,6 @@ class Session:
             self._look_again()
         elif self._presence.silent:
             self._collect(self._seconds_to_wait(now))
-        elif self._has_to_insist():
-            self._motors.insist(self._client, self._status)
         elif topic := self._polling.next(now, self._line, armed=self._mail.guard.armed):
             self._poll(topic)
         else:
@@ -197,7 +211,7 @@ class Session:
 
     def _has_to_insist(self) -> bool:
         seconds = self._motors.seconds_to_insist(self._client)
-        return seconds is not None and seconds <= 0
+        return not self._presence.silent and seconds is not None and seconds <= 0
 
     def _collect(self, seconds: float = 0.0) -> None:
         self._mail.collect(seconds)
@@ -233,6 +247,9 @@ class Session:
             return True
         if self._mail.guard.is_abandoned:
             self._motors.stop_abandoned(self._client, self._status)
+            return True
+        if self._has_to_insist():
+            self._motors.insist(self._client, self._status)
             return True
         seconds = self._motors.seconds_to_drive(self._client)
         if seconds is None or seconds > 0:
@@ -340,6 +357,8 @@ class Session:
         try:
             sample = poll(self._request, topic, self._now, self._status)
             self._presence.note_answer()
+            if topic is Topic.STATUS:
+                self._note_status(sample if isinstance(sample, StatusNews) else None)
             if sample is not None:
                 self._samples.append(sample)
             if isinstance(sample, ModeSeen) and self._state and sample.mode is not self._state.mode:
@@ -350,9 +369,18 @@ class Session:
         except (NoReply, BadReply) as error:
             self._note_failure(error)
 
+    def _note_status(self, news: StatusNews | None) -> None:
+        values = {} if self._state is None else self._state.parameters
+        self._motors.note_status(
+            news,
+            self._now(),
+            is_whole=not self._status.uart_due,
+            stops_on_error=bool(values.get("uart_error_shutdown")),
+        )
+
     def _note_failure(self, error: TrexError) -> None:
         if self._presence.note_failure(self._now()):
-            self._mail.guard.armed = False
+            self._give_up_driving()
             self._motors.stop_unheard(self._client)
             self._flush()
             self._emit(Silent(str(error), replace(self._client.counters)))

@@ -1,6 +1,7 @@
 """The line to a board as the models see it: requests in, reports out, a thread a session."""
 
 import itertools
+import math
 from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal, Slot
@@ -98,10 +99,11 @@ class Line(QObject):
         """Stop every motor, and give the port back where the program is `ending`.
 
         For emergencies, from any thread: it waits for nobody, and nobody is told how it went but
-        by what follows from it.
+        by what follows from it. Wishes that pass it on their way are dropped until motors are
+        armed anew.
         """
         if (worker := self._worker) is not None:
-            worker.submit(Stop(NOBODY))
+            worker.submit(Stop(NOBODY, lockout=math.inf))
             if ending:
                 worker.submit(Close())
 

@@ -145,6 +145,10 @@ class Driving(QObject):
     @Slot(object)
     def _on_answered(self, report: Connected) -> None:
         if report.occasion is not Occasion.RELOADED:
+            if report.may_move or self._motors.armed:
+                # Armed motors tell nobody: wishes of this moment may be on their way still.
+                restarted = self.tr("The board was restarted, so the motors were stopped.")
+                self._motors.stop(restarted if report.occasion.power_cycled else "")
             self._may_move = report.may_move
             self._motors.allow(False)
 

@@ -1,0 +1,33 @@
+"""A board that was without power while somebody drove: it stands until it is armed anew."""
+
+from tests.link.helpers import among, moving, run_for, seen_at, staged
+from tests.link.test_guard import is_stopped
+from trex_gui.link.messages import Arm, Connected, Occasion, SetDrive
+from trex_gui.protocol.commands import Drive, DriveMotor
+
+
+def test_a_changed_mode_stops_the_motors_and_wishes_of_that_time_are_dropped() -> None:
+    stage, _ = staged()
+
+    def restart() -> None:
+        stage.board.eeprom.write("channel_input_source", 1)
+        stage.board.power_cycle()
+
+    stage.script.at(1.0, Arm())
+    for step in range(60):
+        if step == 10:
+            stage.script.at(1.5, restart)
+        stage.script.at(1.0 + step / 20, SetDrive(1, Drive.at(60 + step % 40)))
+    stopped = seen_at(stage, 4.5, lambda: is_stopped(stage.board))
+    told = among(run_for(stage, 5.0), Connected)
+    assert [(one.occasion, one.may_move) for one in told][-1] == (Occasion.MODE_CHANGED, False)
+    assert stopped == [True]
+
+
+def test_a_proved_wish_is_not_sent_again() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, SetDrive(1, Drive.at(50))).at(2.0, SetDrive(1, Drive.brake(127)))
+    run_for(stage, 4.0)
+    sent = moving(stage.transport.sent)
+    assert sent.count(DriveMotor(1, Drive.at(50))) == 1, "it would go round the current limiter"
+    assert sent.count(DriveMotor(1, Drive.brake(127))) == 2
