@@ -31,8 +31,11 @@ class Bench:
         self.learning = Learning(self.device)
         self.person = Person(simulator, {1: Stick(), 2: Stick(rest=1520, forward_is_down=True)})
         self._qtbot = qtbot
+        failures: list[str] = []
+        self.device.failed.connect(failures.append)
         self.device.connect_to(LinkSettings(simulator.url))
-        self.until(lambda: self.device.link is Link.UP)
+        self.until(lambda: self.device.link is Link.UP or bool(failures))
+        assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])
         self.until(lambda: self.person.rests(self.device.telemetry.raw_of))
 
     def until(self, condition: Callable[[], bool], timeout: int = 30_000) -> None:
