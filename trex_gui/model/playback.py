@@ -9,8 +9,8 @@ from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal, Slot
 from trex_gui.link.telemetry import Currents
 from trex_gui.model.events import Event, EventKind
 from trex_gui.model.telemetry import Series
+from trex_gui.model.trace.board import board_traces
 from trex_gui.model.trace.history import History
-from trex_gui.model.trace.source import TraceInfo
 from trex_gui.model.trace.traces import Traces
 from trex_gui.protocol.flags import CHANNELS
 from trex_gui.recording.errors import RecordingError
@@ -61,7 +61,7 @@ class Playback(QObject):
         self._history = History(len(Series), capacity=min(MOST_ROWS, max(4096, count)))
         self._latest_row = -np.inf
         self._limits = limits_in(file.header.settings)
-        self.traces = Traces(self._infos(), self._history, self._events, self._limits)
+        self.traces = Traces(board_traces(), self._history, self._events, self._limits)
         self._end = file.header.clock
         self._position = file.header.clock
         self._speed = 1.0
@@ -288,42 +288,8 @@ class Playback(QObject):
     def _on_frame(self) -> None:
         self.advance(self._since.restart() / 1000)
 
-    def _infos(self) -> list[TraceInfo]:
-        """Return what the columns of `Series` are, in that order."""
-        return [
-            *(
-                TraceInfo(
-                    f"motor{m}_current", self.tr("Motor {0}").format(m), "A", f"motor{m}", f"{m}"
-                )
-                for m in (1, 2)
-            ),
-            *(
-                TraceInfo(
-                    f"motor{m}_wish",
-                    self.tr("Speed {0} wished").format(m),
-                    "",
-                    f"motor{m}",
-                    self.tr("S{0}").format(m),
-                    shown=False,
-                )
-                for m in (1, 2)
-            ),
-            *(
-                TraceInfo(
-                    f"channel{channel}",
-                    self.tr("Channel {0}").format(channel),
-                    "",
-                    color,
-                    self.tr("C{0}").format(channel),
-                    shown=False,
-                )
-                for channel, color in zip(CHANNELS, _CHANNEL_COLORS, strict=True)
-            ),
-        ]
-
 
 _UNKNOWN = (np.nan,) * len(CHANNELS)
-_CHANNEL_COLORS = ("good", "warning", "dirty", "muted", "plot_text")
 
 
 def limits_in(text: str) -> Mapping[str, float]:
