@@ -177,6 +177,21 @@ def test_a_port_is_opened_for_us_alone(terminal: tuple[int, str], opened: Open) 
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+def test_who_has_locked_a_port_is_named_before_who_only_has_it_open(
+    terminal: tuple[int, str], opened: Open
+) -> None:
+    code = f"import sys; port = open({terminal[1]!r}); print('open', flush=True); sys.stdin.read()"
+    with subprocess.Popen(
+        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as onlooker:
+        assert onlooker.stdout is not None
+        assert onlooker.stdout.readline() == b"open\n"
+        opened(terminal[1])
+        assert "in use by another line of this program" in refusal(terminal[1])
+        onlooker.communicate(b"", timeout=5)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
 def test_the_program_that_holds_a_port_is_named(terminal: tuple[int, str]) -> None:
     code = (
         "import serial, sys\n"

@@ -16,6 +16,7 @@ from typing import Protocol
 import serial
 from serial.tools import list_ports
 
+from trex_gui.link.port_holder import holder_of
 from trex_gui.link.port_rates import rates_of
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.errors import BadReply, BadRequest, PortUnavailable
@@ -263,7 +264,7 @@ def why_not_open(url: str, line: LineSettings, error: Exception) -> str:
     if number in {errno.EACCES, errno.EPERM}:
         return f"You may not open {url}. {_permission_cure(url)}"
     if number in {errno.EBUSY, errno.EAGAIN}:
-        holder = _holder(url)
+        holder = holder_of(url)
         by = f" by {holder}" if holder else " by another program"
         return f"{url} is in use{by}. Close it there, then connect again."
     if isinstance(error, ValueError) or number == errno.EINVAL:
@@ -308,17 +309,3 @@ def _permission_cure(url: str) -> str:
         f"Join its group, then log out and in again: sudo usermod -aG {group} $USER "
         f"(or, until it is unplugged: sudo chmod a+rw {url})."
     )
-
-
-def _holder(url: str) -> str | None:
-    """Return the program that has the port open, where Linux lets us see it."""
-    try:
-        wanted = Path(url).resolve()
-        for link in Path("/proc").glob("[0-9]*/fd/*"):
-            with contextlib.suppress(OSError):
-                if link.readlink() == wanted and link.parts[2] != str(os.getpid()):
-                    name = (link.parents[1] / "comm").read_text(encoding="utf-8").strip()
-                    return f"{name} (process {link.parts[2]})"
-    except OSError:
-        return None
-    return None
