@@ -198,3 +198,32 @@ def test_a_cable_that_is_pulled_ends_the_run_with_a_sentence(
 )
 def test_what_no_motor_can_do_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]) -> None:
     assert trexcmd("motor", *words).exit_code == 2
+
+
+def test_a_stop_that_channels_drive_through_fails(
+    trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    for line in ("jumper mode rc", "power cycle"):
+        quick_simulator.do(line)
+    becomes(lambda: trexcmd("status").exit_code, 0)
+    quick_simulator.do("channel 1 1900us")
+    becomes(lambda: quick_simulator.show()["motors"][0]["speed"] > 50, True)
+    result = trexcmd("stop")
+    assert result.exit_code == 1
+    assert "Stopped." not in result.stderr
+    assert "Let go of the sticks, or cut the power." in result.stderr
+    assert quick_simulator.show()["motors"][0]["speed"] > 50
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+def test_where_the_window_holds_the_port_a_stop_says_what_stops(
+    start: Start, trexcmd: Run, quick_simulator: SimulatorProcess
+) -> None:
+    holder = start("motor", "1", "40")
+    assert runs(holder, quick_simulator, 40, 0, 0)
+    result = trexcmd("stop")
+    assert result.exit_code == 1
+    assert f"(process {holder.pid})" in result.stderr
+    assert "Esc in its window stops the motors" in result.stderr
+    holder.terminate()
+    holder.communicate(timeout=20)

@@ -95,8 +95,8 @@ def test_the_red_button_stops_on_every_page(desk: Desk, page: int) -> None:
     stop = desk.button("stopButton")
     if page != MOTORS_PAGE:
         desk.program.window.pages.setCurrentIndex(page)
-        if not desk.motors.armed:
-            pytest.skip("leaving the page has stopped them")
+    assert desk.motors.armed
+    assert not is_stopped(desk.simulator)
     assert stop.isVisible()
     QTest.mousePress(stop, Qt.MouseButton.LeftButton)  # when it is pressed, not when it is let go
     desk.expect_stop()
@@ -243,3 +243,24 @@ def test_the_window_says_that_the_boards_own_timeout_is_off_and_sets_it_with_a_c
     assert not notice.isVisible()
     assert device.pending == pending == 1, "other edits go on waiting"
     assert len(device.history.snapshots()) == 1
+
+
+def test_a_stop_that_channels_drive_through_is_not_called_one(
+    program: Program, qtbot: QtBot, quick_simulator: SimulatorProcess
+) -> None:
+    for line in ("jumper mode rc", "power cycle"):
+        quick_simulator.do(line)
+    device = program.device
+    device.connect_to(LinkSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: device.link is Link.UP)
+    quick_simulator.do("channel 1 1900us")  # after the power-up: safe-start has seen it at rest
+    qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] > 50)
+    press_escape()
+    banner = program.window.findChild(QLabel, "bannerText")
+    state = program.window.findChild(QLabel, "motorStateLabel")
+    assert banner is not None
+    assert state is not None
+    qtbot.waitUntil(lambda: "Let go of the sticks, or cut the power." in banner.text())
+    assert quick_simulator.show()["motors"][0]["speed"] > 50
+    assert "Stop does not reach what they drive" in state.text()
+    assert "Stopped" not in state.text()

@@ -241,7 +241,8 @@ def test_wishes_from_after_a_stop_and_an_arming_are_obeyed(stage: Stage) -> None
     assert speeds == [100]
 
 
-def test_a_stop_in_rc_mode_is_proved_like_any_other() -> None:
+def test_a_stop_in_rc_mode_arrives_like_any_other_and_is_kept_by_the_board() -> None:
+    """Whoever pressed it has to be told that the channels go on: the models see to that."""
     stage, settings = staged(mode="rc")
     stage.script.at(1.0, Stop(1))
     run_for(stage, 2.0, settings)
@@ -271,7 +272,8 @@ def test_a_stop_gets_through_a_noisy_line(seed: int, detection: Detection) -> No
 
     stage.script.at(1.0, spoil).at(1.0, Stop(1))
     run_for(stage, 1.5, settings)
-    assert outcomes(stage.reports)[1].error is None
+    is_proved = outcomes(stage.reports)[1].error is None
+    assert is_proved or detection is Detection.NONE, "with a CRC nothing goes by unnoticed"
     assert is_stopped(stage.board)
 
 

@@ -10,8 +10,10 @@ from trex_gui.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.cli.status import names_of
 from trex_gui.cli.talk import Interruption, Refused, Usage, say
 from trex_gui.link.client import Client
-from trex_gui.link.explain import who_controls
+from trex_gui.link.explain import BEYOND_A_STOP, who_controls
+from trex_gui.link.port_holder import holder_of
 from trex_gui.link.reading import ask
+from trex_gui.link.settings import LinkSettings
 from trex_gui.link.stopping import stop_and_prove
 from trex_gui.link.telemetry import StatusReader
 from trex_gui.protocol.commands import (
@@ -90,7 +92,22 @@ def motor(
 @link_options
 def stop(**options: Any) -> None:
     """Brake both motors and switch the auxiliary motor off, until the board confirms it."""
-    with open_line(link_settings(options)) as client:
+    settings = link_settings(options)
+    try:
+        _stop_at(settings)
+    except Refused as refusal:
+        held = isinstance(refusal.__cause__, PortUnavailable) and holder_of(settings.url)
+        if not held:
+            raise
+        raise Refused(
+            f"{refusal} If that is TReX Studio: Esc in its window stops the motors, and so does "
+            "ending it."
+        ) from refusal
+    say("Stopped.")
+
+
+def _stop_at(settings: LinkSettings) -> None:
+    with open_line(settings) as client:
         reader = StatusReader(client.transport.clock)
         if not stop_and_prove(client, reader).proved:
             identify(client)  # says why nothing answers
@@ -98,7 +115,8 @@ def stop(**options: Any) -> None:
                 "The stop was sent, but the board reports errors on the line each time. "
                 "If a motor still turns, cut its power."
             )
-    say("Stopped.")
+        if not ask(client.request, GetSerialControl()):
+            raise Refused(BEYOND_A_STOP)
 
 
 def _order(which: str, speed: int, *, accelerate: bool, brake: bool) -> Command[None]:

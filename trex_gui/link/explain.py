@@ -19,6 +19,13 @@ CHANNEL_ROLES = {
 """What each channel does in RC and analog mode; in serial mode they are only measured."""
 
 
+BEYOND_A_STOP = (
+    "The stop was sent, but channels control the motors, and it waits in the board until channel "
+    "5 hands over. Let go of the sticks, or cut the power."
+)
+"""A stop is a serial command like any other: what channels drive, it does not end."""
+
+
 def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
     """Say who controls the motors, and what to do when it is not this program."""
     note = " Joint mode: both drivers work together as motor 1, motor 2 is ignored."

@@ -80,7 +80,9 @@ class ActionBar(QWidget):
         self._stop.setEnabled(link in {Link.OPENING, Link.UP, Link.SILENT})
         self._run.setEnabled(motors.can_arm and not motors.armed and not motors.locked_for)
         self._state.setText(self._state_text())
-        self._show_state(alarming=motors.armed or self._device.may_move)
+        is_beyond_reach = link is Link.UP and not motors.can_arm and motors.locked_for > 0
+        alarming = motors.armed or self._device.may_move or is_beyond_reach
+        self._show_state(alarming=alarming)
         pending = self._device.pending > 0
         self._unapplied.setVisible(pending)
         self._apply.setEnabled(pending and link is Link.UP and not self._device.applying)
@@ -96,6 +98,8 @@ class ActionBar(QWidget):
             if link is Link.NONE:
                 return self.tr("The line was lost: motors may still turn. Cut their power.")
             return self.tr("Not known: motors may still turn. The stop is sent again and again.")
+        if link is Link.UP and not motors.can_arm and motors.locked_for:
+            return self.tr("Channels control the motors: Stop does not reach what they drive.")
         if motors.locked_for:
             left = math.ceil(motors.locked_for)
             return self.tr("Stopped. Motors are locked for {0} s.").format(left)

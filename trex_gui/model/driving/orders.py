@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QTimer, Signal, Slot
 
+from trex_gui.link.explain import BEYOND_A_STOP
 from trex_gui.link.guard import PULSE_INTERVAL
 from trex_gui.link.messages import (
     Arm,
@@ -44,6 +45,7 @@ class Driving(QObject):
         self._connection = connection
         self._may_move = False
         self._was_armed = False
+        self._by_serial = True
         self._after_stop: list[AfterStop] = []
         self._pulse = QTimer(self)
         self._pulse.setInterval(round(PULSE_INTERVAL * 1000))
@@ -69,6 +71,7 @@ class Driving(QObject):
         Where channels are in control the board keeps a command until channel 5 hands over:
         what was meant for now would start later.
         """
+        self._by_serial = by_serial
         is_up = self._connection.link is Link.UP
         allowed = is_up and by_serial
         if allowed != self._motors.can_arm:
@@ -128,6 +131,8 @@ class Driving(QObject):
             # A wish that was let through meanwhile is a motor that moves again.
             self._may_move = self._motors.armed
             self.proved.emit()
+            if self._connection.link is Link.UP and not self._by_serial:
+                self.failed.emit(BEYOND_A_STOP)
         elif self._connection.link is not Link.CLOSING:
             self.failed.emit(str(outcome.error))
 
