@@ -3,9 +3,13 @@
 import argparse
 import os
 import sys
+from importlib import import_module
 from pathlib import Path
 
 from trex_gui import __version__
+
+_LOAD_PLOTS_MS = 100
+"""Milliseconds in which the window is painted for the first time."""
 
 
 def _arguments(argv: list[str]) -> argparse.Namespace:
@@ -64,6 +68,10 @@ def main(argv: list[str] | None = None) -> int:
     program = build()
     program.window.show()
     watching = Watching(program, app)
+
+    # The plotting library takes 0.4 s of this thread: now, while no motor can be armed yet, and
+    # not when a page with a plot is first shown, when one may turn.
+    QTimer.singleShot(_LOAD_PLOTS_MS, lambda: import_module("trex_gui.views.traces.panel"))
 
     if arguments.tour is not None:
         from trex_gui.tour import Tour  # noqa: PLC0415

@@ -36,7 +36,7 @@ class Program:
         Return whether every thread has ended; Qt aborts on destroying one that runs.
         """
         is_closed = self.connector.shut_down()
-        return self.window.recordings.recorder.shut_down() and is_closed
+        return self.window.recordings.shut_down() and is_closed
 
     def end(self) -> None:
         """Stop the motors, close the line and leave, without asking anything."""

@@ -5,18 +5,21 @@ import select
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QThread, QTimer, QUrl
 from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.recording.samples import an_hour, write
+from tests.recording.samples import an_hour, write, write_an_hour_of_csv
 from tests.support.simulator import SimulatorProcess
+from trex_gui.link.guard import PATIENCE
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.views.recording.indicator import RecordIndicator
@@ -248,3 +251,81 @@ def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(
         timeout=20_000,
     )
     assert not indicator(connected).isVisible()
+
+
+def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
+    connected: Program, quick_simulator: SimulatorProcess, tmp_path: Path, qtbot: QtBot
+) -> None:
+    import_module("trex_gui.views.recording.window")  # the program does so at its start
+    write_an_hour_of_csv(tmp_path / "hour.csv")
+    motors = connected.device.motors
+    motors.accelerate = False
+
+    def turns() -> bool:
+        if not motors.armed:
+            motors.arm()
+            motors.set_speed(1, 60)
+        return bool(quick_simulator.show()["motors"][0]["target_speed"] == 60)
+
+    def turns_while_it_is_opened() -> bool:
+        qtbot.waitUntil(turns, timeout=20_000)
+        begin = time.monotonic()
+        connected.window.recordings.open_file(tmp_path / "hour.csv")
+        (window,) = connected.window.recordings.windows
+        # Longer than the silence of a window that stops armed motors.
+        qtbot.waitUntil(lambda: time.monotonic() > begin + 2 * PATIENCE, timeout=20_000)
+        assert not window.playback.is_loaded
+        window.close()
+        motor = quick_simulator.show()["motors"][0]
+        return motors.armed and motor["target_speed"] == 60 and motor["direction"] != "brake"
+
+    # A computer with far too much to do may stop them by itself, but hardly each time.
+    assert any(turns_while_it_is_opened() for _ in range(4))
+    assert connected.window.recordings.windows == []
+    device = connected.device
+    device.motors.press_stop()
+    qtbot.waitUntil(
+        lambda: quick_simulator.show()["motors"][0]["direction"] == "brake", timeout=10_000
+    )
+
+
+def test_a_program_that_ends_while_a_recording_is_read_ends_its_thread(
+    program: Program, tmp_path: Path, qtbot: QtBot
+) -> None:
+    write_an_hour_of_csv(tmp_path / "hour.csv", 10)
+    program.window.recordings.open_file(tmp_path / "hour.csv")
+    (window,) = program.window.recordings.windows
+    (thread,) = window.playback.findChildren(QThread)
+    qtbot.waitUntil(lambda: window.playback.progress > 0, timeout=20_000)
+    assert thread.isRunning()
+    assert program.shut_down()
+    assert thread.isFinished()
+
+
+def test_the_plotting_library_is_there_before_a_page_with_a_plot_is_shown(tmp_path: Path) -> None:
+    script = (
+        "import os, sys; from PySide6.QtCore import QTimer; from trex_gui import app, window\n"
+        "build = window.build\n"
+        "def built():\n"
+        "    global timer, ticks\n"
+        "    program, ticks, timer = build(), 0, QTimer()\n"
+        "    def look():\n"
+        "        global ticks\n"
+        "        ticks += 1\n"
+        "        loaded = 'pyqtgraph' in sys.modules\n"
+        "        if loaded or ticks > 1000:\n"
+        "            timer.stop(); sys.stdout.write(f'{loaded}'); program.window.close()\n"
+        "    timer.timeout.connect(look); timer.start(20)\n"
+        "    assert 'pyqtgraph' not in sys.modules\n"
+        "    return program\n"
+        "window.build = built; app.main([])"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", script],
+        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=40,
+        check=False,
+    )
+    assert (result.stdout, result.returncode) == ("True", 0), result.stderr

@@ -1,14 +1,17 @@
 """Looking at a recording without a device."""
 
+import time
 from bisect import bisect_right
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 from random import Random
 
 import pytest
+from PySide6.QtCore import QCoreApplication, QObject, QThread, QTimer, Slot
 from pytestqt.qtbot import QtBot
 
-from tests.recording.samples import HEADER, an_hour, read, write
+from tests.recording.samples import HEADER, an_hour, read, write, write_an_hour_of_csv
 from trex_gui.link.telemetry import Currents, Raw, Remapped
 from trex_gui.model.events import EventKind
 from trex_gui.model.playback import Playback, limits_in
@@ -25,22 +28,27 @@ T0 = HEADER.clock
 @pytest.fixture
 def minute(tmp_path: Path, qtbot: QtBot) -> Iterator[Playback]:
     write(tmp_path / "minute.trexrec", list(an_hour(60)))
-    playback = Playback.open(tmp_path / "minute.trexrec")
-    playback.read_all()
+    playback = loaded(tmp_path / "minute.trexrec", qtbot)
     yield playback
     playback.close()
 
 
-def playback_of(path: Path, *what: Record) -> Playback:
-    write(path, list(what))
+def loaded(path: Path, qtbot: QtBot) -> Playback:
     playback = Playback.open(path)
-    playback.read_all()
+    with qtbot.waitSignal(playback.loaded, timeout=20_000):
+        pass
     return playback
 
 
-def test_it_is_read_bit_by_bit_while_the_window_lives(tmp_path: Path, qtbot: QtBot) -> None:
+def playback_of(path: Path, qtbot: QtBot, *what: Record) -> Playback:
+    write(path, list(what))
+    return loaded(path, qtbot)
+
+
+def test_it_tells_how_much_of_it_was_read(tmp_path: Path, qtbot: QtBot) -> None:
     write(tmp_path / "a.trexrec", list(an_hour(120)))
     playback = Playback.open(tmp_path / "a.trexrec")
+    assert not playback.is_loaded
     shares: list[float] = []
     playback.progressed.connect(lambda: shares.append(playback.progress))
     with qtbot.waitSignal(playback.loaded, timeout=20_000):
@@ -76,6 +84,7 @@ def test_the_curves_hold_every_pair_of_currents(minute: Playback) -> None:
 def test_channels_and_wishes_stand_beside_the_currents(tmp_path: Path, qtbot: QtBot) -> None:
     playback = playback_of(
         tmp_path / "a.trexrec",
+        qtbot,
         Currents(T0, (0, 0)),
         Remapped(T0 + 0.01, (1, 2, 3, 4, -5)),
         Wish(T0 + 0.02, 2, Drive.at(-70)),
@@ -100,6 +109,7 @@ def test_events_and_settings_are_those_of_the_time(tmp_path: Path, qtbot: QtBot)
     later = "product: TReX\nmotor1_current_limit: 20\n"
     playback = playback_of(
         tmp_path / "a.trexrec",
+        qtbot,
         Marker(T0 + 1, "apply", "Apply: Motor 1 Current Limit"),
         SettingsSeen(T0 + 1.1, later),
         Marker(T0 + 2, "word of a later program", "something"),
@@ -183,7 +193,7 @@ def test_an_export_that_cannot_be_written_says_why(
 
 
 def test_an_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
-    playback = playback_of(tmp_path / "a.trexrec")
+    playback = playback_of(tmp_path / "a.trexrec", qtbot)
     assert playback.is_loaded
     assert playback.position == playback.end == T0
     assert playback.latest() == Latest(HEADER.mode, HEADER.settings)
@@ -194,3 +204,125 @@ def test_another_file_is_refused(tmp_path: Path) -> None:
     (tmp_path / "a.trexrec").write_bytes(b"something else")
     with pytest.raises(RecordingError):
         Playback.open(tmp_path / "a.trexrec")
+
+
+# --- The thread that reads ----------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def hour(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    path = tmp_path_factory.mktemp("hour") / "hour.csv"
+    write_an_hour_of_csv(path)
+    yield path
+    path.unlink()
+
+
+class Ticks(QObject):
+    """A timer of the window's thread, and how it fared while somebody else was busy."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.times: list[float] = []
+        self._timer = QTimer(self)
+        self._timer.setInterval(50)
+        self._timer.timeout.connect(self._on_timeout)
+        self._timer.start()
+
+    @Slot()
+    def _on_timeout(self) -> None:
+        self.times.append(time.monotonic())
+
+    def within(self, begin: float, end: float) -> int:
+        """How many there were in this time."""
+        return sum(begin <= at <= end for at in self.times)
+
+    def longest_pause(self, begin: float, end: float) -> float:
+        """Seconds that passed at most without one."""
+        known = [begin, *(at for at in self.times if begin <= at <= end), end]
+        return max(later - earlier for earlier, later in pairwise(known))
+
+
+def test_the_window_lives_on_while_an_hour_of_csv_is_opened(hour: Path, qtbot: QtBot) -> None:
+    ticks = Ticks()
+    begin = time.monotonic()
+    playback = Playback.open(hour)
+    opened = time.monotonic()
+    qtbot.waitUntil(lambda: playback.progress > 0.2, timeout=120_000)
+    looked_through = time.monotonic()
+    with qtbot.waitSignal(playback.loaded, timeout=240_000):
+        pass
+    end = time.monotonic()
+    # Of the whole time the first call takes next to nothing, and nothing later holds up the rest.
+    assert opened - begin < (end - begin) / 20
+    assert ticks.within(begin, looked_through) >= 5
+    assert ticks.within(begin, end) >= 40
+    assert ticks.longest_pause(begin, end) < (end - begin) / 5
+    assert playback.drawn[0] == playback.drawn[1] > 280_000
+    assert playback.end - playback.start == pytest.approx(3600, abs=0.1)
+    playback.close()
+
+
+def test_a_recording_that_is_closed_while_it_is_read_ends_its_thread(
+    hour: Path, qtbot: QtBot
+) -> None:
+    playback = Playback.open(hour)
+    (thread,) = playback.findChildren(QThread)
+    assert isinstance(thread, QThread)
+    qtbot.waitUntil(lambda: playback.progress > 0)
+    told: list[str] = []
+    playback.loaded.connect(lambda: told.append("loaded"))
+    playback.failed.connect(told.append)
+    assert thread.isRunning()
+    assert playback.close()
+    assert thread.isFinished()
+    QCoreApplication.sendPostedEvents()
+    assert told == []
+    assert not playback.is_loaded
+
+
+def test_a_file_that_goes_bad_while_it_is_read_is_told(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "a.trexrec"
+    write(path, list(an_hour(5)))
+    playback = Playback(open_recording(path, head_only=True), path)
+    playback._file.close()
+    with qtbot.waitSignal(playback.failed, timeout=20_000) as failed:
+        playback.start_reading()
+    assert "a.trexrec, byte 0: It cannot be read" in failed.args[0]
+    playback.close()
+
+
+def test_of_a_long_recording_the_last_samples_are_drawn_and_counted(
+    tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "a.trexrec"
+    write(path, list(an_hour(120)))
+    playback = Playback(open_recording(path, head_only=True), path, most_rows=5000)
+    with qtbot.waitSignal(playback.loaded, timeout=20_000):
+        playback.start_reading()
+    currents = [record for record in an_hour(120) if isinstance(record, Currents)]
+    assert playback.drawn == (5000, len(currents))
+    times, _ = playback.traces.samples(playback.start, playback.end)
+    assert times.tolist() == [record.time for record in currents[-5000:]]
+    playback.close()
+
+
+@pytest.mark.parametrize("how", ["close", "cancel_export"])
+def test_an_export_that_is_cut_off_leaves_what_was_there(
+    tmp_path: Path, qtbot: QtBot, how: str
+) -> None:
+    write(tmp_path / "minute.trexrec", list(an_hour(240)))
+    playback = loaded(tmp_path / "minute.trexrec", qtbot)
+    path = tmp_path / "span.csv"
+    path.write_text("what was there")
+    done: list[Path] = []
+    playback.exported.connect(done.append)
+    with qtbot.waitSignal(playback.progressed):
+        playback.export(path, T0, T0 + 240)
+    assert [one.name for one in tmp_path.glob(".span.csv.*.part")]
+    getattr(playback, how)()
+    qtbot.waitUntil(lambda: not list(tmp_path.glob(".span.csv.*")))
+    qtbot.waitUntil(lambda: not playback.busy)
+    assert playback.exporting is None
+    assert done == []
+    assert path.read_text() == "what was there"
+    playback.close()

@@ -3,20 +3,24 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible
+from PySide6.QtCore import QLocale, Qt, QThread
+from PySide6.QtGui import QAccessible, QAction, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QComboBox,
+    QFileDialog,
     QLabel,
     QListView,
+    QProgressBar,
     QPushButton,
     QSlider,
+    QToolButton,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
 
-from tests.recording.samples import HEADER, an_hour, read, write
+from tests.recording.samples import HEADER, an_hour, read, write, write_an_hour_of_csv
+from trex_gui.model.device import Device
 from trex_gui.model.playback import Playback
 from trex_gui.protocol.commands import Drive
 from trex_gui.recording.files import open_recording
@@ -43,7 +47,7 @@ def _minute() -> list[Record]:
 @pytest.fixture
 def window(tmp_path: Path, qtbot: QtBot) -> PlaybackWindow:
     write(tmp_path / "minute.trexrec", _minute())
-    window = PlaybackWindow(Playback.open(tmp_path / "minute.trexrec"))
+    window = PlaybackWindow(Playback.open(tmp_path / "minute.trexrec"), Device())
     qtbot.addWidget(window)
     window.show()
     qtbot.waitUntil(lambda: window.playback.is_loaded)
@@ -158,11 +162,80 @@ def test_what_the_plot_shows_is_exported(
     assert "cannot be written over" in text(window, "bannerText")
 
 
+def test_what_the_plot_shows_is_saved_as_a_picture(
+    window: PlaybackWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    button = find(window, QToolButton, "pictureButton")
+    assert isinstance(button, QToolButton)
+    names = {action.objectName() for action in button.menu().actions() if action.text()}
+    assert names == {"exportPngAction", "exportSvgAction", "exportLightAction"}
+    proposed: list[str] = []
+
+    def choose(_parent: QWidget, _title: str, name: str, _kinds: str) -> tuple[str, str]:
+        proposed.append(Path(name).name)
+        return str(tmp_path / Path(name).name), ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
+    for kind in ("Png", "Svg"):
+        action = window.findChild(QAction, f"export{kind}Action")
+        assert action is not None
+        action.trigger()
+        assert f"minute.{kind.lower()}" in text(window, "bannerText")
+    assert proposed == ["minute.png", "minute.svg"]
+    assert not QImage(str(tmp_path / "minute.png")).isNull()
+    assert "<svg" in (tmp_path / "minute.svg").read_text(encoding="utf-8")
+
+
+def test_while_it_is_read_it_says_how_far_and_can_be_cancelled(
+    tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "long.csv"
+    write_an_hour_of_csv(path, 10)
+    window = PlaybackWindow(Playback.open(path), Device())
+    window.show()
+    bar = find(window, QProgressBar, "recordingProgress")
+    assert isinstance(bar, QProgressBar)
+    assert not find(window, QPushButton, "exportSpanButton").isEnabled()
+    assert not find(window, QToolButton, "pictureButton").isEnabled()
+    qtbot.waitUntil(lambda: bar.value() > 0, timeout=20_000)
+    assert bar.isVisible()
+    assert bar.text().startswith("Reading, ")
+    assert not window.playback.is_loaded
+    (thread,) = window.playback.findChildren(QThread)
+    with qtbot.waitSignals([window.closed, thread.finished]):
+        QTest.mouseClick(
+            find(window, QPushButton, "cancelRecordingButton"), Qt.MouseButton.LeftButton
+        )
+
+
+def test_when_it_is_read_nothing_of_the_reading_is_left(window: PlaybackWindow) -> None:
+    assert not find(window, QProgressBar, "recordingProgress").isVisible()
+    assert not find(window, QPushButton, "cancelRecordingButton").isVisible()
+    assert find(window, QPushButton, "exportSpanButton").isEnabled()
+    plot = window.findChild(TracePlot)
+    assert plot is not None
+    assert plot.source is window.playback.traces
+    assert "curves show" not in text(window, "recordingHeading")
+
+
+def test_a_recording_too_long_to_be_drawn_whole_says_so(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "long.trexrec"
+    write(path, _minute())
+    playback = Playback(open_recording(path, head_only=True), path, most_rows=4100)
+    playback.start_reading()
+    window = PlaybackWindow(playback, Device())
+    qtbot.addWidget(window)
+    qtbot.waitUntil(lambda: window.playback.is_loaded)
+    last, there = QLocale().toString(4100), QLocale().toString(window.playback.drawn[1])
+    assert f"The curves show its last {last} of {there} samples" in text(window, "recordingHeading")
+    window.close()
+
+
 def test_a_damaged_recording_says_what_is_missing(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "cut.trexrec"
     write(path, _minute(), finish=False)
     path.write_bytes(path.read_bytes()[:-100])
-    window = PlaybackWindow(Playback.open(path))
+    window = PlaybackWindow(Playback.open(path), Device())
     qtbot.addWidget(window)
     qtbot.waitUntil(lambda: window.playback.is_loaded)
     qtbot.waitUntil(lambda: "not whole" in text(window, "bannerText"))
@@ -171,7 +244,7 @@ def test_a_damaged_recording_says_what_is_missing(tmp_path: Path, qtbot: QtBot) 
 
 
 def test_every_control_has_an_accessible_name(window: PlaybackWindow) -> None:
-    for kind in (QPushButton, QSlider, QComboBox, QListView):
+    for kind in (QPushButton, QToolButton, QSlider, QComboBox, QListView):
         for widget in window.findChildren(kind):
             if widget.isVisible():
                 interface = QAccessible.queryAccessibleInterface(widget)

@@ -1,43 +1,46 @@
 """A recording that is looked at: its curves, its events, and what was known at one time."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal, Slot
 
-from trex_gui.link.telemetry import Currents
-from trex_gui.model.events import Event, EventKind
+from trex_gui.model.events import Event
+from trex_gui.model.recorded import MOST_ROWS, Recorded, gather
 from trex_gui.model.telemetry import Series
 from trex_gui.model.trace.board import board_traces
 from trex_gui.model.trace.history import History
 from trex_gui.model.trace.traces import Traces
-from trex_gui.protocol.flags import CHANNELS
 from trex_gui.recording.errors import RecordingError
 from trex_gui.recording.files import open_recording
-from trex_gui.recording.recording import Header, Marker, RecordingFile
+from trex_gui.recording.recording import Header, RecordingFile
 from trex_gui.recording.replay import Latest, Replay, export_span
 from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.reader import read_settings
+from trex_gui.worker.file_worker import Done, FileWorker, Tell
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 """How many times as fast as it happened a recording can be played."""
 
-MOST_ROWS = 3_000_000
-"""Rows that can be drawn: ten hours at 80 a second, 240 MB."""
-
-_SLICE_MS = 12
-"""Milliseconds of reading after which the window gets its turn."""
-
 _FRAME_MS = 33
+
+_PATIENCE_MS = 500
+"""How long closing waits for a disk; armed motors are stopped when a window is silent for twice
+as long."""
+
+_abandoned: list[FileWorker] = []
+"""Threads that a disk holds up: a `QThread` must outlive its run."""
 
 
 class Playback(QObject):
-    """One recording, read piece by piece, and a place in it that can be moved and played.
+    """One recording, read by a thread of its own, and a place in it that can be moved and played.
+
+    Before it is loaded only its header is known: there are no curves, events and blocks.
 
     Signals:
-        progressed: more of it was read; `progress`, `traces`, `events` and `end`.
-        loaded: all of it was read.
+        progressed: `progress` or `exporting`.
+        loaded: all of it was read; `traces`, `events`, `end` and `problems`.
         moved: `position`.
         playing_changed: `playing` or `speed`.
         exported: a span was written; its `Path`.
@@ -51,29 +54,39 @@ class Playback(QObject):
     exported = Signal(object)
     failed = Signal(str)
 
-    def __init__(self, file: RecordingFile, path: Path, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        file: RecordingFile,
+        path: Path,
+        parent: QObject | None = None,
+        *,
+        most_rows: int = MOST_ROWS,
+    ) -> None:
+        """Take a recording of which only the head was read, and `start_reading` the rest.
+
+        Of its samples the last `most_rows` are drawn.
+        """
         super().__init__(parent)
         self.path = path
         self._file = file
-        self._replay = Replay(file)
-        self._events: list[Event] = []
-        count = sum(block.count for block in file.blocks)
-        self._history = History(len(Series), capacity=min(MOST_ROWS, max(4096, count)))
-        self._latest_row = -np.inf
+        self._most_rows = most_rows
+        self._replay: Replay | None = None
+        self._events: Sequence[Event] = ()
         self._limits = limits_in(file.header.settings)
-        self.traces = Traces(board_traces(), self._history, self._events, self._limits)
+        self._rows = 0
+        self._history = History(len(Series), capacity=4096)
+        self.traces = Traces(board_traces(), self._history)
         self._end = file.header.clock
         self._position = file.header.clock
         self._speed = 1.0
-        self._export: tuple[Path, Iterator[float]] | None = None
+        self._progress = 0.0
+        self._worker: FileWorker | None = None
+        self._export_path: Path | None = None
         self._export_share = 0.0
-        self._reading = QTimer(self)
-        self._reading.setInterval(0)
         self._playing = QTimer(self)
         self._playing.setInterval(_FRAME_MS)
         self._since = QElapsedTimer()
 
-        self._reading.timeout.connect(self._on_reading)
         self._playing.timeout.connect(self._on_frame)
 
     @classmethod
@@ -83,16 +96,29 @@ class Playback(QObject):
         Raises:
             RecordingError: there is none that can be read.
         """
-        playback = cls(open_recording(path), path, parent)
+        playback = cls(open_recording(path, head_only=True), path, parent)
         playback.start_reading()
         return playback
 
-    def close(self) -> None:
-        """Give the file back; nothing more can be asked."""
-        self._reading.stop()
+    def close(self) -> bool:
+        """Give up what is read or written, and give the file back; nothing more can be asked.
+
+        Return whether its thread has ended. While it has not, the process must not end by
+        itself: Qt aborts on destroying a thread that runs.
+        """
         self._playing.stop()
-        self._export = None
+        worker, self._worker = self._worker, None
+        self._export_path = None
+        if worker is not None:
+            if not worker.close(_PATIENCE_MS):
+                worker.setParent(None)
+                _abandoned.append(worker)
+                return False  # the file is still that thread's
+            worker.deleteLater()
+        if any(not worker.isFinished() for worker in _abandoned):
+            return False
         self._file.close()
+        return True
 
     # --- What is known ------------------------------------------------------------------
 
@@ -104,18 +130,22 @@ class Playback(QObject):
     @property
     def problems(self) -> Sequence[str]:
         """What is missing of it, as sentences."""
-        return self._file.problems
+        return self._file.problems if self.is_loaded else ()
 
     @property
     def progress(self) -> float:
         """How much of it was read, 0 to 1."""
-        blocks = len(self._file.blocks)
-        return self._replay.blocks_seen / blocks if blocks else 1.0
+        return 1.0 if self.is_loaded else self._progress
 
     @property
     def is_loaded(self) -> bool:
         """Whether all of it was read."""
-        return self._replay.blocks_seen == len(self._file.blocks)
+        return self._replay is not None
+
+    @property
+    def drawn(self) -> tuple[int, int]:
+        """How many samples of the currents are drawn, and how many there are."""
+        return len(self._history), self._rows
 
     @property
     def events(self) -> Sequence[Event]:
@@ -129,7 +159,7 @@ class Playback(QObject):
 
     @property
     def end(self) -> float:
-        """When it ends on the session's clock, as far as it was read."""
+        """When it ends on the session's clock; when it begins, before it is loaded."""
         return self._end
 
     @property
@@ -148,17 +178,23 @@ class Playback(QObject):
         return self._speed
 
     @property
+    def busy(self) -> bool:
+        """Whether it is read or exported."""
+        return self._worker is not None
+
+    @property
     def exporting(self) -> float | None:
         """How much of an export is done, 0 to 1; `None` while there is none."""
-        return self._export_share if self._export is not None else None
+        return self._export_share if self._export_path is not None else None
 
     def latest(self) -> Latest:
         """Return what was known at the position."""
-        try:
-            return self._replay.at(self._position)
-        except RecordingError as error:
-            self.failed.emit(str(error))
-            return Latest(self.header.mode, self.header.settings)
+        if self._replay is not None:
+            try:
+                return self._replay.at(self._position)
+            except RecordingError as error:
+                self.failed.emit(str(error))
+        return Latest(self.header.mode, self.header.settings)
 
     # --- What a person does -------------------------------------------------------------
 
@@ -197,99 +233,88 @@ class Playback(QObject):
             self.pause()
 
     def export(self, path: Path, start: float, end: float) -> None:
-        """Write a span as CSV, bit by bit; ends in `exported` or `failed`."""
-        self._export = (path, export_span(self._file, path, start, end))
-        self._export_share = 0.0
-        self._reading.start()
+        """Write a span as CSV; ends in `exported` or `failed`, unless it is cancelled."""
+        if self._worker is not None or not self.is_loaded:
+            return
+        self._export_path, self._export_share = path, 0.0
+        file = self._file
+
+        def work(tell: Tell) -> None:
+            own = file.again()  # this one goes on showing values
+            try:
+                export_span(own, path, start, end, tell)
+            finally:
+                own.close()
+
+        self._begin(work)
+
+    def cancel_export(self) -> None:
+        """Write no further; whatever had the name of the file before is still there."""
+        if self._worker is not None and self._export_path is not None:
+            self._worker.cancel()
 
     def start_reading(self) -> None:
-        """Read it bit by bit while the window lives on."""
-        self._reading.start()
+        """Read it while the window lives on."""
+        self._begin(partial(gather, self._file, most_rows=self._most_rows))
 
-    def read_all(self) -> None:
-        """Read all of it now; for recordings that are known to be short."""
-        while not self.is_loaded:
-            self._read_block()
-        self._reading.stop()
+    # --- The thread ---------------------------------------------------------------------
+
+    def _begin(self, work: Callable[[Tell], object]) -> None:
+        worker = FileWorker(work, self)
+        worker.progressed.connect(self._on_progressed)
+        worker.done.connect(self._on_done)
+        worker.finished.connect(self._on_finished)
+        self._worker = worker
+        worker.start(FileWorker.Priority.LowPriority)
+
+    @Slot(float)
+    def _on_progressed(self, share: float) -> None:
+        if self._export_path is not None:
+            self._export_share = share
+        else:
+            self._progress = share
         self.progressed.emit()
-        self.loaded.emit()
 
-    # --- Reading ------------------------------------------------------------------------
+    @Slot(object)
+    def _on_done(self, done: Done) -> None:
+        if self._worker is None:  # closed meanwhile
+            return
+        self._let_go()
+        path, self._export_path = self._export_path, None
+        if done.error is not None:
+            self.failed.emit(str(done.error))
+        elif isinstance(done.result, Recorded):
+            self._take(done.result)
+        elif path is not None:
+            self.exported.emit(path)
 
     @Slot()
-    def _on_reading(self) -> None:
-        slice_ = QElapsedTimer()
-        slice_.start()
-        was_loaded = self.is_loaded
-        try:
-            while not self.is_loaded and slice_.elapsed() < _SLICE_MS:
-                self._read_block()
-            while self._export is not None and slice_.elapsed() < _SLICE_MS:
-                self._export_block(*self._export)
-        except RecordingError as error:
-            self._reading.stop()
-            self._export = None
-            self.failed.emit(str(error))
-            return
-        if self.is_loaded and self._export is None:
-            self._reading.stop()
+    def _on_finished(self) -> None:
+        """It was cancelled: else it told what came of it, and was let go then."""
+        if self._worker is not None and self._worker.isFinished():
+            self._let_go()
+            self._export_path = None
+            self.progressed.emit()
+
+    def _let_go(self) -> None:
+        """Forget a thread that is at its end."""
+        worker, self._worker = self._worker, None
+        if worker is not None:
+            worker.wait()
+            worker.deleteLater()
+
+    def _take(self, recorded: Recorded) -> None:
+        self._replay = recorded.replay
+        self._history, self._rows = recorded.history, recorded.rows
+        self._events = recorded.events
+        self.traces = Traces(board_traces(), self._history, self._events, self._limits)
+        self._end = recorded.end
         self.progressed.emit()
-        if self.is_loaded and (not was_loaded or not self._file.blocks):
-            self.loaded.emit()
-
-    def _read_block(self) -> None:
-        block = self._file.blocks[self._replay.blocks_seen]
-        latest, records = self._replay.go_through_next()
-        rows: list[tuple[float, ...]] = []
-        unit = self.header.model.current_unit
-        for record in records:
-            latest.take(record)
-            match record:
-                case Currents(time=time, counts=(first, second)):
-                    drives = [latest.wishes.get(motor) for motor in (1, 2)]
-                    rows.append(
-                        (
-                            time,
-                            first * unit,
-                            second * unit,
-                            *(drive.signed if drive else 0.0 for drive in drives),
-                            *(latest.remapped or _UNKNOWN),
-                        )
-                    )
-                case Marker():
-                    self._note(record)
-        self._draw(rows)
-        self._end = max(self._end, block.last)
-
-    def _draw(self, rows: Sequence[Sequence[float]]) -> None:
-        if not rows:
-            return
-        times, *columns = np.array(rows).T
-        times = np.maximum.accumulate(np.maximum(times, self._latest_row))
-        self._latest_row = float(times[-1])
-        self._history.extend(times, columns)
-
-    def _note(self, marker: Marker) -> None:
-        event = Event(marker.time, _kind_of(marker), marker.text)
-        place = len(self._events)
-        while place and self._events[place - 1].time > event.time:
-            place -= 1
-        self._events.insert(place, event)
-
-    def _export_block(self, path: Path, work: Iterator[float]) -> None:
-        share = next(work, None)
-        if share is None:
-            self._export = None
-            self.exported.emit(path)
-        else:
-            self._export_share = share
+        self.loaded.emit()
 
     @Slot()
     def _on_frame(self) -> None:
         self.advance(self._since.restart() / 1000)
-
-
-_UNKNOWN = (np.nan,) * len(CHANNELS)
 
 
 def limits_in(text: str) -> Mapping[str, float]:
@@ -304,10 +329,3 @@ def limits_in(text: str) -> Mapping[str, float]:
         if wire := settings.parameters.get(key):
             limits[f"motor{motor}_current"] = wire * settings.specs[key].scale
     return limits
-
-
-def _kind_of(marker: Marker) -> EventKind:
-    try:
-        return EventKind(marker.kind)
-    except ValueError:
-        return EventKind.NOTE

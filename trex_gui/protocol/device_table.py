@@ -130,6 +130,7 @@ def device_table() -> DeviceTable:
     return read_table(resource("trex_parameters.toml").read_text(encoding="utf-8"))
 
 
+@cache
 def version_key(version: str) -> tuple[int, ...]:
     """Return a key that orders firmware versions: `1.10` comes after `1.9`."""
     return tuple(int(part) if part.isdigit() else 0 for part in version.split("."))

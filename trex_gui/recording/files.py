@@ -13,8 +13,10 @@ from trex_gui.recording.writer import TrexrecWriter
 SUFFIXES = (layout.SUFFIX, csv_format.SUFFIX)
 
 
-def open_recording(path: Path) -> RecordingFile:
+def open_recording(path: Path, *, head_only: bool = False) -> RecordingFile:
     """Open a recording of either format; what is in it decides, not its name.
+
+    With `head_only` that takes no time, and it has no blocks before it is looked through.
 
     Raises:
         RecordingError: there is none that can be read.
@@ -24,7 +26,8 @@ def open_recording(path: Path) -> RecordingFile:
             is_csv = file.read(6) == b"time_s"
     except (OSError, ValueError):
         is_csv = False  # the reader says what is the matter
-    return CsvFile(path) if is_csv else TrexrecFile(path)
+    kind = CsvFile if is_csv else TrexrecFile
+    return kind(path, head_only=head_only)
 
 
 def writer_for(path: Path, file: BinaryIO, header: Header) -> Writer:

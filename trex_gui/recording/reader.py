@@ -1,8 +1,9 @@
 """Reading a `.trexrec` file, whole or damaged, from any place of it."""
 
 import struct
+from collections.abc import Callable
+from copy import copy
 from pathlib import Path
-from typing import BinaryIO
 
 from trex_gui.recording.codec import decode
 from trex_gui.recording.errors import RecordingError
@@ -18,6 +19,7 @@ from trex_gui.recording.layout import (
     crc_of,
     unpack_run,
 )
+from trex_gui.recording.on_disk import opened
 from trex_gui.recording.recording import Block, Header, Record
 
 _PIECE = 1 << 20
@@ -26,7 +28,7 @@ _LONGEST_SEARCH = 64 << 20
 
 
 class TrexrecFile:
-    """A recording on disk; every section was checked against its CRC when it was opened.
+    """A recording on disk; every section is checked against its CRC when it is looked through.
 
     Attributes:
         header: of what it is.
@@ -34,8 +36,8 @@ class TrexrecFile:
         problems: what is missing, as sentences.
     """
 
-    def __init__(self, path: Path) -> None:
-        """Open a recording.
+    def __init__(self, path: Path, *, head_only: bool = False) -> None:
+        """Open a recording; with `head_only` it has no blocks before `look_through`.
 
         Raises:
             RecordingError: there is none, or its head cannot be read.
@@ -43,20 +45,27 @@ class TrexrecFile:
         self.path = path
         self.blocks: list[Block] = []
         self.problems: list[str] = []
-        try:
-            self._file: BinaryIO = path.open("rb")
-        except (OSError, ValueError) as error:
-            reason = getattr(error, "strerror", None) or error
-            raise RecordingError(str(path), f"It cannot be opened: {reason}.") from error
+        self._file = opened(path)
         try:
             self.header = self._read_head()
-            self._look_through()
+            if not head_only:
+                self.look_through()
         except BaseException:
             self._file.close()
             raise
 
     def close(self) -> None:
         self._file.close()
+
+    def again(self) -> "TrexrecFile":
+        """Return the same recording opened once more, for another thread.
+
+        Raises:
+            RecordingError: it cannot be opened any more.
+        """
+        other = copy(self)
+        other._file = opened(self.path)  # noqa: SLF001 - one of its own kind
+        return other
 
     def read(self, index: int) -> list[Record]:
         block = self.blocks[index]
@@ -86,11 +95,18 @@ class TrexrecFile:
         except ValueError as error:
             raise self._error(f"The header cannot be understood: {error}.", 10) from error
 
-    def _look_through(self) -> None:
-        """Find every whole block, and say what lies between and behind them."""
+    def look_through(self, tell: Callable[[float], None] = lambda _share: None) -> None:
+        """Find every whole block, and say what lies between and behind them.
+
+        `tell` is told the share that is done, 0 to 1; what it raises ends the work.
+
+        Raises:
+            RecordingError: it cannot be read.
+        """
         place, entries, done = self._start, None, False
         end = self._end()
         while place < end:
+            tell(place / end)
             section = self._section_at(place)
             if section is None:
                 following = self._next_whole(place, end)

@@ -1,7 +1,7 @@
 """What a recording holds: a header that says of what, and records in the order they came."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any, Protocol
@@ -157,6 +157,20 @@ class RecordingFile(Protocol):
     @property
     def problems(self) -> Sequence[str]:
         """What is missing or cannot be read, as sentences; empty for a whole one."""
+
+    def look_through(self, tell: Callable[[float], None] = ...) -> None:
+        """Find the blocks, where only the head was read; `tell` is told the share, 0 to 1.
+
+        Raises:
+            RecordingError: it cannot be read.
+        """
+
+    def again(self) -> "RecordingFile":
+        """Return the same recording opened once more, for another thread.
+
+        Raises:
+            RecordingError: it cannot be opened any more.
+        """
 
     def read(self, index: int) -> list[Record]:
         """Return the records of one block.

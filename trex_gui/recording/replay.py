@@ -1,6 +1,6 @@
 """What was known at one time of a recording, found without reading it from the start."""
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -10,6 +10,7 @@ from trex_gui.protocol.commands import Drive
 from trex_gui.protocol.flags import Mode
 from trex_gui.recording.csv_format import CsvWriter
 from trex_gui.recording.errors import RecordingError
+from trex_gui.recording.on_disk import whole_file
 from trex_gui.recording.recording import (
     AuxiliaryWish,
     Marker,
@@ -66,7 +67,10 @@ class Latest:
 
 
 class Replay:
-    """Goes to any time of a recording; remembers what was known where each block begins."""
+    """Goes to any time of a recording; remembers what was known where each block begins.
+
+    It belongs to one thread at a time, and the file with it.
+    """
 
     def __init__(self, file: RecordingFile) -> None:
         self._file = file
@@ -120,11 +124,17 @@ class Replay:
         return low
 
 
-def export_span(file: RecordingFile, path: Path, start: float, end: float) -> Iterator[float]:
+def export_span(
+    file: RecordingFile,
+    path: Path,
+    start: float,
+    end: float,
+    tell: Callable[[float], None] = lambda _share: None,
+) -> None:
     """Write what was recorded from `start` to `end` (session's clock) as CSV.
 
-    Yields the share that is done, 0 to 1, after each block; whoever stops asking leaves a file
-    that is whole as far as it goes.
+    `tell` is told the share that is done, 0 to 1, after each block; what it raises ends the work,
+    and then nothing was written: whatever had the name before is still there.
 
     Raises:
         RecordingError: the recording cannot be read, or the CSV cannot be written.
@@ -136,7 +146,7 @@ def export_span(file: RecordingFile, path: Path, start: float, end: float) -> It
         if block.first <= end and block.last >= start
     ]
     try:
-        with path.open("wb") as target:
+        with whole_file(path) as target:
             writer: CsvWriter | None = None
             for done, index in enumerate(indices, 1):
                 records = file.read(index)
@@ -146,7 +156,7 @@ def export_span(file: RecordingFile, path: Path, start: float, end: float) -> It
                             settings = record.text
                     writer = CsvWriter(target, replace(file.header, settings=settings))
                 writer.write([record for record in records if start <= record.time <= end])
-                yield done / len(indices)
+                tell(done / len(indices))
             (writer or CsvWriter(target, file.header)).finish()
     except OSError as error:
         reason = error.strerror or error

@@ -122,7 +122,7 @@ class Recordings(QObject):
         # The plotting library takes as long to load as all of Qt: not before it is needed.
         from trex_gui.views.recording.window import PlaybackWindow  # noqa: PLC0415
 
-        window = PlaybackWindow(playback)
+        window = PlaybackWindow(playback, self._device)
         self.windows.append(window)
         window.settings_wanted.connect(self._on_settings_wanted)
         window.closed.connect(partial(self._forget, window))
@@ -133,6 +133,15 @@ class Recordings(QObject):
         self.recorder.shut_down()
         for window in tuple(self.windows):
             window.close()
+
+    def shut_down(self) -> bool:
+        """End what is recorded, read and exported, for the end of the program.
+
+        Return whether every thread has ended; Qt aborts on destroying one that runs.
+        """
+        ends = [self.recorder.shut_down()]
+        ends += [window.playback.close() for window in self.windows]
+        return all(ends)
 
     def _forget(self, window: "PlaybackWindow") -> None:
         if window in self.windows:

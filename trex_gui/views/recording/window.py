@@ -9,12 +9,15 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QMainWindow,
+    QProgressBar,
     QPushButton,
     QSplitter,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
+from trex_gui.model.device import Device
 from trex_gui.model.events import Event
 from trex_gui.model.playback import Playback
 from trex_gui.views.icons import application_icon, set_icon
@@ -23,12 +26,14 @@ from trex_gui.views.recording.values import ValuesPanel
 from trex_gui.views.recording.words import time_text
 from trex_gui.views.theme import theme
 from trex_gui.views.traces.event_list import EventList, EventModel
+from trex_gui.views.traces.export import TraceExport
 from trex_gui.views.traces.plot import TracePlot
 from trex_gui.views.traces.table import Column, TraceTable, TraceTableView
 from trex_gui.views.widgets.banner import Banner
+from trex_gui.views.widgets.stop_button import StopButton
 
 _DRAW_MS = 100
-"""Milliseconds between two pictures while it is read."""
+"""Milliseconds from a new size of the window to the next picture."""
 
 _BEFORE_EVENT = 5.0
 """Seconds shown before and after an event that is jumped to, where less is shown already."""
@@ -36,6 +41,8 @@ _BEFORE_EVENT = 5.0
 
 class PlaybackWindow(QMainWindow):
     """One recording; it needs no board and does not stand in the way of the other windows.
+
+    It may cover the main window while motors turn, and so it has a stop button.
 
     Signals:
         settings_wanted: the settings in force at the position are to be opened: text and name.
@@ -45,7 +52,7 @@ class PlaybackWindow(QMainWindow):
     settings_wanted = Signal(str, str)
     closed = Signal()
 
-    def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
+    def __init__(self, playback: Playback, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("playbackWindow")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -76,8 +83,24 @@ class PlaybackWindow(QMainWindow):
         self._export.setObjectName("exportSpanButton")
         self._export.setToolTip(self.tr("Save what the plot shows as CSV, every sample of it"))
         set_icon(self._export, "save")
+        self._progress = QProgressBar(self)
+        self._progress.setObjectName("recordingProgress")
+        self._progress.setAccessibleName(self.tr("Progress"))
+        self._cancel = QPushButton(self.tr("&Cancel"), self)
+        self._cancel.setObjectName("cancelRecordingButton")
+        self._cancel.setToolTip(self.tr("Read or write no further"))
         self._plot = TracePlot(parent=self)
         self._plot.set_source(playback.traces)
+        self._pictures = TraceExport(self._plot, self, name=playback.path.stem, tables=False)
+        self._picture = QToolButton(self)
+        self._picture.setObjectName("pictureButton")
+        self._picture.setText(self.tr("&Picture"))
+        self._picture.setAccessibleName(self.tr("Picture"))
+        self._picture.setToolTip(self.tr("Save what the plot shows as PNG or SVG"))
+        self._picture.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._picture.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._picture.setMenu(self._pictures.menu)
+        set_icon(self._picture, "save")
         self._table = TraceTable(self._plot, self)
         table = TraceTableView(self._table, self)
         table.setColumnHidden(Column.NOW, True)  # nothing is new in a recording
@@ -88,8 +111,14 @@ class PlaybackWindow(QMainWindow):
 
         top = QHBoxLayout()
         top.addWidget(self._heading, 1)
-        for button in (self._whole, self._settings, self._export):
+        for button in (self._whole, self._settings, self._export, self._picture):
             top.addWidget(button)
+        work = QHBoxLayout()
+        work.addWidget(self._progress, 1)
+        work.addWidget(self._cancel)
+        below = QHBoxLayout()
+        below.addWidget(StopButton(device, "playbackStopButton", self))
+        below.addWidget(self._transport, 1)
         # The plot is what the window is for: the table scrolls rather than taking its room.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
         left = QWidget(self)
@@ -115,8 +144,9 @@ class PlaybackWindow(QMainWindow):
         layout = QVBoxLayout(frame)
         layout.addWidget(self._banner)
         layout.addLayout(top)
+        layout.addLayout(work)
         layout.addWidget(halves, 1)
-        layout.addWidget(self._transport)
+        layout.addLayout(below)
         self.setCentralWidget(frame)
         geometry = self._store.value("playback/geometry")
         if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):
@@ -127,15 +157,18 @@ class PlaybackWindow(QMainWindow):
         self._whole.clicked.connect(self.show_all)
         self._settings.clicked.connect(self._on_settings_clicked)
         self._export.clicked.connect(self._on_export_clicked)
+        self._cancel.clicked.connect(self._on_cancel_clicked)
+        self._pictures.told.connect(self._banner.show_news)
+        self._pictures.refused.connect(self._banner.show_problem)
         self._plot.view_changed.connect(self._table.refresh)
         self._plot.cursor_changed.connect(self._on_cursor_changed)
         self._plot.event_chosen.connect(self._on_event_chosen)
         self._list.chosen.connect(self._on_event_chosen)
-        playback.progressed.connect(self._on_progressed)
+        playback.progressed.connect(self._show_heading)
         playback.loaded.connect(self._on_loaded)
         playback.moved.connect(self._on_moved)
         playback.exported.connect(self._on_exported)
-        playback.failed.connect(self._banner.show_problem)
+        playback.failed.connect(self._on_failed)
         theme().changed.connect(self._on_theme_changed)
         self.show_all()
         self._show_heading()
@@ -157,21 +190,13 @@ class PlaybackWindow(QMainWindow):
     # --- While it is read ---------------------------------------------------------------
 
     @Slot()
-    def _on_progressed(self) -> None:
-        if not self._drawing.isActive():
-            self._drawing.start()
-
-    @Slot()
     def _draw(self) -> None:
-        if self._playback.is_loaded:
-            self._plot.draw()
-        else:
-            self.show_all()
-        self._show_heading()
+        self._plot.draw()
 
     @Slot()
     def _on_loaded(self) -> None:
-        self._drawing.stop()
+        self._plot.set_source(self._playback.traces)
+        self._table.show_source()
         self.show_all()
         self._events.refresh()
         self._table.refresh()
@@ -181,19 +206,44 @@ class PlaybackWindow(QMainWindow):
             text = self.tr("This recording is not whole. {0}")
             self._banner.show_problem(text.format(" ".join(self._playback.problems)))
 
+    @Slot(str)
+    def _on_failed(self, text: str) -> None:
+        self._show_heading()
+        self._banner.show_problem(text)
+
+    @Slot()
+    def _on_cancel_clicked(self) -> None:
+        """Without its end there is nothing to look at; without an export there is."""
+        if self._playback.is_loaded:
+            self._playback.cancel_export()
+        else:
+            self.close()
+
+    @Slot()
     def _show_heading(self) -> None:
         playback, header = self._playback, self._playback.header
         begun = QDateTime.fromSecsSinceEpoch(int(header.started.timestamp()))
         started = QLocale().toString(begun, QLocale.FormatType.ShortFormat)
-        text = self.tr("{0}, recorded {1}, {2} long").format(
-            header.board, started, time_text(playback.end - playback.start)
-        )
-        if not playback.is_loaded:
-            text += self.tr(" – reading, {0} %").format(round(100 * playback.progress))
-        elif playback.exporting is not None:
-            text += self.tr(" – exporting, {0} %").format(round(100 * playback.exporting))
+        text = self.tr("{0}, recorded {1}").format(header.board, started)
+        if playback.is_loaded:
+            length = time_text(playback.end - playback.start)
+            text = self.tr("{0}, {1} long").format(text, length)
+        drawn, there = playback.drawn
+        if drawn < there:
+            text += ". " + self.tr(
+                "The curves show its last {0} of {1} samples; all of them are in an export."
+            ).format(QLocale().toString(drawn), QLocale().toString(there))
         self._heading.setText(text)
-        self._export.setEnabled(playback.is_loaded and playback.exporting is None)
+        share = playback.exporting if playback.is_loaded else playback.progress
+        for widget in (self._progress, self._cancel):
+            widget.setVisible(share is not None and playback.busy)
+        if share is not None:
+            self._progress.setValue(round(100 * share))
+            words = self.tr("Exporting, %p %") if playback.is_loaded else self.tr("Reading, %p %")
+            self._progress.setFormat(words)
+        for button in (self._whole, self._settings, self._picture):
+            button.setEnabled(playback.is_loaded)
+        self._export.setEnabled(playback.is_loaded and not playback.busy)
 
     # --- Moving through it --------------------------------------------------------------
 

@@ -1,5 +1,6 @@
 """Curves to files: a table of what is shown or of everything, a picture of what is shown."""
 
+import io
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -10,6 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from trex_gui.export.trace_csv import write_trace_csv
 from trex_gui.model.trace.source import TraceSource
+from trex_gui.recording.on_disk import whole_file
 from trex_gui.views.settings_editor import questions
 from trex_gui.views.theme import read_colours, theme
 from trex_gui.views.traces.picture import Picture
@@ -17,6 +19,10 @@ from trex_gui.views.traces.plot import TracePlot
 
 _AT_ONCE = 2000
 _LIGHT = "export/light_background"
+
+
+class _GivenUpError(Exception):
+    """Nobody waits for the table any more; nothing is left of it."""
 
 
 class _Writing(QThread):
@@ -47,10 +53,15 @@ class _Writing(QThread):
     def run(self) -> None:
         """Write, in the new thread."""
         try:
-            with self.path.open("w", encoding="utf-8", newline="") as file:
+            with (
+                whole_file(self.path) as data,
+                io.TextIOWrapper(data, encoding="utf-8", newline="") as file,
+            ):
                 count = write_trace_csv(
                     file, self._columns, self._lists(), self._events, self._origin
                 )
+        except _GivenUpError:
+            return
         except OSError as error:
             self.written.emit(-1, error.strerror or str(error))
         else:
@@ -59,7 +70,7 @@ class _Writing(QThread):
     def _lists(self) -> Iterator[list[float]]:
         for first in range(0, len(self._rows), _AT_ONCE):
             if self.isInterruptionRequested():
-                return
+                raise _GivenUpError
             yield from self._rows[first : first + _AT_ONCE].tolist()
 
 
@@ -77,8 +88,12 @@ class TraceExport(QObject):
     told = Signal(str)
     refused = Signal(str)
 
-    def __init__(self, plot: TracePlot, window: QWidget) -> None:
+    def __init__(
+        self, plot: TracePlot, window: QWidget, *, name: str = "currents", tables: bool = True
+    ) -> None:
+        """Export what `plot` has; files are proposed as `name`, tables only with `tables`."""
         super().__init__(window)
+        self._name = name
         self._plot = plot
         self._window = window
         self._store = QSettings(self)
@@ -87,14 +102,17 @@ class TraceExport(QObject):
         app = QCoreApplication.instance()
         if app is not None:
             app.aboutToQuit.connect(self.finish)
-        for name, text, slot in (
+        as_tables = (
             ("exportShownAction", self.tr("&Visible range as CSV…"), self._ask_shown),
             ("exportAllAction", self.tr("&Everything as CSV…"), self._ask_all),
+        )
+        as_pictures = (
             ("exportPngAction", self.tr("Picture as &PNG…"), partial(self._ask_picture, "png")),
             ("exportSvgAction", self.tr("Picture as &SVG…"), partial(self._ask_picture, "svg")),
-        ):
+        )
+        for key, text, slot in (*(as_tables if tables else ()), *as_pictures):
             action = self.menu.addAction(text)
-            action.setObjectName(name)
+            action.setObjectName(key)
             action.triggered.connect(lambda _checked=False, slot=slot: slot())
         self.menu.addSeparator()
         self._light = self.menu.addAction(self.tr("Pictures on a &light background"))
@@ -120,17 +138,17 @@ class TraceExport(QObject):
         return path
 
     def _ask_shown(self) -> None:
-        path = self._ask("currents.csv", self.tr("Tables (*.csv)"))
+        path = self._ask(f"{self._name}.csv", self.tr("Tables (*.csv)"))
         if path is not None:
             self.save_table(path, self._plot.span.start, self._plot.span.end)
 
     def _ask_all(self) -> None:
-        path = self._ask("currents.csv", self.tr("Tables (*.csv)"))
+        path = self._ask(f"{self._name}.csv", self.tr("Tables (*.csv)"))
         if path is not None:
             self.save_table(path, float("-inf"), float("inf"))
 
     def _ask_picture(self, kind: str) -> None:
-        path = self._ask(f"currents.{kind}", self.tr("Pictures (*.{0})").format(kind))
+        path = self._ask(f"{self._name}.{kind}", self.tr("Pictures (*.{0})").format(kind))
         if path is not None:
             self.save_picture(path)
 
