@@ -28,13 +28,14 @@ from trex_gui.views.history.snapshot_list import SnapshotList
 from trex_gui.views.icons import set_icon
 from trex_gui.views.widgets.banner import Banner
 from trex_gui.views.widgets.question import Answer, Question
+from trex_gui.views.widgets.stop_button import StopButton
 
 
 class HistoryDialog(QDialog):
     """What boards stored before each change, against the present or each other.
 
-    It does not stand in the way of the window, so the stop button stays in reach, and it writes
-    nothing: what shall come back becomes edits, which wait for Apply like others.
+    It does not stand in the way of the window, has a stop button of its own, and writes nothing:
+    what shall come back becomes edits, which wait for Apply like others.
 
     Signals:
         restore_requested: rows of a snapshot were made edits; they are to be reviewed.
@@ -74,6 +75,7 @@ class HistoryDialog(QDialog):
         set_icon(self._folder, "folder")
         self._close = QPushButton(self.tr("&Close"), self)
         self._close.setObjectName("closeHistoryButton")
+        self._stop = StopButton(device, "historyStopButton", self)
         self._empty = QLabel(
             self.tr(
                 "There are no snapshots yet.\n\nBefore each Apply and each restoring of defaults, "
@@ -113,6 +115,8 @@ class HistoryDialog(QDialog):
         middle.addWidget(self._empty)
         self._pages.addWidget(nothing)
         bottom = QHBoxLayout()
+        bottom.addWidget(self._stop)
+        bottom.addSpacing(12)
         bottom.addWidget(self._bound)
         bottom.addStretch(1)
         bottom.addWidget(self._folder)

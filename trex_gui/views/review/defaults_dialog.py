@@ -15,6 +15,7 @@ from trex_gui.model.exchange import what_changes
 from trex_gui.settings.comparison import Comparison
 from trex_gui.settings.factory import factory_settings, serial_defaults
 from trex_gui.views.widgets.comparison_view import ComparisonView
+from trex_gui.views.widgets.stop_button import StopButton
 
 
 class DefaultsDialog(QDialog):
@@ -67,6 +68,7 @@ class DefaultsDialog(QDialog):
         self._sure.setObjectName("boardResetSureButton")
 
         buttons = QHBoxLayout()
+        buttons.addWidget(StopButton(device, "defaultsStopButton", self))
         buttons.addWidget(self._reset)
         buttons.addWidget(self._sure)
         buttons.addStretch(1)
@@ -131,7 +133,7 @@ class DefaultsDialog(QDialog):
         self.staged.emit()
 
     def _ask(self, asking: bool) -> None:
-        """Ask within the dialog: a box in front of the window would hide the stop button."""
+        """Ask within the dialog: a box in front of it would keep the mouse off the stop button."""
         self._question.setVisible(asking)
         self._sure.setVisible(asking)
         self._reset.setVisible(not asking and not self._serial_only)

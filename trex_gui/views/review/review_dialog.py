@@ -24,6 +24,7 @@ from trex_gui.views.icons import set_icon
 from trex_gui.views.review.power_cycle_panel import PowerCyclePanel
 from trex_gui.views.widgets.comparison_view import ComparisonView
 from trex_gui.views.widgets.note import Note
+from trex_gui.views.widgets.stop_button import StopButton
 
 
 class _Phase(Enum):
@@ -33,7 +34,7 @@ class _Phase(Enum):
 
 
 class ReviewDialog(QDialog):
-    """Beside the window, never in its way: the red button there can always be pressed.
+    """Beside the window, never in its way, and with a stop button of its own.
 
     What is shown follows the edits until they are written.
     """
@@ -66,6 +67,7 @@ class ReviewDialog(QDialog):
         self._close.setObjectName("reviewCloseButton")
 
         buttons = QHBoxLayout()
+        buttons.addWidget(StopButton(device, "reviewStopButton", self))
         buttons.addWidget(self._progress, 1)
         buttons.addStretch(1)
         buttons.addWidget(self._write)

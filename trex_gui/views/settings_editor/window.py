@@ -26,6 +26,7 @@ from trex_gui.views.settings_editor.printed import PrintedSettings
 from trex_gui.views.settings_editor.text_page import TextPage
 from trex_gui.views.widgets.banner import Banner
 from trex_gui.views.widgets.parameter_table import ParameterTable
+from trex_gui.views.widgets.stop_button import StopButton
 
 
 class SettingsEditor(QMainWindow):
@@ -82,6 +83,9 @@ class SettingsEditor(QMainWindow):
         layout = QVBoxLayout(frame)
         layout.addWidget(self._banner)
         layout.addWidget(self._tabs, 1)
+        layout.addWidget(
+            StopButton(device, "editorStopButton", self), 0, Qt.AlignmentFlag.AlignLeft
+        )
         self.setCentralWidget(frame)
         self._actions = build_editor_menus(self, self._slots())
         geometry = self._store.value("editor/geometry")
