@@ -2,6 +2,7 @@
 
 import logging
 import sys
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
 
@@ -10,6 +11,9 @@ from trex_gui.system.signals import SignalWatch
 from trex_gui.system.stopper import Stopper
 from trex_gui.system.wake import WakeWatch
 from trex_gui.window import Program
+
+if TYPE_CHECKING:
+    from trex_gui.system.sleep_delay import SleepDelay
 
 log = logging.getLogger(__name__)
 
@@ -24,6 +28,7 @@ class Watching(QObject):
         self._signals = SignalWatch(lambda: program.device.stop_now(ending=True), self)
         self._exceptions = ExceptionWatch(self._stopper.stop)
         self._wake = WakeWatch(parent=self)
+        self._sleep_delay: SleepDelay | None = None
         self._session = self._session_events()
 
         self._stopper.stopped.connect(self._on_stopped)
@@ -40,15 +45,21 @@ class Watching(QObject):
             return windows
         try:
             from trex_gui.system.session_events import SessionEvents  # noqa: PLC0415
+            from trex_gui.system.sleep_delay import SleepDelay  # noqa: PLC0415
         except ImportError as error:  # a system without the library of D-Bus
             log.info("nobody tells of a locked screen: %s", error)
             return None
         events = SessionEvents(parent=self)
         events.leaving.connect(self._stopper.stop)
+        device = self._program.device
+        self._sleep_delay = SleepDelay(lambda: device.may_move, parent=self)
+        events.sleeping.connect(self._sleep_delay.note_sleep)
         return events
 
     def close(self) -> None:
         """Watch no longer: the line is closed."""
+        if self._sleep_delay is not None:
+            self._sleep_delay.give()
         self._exceptions.close()
         self._signals.close()
 

@@ -86,14 +86,16 @@ def test_a_stop_from_another_thread_while_one_is_told_is_told_too(qtbot: QtBot) 
 class Ending:
     """A watch of signals, and what it did."""
 
-    def __init__(self) -> None:
+    def __init__(self, grace: float = 0.05) -> None:
         self.acted = threading.Event()
+        self.acts = 0
         self.fails = False
         self.ended_with: list[int] = []
         self.ended = threading.Event()
-        self.watch = SignalWatch(self._act, grace=0.05, end=self._end)
+        self.watch = SignalWatch(self._act, grace=grace, end=self._end)
 
     def _act(self) -> None:
+        self.acts += 1
         self.acted.set()
         if self.fails:
             raise RuntimeError("on purpose")
@@ -142,6 +144,26 @@ def test_a_mistake_while_acting_keeps_neither_this_signal_nor_the_next_from_endi
         assert told.args == [number]
         assert ending.ended.wait(5)
     assert ending.ended_with == [128 + signal.SIGTERM, 128 + signal.SIGHUP]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_a_second_ctrl_c_ends_a_window_that_is_still_ending_after_one_more_stop(
+    qtbot: QtBot,
+) -> None:
+    ending = Ending(grace=60)
+    try:
+        with qtbot.waitSignal(ending.watch.caught):
+            os.kill(os.getpid(), signal.SIGTERM)
+        os.kill(os.getpid(), signal.SIGINT)  # what comes at once is the same wish
+        assert not ending.ended.wait(0.4)
+        assert ending.acts == 1
+        os.kill(os.getpid(), signal.SIGTERM)  # and this is none of a person's who waits
+        assert not ending.ended.wait(0.4)
+        os.kill(os.getpid(), signal.SIGINT)
+        assert ending.ended.wait(5)
+        assert (ending.acts, ending.ended_with) == (2, [128 + signal.SIGINT])
+    finally:
+        ending.watch.close()
 
 
 def test_the_signals_are_given_back(ending: Ending) -> None:

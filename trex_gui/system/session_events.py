@@ -22,9 +22,11 @@ class SessionEvents(QObject):
 
     Signals:
         leaving: nobody looks at the window any more, or soon; why to stop, for people.
+        sleeping: the computer is about to sleep (after `leaving`), or has woken up.
     """
 
     leaving = Signal(str)
+    sleeping = Signal(bool)
 
     def __init__(
         self,
@@ -52,6 +54,7 @@ class SessionEvents(QObject):
     def _on_sleep(self, begins: bool) -> None:
         if begins:
             self.leaving.emit(self.tr("The computer goes to sleep, so the motors were stopped."))
+        self.sleeping.emit(begins)
 
     @Slot(bool)
     def _on_shut_down(self, begins: bool) -> None:

@@ -1,0 +1,84 @@
+"""A message bus of a test's own, and on it what hands out delays of sleep."""
+
+import itertools
+import os
+import select
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from PySide6.QtCore import ClassInfo, QObject, Slot
+from PySide6.QtDBus import QDBusConnection, QDBusMessage, QDBusUnixFileDescriptor
+
+PATH = "/org/freedesktop/login1"
+MANAGER = "org.freedesktop.login1.Manager"
+
+_names = itertools.count(1)
+
+
+@contextmanager
+def message_bus() -> Iterator[tuple[str, QDBusConnection]]:
+    """Run a bus; give its address and a connection to it."""
+    with subprocess.Popen(
+        ["dbus-daemon", "--session", "--print-address", "--nofork", "--nopidfile"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    ) as daemon:
+        assert daemon.stdout is not None
+        address = daemon.stdout.readline().strip()
+        with connection_to(address) as connection:
+            yield address, connection
+        daemon.terminate()
+
+
+@contextmanager
+def connection_to(address: str) -> Iterator[QDBusConnection]:
+    """Give a connection of one's own to a bus."""
+    name = f"bus{next(_names)}"
+    yield QDBusConnection.connectToBus(address, name)
+    QDBusConnection.disconnectFromBus(name)
+
+
+# The stub knows no decorator.
+@ClassInfo({"D-Bus Interface": MANAGER})  # type: ignore[call-arg]
+class Logind(QObject):  # type: ignore[operator]
+    """Hands out delays, and knows which of them were given back.
+
+    Attributes:
+        asked: what each was wanted for: what, who, why, mode.
+    """
+
+    def __init__(self, connection: QDBusConnection) -> None:
+        super().__init__()
+        self.asked: list[tuple[str, str, str, str]] = []
+        self._ends: list[int] = []
+        self._connection = connection
+        assert connection.registerService("org.freedesktop.login1")
+        assert connection.registerObject(PATH, self, QDBusConnection.RegisterOption.ExportAllSlots)
+
+    @Slot(str, str, str, str, result=QDBusUnixFileDescriptor)
+    def Inhibit(self, what: str, who: str, why: str, mode: str) -> QDBusUnixFileDescriptor:  # noqa: N802 - its name
+        self.asked.append((what, who, why, mode))
+        ours, theirs = os.pipe()
+        self._ends.append(ours)
+        given = QDBusUnixFileDescriptor(theirs)
+        os.close(theirs)
+        return given
+
+    @property
+    def held(self) -> int:
+        """How many delays are held now."""
+        return len(self._ends) - len(select.select(self._ends, [], [], 0)[0])
+
+    def say_sleep(self, *, begins: bool) -> None:
+        """Tell everybody that the computer is about to sleep, or has woken up."""
+        said = QDBusMessage.createSignal(PATH, MANAGER, "PrepareForSleep")
+        said.setArguments([begins])
+        assert self._connection.send(said)
+
+    def close(self) -> None:
+        """Leave the bus."""
+        self._connection.unregisterObject(PATH)
+        for end in self._ends:
+            os.close(end)

@@ -1,0 +1,105 @@
+"""Sleep waits for the motors, for a second at most, where somebody hands out such delays."""
+
+import shutil
+import time
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtDBus import QDBusConnection
+from pytestqt.qtbot import QtBot
+
+from tests.support.logind import Logind, connection_to, message_bus
+from trex_gui.system.session_events import SessionEvents
+from trex_gui.system.sleep_delay import SleepDelay
+
+pytestmark = [
+    pytest.mark.skipif(shutil.which("dbus-daemon") is None, reason="needs a message bus"),
+    pytest.mark.usefixtures("qapp"),
+]
+
+
+@pytest.fixture
+def buses() -> Iterator[tuple[QDBusConnection, QDBusConnection]]:
+    """The system's connection to a bus, and the program's."""
+    with message_bus() as (address, theirs), connection_to(address) as ours:
+        yield theirs, ours
+
+
+class Asleep:
+    """A computer that may sleep, and a program on it whose motors may move."""
+
+    def __init__(self, theirs: QDBusConnection, ours: QDBusConnection, qtbot: QtBot) -> None:
+        self.may_move = True
+        self.qtbot = qtbot
+        self.logind = Logind(theirs)
+        self.delay = SleepDelay(lambda: self.may_move, ours)
+        self.events = SessionEvents(ours, ours)
+        self.events.sleeping.connect(self.delay.note_sleep)
+        qtbot.waitUntil(lambda: self.delay.holds)
+
+    def begin_to_sleep(self) -> None:
+        with self.qtbot.waitSignal(self.events.sleeping):
+            self.logind.say_sleep(begins=True)
+
+
+@pytest.fixture
+def asleep(buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot) -> Iterator[Asleep]:
+    asleep = Asleep(*buses, qtbot)
+    yield asleep
+    asleep.delay.give()
+    asleep.logind.close()
+
+
+def test_a_delay_of_sleep_is_asked_for_and_held(asleep: Asleep) -> None:
+    [(what, who, why, mode)] = asleep.logind.asked
+    assert (what, who, mode) == ("sleep", "TReX Studio", "delay")
+    assert "Motors" in why
+    assert asleep.logind.held == 1
+
+
+def test_sleep_waits_until_the_motors_stand_and_not_longer(asleep: Asleep, qtbot: QtBot) -> None:
+    asleep.begin_to_sleep()
+    qtbot.wait(100)
+    assert asleep.logind.held == 1
+    asleep.may_move = False
+    qtbot.waitUntil(lambda: asleep.logind.held == 0, timeout=500)
+
+
+def test_sleep_does_not_wait_for_motors_that_nobody_can_stop(asleep: Asleep, qtbot: QtBot) -> None:
+    asleep.begin_to_sleep()
+    begun = time.monotonic()
+    qtbot.waitUntil(lambda: asleep.logind.held == 0, timeout=3000)
+    assert 0.8 < time.monotonic() - begun < 2
+
+
+def test_the_next_sleep_waits_again(asleep: Asleep, qtbot: QtBot) -> None:
+    asleep.may_move = False
+    asleep.begin_to_sleep()
+    qtbot.waitUntil(lambda: asleep.logind.held == 0)
+    asleep.logind.say_sleep(begins=False)
+    qtbot.waitUntil(lambda: asleep.logind.held == 1)
+    assert len(asleep.logind.asked) == 2
+
+
+def test_a_program_that_ends_holds_nothing_up(asleep: Asleep) -> None:
+    asleep.delay.give()
+    assert asleep.logind.held == 0
+    assert not asleep.delay.holds
+
+
+def test_where_nobody_hands_out_delays_nothing_is_held_and_nothing_fails(
+    buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot
+) -> None:
+    delay = SleepDelay(lambda: False, buses[1])
+    qtbot.waitUntil(lambda: delay._asked is None)
+    assert not delay.holds
+    delay.note_sleep(begins=True)
+    delay.give()
+
+
+def test_without_a_bus_nothing_is_asked() -> None:
+    delay = SleepDelay(lambda: False, QDBusConnection("there is none"))
+    delay.note_sleep(begins=True)
+    delay.note_sleep(begins=False)
+    assert not delay.holds
+    delay.give()
