@@ -302,6 +302,27 @@ def test_the_keyboard_reaches_everything_in_the_plot(plot: TracePlot) -> None:
     assert plot.mark_time is None
 
 
+def test_the_cursor_moved_with_keys_tells_its_values_in_words(plot: TracePlot) -> None:
+    assert "Left and Right move the cursor" in plot.accessibleDescription()
+    QTest.keyClick(plot, Qt.Key.Key_Left)
+    assert plot.cursor_time is not None
+    assert plot.cursor_time < plot.span.end
+    assert "Motor 1: 1.00 A\nMotor 2: 3.00 A" in plot.accessibleDescription()
+    plot.set_cursor(None)
+    assert "Motor" not in plot.accessibleDescription()
+
+
+def test_an_empty_plot_says_why_and_what_to_do(qapp: QApplication, qtbot: QtBot) -> None:
+    plot = TracePlot()
+    qtbot.addWidget(plot)
+    plot.set_source(Source(seconds=0))
+    plot.set_empty_text("Choose a port.")
+    assert plot.accessibleDescription() == "Choose a port."
+    empty = plot.findChild(QLabel, "emptyLabel")
+    assert empty is not None
+    assert empty.text() == "Choose a port."
+
+
 # --- Figures ----------------------------------------------------------------------------
 
 
@@ -334,6 +355,50 @@ def test_the_cursor_tells_the_values_under_it(
     assert readout is not None
     assert "Motor 1: 9.00 A" in readout.text()
     assert "from the mark" in readout.text()
+
+
+@pytest.mark.parametrize("width", [860, 1040])
+def test_the_figures_fit_beside_the_events_and_none_has_to_be_scrolled_to(
+    panel: TracePanel, plot: TracePlot, width: int, qtbot: QtBot
+) -> None:
+    panel.show()
+    panel.resize(width, 500)
+    plot.set_cursor(30)
+    plot.set_mark(20)
+    if width > 1000:
+        plot.source.limits["motor1"] = 5.0  # type: ignore[union-attr] # a Source of this file
+        child(panel, QPushButton, "holdPeaksButton").click()  # type: ignore[attr-defined] # a button
+    view = panel.findChild(QTableView, "traceTable")
+    assert view is not None
+    qtbot.waitUntil(lambda: not view.horizontalScrollBar().isVisible())
+    last = max(column for column in Column if not view.isColumnHidden(column))
+    assert view.columnViewportPosition(last) + view.columnWidth(last) <= view.viewport().width()
+    assert child(panel, QListView, "eventList").width() > 60
+
+
+def test_figures_that_wait_for_something_are_not_there_before(
+    panel: TracePanel, plot: TracePlot, source: Source
+) -> None:
+    view = panel.findChild(QTableView, "traceTable")
+    assert view is not None
+    waiting = (Column.LIMIT, Column.DIFFERENCE, Column.HELD)
+    assert all(view.isColumnHidden(column) for column in waiting)
+    source.limits["motor1"] = 5.0
+    plot.set_mark(20)
+    hold = child(panel, QPushButton, "holdPeaksButton")
+    assert isinstance(hold, QPushButton)
+    hold.click()
+    assert not any(view.isColumnHidden(column) for column in waiting)
+    hold.click()
+    assert view.isColumnHidden(Column.HELD)
+
+
+def test_a_list_without_events_says_so(panel: TracePanel, source: Source) -> None:
+    listed = child(panel, QListView, "eventList")
+    assert "No events yet" in listed.accessibleDescription()
+    source.events.append(Event(10.0, EventKind.STOP, "Stop"))
+    panel.refresh()
+    assert "No events" not in listed.accessibleDescription()
 
 
 def test_a_held_peak_stays_when_its_sample_has_left_the_picture(

@@ -12,7 +12,7 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QColor, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QListView, QWidget
 
 from trex_gui.model.events import Event
@@ -98,10 +98,37 @@ class EventList(QListView):
         self.activated.connect(self._on_activated)
         self.clicked.connect(self._on_activated)
         model.modelReset.connect(self.scrollToBottom)
+        model.modelReset.connect(self._describe)
+        theme().changed.connect(self.viewport().update)
+        self._describe()
 
     def sizeHint(self) -> QSize:
         metrics = self.fontMetrics()
         return QSize(metrics.averageCharWidth() * 34, metrics.height() * 5)
+
+    @property
+    def empty_text(self) -> str:
+        """What is said in place of events; empty when there are some."""
+        if self._events.rowCount():
+            return ""
+        return self.tr("No events yet. Stops, Apply, faults and limits will be listed here.")
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if text := self.empty_text:
+            with QPainter(self.viewport()) as painter:
+                painter.setPen(theme().color("muted"))
+                box = self.viewport().rect().adjusted(8, 4, -8, -4)
+                how = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+                if not box.contains(painter.boundingRect(box, how, text)):
+                    text = self.tr("No events yet")
+                painter.drawText(box, how, text)
+
+    @Slot()
+    def _describe(self) -> None:
+        """Say what is seen to who does not see it."""
+        shown = self.tr("Choosing one shows its place in the plot.")
+        self.setAccessibleDescription(self.empty_text or shown)
 
     def choose(self, event: Event) -> None:
         """Select an event, as if a person had."""

@@ -19,6 +19,7 @@ from trex_gui.model.events import Event
 from trex_gui.model.trace.source import TraceSource
 from trex_gui.views.icons import set_icon
 from trex_gui.views.theme import theme
+from trex_gui.views.traces.below import Below
 from trex_gui.views.traces.event_list import EventList, EventModel
 from trex_gui.views.traces.export import TraceExport
 from trex_gui.views.traces.plot import TracePlot
@@ -80,13 +81,7 @@ class TracePanel(QWidget):
         self._bar.addWidget(self._pause)
         self._bar.addWidget(self._hold)
         self._bar.addWidget(self._export_button)
-        below = QSplitter(Qt.Orientation.Horizontal, self)
-        below.addWidget(self._view)
-        below.addWidget(self._list)
-        below.setStretchFactor(0, 5)
-        below.setStretchFactor(1, 2)
-        below.setSizes([700, 280])  # shares of whatever there is
-        below.setChildrenCollapsible(False)
+        below = Below(self._view, self._list, self)
         both = QSplitter(Qt.Orientation.Vertical, self)
         both.setObjectName("tracesSplitter")
         both.addWidget(self.plot)
@@ -103,7 +98,7 @@ class TracePanel(QWidget):
         self._pause.clicked.connect(self._on_pause_clicked)
         self._hold.toggled.connect(self._on_hold_toggled)
         self.plot.view_changed.connect(self._on_view_changed)
-        self.plot.cursor_changed.connect(self._table.refresh)
+        self.plot.cursor_changed.connect(self._on_cursor_changed)
         self.plot.event_chosen.connect(self._list.choose)
         self._list.chosen.connect(self._on_event_chosen)
         self.export.told.connect(self.set_note)
@@ -142,6 +137,7 @@ class TracePanel(QWidget):
 
     def _renew(self) -> None:
         self._table.refresh()
+        self._view.show_what_is_there()
         self._events.refresh()
 
     def _length_text(self, seconds: float) -> str:
@@ -174,6 +170,11 @@ class TracePanel(QWidget):
     def _on_view_changed(self) -> None:
         self._show_state()
         self._table.refresh()
+
+    @Slot()
+    def _on_cursor_changed(self) -> None:
+        self._table.refresh()
+        self._view.show_what_is_there()
 
     def _show_state(self) -> None:
         live = self.plot.span.live

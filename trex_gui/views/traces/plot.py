@@ -18,7 +18,9 @@ from trex_gui.views.traces.marks import MOST_MARKS, MarkStrip
 from trex_gui.views.traces.pointer import Pointer
 from trex_gui.views.traces.readout import Readout
 from trex_gui.views.traces.span import Span
+from trex_gui.views.traces.words import keys_text
 from trex_gui.views.widgets.bar import MINUS
+from trex_gui.views.widgets.focus_framed import FocusFramed
 from trex_gui.views.widgets.plot_canvas import PlotCanvas
 from trex_gui.views.widgets.plot_legend import CurveStyle, Tags
 
@@ -27,7 +29,7 @@ _ZOOM = 0.7
 _FINE, _COARSE = 0.002, 0.05
 
 
-class TracePlot(QWidget):
+class TracePlot(FocusFramed):
     """Curves on up to two axes, limits, events and two cursors.
 
     Curves of the source's first unit are on the left axis, all others on the right one. The
@@ -67,12 +69,13 @@ class TracePlot(QWidget):
         self._empty = QLabel(self.tr("No data yet"), self._canvas)
         self._empty.setObjectName("emptyLabel")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._empty.setWordWrap(True)
         self._empty.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._readout = Readout(self._canvas)
         pointer = Pointer(self._canvas.viewport)
 
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setContentsMargins(1, 1, 1, 1)  # for the frame of the focus
         layout.setSpacing(0)
         layout.addWidget(self._strip)
         layout.addWidget(self._canvas, 1)
@@ -114,6 +117,12 @@ class TracePlot(QWidget):
     def shown(self) -> frozenset[str]:
         """The names of the curves that are drawn."""
         return frozenset(self._shown)
+
+    def set_empty_text(self, text: str) -> None:
+        """Say this while there is nothing to draw: why, and what to do."""
+        if text != self._empty.text():
+            self._empty.setText(text)
+            self._show_readout()
 
     def set_shown(self, name: str, shown: bool) -> None:
         """Draw a curve, or no longer."""
@@ -217,9 +226,12 @@ class TracePlot(QWidget):
         time, source = self._cursor, self._source
         if time is None or source is None or not self.span.start <= time <= self.span.end:
             self._readout.hide()
+            empty = self._layers.is_empty
+            self.setAccessibleDescription(self._empty.text() if empty else keys_text())
             return
         text = self._readout.text_at(source, time, self._mark, self.origin or 0.0, self._shown)
-        self.setAccessibleDescription(text)
+        if self._hovered is None:  # under a mouse it would be told anew with each frame
+            self.setAccessibleDescription(text)
         self._readout.show_beside(self._canvas.x_of(time - self.span.end), self._canvas.frame)
 
     # --- The mouse ----------------------------------------------------------------------

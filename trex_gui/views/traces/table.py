@@ -73,6 +73,18 @@ class TraceTable(QAbstractTableModel):
         last = self.index(len(self._traces) - 1, Column.LIMIT)
         self.dataChanged.emit(self.index(0, 0), last, [Qt.ItemDataRole.DisplayRole])
 
+    def is_of_use(self, column: Column) -> bool:
+        """Whether a column has anything to say: some wait for what a person does."""
+        source = self._plot.source
+        match column:
+            case Column.DIFFERENCE:
+                return self._plot.mark_time is not None
+            case Column.HELD:
+                return self._plot.peaks_since is not None
+            case Column.LIMIT if source is not None:
+                return any(source.limit(trace.name) is not None for trace in self._traces)
+        return True
+
     def recolour(self) -> None:
         """Take the colours of the theme as it is now."""
         if self._traces:
@@ -104,9 +116,9 @@ class TraceTable(QAbstractTableModel):
         return {
             Column.CURVE: (self.tr("Curve"), self.tr("Tick what is to be drawn")),
             Column.NOW: (self.tr("Now"), self.tr("The newest value")),
-            Column.CURSOR: (self.tr("At cursor"), self.tr("The value under the cursor")),
+            Column.CURSOR: (self.tr("Cursor"), self.tr("The value under the cursor")),
             Column.DIFFERENCE: (
-                self.tr("Since mark"),
+                self.tr("To mark"),
                 self.tr("From the mark to the cursor; click into the plot or press M to set it"),
             ),
             Column.LOW: (self.tr("Low"), self.tr("The smallest value {0}").format(shown)),
@@ -121,7 +133,7 @@ class TraceTable(QAbstractTableModel):
                 self.tr("Ampere times time {0}; nothing is counted for gaps").format(shown),
             ),
             Column.HELD: (
-                self.tr("Held peak"),
+                self.tr("Held"),
                 self.tr("The greatest value since Hold peaks was switched on"),
             ),
             Column.LIMIT: (self.tr("Limit"), self.tr("The current limit that the board stores")),
@@ -209,6 +221,9 @@ class TraceTable(QAbstractTableModel):
         )
 
 
+_PADDING = 8
+"""Pixels around the text of a cell, as the style paints it."""
+
 _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 
@@ -219,10 +234,14 @@ def _swatch(color: QColor) -> QPixmap:
 
 
 class TraceTableView(QTableView):
-    """The table as it stands below a plot: as high as four curves, more by scrolling."""
+    """The table as it stands below a plot: as high as four curves, more by scrolling.
+
+    Columns that have nothing to say are not there, so that the others have room.
+    """
 
     def __init__(self, model: TraceTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._table = model
         self.setObjectName("traceTable")
         self.setAccessibleName(self.tr("Curves and their figures"))
         self.setModel(model)
@@ -241,10 +260,23 @@ class TraceTableView(QTableView):
             texts = ("000.00 mAh" if column is Column.CHARGE else "\N{MINUS SIGN}00.00 A", "")
             head = str(model.headerData(column, Qt.Orientation.Horizontal))
             widest = max(self.fontMetrics().horizontalAdvance(text) for text in (*texts, head))
-            header.resizeSection(column, widest + self.fontMetrics().averageCharWidth() * 2)
+            header.resizeSection(column, widest + _PADDING)
         header.setSectionResizeMode(Column.CURVE, QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(False)
         self._row = row
+        self.show_what_is_there()
+
+    def show_what_is_there(self) -> None:
+        """Hide the columns that have nothing to say now, and show the others."""
+        for column in Column:
+            if self.isColumnHidden(column) == self._table.is_of_use(column):
+                self.setColumnHidden(column, not self._table.is_of_use(column))
+
+    def whole_width(self) -> int:
+        """Return the width at which every column that is there can be seen."""
+        bar = self.verticalScrollBar()
+        beside = bar.sizeHint().width() if bar.isVisibleTo(self) else 0
+        return self.horizontalHeader().length() + beside + 2 * self.frameWidth() + 2
 
     def sizeHint(self) -> QSize:
         # Half a row tells that there are more.

@@ -2,6 +2,8 @@
 
 import math
 
+from PySide6.QtCore import QCoreApplication
+
 from trex_gui.model.trace.source import Statistics
 from trex_gui.views.widgets.bar import MINUS, NO_VALUE
 
@@ -28,3 +30,12 @@ def charge_text(found: Statistics) -> str:
     charge = found.per_hour
     text = f"{charge:.3f} Ah" if abs(charge) >= 1 else f"{charge * 1000:.2f} mAh"
     return text.replace("-", MINUS)
+
+
+def keys_text() -> str:
+    """What the keys do in a plot, for who does not see it."""
+    return QCoreApplication.translate(
+        "TracePlot",
+        "Left and Right move the cursor, with Shift in large steps; its values are told here. "
+        "M sets a mark, plus and minus zoom, L goes back to live.",
+    )

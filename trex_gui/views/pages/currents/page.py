@@ -6,7 +6,7 @@ from PySide6.QtCore import QTimer, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from trex_gui.model.device import Device
+from trex_gui.model.device import Device, Link
 from trex_gui.model.trace.live import LiveTraces
 
 if TYPE_CHECKING:
@@ -54,16 +54,23 @@ class CurrentsPage(QWidget):
             return
         state = self._device.state
         if state is None:
-            note = self.tr("Connect to a board to see its motor currents.")
+            note = empty = self.tr("Connect to a board to see its motor currents.")
+            if self._device.link is Link.NONE:
+                empty = self.tr(
+                    "No board is connected. Choose a port at the top and press Connect; without "
+                    "hardware, choose the demo board."
+                )
         elif self._device.is_joint:
-            note = self.tr("Joint mode: the board does not sense currents.")
+            note = empty = self.tr("Joint mode: the board does not sense currents.")
         else:
+            empty = self.tr("No current was read yet.")
             step = state.signature.model.current_unit * 1000
             note = self.tr("One count of this board is {0:.0f} mA.").format(step)
         # What an export has said stays until there is something else to say.
         if note != self._note:
             self._note = note
             self._panel.set_note(note)
+        self._panel.plot.set_empty_text(empty)
         self._panel.refresh()
 
     @Slot()
