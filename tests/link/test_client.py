@@ -165,6 +165,31 @@ def test_an_answer_that_came_too_late_is_not_taken_for_the_next_one(stage: Stage
     assert client.request(GetParameter(0)) == 7
 
 
+def test_an_answer_that_comes_while_the_next_question_is_on_its_way_is_not_taken_for_its_own(
+    stage: Stage,
+) -> None:
+    stage.transport.latency = REAL_TIME
+    client = stage.client()
+    stage.line.mute = True
+    with pytest.raises(NoReply):
+        client.request(GetParameter(0x7E))
+    stage.line.mute = False
+    stage.line.at(stage.line.now + 0.03, lambda: stage.line.inject(b"\x05"))
+    assert client.request(GetParameter(0)) == 7
+    assert client.counters.stale == 1
+
+
+def test_what_awaits_no_answer_does_not_wait_for_a_late_one(stage: Stage) -> None:
+    stage.transport.latency = REAL_TIME
+    client = stage.client()
+    stage.line.mute = True
+    with pytest.raises(NoReply):
+        client.request(GetMode())
+    begun = stage.line.now
+    client.send(DriveMotor(1, Drive.brake(127)))
+    assert stage.line.now == begun
+
+
 def test_half_a_reply_is_none_and_is_named(stage: Stage) -> None:
     stage.line.to_drop = 3
     with pytest.raises(NoReply, match=r"Only 58 31 2E 32 came in answer to 81\."):

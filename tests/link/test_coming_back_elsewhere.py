@@ -222,7 +222,7 @@ def test_what_has_come_true_is_not_expected_any_more() -> None:
 def test_what_was_expected_can_be_forgotten() -> None:
     new = replace(OLD, line=CRC)
     place = Place().go(new, new=new)
-    place.script.at(ON + 0.1, Expect(()))
+    place.script.at(ON - 0.1, Expect(()))
     place.end(6.0)
     assert len(place.connections) == 1
 

@@ -4,7 +4,8 @@ import pytest
 
 from tests.link.helpers import run_for, seen_at, staged
 from trex_gui.link.messages import SetDrive
-from trex_gui.link.motors import DRIVE_INTERVAL, REPEATS
+from trex_gui.link.motors import DRIVE_INTERVAL
+from trex_gui.link.repeating import REPEATS
 from trex_gui.protocol.commands import Drive, DriveMotor
 
 _MOVES = 10_000

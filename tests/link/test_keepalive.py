@@ -3,11 +3,13 @@
 import pytest
 
 from tests.link.helpers import among, commands, run_for, samples, seen_at, staged
+from tests.support.virtual import Stage
 from trex_gui.link.guard import PULSE_INTERVAL
-from trex_gui.link.keepalive import longest_pause, silence, too_slow
+from trex_gui.link.keepalive import longest_pause, silence, survives_a_loss, too_slow
 from trex_gui.link.messages import Arm, Connected, Outcome, Pulse, SetDrive, Stop, Write
 from trex_gui.link.schedule import Topic
 from trex_gui.link.telemetry import Raw, StatusNews
+from trex_gui.link.transport import latency_of
 from trex_gui.protocol.commands import Drive, GetRawChannels
 from trex_gui.protocol.flags import UartError
 from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
@@ -18,13 +20,19 @@ def opening(baud: int) -> float:
     return 1.0 + 4.0 * 1200 / baud
 
 
+def set_timeout(stage: Stage, tenths: int) -> None:
+    """Store a serial timeout and let it act, as after a power cycle."""
+    stage.board.eeprom.write("serial_timeout", tenths)
+    stage.board.memory.load()
+
+
 @pytest.mark.parametrize("detection", list(Detection))
 @pytest.mark.parametrize("baud", baud_rates())
 def test_a_tenth_of_a_second_is_enough_at_every_rate_while_armed(
     baud: int, detection: Detection
 ) -> None:
     stage, settings = staged(baud, detection)
-    stage.board.eeprom.write("serial_timeout", 1)
+    set_timeout(stage, 1)
     start = opening(baud)
     stage.script.at(start, Arm()).at(start, SetDrive(1, Drive.at(90)))
     for number in range(20):
@@ -42,7 +50,7 @@ def test_a_tenth_of_a_second_is_enough_at_every_rate_while_armed(
 
 def test_on_a_slow_line_only_questions_that_fit_are_asked_while_armed() -> None:
     stage, settings = staged(1200)
-    stage.board.eeprom.write("serial_timeout", 1)
+    set_timeout(stage, 1)
     start = opening(1200)
     stage.script.at(start, Arm())
     for number in range(20):
@@ -56,7 +64,7 @@ def test_on_a_slow_line_only_questions_that_fit_are_asked_while_armed() -> None:
 
 def test_without_armed_motors_nothing_is_done_for_the_timeout() -> None:
     stage, settings = staged(1200)
-    stage.board.eeprom.write("serial_timeout", 1)
+    set_timeout(stage, 1)
     reports = run_for(stage, opening(1200) + 5.0, settings)
     assert samples(reports, Raw)
 
@@ -71,6 +79,37 @@ def test_a_timeout_that_is_set_while_connected_counts_at_once() -> None:
     reports = run_for(stage, start + 4.0, settings)
     assert among(reports, Outcome)[0].error is None
     assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
+
+
+@pytest.mark.parametrize(
+    ("baud", "tenths"), [(1200, 1), (1200, 5), (2400, 1), (2400, 2), (19200, 1), (115200, 1)]
+)
+def test_a_lost_answer_stops_no_motors_where_none_are_foretold(baud: int, tenths: int) -> None:
+    stage, settings = staged(baud)
+    stage.transport.latency = latency_of("/dev/ttyUSB0")
+    set_timeout(stage, tenths)
+    start = opening(baud)
+    stage.script.at(start, Arm()).at(start, SetDrive(1, Drive.at(90)))
+
+    def lose_an_answer() -> None:
+        stage.line.to_drop = 1
+
+    for number in range(80):
+        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+        if number >= 4:
+            # Somewhere else in the round of questions each time: each of them is hit.
+            stage.script.at(start + (number + 0.013 * number) * PULSE_INTERVAL, lose_an_answer)
+    reports = run_for(stage, start + 81 * PULSE_INTERVAL, settings)
+    fired = [
+        one
+        for one in samples(reports, StatusNews)
+        if one.uart & UartError.TIMEOUT and one.time > start + 0.9
+    ]
+    survives = survives_a_loss(settings.line, tenths / 10, stage.transport.latency)
+    assert not (survives and fired)
+    if baud == 1200 and tenths == 1:  # nobody is promised what cannot be kept
+        assert fired
+        assert not survives
 
 
 def test_what_is_too_slow_follows_from_bytes_and_rate() -> None:

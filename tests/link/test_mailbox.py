@@ -17,6 +17,7 @@ from trex_gui.link.messages import (
     Request,
     SetAuxiliary,
     SetDrive,
+    SetDrives,
     Stop,
     Write,
 )
@@ -164,6 +165,18 @@ def test_what_is_sent_is_the_newest_wish_of_each_motor(
 def test_jobs_keep_their_order() -> None:
     jobs = (Ask(1, GetMode()), Write(2), Reload(3), Ask(4, GetMode()))
     assert tuple(mailbox(*jobs).jobs) == jobs
+
+
+def test_wishes_for_both_motors_in_one_message_leave_in_one_packet() -> None:
+    both = SetDrives((SetDrive(1, Drive.at(9)), SetDrive(2, Drive.at(-9))))
+    assert packets(mailbox(both).drives.take()) == [DriveBoth(Drive.at(9), Drive.at(-9))]
+
+
+def test_in_a_message_for_both_motors_the_newest_wish_of_each_wins_too() -> None:
+    both = SetDrives((SetDrive(1, Drive.at(9)), SetDrive(2, Drive.at(-9))))
+    older, newer = SetDrive(2, Drive.at(50)), SetDrive(1, Drive.at(7))
+    assert mailbox(older, both, newer).drives.take() == [newer, SetDrive(2, Drive.at(-9))]
+    assert not mailbox(both, Stop(1)).drives
 
 
 def test_stops_are_kept_apart_and_taken_once() -> None:

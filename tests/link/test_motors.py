@@ -7,7 +7,8 @@ from tests.support.virtual import Stage
 from trex_gui.emulator.motors import Direction
 from trex_gui.link.mailbox import Mailbox
 from trex_gui.link.messages import Halted, Outcome, SetAuxiliary, SetDrive, Stop
-from trex_gui.link.motors import DRIVE_INTERVAL, REPEATS, Motors
+from trex_gui.link.motors import DRIVE_INTERVAL, Motors
+from trex_gui.link.repeating import REPEATS
 from trex_gui.link.telemetry import StatusNews, StatusReader
 from trex_gui.protocol.commands import Drive, DriveAuxiliary, DriveMotor
 from trex_gui.protocol.errors import NoReply, PortUnavailable

@@ -29,7 +29,7 @@ from trex_gui.link.messages import (
     Stop,
     Write,
 )
-from trex_gui.link.motors import REPEATS
+from trex_gui.link.repeating import REPEATS
 from trex_gui.link.telemetry import Control
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import (

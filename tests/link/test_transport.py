@@ -4,6 +4,7 @@ import errno
 import os
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -207,6 +208,19 @@ def test_the_program_that_holds_a_port_is_named(terminal: tuple[int, str]) -> No
         said = refusal(terminal[1])
         assert f"(process {holder.pid})" in said
         holder.communicate(b"", timeout=5)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+def test_a_line_of_this_program_that_closes_is_waited_for(
+    terminal: tuple[int, str], opened: Open
+) -> None:
+    first = opened(terminal[1])
+    closing = threading.Timer(0.2, first.close)
+    closing.start()
+    try:
+        opened(terminal[1])
+    finally:
+        closing.join()
 
 
 def test_a_closed_port_can_be_opened_again(terminal: tuple[int, str], opened: Open) -> None:

@@ -100,6 +100,23 @@ def test_the_ceiling_is_what_a_full_stick_means(hands: Hands) -> None:
     hands.wait_for_speeds(-40, -40)
 
 
+def test_a_ceiling_raised_under_a_stick_that_is_held_makes_nothing_faster(hands: Hands) -> None:
+    hands.motors.set_ceiling(40)
+    hands.pads.press(HOLD)
+    hands.pads.move(Y, 1.0)
+    hands.wait_for_speeds(-40, -40)
+    hands.motors.set_ceiling(FULL_SCALE)
+    hands.qtbot.wait(100)  # it is read and says the same all the time
+    assert hands.speeds() == (-40, -40)
+    hands.pads.release(HOLD)
+    hands.qtbot.waitUntil(lambda: brakes(hands))
+    hands.pads.move(Y, 0.0)
+    hands.qtbot.wait(50)
+    hands.pads.press(HOLD)
+    hands.pads.move(Y, 1.0)
+    hands.wait_for_speeds(-FULL_SCALE, -FULL_SCALE)
+
+
 def test_linked_motors_do_the_same_and_do_not_turn(hands: Hands) -> None:
     hands.motors.set_linked(True)
     hands.pads.press(HOLD)

@@ -82,7 +82,7 @@ def bench(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Bench]:
     bench = Bench(quick_simulator, qtbot)
     yield bench
     bench.learning.cancel()
-    bench.device.shut_down()
+    assert bench.device.shut_down()
 
 
 def test_two_channels_are_learned_at_once_as_one_step_to_undo(bench: Bench) -> None:

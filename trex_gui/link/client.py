@@ -22,6 +22,10 @@ _BOARD_DELAY = 0.005
 Inferred: no source gives more than the response delay.
 """
 
+_LONGEST_REPLY = 16
+"""Bytes: the ten of five raw channels, a CRC and the echo of the question."""
+
+_NULL = Framing().encode(Null())
 
 _ECHO_PROBES = 2
 """How often an echo is looked for: one damaged byte must not hide it."""
@@ -45,6 +49,7 @@ class Counters:
         damaged: replies that could not be one.
         stale: bytes that belonged to nothing and were thrown away.
         slowest: the longest round trip that succeeded, in seconds.
+        answers: replies that came whole.
     """
 
     requests: int = 0
@@ -52,21 +57,27 @@ class Counters:
     damaged: int = 0
     stale: int = 0
     slowest: float = 0.0
+    answers: int = 0
 
 
 class Client:
     """Runs transactions on one line.
 
-    `echo` says whether everything sent comes back, as it does on the board's RS-232 side.
+    Attributes:
+        echo: whether everything sent comes back, as it does on the board's RS-232 side.
+        feeds_timeout: whether the board must hear something while a late answer is awaited, since
+            its serial timeout would stop motors that are driven: a null command.
     """
 
     def __init__(self, transport: Transport, settings: LinkSettings, *, echo: bool = False) -> None:
         self.echo = echo
+        self.feeds_timeout = False
         self.counters = Counters()
         self._transport = transport
         self._settings = settings
         self._framing = settings.framing
         self._free_at = transport.clock()
+        self._is_owed = False
 
     @property
     def settings(self) -> LinkSettings:
@@ -105,7 +116,7 @@ class Client:
         line = self._settings.line
         parser = ReplyParser(command, self._framing, self.echo)
         self.drain()
-        stale = self._transport.discard()
+        stale = self._settle() + self._transport.discard()
         self.counters.requests += 1
         self.counters.stale += len(stale)
         begun = self._transport.clock()
@@ -124,6 +135,7 @@ class Client:
             state = parser.feed(chunk)
             if isinstance(state, NeedData) and len(chunk) < wanted:
                 self.counters.silences += 1
+                self._is_owed = True
                 raise NoReply(self._silence(packet, received))
         match state:
             case Malformed(raw, reason):
@@ -133,6 +145,7 @@ class Client:
                 message = f"The reply {raw.hex(' ').upper()} is damaged: {reason}."
                 raise BadReply(message)
             case Reply(_, value):
+                self.counters.answers += bool(command.reply_size())
                 if command.reply_size() or self.echo:
                     took = self._transport.clock() - begun
                     self.counters.slowest = max(self.counters.slowest, took)
@@ -164,18 +177,33 @@ class Client:
             BadReply: bytes come without end; no TReX sends without being asked.
             PortUnavailable: the line is gone.
         """
-        null = Framing().encode(Null())
         self.echo = False
         for _ in range(_ECHO_PROBES):
             if before is not None:
                 before()
             self.drain()
             self._transport.discard()
-            self._transport.write(null)
-            if self._read_echo(null) == null:
+            self._transport.write(_NULL)
+            if self._read_echo(_NULL) == _NULL:
                 self.echo = True
                 break
         return self.echo
+
+    def _settle(self) -> bytes:
+        """Let the answer pass that never came in time: it would be taken for the next one.
+
+        It does not hold up a stop, which awaits nothing.
+        """
+        if not self._is_owed:
+            return b""
+        self._is_owed = False
+        if self.feeds_timeout:
+            self._transport.write(_NULL)
+        late = self._transport.read(_LONGEST_REPLY, self._transport.latency)
+        # The rest of it is on its way; what goes on after that is no answer.
+        rest = self._settings.line.seconds(_LONGEST_REPLY) if late else 0.0
+        late += self._transport.read(_LONGEST_REPLY - len(late), rest)
+        return late.removesuffix(_NULL) if self.echo and self.feeds_timeout else late
 
     def _read_echo(self, packet: bytes) -> bytes:
         seconds = self._settings.line.seconds(len(packet)) + self._allowance

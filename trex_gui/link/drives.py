@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from trex_gui.link.messages import SetAuxiliary, SetDrive
+from trex_gui.link.messages import MotorRequest, SetAuxiliary, SetDrive, SetDrives
 from trex_gui.protocol.commands import (
     Command,
     DriveAuxiliary,
@@ -19,12 +19,13 @@ class DriveSlots:
     _motors: dict[int, SetDrive] = field(default_factory=dict)
     _auxiliary: SetAuxiliary | None = None
 
-    def put(self, wish: SetDrive | SetAuxiliary) -> None:
-        """Take a wish in place of the one that waits for the same motor."""
-        if isinstance(wish, SetAuxiliary):
-            self._auxiliary = wish
-        else:
-            self._motors[wish.motor] = wish
+    def put(self, request: MotorRequest) -> None:
+        """Take each wish in place of the one that waits for the same motor."""
+        for wish in wishes_in(request):
+            if isinstance(wish, SetAuxiliary):
+                self._auxiliary = wish
+            else:
+                self._motors[wish.motor] = wish
 
     def put_all(self, wishes: Sequence[SetDrive | SetAuxiliary]) -> None:
         """Take several wishes, each as by `put`."""
@@ -54,6 +55,11 @@ class DriveSlots:
                 self._auxiliary = self._auxiliary or wish
             else:
                 self._motors.setdefault(wish.motor, wish)
+
+
+def wishes_in(request: MotorRequest) -> Sequence[SetDrive | SetAuxiliary]:
+    """Return what is asked of each motor, one wish a motor."""
+    return request.drives if isinstance(request, SetDrives) else (request,)
 
 
 def packets(wishes: Sequence[SetDrive | SetAuxiliary]) -> list[Command[None]]:

@@ -26,10 +26,13 @@ class Guard:
     Attributes:
         clock: seconds, as for every time here.
         armed: whether somebody has armed the motors and none has stopped them since.
+        is_reachable: whether the board answers; who arms it while it does not cannot know that
+            yet, and is told by the silence that nothing is armed.
     """
 
     clock: Callable[[], float] = time.monotonic
     armed: bool = False
+    is_reachable: bool = True
     _awaits_arm: bool = False
     _locked_until: float = -math.inf
     _heard_at: float = -math.inf
@@ -65,7 +68,12 @@ class Guard:
             raise BadRequest("The motors are locked for a while after a stop; nothing was sent.")
 
     def arm(self) -> None:
-        """Let wishes through: requests keep their order, so this is younger than any stop."""
+        """Let wishes through: requests keep their order, so this is younger than any stop.
+
+        But not to a board that is silent; when it is back, it has to be armed anew.
+        """
+        if not self.is_reachable:
+            return
         self.armed = True
         self._awaits_arm = False
         self._locked_until = -math.inf

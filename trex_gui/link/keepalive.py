@@ -57,6 +57,18 @@ def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
     )
 
 
+def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
+    """Whether motors go on when one answer is lost, since the next question comes in time.
+
+    Where it does not, the line may feed the timeout for as long as nothing ever goes wrong, and
+    that cannot be promised. `lateness`: seconds for which an answer is waited beyond its time on
+    the wire, which is as long as nothing else is sent.
+    """
+    left_out = too_slow(line, timeout)
+    asked = [command for topic, command in _QUESTIONS.items() if topic not in left_out]
+    return timeout <= 0 or max(silence(line, command) for command in asked) + lateness < timeout
+
+
 def longest_pause(timeout: float) -> float | None:
     """Return after how many seconds of rest something is to be asked; `None`: never."""
     return timeout * _EAGERNESS if timeout > 0 else None

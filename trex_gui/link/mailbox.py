@@ -16,6 +16,7 @@ from trex_gui.link.messages import (
     Request,
     SetAuxiliary,
     SetDrive,
+    SetDrives,
     Stop,
     Write,
 )
@@ -73,7 +74,7 @@ class Mailbox:
                         self.guard.arm()
                 case Pulse():
                     self.guard.note_life()
-                case SetDrive() | SetAuxiliary():
+                case SetDrive() | SetDrives() | SetAuxiliary():
                     self.guard.note_life()
                     if not self.closing and not self.guard.drops_wishes:
                         self.drives.put(request)

@@ -36,6 +36,13 @@ class SetDrive:
 
 
 @dataclass(frozen=True, slots=True)
+class SetDrives:
+    """What both motors shall do from now on, in one packet: neither begins before the other."""
+
+    drives: tuple[SetDrive, SetDrive]
+
+
+@dataclass(frozen=True, slots=True)
 class SetAuxiliary:
     """What the auxiliary motor shall do from now on, 0-127."""
 
@@ -106,7 +113,10 @@ class Close:
     """Stop the motors if they were driven, give the port back, end."""
 
 
-Request = Ask | SetDrive | SetAuxiliary | Stop | Arm | Pulse | Write | Reload | Expect | Close
+MotorRequest = SetDrive | SetDrives | SetAuxiliary
+"""What asks motors for something."""
+
+Request = Ask | MotorRequest | Stop | Arm | Pulse | Write | Reload | Expect | Close
 
 # --- Out --------------------------------------------------------------------------------
 

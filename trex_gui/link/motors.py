@@ -7,45 +7,36 @@ import logging
 from collections.abc import Callable, Sequence
 
 from trex_gui.link.client import Client
-from trex_gui.link.drives import DriveSlots, packets
+from trex_gui.link.drives import packets
 from trex_gui.link.mailbox import Mailbox
-from trex_gui.link.messages import Halted, Outcome, SetAuxiliary, SetDrive
+from trex_gui.link.messages import Halted, Outcome, Stop
+from trex_gui.link.repeating import Repeating
+from trex_gui.link.resting import Resting
 from trex_gui.link.stopping import ATTEMPTS, send_stop, stop_and_prove
 from trex_gui.link.telemetry import StatusNews, StatusReader
 from trex_gui.protocol.errors import BadReply, BadRequest, NoReply
-from trex_gui.protocol.flags import Status, UartError
 
 log = logging.getLogger(__name__)
 
 DRIVE_INTERVAL = 0.02
 """Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
 
-REPEATS = (0.15, 0.3, 0.6, 1.2)
-"""Seconds after which what stands is sent once more, one after the other, until it is proved.
+_CLOSING_ATTEMPTS = 6
+_CAREFUL_CLOSING_ATTEMPTS = 16
+"""How often a stop is sent when the line is to be given back: somebody waits for that.
 
-Motor packets have no reply: a status that was read after one, and is clean, is the proof. The
-first is later than the next status of a line that is not slow; where none comes, they become rare.
-A status with an error begins anew, at once.
+The second where the line has damaged bytes: it is the last chance, and wants more rounds.
 """
-
-LONGEST_REPEATING = 5.0
-"""Seconds after the newest wish from which on it is not repeated any more, proved or not."""
-
-_ROUNDS = 2
-"""Packets and clean statuses, one after the other, that prove a wish; see `stopping`.
-
-One does where a repeat could do harm: setting a speed at once goes round the current limiter.
-"""
-
-_SHUT_DOWN = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
-"""What the status says when the board has stopped a motor itself."""
-
-CLOSING_ATTEMPTS = 6
-"""How often a stop is sent when the line is to be given back: somebody waits for that."""
 
 INSISTING_ATTEMPTS = 4
 INSISTING_INTERVAL = 0.25
 """How often, and seconds after which, a stop is sent again that no status has proved yet."""
+
+PROOF_PATIENCE = 3.0
+"""Seconds that a stop waits for a line to become quiet before it is told that it is not proved.
+
+At 19200 baud and above that takes 1.6 s from the last damage on.
+"""
 
 _LONGEST_DRIVE = 11
 """Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
@@ -54,6 +45,10 @@ _UNPROVED = (
     "The stop was sent, but the board does not confirm it. If a motor still turns, cut its power."
 )
 
+_DAMAGED = (
+    "The stop was sent and the board answers, but the line damages bytes. It is sent again until "
+    "the line is quiet. If a motor still turns, cut its power."
+)
 
 _ABANDONED = (
     "The window did not respond for a second, so the motors were stopped. Press Run motor to go on."
@@ -84,62 +79,62 @@ class Motors:
         self._answer = answer
         self._take_news = take_news
         self._drove_at = 0.0
-        self._wished_at = 0.0
-        self._standing = DriveSlots()
-        self._repeat_at: float | None = None
-        self._repeated = 0
-        self._proofs = 0
-        self._unseen = False
+        self._repeating = Repeating()
         self._tried_at: float | None = None
+        self._resting = Resting()
+        self._unproved: list[Stop] = []
+        self._proof_until = 0.0
         self.may_move = may_move
 
-    def seconds_to_drive(self, client: Client) -> float | None:
-        """Return how long what is to be sent must wait still; `None`: there is nothing."""
-        if self._mail.drives:
-            due = self._drove_at + _interval(client)
-        elif self._repeat_at is not None:
-            due = max(self._repeat_at, self._drove_at + _interval(client))
-        else:
-            return None
-        return due - client.transport.clock()
+    def seconds_to_drive(self, client: Client, *, silent: bool = False) -> float | None:
+        """Return how long what is to be sent must wait still; `None`: there is nothing.
+
+        A `silent` board is told nothing again.
+        """
+        interval = _interval(client)
+        earliest = self._drove_at + interval
+        moments = [earliest] if self._mail.drives else []
+        if self._repeating.due is not None:
+            moments.append(max(self._repeating.due, earliest))
+        rest_at = self._resting.due(client, interval, armed=self._mail.guard.armed)
+        if rest_at is not None and not silent:
+            moments.append(max(rest_at, earliest))
+        return min(moments) - client.transport.clock() if moments else None
+
+    def is_careful(self, client: Client) -> bool:
+        """Whether nothing must be asked that a damaged bit makes a motor command."""
+        drives = self.may_move or self._mail.guard.armed
+        return drives and not self._resting.calm.is_quiet(client)
 
     def drive(self, client: Client) -> None:
-        """Send the newest wish for each motor; or, where none waits, those that stand once more.
+        """Send the newest wish for each motor; or, where none waits, what is to be sent again.
 
         Raises:
             NoReply, BadReply: the echo shows that a packet was damaged; the wish still stands.
             PortUnavailable: the line is gone.
         """
-        wishes = self._mail.drives.take()
-        self._drove_at = client.transport.clock()
-        if wishes:
-            self._wished_at = self._drove_at
-            self._repeated = self._proofs = 0
+        now = self._drove_at = client.transport.clock()
+        if wishes := self._mail.drives.take():
+            self._repeating.begin(wishes, now)
+        elif self._repeating.due is not None and self._repeating.due <= now:
+            wishes = self._repeating.take(now)
         else:
-            wishes = self._standing.take()
-            self._repeated += 1
-        self._stand(wishes)
+            for command in self._resting.take(now):
+                client.send(command)  # goes before the rest of an answer is awaited
+            return
         self.may_move = True
         self._tried_at = None
+        self._tell_unproved()
+        self._resting.note_wishes(wishes, self._drove_at)
         try:
             for command in packets(wishes):
                 client.request(command)
         except BadRequest as error:
-            self._rest()
+            self._repeating.rest()
             log.warning("a wish that no motor can obey was dropped: %s", error)
         except (NoReply, BadReply):
             self._mail.drives.put_back(wishes)
             raise
-
-    def _stand(self, wishes: Sequence[SetDrive | SetAuxiliary]) -> None:
-        """Remember what is being sent now, for the next repeat if there shall be one."""
-        is_late = self._drove_at >= self._wished_at + LONGEST_REPEATING
-        if is_late or self._repeated >= len(REPEATS):
-            self._rest()
-            return
-        self._standing.put_all(wishes)
-        self._repeat_at = self._drove_at + REPEATS[self._repeated]
-        self._unseen = True
 
     def note_status(
         self, news: StatusNews | None, now: float, *, is_whole: bool, stops_on_error: bool
@@ -149,68 +144,115 @@ class Motors:
         `is_whole` says that no error can be waiting behind it, `stops_on_error` that the board
         stops its motors on any. What it has stopped itself is not started again.
         """
-        if self._repeat_at is None:
-            return
-        status = Status(0) if news is None else news.status
-        uart = UartError(0) if news is None else news.uart
-        is_clean = is_whole and not uart & ~UartError.TIMEOUT
-        wishes = self._standing.take()
-        if status & _SHUT_DOWN or uart & UartError.TIMEOUT or (stops_on_error and not is_clean):
-            wishes = [wish for wish in wishes if _rests(wish)]
-        if is_clean and self._unseen:
-            self._unseen = False
-            self._proofs += 1
-        elif not is_clean:
-            self._proofs = self._repeated = 0
-            self._repeat_at = now
-        is_harmless = all(wish.accelerate or _rests(wish) for wish in wishes)
-        if not wishes or self._proofs >= (_ROUNDS if is_harmless else 1):
-            self._rest()
-        else:
-            self._standing.put_all(wishes)
+        self._resting.calm.note(news)
+        self._repeating.note_status(news, now, is_whole=is_whole, stops_on_error=stops_on_error)
 
     def forget(self) -> None:
         """Send no wish that waits or stands: a stop or the silence of the board came after it."""
         self._mail.drives.clear()
-        self._rest()
+        self._resting.forget()
+        self._repeating.rest()
 
-    def _rest(self) -> None:
-        self._standing.clear()
-        self._repeat_at = None
+    def leave(self) -> None:
+        """Motors are driven by a command that is no wish: what rests is not known any more."""
+        self._resting.leave()
+        self.may_move = True
 
-    def stop(self, client: Client, status: StatusReader, attempts: int = ATTEMPTS) -> None:
+    def stop(self, client: Client, status: StatusReader) -> None:
         """Serve every stop that waits; each gets its outcome, even when the line is lost.
+
+        On a line that damages bytes the outcome comes when it has been quiet for a while, or
+        after `PROOF_PATIENCE`; the stop is sent again until then.
 
         Raises:
             PortUnavailable: the line is gone; the stops wait again, for the end of the session.
         """
-        stops = self._mail.take_stops()
+        stops = self._take_stops()
+        try:
+            stopped = self._stop(client, status, ATTEMPTS, careful=False)
+        except Exception:
+            self._mail.stops = stops
+            raise
+        if stopped and self.may_move:
+            self._proof_until = client.transport.clock() + PROOF_PATIENCE
+            self._unproved = stops
+            self._tell((), None)
+        else:
+            self._tell(stops, None if stopped else NoReply(_UNPROVED))
+
+    def stop_at_last(self, client: Client, status: StatusReader) -> None:
+        """Serve every stop that waits, and stop, before the line is given back.
+
+        Raises:
+            PortUnavailable: the line is gone; the stops wait again.
+        """
+        stops = self._take_stops()
+        is_quiet = self._resting.calm.is_quiet(client)
+        attempts = _CLOSING_ATTEMPTS if is_quiet else _CAREFUL_CLOSING_ATTEMPTS
         try:
             proved = self.stop_and_prove(client, status, attempts)
         except Exception:
             self._mail.stops = stops
             raise
+        self._tell(stops, None if proved else NoReply(_UNPROVED))
+
+    def _take_stops(self) -> list[Stop]:
+        stops, self._unproved = self._unproved + self._mail.take_stops(), []
+        return stops
+
+    def _tell(self, stops: Sequence[Stop], error: NoReply | None) -> None:
         for number in self._mail.overtaken:
             self._answer(Outcome(number, error=BadRequest(_OVERTAKEN)))
         self._mail.overtaken.clear()
         for stop in stops:
-            self._answer(Outcome(stop.id, error=None if proved else NoReply(_UNPROVED)))
+            self._answer(Outcome(stop.id, error=error))
+
+    def _tell_unproved(self) -> None:
+        """Tell those whose stop is not proved yet that it is not."""
+        stops, self._unproved = self._unproved, []
+        self._tell(stops, NoReply(_DAMAGED))
 
     def stop_and_prove(
         self, client: Client, status: StatusReader, attempts: int = ATTEMPTS
     ) -> bool:
         """Stop unasked, and return whether the board's status proves that it has arrived.
 
+        It does not wait for a line that damages bytes to become quiet, but wants more of it.
+
         Raises:
             PortUnavailable: the line is gone.
         """
-        self._rest()
-        stopped = stop_and_prove(client, status, attempts)
+        careful = not self._resting.calm.is_quiet(client)
+        stopped = self._stop(client, status, attempts, careful=careful)
+        if stopped:
+            self._stand_still()
+        return stopped
+
+    def _stop(self, client: Client, status: StatusReader, attempts: int, *, careful: bool) -> bool:
+        """Stop, and return whether clean statuses have followed; on a quiet line that proves it.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        self._repeating.rest()
+        stopped = stop_and_prove(client, status, attempts, careful=careful)
+        now = client.transport.clock()
+        self._resting.note_stop(now)
+        self._drove_at = now
         self._take_news(stopped.news)
-        if stopped.proved:
-            self.may_move = False
-        self._tried_at = None if stopped.proved else client.transport.clock()
+        for news in stopped.news:
+            self._resting.calm.note(news)
+        if stopped.proved and self._resting.calm.is_quiet(client):
+            self._stand_still()
+        else:
+            # Where it was heard, one of its packets may have become another one.
+            self.may_move |= stopped.proved
+            self._tried_at = now
         return stopped.proved
+
+    def _stand_still(self) -> None:
+        self.may_move = False
+        self._tried_at = None
 
     def stop_abandoned(self, client: Client, status: StatusReader) -> None:
         """Stop because nobody seems to be there who could.
@@ -220,7 +262,8 @@ class Motors:
         """
         self._mail.guard.give_up()
         self._mail.drives.clear()
-        self._answer(Halted(_ABANDONED, self.stop_and_prove(client, status)))
+        stopped = self._stop(client, status, ATTEMPTS, careful=False)
+        self._answer(Halted(_ABANDONED, proved=stopped and not self.may_move))
 
     def seconds_to_insist(self, client: Client) -> float | None:
         """Return when to send a stop again that is not proved; `None`: the motors stand."""
@@ -234,8 +277,13 @@ class Motors:
         Raises:
             PortUnavailable: the line is gone.
         """
-        if self.stop_and_prove(client, status, INSISTING_ATTEMPTS):
+        stopped = self._stop(client, status, INSISTING_ATTEMPTS, careful=False)
+        if stopped and not self.may_move:
+            stops, self._unproved = self._unproved, []
+            self._tell(stops, None)
             self._answer(Halted("", proved=True))
+        elif self._tried_at is not None and self._tried_at >= self._proof_until:
+            self._tell_unproved()
 
     def stop_early(self, client: Client) -> None:
         """Send the stops that wait, or are due, on a line of which nothing is known yet.
@@ -245,7 +293,7 @@ class Motors:
         Raises:
             PortUnavailable: the line is gone.
         """
-        self._rest()
+        self._repeating.rest()
         if self.may_move or self._mail.stops:
             send_stop(client)
             client.drain()
@@ -257,16 +305,10 @@ class Motors:
         Raises:
             PortUnavailable: the line is gone.
         """
-        self._rest()
+        self._repeating.rest()
+        self._tell_unproved()
         if self.may_move:
             send_stop(client)
-
-
-def _rests(wish: SetDrive | SetAuxiliary) -> bool:
-    """Whether a motor that obeys it comes to rest."""
-    if isinstance(wish, SetAuxiliary):
-        return not wish.speed
-    return wish.drive.is_brake or not wish.drive.signed
 
 
 def _interval(client: Client) -> float:

@@ -30,9 +30,16 @@ class Polling:
         """Follow the serial timeout that the board stores: it is in force at once."""
         self.timeout = wire * state.specs["serial_timeout"].scale
 
-    def next(self, now: float, line: LineSettings, *, armed: bool) -> Topic | None:
-        """Return what to ask now, and count it as asked; `None` while nothing is due."""
+    def next(
+        self, now: float, line: LineSettings, *, armed: bool, careful: bool = False
+    ) -> Topic | None:
+        """Return what to ask now, and count it as asked; `None` while nothing is due.
+
+        Who is `careful` asks nothing that one damaged bit makes a command which starts a motor.
+        """
         left_out: Collection[Topic] = too_slow(line, self.timeout) if armed else ()
+        if careful:
+            left_out = {*left_out, Topic.RAW}  # 86 1F is one bit away from C6 1F, 87 1F brakes
         while topic := self._schedule.next(now):
             self._schedule.asked(topic, now)
             if topic not in left_out:

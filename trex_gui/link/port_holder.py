@@ -24,6 +24,13 @@ def holder_of(url: str) -> str | None:
     return None
 
 
+def is_locked_elsewhere(url: str) -> bool:
+    """Whether another program has locked a port; also where nobody can see who has."""
+    with contextlib.suppress(OSError):
+        return _locking(Path(url)) not in {None, os.getpid()}
+    return True
+
+
 def _locking(path: Path) -> int | None:
     status = path.stat()
     major, minor = os.major(status.st_dev), os.minor(status.st_dev)

@@ -22,6 +22,7 @@ class Search:
     def __init__(self) -> None:
         self.has_looked = False
         self._places: deque[LinkSettings] = deque()
+        self._expected: tuple[LinkSettings, ...] = ()
 
     @property
     def is_round_over(self) -> bool:
@@ -43,6 +44,9 @@ class Search:
             PortUnavailable: the line is gone.
         """
         self.has_looked = True
+        if expected != self._expected:
+            self._places.clear()  # of the others, where it is not expected any more
+            self._expected = expected
         if not self._places:
             self._places.extend(places_to_look(client.settings, expected))
         place, transport = self._places.popleft(), client.transport

@@ -9,12 +9,12 @@ import logging
 from collections.abc import Callable
 from dataclasses import replace
 
+from trex_gui.link.batches import Batches
 from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
 from trex_gui.link.mailbox import Inbox, Mailbox
 from trex_gui.link.messages import (
     Ask,
-    Batch,
     Closed,
     Connected,
     Occasion,
@@ -25,13 +25,13 @@ from trex_gui.link.messages import (
     Silent,
     Write,
 )
-from trex_gui.link.motors import CLOSING_ATTEMPTS, Motors
+from trex_gui.link.motors import Motors
 from trex_gui.link.polling import Polling
 from trex_gui.link.presence import RETRY_INTERVAL, Presence
 from trex_gui.link.reading import DeviceState, read_everything
 from trex_gui.link.schedule import Topic
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.telemetry import ModeSeen, Sample, StatusNews, StatusReader, poll
+from trex_gui.link.telemetry import ModeSeen, StatusNews, StatusReader, poll
 from trex_gui.link.transport import SerialTransport, Transport
 from trex_gui.link.writing import Written, write_all
 from trex_gui.protocol.commands import Command, GetMode, ReplyT_co
@@ -46,9 +46,6 @@ from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.protocol.parameters import ParameterSet
 
 log = logging.getLogger(__name__)
-
-FRAME = 1 / 60
-"""Seconds between two batches: nobody sees more than one a display frame."""
 
 _TICK = 1e-5
 """Shortest wait in seconds: a rounding error in a sum of times must not become a busy loop."""
@@ -82,12 +79,11 @@ class Session:
         self._emit = emit
         self._open_transport = open_transport
         self._mail = Mailbox(inbox)
-        self._samples: list[Sample] = []
-        self._motors = Motors(self._mail, emit, self._samples.extend, may_move=may_move)
+        self._batches = Batches(emit)
+        self._motors = Motors(self._mail, emit, self._batches.extend, may_move=may_move)
         self._presence = Presence()
         self._state: DeviceState | None = None
         self._polling = Polling()
-        self._flushed_at = 0.0
         self._port_rates: frozenset[int] | None = None
 
     def run(self) -> None:
@@ -152,6 +148,7 @@ class Session:
                 self._motors.stop_and_prove(self._client, self._status)
         self._polling.start(self._state, self._now())
         self._presence.begin()
+        self._mail.guard.is_reachable = True
         self._flush()
         self._emit(
             Connected(
@@ -173,7 +170,7 @@ class Session:
         """Stop what was driven and give the port back, whatever the line does."""
         try:
             if self._motors.may_move or self._mail.stops:
-                self._motors.stop(self._client, self._status, CLOSING_ATTEMPTS)
+                self._motors.stop_at_last(self._client, self._status)
             self._client.drain()
         except TrexError:
             log.info("the line was left without a proved stop", exc_info=True)
@@ -194,7 +191,8 @@ class Session:
     def _step(self) -> None:
         self._collect()
         now = self._now()
-        if now - self._flushed_at >= FRAME:
+        due = self._batches.seconds_to_next(now)
+        if due is not None and due <= 0:
             self._flush()
         if self._serve_urgent():
             return
@@ -204,10 +202,15 @@ class Session:
             self._look_again()
         elif self._presence.silent:
             self._collect(self._seconds_to_wait(now))
-        elif topic := self._polling.next(now, self._line, armed=self._mail.guard.armed):
+        elif topic := self._next_topic(now):
             self._poll(topic)
         else:
             self._collect(self._seconds_to_wait(now))
+
+    def _next_topic(self, now: float) -> Topic | None:
+        self._client.feeds_timeout = self._mail.guard.armed
+        careful = self._motors.is_careful(self._client)
+        return self._polling.next(now, self._line, armed=self._mail.guard.armed, careful=careful)
 
     def _has_to_insist(self) -> bool:
         seconds = self._motors.seconds_to_insist(self._client)
@@ -227,12 +230,15 @@ class Session:
                 self._polling.seconds_to_next(now, armed=self._mail.guard.armed),
                 self._motors.seconds_to_insist(self._client),
             )
-        if self._samples:
-            moments.append(self._flushed_at + FRAME - now)
         moments += _known(
-            self._motors.seconds_to_drive(self._client), self._mail.guard.seconds_to_alarm
+            self._batches.seconds_to_next(now),
+            self._seconds_to_drive(),
+            self._mail.guard.seconds_to_alarm,
         )
         return max(_TICK, min(moments))
+
+    def _seconds_to_drive(self) -> float | None:
+        return self._motors.seconds_to_drive(self._client, silent=self._presence.silent)
 
     def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
         """Run one transaction of a longer piece of work, unless something goes before it."""
@@ -251,7 +257,7 @@ class Session:
         if self._has_to_insist():
             self._motors.insist(self._client, self._status)
             return True
-        seconds = self._motors.seconds_to_drive(self._client)
+        seconds = self._seconds_to_drive()
         if seconds is None or seconds > 0:
             return False
         self._drive()
@@ -280,7 +286,8 @@ class Session:
                     self._refuse()
                 case Ask(command=command):
                     self._mail.guard.check(command)
-                    self._motors.may_move |= command.moves
+                    if command.moves:
+                        self._motors.leave()
                     value = self._request(command)
                 case Write():
                     value = self._write(job)
@@ -312,7 +319,7 @@ class Session:
             nonlocal has_stopped
             if is_closing() and self._motors.may_move and not has_stopped:
                 has_stopped = True
-                self._motors.stop(self._client, self._status, CLOSING_ATTEMPTS)
+                self._motors.stop_at_last(self._client, self._status)
             self._serve_urgent()
             return self._client.request(command)
 
@@ -360,7 +367,7 @@ class Session:
             if topic is Topic.STATUS:
                 self._note_status(sample if isinstance(sample, StatusNews) else None)
             if sample is not None:
-                self._samples.append(sample)
+                self._batches.add(sample)
             if isinstance(sample, ModeSeen) and self._state and sample.mode is not self._state.mode:
                 # The power was off and a jumper has moved: everything may be different now.
                 if self._motors.may_move:
@@ -381,6 +388,7 @@ class Session:
     def _note_failure(self, error: TrexError) -> None:
         if self._presence.note_failure(self._now()):
             self._give_up_driving()
+            self._mail.guard.is_reachable = False
             self._motors.stop_unheard(self._client)
             self._flush()
             self._emit(Silent(str(error), replace(self._client.counters)))
@@ -412,8 +420,4 @@ class Session:
         return True
 
     def _flush(self) -> None:
-        self._flushed_at = self._now()
-        if self._samples:
-            batch = Batch(tuple(self._samples), replace(self._client.counters))
-            self._samples.clear()
-            self._emit(batch)
+        self._batches.tell(self._client.counters, self._now())

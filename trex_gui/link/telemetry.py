@@ -51,6 +51,15 @@ class StatusNews:
     status: Status
     uart: UartError
 
+    @property
+    def tells_of_damage(self) -> bool:
+        """Whether the line has damaged something; a timeout is no damage.
+
+        Where an error is announced and its kind is not told, the question for it was damaged.
+        """
+        untold = Status.UART_ERROR in self.status and not self.uart
+        return untold or bool(self.uart & ~UartError.TIMEOUT)
+
 
 @dataclass(frozen=True, slots=True)
 class Control:

@@ -16,7 +16,7 @@ from typing import Protocol
 import serial
 from serial.tools import list_ports
 
-from trex_gui.link.port_holder import holder_of
+from trex_gui.link.port_holder import holder_of, is_locked_elsewhere
 from trex_gui.link.port_rates import rates_of
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.errors import BadReply, BadRequest, PortUnavailable
@@ -36,7 +36,18 @@ _LOCAL_LATENCY = 0.06
 _REMOTE_LATENCY = 0.5
 """Allowance for a port behind a network."""
 
+_BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
+
+_HANDING_OVER = 1.5
+"""Seconds for which a port is waited for that another line of this program has locked: one that
+closes takes no longer than its last stop is tried."""
+
 PARITIES = {Detection.EVEN: serial.PARITY_EVEN, Detection.ODD: serial.PARITY_ODD}
+
+
+def latency_of(url: str) -> float:
+    """Return the seconds that a byte may be late on a port for reasons that are not the wire's."""
+    return _REMOTE_LATENCY if "://" in url else _LOCAL_LATENCY
 
 
 class Transport(Protocol):
@@ -113,8 +124,7 @@ class SerialTransport:
         self._url = settings.url
         self._name = settings.name or settings.url
         self._port = _open(settings)
-        remote = "://" in settings.url
-        self._latency = _REMOTE_LATENCY if remote else _LOCAL_LATENCY
+        self._latency = latency_of(settings.url)
 
     @property
     def latency(self) -> float:
@@ -242,13 +252,31 @@ def _open(settings: LinkSettings) -> serial.Serial:
             port.write_timeout = 1
         if "://" not in settings.url and sys.platform != "win32":
             port.exclusive = True
-        port.open()
+        _open_when_free(port, settings.url)
     except PORT_ERRORS as error:
         raise PortUnavailable(why_not_open(settings.url, line, error)) from error
     # FTDI adapters hold bytes back up to 16 ms; the Linux driver can be asked not to.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
         port.set_low_latency_mode(True)
     return port
+
+
+def _open_when_free(port: serial.Serial, url: str) -> None:
+    """Open a port; wait a moment for a line of this program that is about to give it back.
+
+    That one may still be proving that the motors stand. Nobody else is waited for.
+    """
+    deadline = time.monotonic() + _HANDING_OVER
+    while True:
+        try:
+            port.open()
+        except PORT_ERRORS as error:
+            is_late = time.monotonic() >= deadline
+            if is_late or _errno(error) not in _BUSY or is_locked_elsewhere(url):
+                raise
+            time.sleep(_SLICE)
+        else:
+            return
 
 
 def why_not_open(url: str, line: LineSettings, error: Exception) -> str:
@@ -263,7 +291,7 @@ def why_not_open(url: str, line: LineSettings, error: Exception) -> str:
         return f"{url} is in use by another program, or locked by its driver."
     if number in {errno.EACCES, errno.EPERM}:
         return f"You may not open {url}. {_permission_cure(url)}"
-    if number in {errno.EBUSY, errno.EAGAIN}:
+    if number in _BUSY:
         holder = holder_of(url)
         by = f" by {holder}" if holder else " by another program"
         return f"{url} is in use{by}. Close it there, then connect again."

@@ -15,6 +15,7 @@ from trex_gui.link.messages import (
     Request,
     SetAuxiliary,
     SetDrive,
+    SetDrives,
     Stop,
     Write,
 )
@@ -70,7 +71,7 @@ class Line(QObject):
         """Hand a request to the session; return whether there is one."""
         if self._worker is None:
             return False
-        self._may_move = self._may_move or isinstance(request, (SetDrive, SetAuxiliary))
+        self._may_move = self._may_move or isinstance(request, (SetDrive, SetDrives, SetAuxiliary))
         self._worker.submit(request)
         return True
 

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.link.messages import Batch, SetAuxiliary, SetDrive
+from trex_gui.link.drives import wishes_in
+from trex_gui.link.messages import Batch, MotorRequest
 from trex_gui.link.reading import DeviceState
 from trex_gui.model.device import Device, Link
 from trex_gui.model.events import Event
@@ -172,8 +173,9 @@ class Recorder(QObject):
         self._put(marker(event.time, event.kind.value, event.text))
 
     @Slot(object)
-    def _on_requested(self, request: SetDrive | SetAuxiliary) -> None:
-        self._put(wish_of(request, self._clock()))
+    def _on_requested(self, request: MotorRequest) -> None:
+        now = self._clock()
+        self._put(*(wish_of(wish, now) for wish in wishes_in(request)))
 
     @Slot()
     def _on_state_changed(self) -> None:

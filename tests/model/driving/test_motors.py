@@ -1,9 +1,12 @@
 """What a person wants the motors to do, and when it may be sent."""
 
+from collections.abc import Callable
+
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.link.messages import SetAuxiliary, SetDrive
+from trex_gui.link.messages import MotorRequest, SetAuxiliary, SetDrive, SetDrives
+from trex_gui.model.driving.held import HeldDrive
 from trex_gui.model.driving.motors import LOCKOUT, Motors
 from trex_gui.protocol.commands import Drive
 from trex_gui.protocol.errors import BadRequest
@@ -14,7 +17,7 @@ class Asked:
 
     def __init__(self) -> None:
         self.motors = Motors()
-        self.wishes: list[SetDrive | SetAuxiliary] = []
+        self.wishes: list[MotorRequest] = []
         self.stops = 0
         self.changes = 0
         self.motors.requested.connect(self.wishes.append)
@@ -91,7 +94,8 @@ def test_wishes_say_whether_to_go_there_slowly(armed: Asked, *, accelerate: bool
     armed.motors.accelerate = accelerate
     armed.motors.set_speed(1, 1)
     armed.motors.set_auxiliary(1)
-    assert [wish.accelerate for wish in armed.wishes] == [accelerate, accelerate]
+    told = [wish.accelerate for wish in armed.wishes if not isinstance(wish, SetDrives)]
+    assert told == [accelerate, accelerate]
 
 
 def test_the_same_wish_again_is_not_sent_again(armed: Asked) -> None:
@@ -276,6 +280,24 @@ def test_a_higher_ceiling_speeds_nothing_up(armed: Asked) -> None:
     assert armed.wishes == []
 
 
+def test_a_higher_ceiling_waits_for_a_control_that_is_held(armed: Asked) -> None:
+    armed.motors.set_ceiling(30)
+    armed.motors.hold("stick")
+    armed.motors.set_speed(1, 127, "stick")
+    armed.motors.set_ceiling(100)
+    armed.motors.set_speed(1, 127, "stick")  # as a stick that is held still says again and again
+    armed.motors.set_auxiliary(127, "stick")
+    assert armed.motors.drive(1) == Drive.at(30)
+    assert (armed.motors.ceiling, armed.motors.auxiliary) == (100, 30)
+    armed.motors.set_ceiling(20)
+    assert armed.motors.drive(1) == Drive.at(20)
+    armed.motors.set_ceiling(100)
+    armed.motors.let_go("stick")
+    armed.motors.hold("stick")
+    armed.motors.set_speed(1, 127, "stick")
+    assert armed.motors.drive(1) == Drive.at(100)
+
+
 @pytest.mark.parametrize("speed", [0, 128])
 def test_a_ceiling_that_is_none_is_refused(asked: Asked, speed: int) -> None:
     with pytest.raises(ValueError, match="1 to 127"):
@@ -287,11 +309,42 @@ def test_linked_motors_do_the_same(armed: Asked) -> None:
     armed.motors.set_speed(2, 30)
     armed.motors.set_brake(1, 60)
     assert armed.wishes == [
-        SetDrive(1, Drive.at(30), True),
-        SetDrive(2, Drive.at(30), True),
-        SetDrive(1, Drive.brake(60), True),
-        SetDrive(2, Drive.brake(60), True),
+        SetDrives((SetDrive(1, Drive.at(30), True), SetDrive(2, Drive.at(30), True))),
+        SetDrives((SetDrive(1, Drive.brake(60), True), SetDrive(2, Drive.brake(60), True))),
     ]
+
+
+@pytest.mark.parametrize("drives", [(50, 20), (50, 0), (0, -50)])
+def test_motors_that_run_differently_are_not_linked(armed: Asked, drives: tuple[int, int]) -> None:
+    armed.motors.set_speeds(*drives)
+    armed.wishes.clear()
+    assert not armed.motors.can_link
+    armed.motors.set_linked(True)
+    assert not armed.motors.linked
+    assert armed.wishes == []
+
+
+def test_motors_that_rest_or_run_alike_are_linked_and_go_on_as_they_are(armed: Asked) -> None:
+    alike: list[Callable[[Motors], None]] = [
+        lambda motors: motors.set_brake(1, 60),
+        lambda motors: motors.set_speeds(0, 0),
+        lambda motors: motors.set_speeds(40, 40),
+    ]
+    for drive in alike:
+        drive(armed.motors)
+        armed.wishes.clear()
+        armed.motors.set_linked(True)
+        assert armed.wishes == []
+        armed.motors.set_speed(2, 10)
+        assert armed.motors.drive(1) == Drive.at(10)
+        armed.motors.set_linked(False)
+
+
+def test_linked_motors_stay_linked_however_often_it_is_said(armed: Asked) -> None:
+    armed.motors.set_linked(True)
+    armed.motors.set_speed(1, 40)
+    armed.motors.set_linked(True)
+    assert armed.motors.linked
 
 
 # --- Controls that must be held ---------------------------------------------------------
@@ -305,8 +358,7 @@ def test_a_held_control_that_lets_go_leaves_the_motors_braked(armed: Asked) -> N
     armed.wishes.clear()
     armed.motors.let_go("pad")
     assert armed.wishes == [
-        SetDrive(1, Drive.brake(64), True),
-        SetDrive(2, Drive.brake(64), True),
+        SetDrives((SetDrive(1, Drive.brake(64), True), SetDrive(2, Drive.brake(64), True)))
     ]
     assert armed.motors.armed
     assert armed.motors.holder == ""
@@ -365,3 +417,35 @@ def test_a_control_that_disappears_stops_everything(armed: Asked) -> None:
     assert not armed.motors.armed
     assert armed.motors.stop_reason == "The gamepad is gone."
     assert armed.motors.holder == ""
+
+
+@pytest.mark.parametrize("linked", [False, True])
+def test_pad_and_keys_ask_both_motors_in_one_message(armed: Asked, *, linked: bool) -> None:
+    armed.motors.set_linked(linked)
+    drive = HeldDrive(armed.motors, "pad")
+    for _ in range(3):
+        drive.steer(0.5, 0.1)
+        drive.let_go()
+    assert len(armed.wishes) == 6
+    assert {type(wish) for wish in armed.wishes} == {SetDrives}
+
+
+def test_a_ceiling_slows_both_motors_in_one_message(armed: Asked) -> None:
+    armed.motors.set_speeds(100, -100)
+    armed.wishes.clear()
+    armed.motors.set_ceiling(30)
+    both = SetDrive(1, Drive.at(30), True), SetDrive(2, Drive.at(-30), True)
+    assert armed.wishes == [SetDrives(both)]
+
+
+def test_what_a_motor_does_already_is_not_asked_again_with_the_other(armed: Asked) -> None:
+    armed.motors.set_speeds(50, 50)
+    armed.motors.set_speeds(50, 60)
+    armed.motors.set_speeds(50, 60)
+    assert armed.wishes[1:] == [SetDrive(2, Drive.at(60), True)]
+
+
+def test_a_speed_that_no_motor_has_is_refused_for_both(armed: Asked) -> None:
+    with pytest.raises(BadRequest, match="-127 to 127"):
+        armed.motors.set_speeds(50, 128)
+    assert armed.wishes == []

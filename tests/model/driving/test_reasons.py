@@ -31,6 +31,11 @@ from trex_gui.protocol.flags import Mode, UartError
             Kind.SAFE_START,
             "channels 1, 2 and 4 are required and have no signal",
         ),
+        (
+            Situation(mode=Mode.RC, by_serial=False, perhaps_held=True),
+            Kind.CHANNELS,
+            "perhaps held by safe-start",
+        ),
         (Situation(locked_for=2.2), Kind.LOCKED, "locked for 3 s"),
         (Situation(faults=(1,)), Kind.FAULT, "Motor 1"),
         (Situation(faults=(1, 2), armed=True), Kind.FAULT, "Motors 1 and 2"),

@@ -38,10 +38,12 @@ class HeldDrive(QObject):
         """Wish for -1 to 1 of the speed ceiling each way; return whether the motors are ours."""
         if not self._motors.hold(self._name):
             return False
-        left, right = mix(forward, turn if self.can_turn else 0.0, self._motors.ceiling)
-        self._motors.set_speed(1, left, self._name)
+        ceiling = self._motors.ceiling_in_force
+        left, right = mix(forward, turn if self.can_turn else 0.0, ceiling)
         if self.can_turn:
-            self._motors.set_speed(2, right, self._name)
+            self._motors.set_speeds(left, right, self._name)
+        else:
+            self._motors.set_speed(1, left, self._name)
         return True
 
     def let_go(self) -> None:

@@ -1,11 +1,11 @@
 """What a person wants the motors to do, and whether it may be sent at all."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.link.messages import SetAuxiliary, SetDrive
+from trex_gui.link.messages import SetAuxiliary, SetDrive, SetDrives
 from trex_gui.model.driving.lockout import LOCKOUT, Lockout, remembered_lockout
 from trex_gui.protocol.calibration import FULL_SCALE
 from trex_gui.protocol.command import seven_bits
@@ -27,7 +27,8 @@ class Motors(QObject):
 
     Signals:
         changed: a wish, who holds, an option, the lock, or whether the motors are armed.
-        requested: a `SetDrive` or `SetAuxiliary` to send.
+        requested: a `SetDrive`, `SetAuxiliary`, or `SetDrives` where both motors begin something
+            at once.
         stop_requested: everything shall stop, now.
 
     Attributes:
@@ -52,7 +53,7 @@ class Motors(QObject):
         self._can_arm = False
         self._drives: dict[int, Drive] = {}
         self._auxiliary = 0
-        self._ceiling = FULL_SCALE
+        self._ceiling = self._ceiling_in_force = FULL_SCALE
         self._linked = False
         self._release_brake = FULL_SCALE
         self._holder = ""
@@ -115,8 +116,19 @@ class Motors(QObject):
         """The greatest speed that is sent, 1-127; wishes beyond it are made as large as it."""
         return self._ceiling
 
+    @property
+    def ceiling_in_force(self) -> int:
+        """The `ceiling`, or a lower one that was set when the control that is held was taken.
+
+        A stick that is held still would make its motors faster by itself otherwise.
+        """
+        return self._ceiling_in_force
+
     def set_ceiling(self, speed: int) -> None:
         """Send no greater speed from now on; motors that run faster are slowed down to it.
+
+        One that is higher makes nothing faster: it waits for the next wish, and for a control
+        that is held now until it is let go.
 
         Raises:
             ValueError: the speed is not 1 to 127.
@@ -124,9 +136,12 @@ class Motors(QObject):
         if not 1 <= speed <= FULL_SCALE:
             raise ValueError(f"the speed ceiling is 1 to {FULL_SCALE}, not {speed}")
         self._ceiling = speed
-        for motor, drive in tuple(self._drives.items()):
-            if not drive.is_brake:
-                self._wish(motor, Drive.at(self._limited(drive.signed)))
+        if not self._holder or speed < self._ceiling_in_force:
+            self._ceiling_in_force = speed
+        driven = {motor: drive for motor, drive in self._drives.items() if not drive.is_brake}
+        self._wish(
+            {motor: Drive.at(self._limited(drive.signed)) for motor, drive in driven.items()}
+        )
         if self._auxiliary > speed:
             self._wish_auxiliary(speed)
         self.changed.emit()
@@ -136,9 +151,20 @@ class Motors(QObject):
         """Whether a wish for one motor is one for both."""
         return self._linked
 
+    @property
+    def can_link(self) -> bool:
+        """Whether linking them would change nothing that runs: not while they run differently."""
+        first, second = (self._drives.get(motor, Drive.brake()) for motor in (1, 2))
+        at_rest = all(drive.is_brake or not drive.speed for drive in (first, second))
+        return at_rest or first == second
+
     def set_linked(self, linked: bool) -> None:
-        """Let both motors do the same from the next wish on."""
-        self._linked = linked
+        """Let both motors do the same from the next wish on; refused unless `can_link`.
+
+        Linking motors that run differently would have to start one or change its speed, which
+        nobody expects of a tick.
+        """
+        self._linked = linked and (self._linked or self.can_link)
         self.changed.emit()
 
     @property
@@ -199,11 +225,10 @@ class Motors(QObject):
         """End the hold; what this control has driven comes to rest, as `release_brake` says."""
         if not holder or self._holder != holder:
             return
-        for motor in sorted(self._held):
-            if motor == _AUXILIARY:
-                self._wish_auxiliary(0)
-            else:
-                self._wish(motor, Drive.brake(self._release_brake))
+        rest = Drive.brake(self._release_brake)
+        self._wish(dict.fromkeys(sorted(self._held - {_AUXILIARY}), rest))
+        if _AUXILIARY in self._held:
+            self._wish_auxiliary(0)
         self._release()
         self.changed.emit()
 
@@ -220,8 +245,17 @@ class Motors(QObject):
         Raises:
             BadRequest: the speed is outside its range.
         """
-        _ = Drive.at(speed)
-        self._wish_for(motor, Drive.at(self._limited(speed)), holder)
+        self._wish_for({motor: self._at(speed)}, holder)
+
+    def set_speeds(self, first: int, second: int, holder: str = "") -> None:
+        """Wish signed speeds (-127 to 127) for both motors, which begin at once.
+
+        Where they are linked, the first is for both.
+
+        Raises:
+            BadRequest: a speed is outside its range.
+        """
+        self._wish_for({1: self._at(first), 2: self._at(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:
         """Wish braking with a duty of 0 (coast) to 127 (full); ignored unless armed.
@@ -229,7 +263,7 @@ class Motors(QObject):
         Raises:
             BadRequest: the duty is outside its range.
         """
-        self._wish_for(motor, Drive.brake(duty), holder)
+        self._wish_for({motor: Drive.brake(duty)}, holder)
 
     def set_auxiliary(self, speed: int, holder: str = "") -> None:
         """Wish a speed (0-127) for the auxiliary motor; ignored unless armed.
@@ -241,25 +275,36 @@ class Motors(QObject):
         if holder == self._holder:
             if holder:
                 self._held.add(_AUXILIARY)
-            self._wish_auxiliary(min(speed, self._ceiling))
+            self._wish_auxiliary(min(speed, self._ceiling_in_force))
 
-    def _wish_for(self, motor: int, drive: Drive, holder: str) -> None:
-        """Wish something for a motor, and for the other one where both are linked."""
+    def _wish_for(self, wishes: Mapping[int, Drive], holder: str) -> None:
+        """Wish something for motors, the first of it for both where they are linked."""
         if holder == self._holder:
-            motors = (1, 2) if self._linked else (motor,)
+            if self._linked:
+                wishes = dict.fromkeys((1, 2), next(iter(wishes.values())))
             if holder:
-                self._held.update(motors)
-            for each in motors:
-                self._wish(each, drive)
+                self._held.update(wishes)
+            self._wish(wishes)
+
+    def _at(self, speed: int) -> Drive:
+        _ = Drive.at(speed)  # one that no motor has is a mistake, not something to limit
+        return Drive.at(self._limited(speed))
 
     def _limited(self, speed: int) -> int:
-        return max(-self._ceiling, min(self._ceiling, speed))
+        return max(-self._ceiling_in_force, min(self._ceiling_in_force, speed))
 
-    def _wish(self, motor: int, drive: Drive) -> None:
-        if self._armed and drive != self._drives.get(motor):
-            self._drives[motor] = drive
-            self.requested.emit(SetDrive(motor, drive, self.accelerate))
-            self.changed.emit()
+    def _wish(self, wishes: Mapping[int, Drive]) -> None:
+        """Ask for what is new, for both motors in one message: neither waits for the other."""
+        new = [
+            SetDrive(motor, drive, self.accelerate)
+            for motor, drive in wishes.items()
+            if drive != self._drives.get(motor)
+        ]
+        if not self._armed or not new:
+            return
+        self._drives.update((wish.motor, wish.drive) for wish in new)
+        self.requested.emit(SetDrives((new[0], new[1])) if len(new) > 1 else new[0])
+        self.changed.emit()
 
     def _wish_auxiliary(self, speed: int) -> None:
         if self._armed and speed != self._auxiliary:
@@ -270,6 +315,7 @@ class Motors(QObject):
     def _release(self) -> None:
         self._holder = ""
         self._held.clear()
+        self._ceiling_in_force = self._ceiling
 
     def _rest(self) -> None:
         self._armed = False

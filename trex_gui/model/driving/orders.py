@@ -11,11 +11,10 @@ from trex_gui.link.messages import (
     Closed,
     Connected,
     Halted,
+    MotorRequest,
     Occasion,
     Outcome,
     Pulse,
-    SetAuxiliary,
-    SetDrive,
     Stop,
 )
 from trex_gui.model.connection import Connection, Link
@@ -94,7 +93,7 @@ class Driving(QObject):
     # --- Wishes and stops ---------------------------------------------------------------
 
     @Slot(object)
-    def _on_drive_requested(self, wish: SetDrive | SetAuxiliary) -> None:
+    def _on_drive_requested(self, wish: MotorRequest) -> None:
         if self._connection.submit(wish):
             self._may_move = True
 

@@ -64,6 +64,7 @@ class Situation:
         missing: channels that the board requires (RC mode) and gets no signal on.
         faults, over_limit: motors whose driver shut down, or whose current passed the limit, of
             late.
+        perhaps_held: whether safe-start may hold the motors (`SafeStartWatch`).
         uart: UART errors of late.
         error_shutdown: whether the board is set to stop the motors at a UART error.
         timeout: the board's serial timeout, as text; empty when it is off or not known.
@@ -75,6 +76,7 @@ class Situation:
     by_serial: bool | None = True
     joint: bool = False
     missing: tuple[int, ...] = ()
+    perhaps_held: bool = False
     faults: tuple[int, ...] = ()
     over_limit: tuple[int, ...] = ()
     uart: UartError = _NO_ERROR
@@ -94,8 +96,8 @@ def reason_for(now: Situation) -> Reason:
     return _of_the_arming(now)
 
 
-def situation_of(device: Device) -> Situation:
-    """Gather what decides from the models."""
+def situation_of(device: Device, *, perhaps_held: bool = False) -> Situation:
+    """Gather what decides from the models, and what was seen of safe-start."""
     state, motors, telemetry = device.state, device.motors, device.telemetry
     recent = {motor: device.errors.recent(motor) for motor in (1, 2)}
     bits = [entry.bit for entries in recent.values() for entry in entries]
@@ -122,6 +124,7 @@ def situation_of(device: Device) -> Situation:
         by_serial=by_serial,
         joint=device.is_joint,
         missing=missing,
+        perhaps_held=perhaps_held,
         faults=_motors_with(bits, {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}),
         over_limit=_motors_with(bits, {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}),
         uart=uart,
@@ -176,12 +179,21 @@ def _of_the_mode(now: Situation) -> Reason | None:
             "Switch the transmitter on and let go of its sticks.",
         )
     name = "RC" if now.mode is Mode.RC else "analog"
+    text = f"The {name} channels control the motors, not this program"
+    remedy = (
+        "To drive from here, turn on the override switch (channel 5), or switch the board off, "
+        "take the mode jumper off and switch it on."
+    )
+    if now.perhaps_held:
+        return Reason(
+            Kind.CHANNELS,
+            f"{text}; the motors are perhaps held by safe-start: let the sticks rest once.",
+            remedy,
+        )
     return Reason(
         Kind.CHANNELS,
-        f"The {name} channels control the motors, not this program.",
-        "To drive from here, turn on the override switch (channel 5), or switch the board off, "
-        "take the mode jumper off and switch it on. After power-up safe-start waits for sticks "
-        "at rest.",
+        f"{text}.",
+        f"{remedy} After power-up safe-start waits for sticks at rest.",
     )
 
 

@@ -40,25 +40,56 @@ def channel_text(device: Device, channel: int) -> str:
 
 
 def report_text(device: Device, motor: int) -> str:
-    """What the board says of a motor: its current, and what it has latched of late."""
+    """What the board says of a motor: who controls it, its current, what it latched of late.
+
+    Where channel 5 has handed over to serial, its channel tells what the motor does after that.
+    """
     currents = device.telemetry.motor_currents
     if currents is None:
         return _tr("Board: N/A")
+    parts = [control_text(device)]
     if device.is_joint:
-        return _tr("Board: no current sensing in joint mode")
-    parts = [f"{currents[motor - 1]:.2f} A"]
-    parts += [entry.name.lower() for entry in device.errors.recent(motor)]
-    return _tr("Board: {0}").format(", ".join(parts))
+        parts.append(_tr("no current sensing in joint mode"))
+    else:
+        parts.append(f"{currents[motor - 1]:.2f} A")
+        parts += [entry.name.lower() for entry in device.errors.recent(motor)]
+    if (waiting := _waiting_text(device, motor)) is not None:
+        parts.append(waiting)
+    return _tr("Board: {0}").format(", ".join(filter(None, parts)))
+
+
+def control_text(device: Device) -> str:
+    """Who controls the motors; empty while that is not known."""
+    match device.telemetry.serial_controls:
+        case True:
+            return _tr("serial in control")
+        case False:
+            return _tr("serial not in control")
+        case None:
+            return ""
+
+
+def _waiting_text(device: Device, channel: int) -> str | None:
+    """What a channel asks for while serial overrides it; in serial mode it drives nothing."""
+    state, value = device.state, device.telemetry.remapped_of(channel)
+    overrides = device.telemetry.serial_controls and state is not None and not state.mode.is_serial
+    if not overrides or value is None:
+        return None
+    value = abs(value) if channel == 3 else value
+    return _tr("channel {0} waits with {1}").format(channel, signed_text(value))
+
+
+def signed_text(speed: int) -> str:
+    """A signed speed, short: `+64`, `−64` or `0`."""
+    return f"{speed:+d}".replace("-", "−") if speed else "0"
 
 
 def auxiliary_report_text(device: Device) -> str:
     """What the board says of the auxiliary motor: nothing but who controls it."""
-    by_serial = device.telemetry.serial_controls
-    if by_serial is None:
+    if not (control := control_text(device)):
         return _tr("Board: N/A")
-    if by_serial:
-        return _tr("Board: takes serial commands, reports nothing")
-    return _tr("Board: channels are in control")
+    waiting = _waiting_text(device, 3)
+    return _tr("Board: {0}").format(", ".join(filter(None, [control, waiting])))
 
 
 def _tr(text: str) -> str:

@@ -1,0 +1,64 @@
+"""Wishes and stops between the window and a board that runs in a process of its own."""
+
+import threading
+from collections.abc import Callable
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.device import Device, Link
+from trex_gui.window import Program
+
+
+@pytest.fixture
+def simulator(start_simulator: Callable[..., SimulatorProcess]) -> SimulatorProcess:
+    return start_simulator("--unpaced")
+
+
+@pytest.fixture
+def driven(program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> Device:
+    """A device whose motor 1 runs."""
+    device = program.device
+    device.connect_to(LinkSettings(simulator.url))
+    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm, timeout=20_000)
+    device.motors.arm()
+    device.motors.accelerate = False
+    device.motors.set_speed(1, 90)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=10_000)
+    return device
+
+
+def is_braked(simulator: SimulatorProcess) -> bool:
+    return bool(simulator.show()["motors"][0]["direction"] == "brake")
+
+
+def test_a_stop_from_another_thread_arrives_and_wishes_that_pass_it_are_dropped(
+    driven: Device, simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    thread = threading.Thread(target=driven.stop_now)
+    thread.start()
+    thread.join()
+    # The window has not heard of it yet, and goes on wishing.
+    driven.motors.set_speed(1, 70)
+    qtbot.waitUntil(lambda: is_braked(simulator), timeout=10_000)
+    driven.motors.set_speed(1, 80)
+    driven.motors.stop()
+    qtbot.waitUntil(lambda: not driven.may_move, timeout=10_000)
+    assert is_braked(simulator)
+    driven.motors.arm()
+    driven.motors.set_speed(1, 40)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40, timeout=10_000)
+
+
+def test_a_board_that_was_restarted_finds_nothing_armed(
+    driven: Device, simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    """So quickly that nobody missed it: another source of the channels is what tells."""
+    simulator.do("eeprom channel_input_source 1")
+    simulator.do("power cycle")
+    qtbot.waitUntil(lambda: not driven.motors.armed, timeout=20_000)
+    assert "restarted" in driven.motors.stop_reason
+    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
+    assert not driven.motors.armed
