@@ -26,14 +26,21 @@ def test_a_motor_that_rushes_in_and_settles_is_measured() -> None:
     assert found.peak_at == pytest.approx(0.05)
     assert found.delay == pytest.approx(0.05)
     assert found.steady == pytest.approx(4.0)
-    assert found.reached == pytest.approx(0.05)
     assert found.settled == pytest.approx(0.3)
 
 
-def test_a_motor_that_rises_slowly_reaches_its_share_later() -> None:
+def test_an_inrush_that_passes_the_steady_current_has_not_settled() -> None:
+    """It is within a tenth of 4 A on its way up, and once more on its way down."""
+    parts = (0.1, 4.0), (0.1, 9.0), (0.1, 4.0), (0.1, 3.0), (1.6, 4.0)
+    found = figures(run_of(readings(*parts)))
+    assert found.delay == pytest.approx(0)
+    assert found.settled == pytest.approx(0.4)
+
+
+def test_a_wider_band_is_reached_earlier() -> None:
     run = run_of(readings((0.5, 1.0), (0.5, 3.0), (1.2, 4.0)))
-    assert figures(run).reached == pytest.approx(1.0)
-    assert figures(run, share=0.5).reached == pytest.approx(0.5)
+    assert figures(run).settled == pytest.approx(1.0)
+    assert figures(run, band=0.3).settled == pytest.approx(0.5)
 
 
 def test_mean_and_charge_are_those_of_the_time_it_was_driven() -> None:
@@ -68,7 +75,6 @@ def test_a_motor_that_draws_nothing_reaches_nothing() -> None:
     found = figures(run_of(readings((2.0, 0.0))))
     assert found.peak == 0
     assert found.steady == 0
-    assert found.reached is None
     assert found.settled is None
     assert found.delay is None
 

@@ -131,8 +131,20 @@ def test_the_red_button_of_the_window_stops_it_too(person: Person) -> None:
 def test_closing_the_window_of_the_test_stops_the_motor(person: Person) -> None:
     person.hold()
     person.dialog.close()
+    assert not person.dialog.isVisible()
     person.stands()
     assert not person.program.device.motors.armed
+
+
+def test_the_window_closes_with_its_button_and_opens_again(person: Person) -> None:
+    for _ in range(2):
+        person.click("benchCloseButton")
+        assert not person.dialog.isVisible()
+        person.program.window.findChild(QAction, "benchAction").trigger()  # type: ignore[union-attr]
+        assert person.dialog.isVisible()
+    person.hold()
+    QTest.mouseRelease(person.button, Qt.MouseButton.LeftButton)
+    person.stands()
 
 
 def test_closing_the_program_stops_the_motor(person: Person) -> None:

@@ -26,9 +26,15 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from tests.link.helpers import moving
 from tests.support.simulator import SimulatorProcess
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
+from trex_gui.model.driving.lockout import remembered_lockout
+from trex_gui.model.driving.timeout import weakness_on
+from trex_gui.protocol.commands import DriveBoth
+from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.views.widgets.speed_slider import SpeedSlider
 from trex_gui.window import Program
 
@@ -184,6 +190,93 @@ def test_a_dragged_slider_drives_and_stays_where_it_was_let_go(armed: Driver) ->
     assert "forward 60 (47 %)" in armed.text("motor1Asked")
 
 
+def hold_the_pad(driver: Driver) -> Callable[[], None]:
+    driver.hold_pad(1, 0)
+    return driver.let_go_of_pad
+
+
+def hold_a_key(driver: Driver) -> Callable[[], None]:
+    driver.pad.setFocus()
+    driver.key_down(Qt.Key.Key_Up)
+    return lambda: driver.key_up(Qt.Key.Key_Up)
+
+
+def hold_a_slider_of_linked_motors(driver: Driver) -> Callable[[], None]:
+    for name in ("returnToZero", "linkMotors"):
+        box = driver.find(QCheckBox, name)
+        if not box.isChecked():
+            driver.press(name)
+    driver.drag("motor2", 127)
+    return lambda: driver.release("motor2")
+
+
+@pytest.mark.parametrize(
+    "hold",
+    [hold_the_pad, hold_a_key, hold_a_slider_of_linked_motors],
+    ids=lambda each: each.__name__,
+)
+def test_every_packet_of_a_control_for_both_motors_is_for_both(
+    armed: Driver, monkeypatch: pytest.MonkeyPatch, hold: Callable[[Driver], Callable[[], None]]
+) -> None:
+    """Else one wheel begins, or brakes, a packet before the other."""
+    sent = bytearray()
+    write = SerialTransport.write
+
+    def note(port: SerialTransport, data: bytes) -> None:
+        sent.extend(data)
+        write(port, data)
+
+    monkeypatch.setattr(SerialTransport, "write", note)
+    for _ in range(20):
+        let_go = hold(armed)
+        armed.wait_for(("forward", 127), ("forward", 127))
+        let_go()
+        armed.wait_for(BRAKE, BRAKE)
+    driven = moving(sent)
+    assert len(driven) >= 40
+    assert {type(command) for command in driven} == {DriveBoth}
+
+
+def test_leaving_the_page_with_a_slider_in_hand_stops_and_disarms(armed: Driver) -> None:
+    """Without *Return to zero* it would go on, and nobody could see it."""
+    armed.drag("motor1", 60)
+    armed.wait_for(("forward", 60), None)
+    armed.open_page(0)
+    armed.wait_for(BRAKE, BRAKE)
+    assert not armed.motors.armed
+    assert "Motors page was left" in armed.motors.stop_reason
+
+
+@pytest.mark.parametrize("deactivated", [False, True])
+def test_minimising_the_window_with_a_slider_in_hand_stops_and_disarms(
+    armed: Driver, *, deactivated: bool
+) -> None:
+    armed.drag("motor1", 60)
+    armed.wait_for(("forward", 60), None)
+    if deactivated:  # as most systems do first
+        other = QLineEdit()
+        armed.qtbot.addWidget(other)
+        other.show()
+        other.activateWindow()
+        armed.wait(lambda: not armed.window.isActiveWindow())
+        armed.qtbot.wait(20)
+        assert armed.motors.armed
+    armed.window.showMinimized()
+    armed.wait_for(BRAKE, BRAKE)
+    assert not armed.motors.armed
+
+
+def test_leaving_the_page_with_a_slider_that_was_let_go_drives_on(armed: Driver) -> None:
+    armed.drag("motor1", 60)
+    armed.wait_for(("forward", 60), None)
+    armed.release("motor1")
+    armed.qtbot.wait(20)
+    armed.open_page(0)
+    armed.qtbot.wait(100)
+    assert armed.runs(1) == ("forward", 60)
+    assert armed.motors.armed
+
+
 def test_a_slider_that_springs_back_brakes_its_motor(armed: Driver) -> None:
     armed.press("returnToZero")
     armed.drag("motor2", -80)
@@ -293,6 +386,23 @@ def test_linked_motors_do_the_same(armed: Driver) -> None:
     armed.wait_for(BRAKE, BRAKE)
 
 
+def test_motors_that_run_differently_cannot_be_linked_until_they_do_not(armed: Driver) -> None:
+    box = armed.find(QCheckBox, "linkMotors")
+    armed.drag("motor1", 50)
+    armed.release("motor1")
+    armed.wait_for(("forward", 50), None)
+    assert not box.isEnabled()
+    assert "run differently" in box.toolTip()
+    QTest.mouseClick(box, LEFT, pos=QPoint(8, box.height() // 2))
+    assert not box.isChecked()
+    armed.press("motor1Brake")
+    armed.wait_for(BRAKE, None)
+    armed.press("linkMotors")
+    assert box.isChecked()
+    assert armed.motors.linked
+    assert armed.motors.drive(2) is None  # a tick asks for nothing
+
+
 # --- The ceiling ------------------------------------------------------------------------
 
 
@@ -313,6 +423,80 @@ def test_lowering_the_ceiling_slows_down_what_runs_faster(armed: Driver) -> None
     armed.wait_for(("forward", 64), None)
     assert armed.find(QSpinBox, "motor1Entry").maximum() == 64
     assert armed.find(QSpinBox, "ceilingEntry").text() == "64 (50 %)"
+
+
+def type_into(entry: QSpinBox, text: str) -> None:
+    entry.setFocus()
+    entry.selectAll()
+    QTest.keyClicks(entry, text)
+
+
+@pytest.mark.parametrize("name", ["ceilingEntry", "brakeEntry", "lockoutEntry"])
+def test_an_option_that_was_typed_without_enter_is_given_up(armed: Driver, name: str) -> None:
+    entry = armed.find(QSpinBox, name)
+    before = entry.value()
+    type_into(entry, "7")
+    armed.find(QAbstractButton, "stopButton").setFocus(Qt.FocusReason.TabFocusReason)
+    assert entry.value() == before
+    type_into(entry, "7")
+    armed.open_page(0)
+    assert entry.value() == before
+    assert (armed.motors.ceiling, armed.motors.release_brake, armed.motors.lockout) == (127, 127, 3)
+
+
+def test_a_half_typed_ceiling_neither_slows_down_nor_speeds_up(armed: Driver) -> None:
+    entry = armed.find(QSpinBox, "ceilingEntry")
+    armed.motors.set_speed(1, 90)
+    armed.wait_for(("forward", 90), None)
+    type_into(entry, "5")
+    armed.motors.set_speed(2, 20)  # whatever changes meanwhile leaves what is typed alone
+    armed.wait_for(("forward", 90), ("forward", 20))
+    assert entry.text().startswith("5")
+    QTest.keyClicks(entry, "0\r")
+    armed.wait_for(("forward", 50), ("forward", 20))
+    assert entry.text() == "50 (39 %)"
+    type_into(entry, "127\r")
+    assert armed.motors.ceiling == 127
+    armed.qtbot.wait(100)
+    assert armed.runs(1) == ("forward", 50)
+
+
+def test_raising_the_ceiling_under_a_held_pad_makes_nothing_faster(armed: Driver) -> None:
+    armed.find(QSpinBox, "ceilingEntry").setValue(50)
+    armed.hold_pad(1, 0)
+    armed.wait_for(("forward", 50), ("forward", 50))
+    armed.motors.set_ceiling(127)
+    QTest.mouseMove(armed.pad, armed.in_pad(1, 0) - QPoint(0, 1))
+    armed.qtbot.wait(50)
+    assert armed.runs(1) == ("forward", 50)
+    armed.let_go_of_pad()
+    armed.wait_for(BRAKE, BRAKE)
+    armed.hold_pad(1, 0)
+    armed.wait_for(("forward", 127), ("forward", 127))
+
+
+# --- The lock after Stop ----------------------------------------------------------------
+
+
+def test_how_long_stop_locks_is_set_here_and_remembered(armed: Driver) -> None:
+    entry = armed.find(QSpinBox, "lockoutEntry")
+    assert entry.text() == "3 s"
+    assert "Run motor" in entry.toolTip()
+    assert "Seconds" in entry.accessibleName()
+    type_into(entry, "8\r")
+    QTest.keyClick(armed.window.windowHandle(), Qt.Key.Key_Escape)
+    assert 7 < armed.motors.locked_for <= 8
+    assert remembered_lockout() == 8
+
+
+def test_without_a_lock_the_motors_can_be_armed_right_after_stop(armed: Driver) -> None:
+    entry = armed.find(QSpinBox, "lockoutEntry")
+    type_into(entry, "0\r")
+    assert entry.text() == "none (0 s)"
+    QTest.keyClick(armed.window.windowHandle(), Qt.Key.Key_Escape)
+    assert not armed.motors.armed
+    armed.arm()
+    assert armed.motors.armed
 
 
 # --- The pad ----------------------------------------------------------------------------
@@ -591,6 +775,38 @@ def test_where_channels_drive_the_page_shows_what_they_wish_for(driver: Driver) 
     driver.simulator.do("channel 2 1500us")
 
 
+def test_a_stick_away_from_rest_at_power_up_is_perhaps_held_by_safe_start(driver: Driver) -> None:
+    driver.simulator.do("jumper mode rc")
+    driver.simulator.do("channel 2 1800us")
+    driver.simulator.do("power cycle")
+    driver.wait(lambda: "perhaps held by safe-start" in driver.text("motorsReason"))
+    assert driver.simulator.show()["safe_start"]
+    driver.simulator.do("channel 2 1500us")
+    driver.wait(lambda: not driver.simulator.show()["safe_start"])
+    driver.wait(lambda: "perhaps" not in driver.text("motorsReason"))
+    driver.simulator.do("channel 2 1800us")
+    driver.wait(lambda: "Channel 2: forward" in driver.text("motor2Asked"))
+    driver.qtbot.wait(100)
+    assert "perhaps" not in driver.text("motorsReason")
+    driver.simulator.do("channel 2 1500us")
+
+
+def test_who_is_in_control_stands_beside_the_wish(driver: Driver) -> None:
+    driver.wait(lambda: "serial in control, 0.00 A" in driver.text("motor1Reported"))
+    assert "waits" not in driver.text("motor1Reported")  # in serial mode channels drive nothing
+    driver.simulator.do("jumper mode rc")
+    driver.simulator.do("power cycle")
+    driver.wait(lambda: "serial not in control" in driver.text("motor1Reported"))
+    driver.wait(lambda: "serial not in control" in driver.text("auxReported"))
+    driver.wait(lambda: not driver.simulator.show()["safe_start"])  # it wins over the override
+    driver.simulator.do("channel 5 1000us")
+    driver.simulator.do("channel 2 1300us")
+    driver.wait(lambda: "channel 2 waits with −" in driver.text("motor2Reported"))
+    assert "serial in control" in driver.text("motor2Reported")
+    driver.simulator.do("channel 2 1500us")
+    driver.simulator.do("channel 5 1500us")
+
+
 def test_a_required_channel_without_signal_is_named(driver: Driver) -> None:
     driver.simulator.do("jumper mode rc")
     driver.simulator.do("power cycle")
@@ -674,9 +890,61 @@ def test_every_control_has_a_name_for_who_does_not_see_it(driver: Driver) -> Non
 
 def test_the_page_fits_a_small_window_without_scrolling_sideways(driver: Driver) -> None:
     driver.window.resize(900, 600)
+    for motor in (1, 2):  # as much as the board can say at once
+        driver.find(QLabel, f"motor{motor}Reported").setText("Board: serial in control, " * 4)
     QApplication.processEvents()
     page = driver.find(QWidget, "motorsPage")
     area = page.parentWidget()
     assert area is not None
     assert page.minimumSizeHint().width() <= area.width()
     assert QPointF(page.width(), 0).x() <= area.width()
+
+
+# --- A serial timeout that is too short -------------------------------------------------
+
+
+def test_a_timeout_that_a_slow_line_cannot_keep_fed_is_said_and_set_with_a_click(
+    program: Program, simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    simulator.do("eeprom uart_settings 0")  # 1200 baud
+    simulator.do("eeprom serial_timeout 1")
+    simulator.do("power cycle")
+    device = program.device
+    device.connect_to(LinkSettings(simulator.url, LineSettings(1200)))
+    qtbot.waitUntil(lambda: device.link is Link.UP, timeout=20_000)
+    notice = program.window.findChild(QWidget, "timeoutNotice")
+    label = program.window.findChild(QLabel, "timeoutLabel")
+    button = program.window.findChild(QAbstractButton, "timeoutButton")
+    assert notice is not None
+    assert label is not None
+    assert button is not None
+    assert notice.isVisible()
+    assert "0.1 s is short for 1200 baud" in label.text()
+    assert "faster baud rate" in label.text()
+    assert button.accessibleName() == "Set the serial timeout to 0.5 seconds"
+    with qtbot.waitSignal(device.applied, timeout=10_000):
+        button.click()
+    assert device.serial_timeout_s == pytest.approx(0.5)
+    assert not notice.isVisible()
+
+
+@pytest.mark.parametrize(
+    ("url", "baud", "timeout", "said", "offered"),
+    [
+        ("/dev/ttyUSB0", 19200, 0.1, "", 0.0),
+        ("/dev/ttyUSB0", 2400, 0.2, "", 0.0),
+        ("/dev/ttyUSB0", 2400, 0.1, "short for 2400 baud", 0.5),
+        ("/dev/ttyUSB0", 1200, 0.0, "is off", 0.5),
+        ("socket://robot:23", 19200, 0.5, "short for a network port", 1.0),
+        ("socket://robot:23", 19200, 0.0, "is off", 1.0),
+        ("socket://robot:23", 19200, 1.0, "", 0.0),
+    ],
+)
+def test_what_is_said_of_a_timeout_fits_the_line(
+    url: str, baud: int, timeout: float, said: str, offered: float
+) -> None:
+    weakness = weakness_on(LinkSettings(url, LineSettings(baud)), timeout)
+    assert (weakness is None) == (not said)
+    if weakness is not None:
+        assert said in weakness.text
+        assert weakness.seconds == offered

@@ -3,7 +3,6 @@
 The simulated board and the window are processes of their own.
 """
 
-import itertools
 import os
 import select
 import signal
@@ -16,8 +15,10 @@ from typing import Any
 
 import pytest
 from PySide6.QtDBus import QDBusConnection, QDBusMessage
+from pytestqt.qtbot import QtBot
 
 from tests.support.driven_window import AUXILIARY, SPEEDS
+from tests.support.logind import Logind, message_bus
 from tests.support.simulator import SimulatorProcess
 
 pytestmark = [
@@ -189,6 +190,22 @@ def test_motors_stop_at_a_signal_to_a_window_that_hangs_and_the_program_ends_all
     assert is_stopped(simulator)
 
 
+def test_a_second_ctrl_c_ends_a_window_that_hangs_at_once(
+    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+) -> None:
+    window = start()
+    window.provoke("hang_for_long")
+    window.process.send_signal(signal.SIGINT)
+    assert seconds_until(lambda: is_stopped(simulator), 3) < 0.9
+    assert stays_stopped(simulator)
+    assert window.process.poll() is None, "it would still wait for seconds"
+    window.process.send_signal(signal.SIGINT)
+    begun = time.monotonic()
+    assert window.process.wait(5) == 128 + signal.SIGINT
+    assert time.monotonic() - begun < 2
+    assert stays_stopped(simulator)
+
+
 def test_nothing_helps_against_kill_9_but_the_boards_own_timeout(
     start: Callable[..., DrivingWindow], simulator: SimulatorProcess
 ) -> None:
@@ -230,24 +247,12 @@ def test_trexcmd_stops_what_a_killed_window_left_running(
 
 # --- From the desktop -------------------------------------------------------------------
 
-_buses = itertools.count(1)
-
 
 @pytest.fixture
 def bus() -> Iterator[tuple[str, QDBusConnection]]:
     """A message bus of the test's own: its address, and a connection to it."""
-    with subprocess.Popen(
-        ["dbus-daemon", "--session", "--print-address", "--nofork", "--nopidfile"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-    ) as daemon:
-        assert daemon.stdout is not None
-        address = daemon.stdout.readline().strip()
-        name = f"desktop{next(_buses)}"
-        yield address, QDBusConnection.connectToBus(address, name)
-        QDBusConnection.disconnectFromBus(name)
-        daemon.terminate()
+    with message_bus() as both:
+        yield both
 
 
 _LOGIN = "/org/freedesktop/login1"
@@ -285,3 +290,22 @@ def test_motors_stop_when_the_desktop_says(
     assert connection.send(said)
     assert seconds_until(lambda: is_stopped(simulator), 3) < 1
     assert stays_stopped(simulator)
+
+
+def test_sleep_is_held_up_until_the_board_has_stopped_its_motors(
+    start: Callable[..., DrivingWindow],
+    simulator: SimulatorProcess,
+    bus: tuple[str, QDBusConnection],
+    qtbot: QtBot,
+) -> None:
+    address, connection = bus
+    logind = Logind(connection)
+    start(DBUS_SESSION_BUS_ADDRESS=address, DBUS_SYSTEM_BUS_ADDRESS=address)
+    qtbot.waitUntil(lambda: logind.held == 1)
+    assert is_driven(simulator)
+    logind.say_sleep(begins=True)
+    qtbot.waitUntil(lambda: logind.held == 0, timeout=3000)
+    assert is_stopped(simulator), "now the computer sleeps"
+    logind.say_sleep(begins=False)
+    qtbot.waitUntil(lambda: logind.held == 1)
+    logind.close()

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QAccessible, QKeyEvent, QMouseEvent
+from PySide6.QtGui import QAccessible, QImage, QKeyEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -258,15 +258,15 @@ def test_what_is_compared_with_can_be_chosen(window: Window) -> None:
     assert window.figure(0, 1) == "–"
 
 
-def test_what_counts_as_reached_can_be_chosen(window: Window) -> None:
+def test_what_counts_as_settled_can_be_chosen(window: Window) -> None:
     rising = [(index / 80, index / 40) for index in range(80)]
     window.bench.keep(run_of(rising + [(1 + index / 80, 2.0) for index in range(80)]))
-    assert window.figure(5, 0) == "900 ms"
-    window.find(QSpinBox, "benchShare").setValue(50)
+    assert window.figure(5, 0) == "850 ms"  # two counts are more than a tenth of 2 A
+    window.find(QSpinBox, "benchBand").setValue(50)
     assert window.figure(5, 0) == "500 ms"
     header = window.find(FiguresTable, "benchFigures").verticalHeaderItem(5)
     assert header is not None
-    assert header.text() == "50 % of steady after"
+    assert header.text() == "Settled within 50 % after"
 
 
 def test_why_a_test_was_aborted_is_said(window: Window) -> None:
@@ -306,6 +306,17 @@ def test_a_file_that_is_no_test_is_refused_with_the_reason(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="every folder can be written to")
+def test_a_test_is_saved_as_a_picture_of_its_plot(window: Window, tmp_path: Path) -> None:
+    window.bench.keep(run_of(READINGS))
+    window.dialog.files.save(window.bench.runs[0], tmp_path / "test.PNG")
+    picture = QImage(str(tmp_path / "test.PNG"))
+    plot = window.find(QWidget, "benchPlot")
+    assert picture.size() == plot.size() * plot.devicePixelRatio()
+    assert "Saved as test.PNG" in window.find(QLabel, "benchNote").text()
+    window.dialog.files.save(window.bench.runs[0], tmp_path / "nowhere" / "test.png")
+    assert "test.png was not saved" in window.find(QLabel, "benchNote").text()
+
+
 def test_a_test_that_cannot_be_saved_is_told(window: Window, tmp_path: Path) -> None:
     window.dialog.files.save(run_of(READINGS), tmp_path / "nowhere" / "test.csv")
     assert "test.csv was not saved" in window.find(QLabel, "benchNote").text()

@@ -9,8 +9,8 @@ from trex_gui.bench.run import Run
 LONGEST_GAP = 0.5
 """Seconds between two readings over which no charge is counted: nobody knows what flowed."""
 
-SHARE = 0.9
-"""The share of the steady current whose first moment counts as reached, unless asked otherwise."""
+BAND = 0.1
+"""How far from the steady current, as a share of it, counts as settled, unless asked otherwise."""
 
 _TAIL = 0.3
 """The share of a constant wish, at its end, that is taken for steady."""
@@ -32,9 +32,9 @@ class Figures:
         mean: A, from the first command until the motor was left to brake.
         charge: mAh, in the same time.
         steady: A at the end of the first constant wish.
-        reached: s from the first command until a share of `steady` was first reached.
-        settled: s from the first command until the current stayed within a tenth of `steady`,
-            or two counts where that is more.
+        settled: s from the first command until the current came within a share of `steady`, or
+            two counts where that is more, and stayed there. The first time that it comes so near
+            would say nothing: an inrush passes the steady current on its way up.
         delay: s from the first command to the first reading that is a current.
     """
 
@@ -43,13 +43,12 @@ class Figures:
     mean: float | None = None
     charge: float | None = None
     steady: float | None = None
-    reached: float | None = None
     settled: float | None = None
     delay: float | None = None
 
 
-def figures(run: Run, share: float = SHARE) -> Figures:
-    """Return the figures of a test; `share` (0 to 1) is what `reached` means."""
+def figures(run: Run, band: float = BAND) -> Figures:
+    """Return the figures of a test; `band` is the share of `steady` (0 to 1) for `settled`."""
     command = next((time for time, speed in run.wishes if speed), None)
     driven = [(time, amps) for time, amps in run.currents if 0 <= time <= run.ended]
     if command is None or not driven:
@@ -59,9 +58,8 @@ def figures(run: Run, share: float = SHARE) -> Figures:
     after = [(time, amps) for time, amps in driven if time >= command]
     steady = _steady(run, driven)
     noise = _NOISE_COUNTS * run.ampere
-
-    def first(least: float) -> float | None:
-        return next((time - command for time, amps in after if amps >= least - 1e-9), None)
+    flowing = (time - command for time, amps in after if amps >= noise - 1e-9)
+    within = max(band * steady, noise) if steady else 0.0
 
     return Figures(
         peak=peak,
@@ -69,9 +67,8 @@ def figures(run: Run, share: float = SHARE) -> Figures:
         mean=mean,
         charge=charge,
         steady=steady,
-        reached=first(share * steady) if steady else None,
-        settled=_settled(run, after, steady, command, noise) if steady else None,
-        delay=first(noise),
+        settled=_settled(run, after, steady, command, within) if steady else None,
+        delay=next(flowing, None),
     )
 
 
@@ -95,18 +92,17 @@ def _steady(run: Run, driven: Sequence[tuple[float, float]]) -> float | None:
 
 
 def _settled(
-    run: Run, after: Sequence[tuple[float, float]], steady: float, command: float, noise: float
+    run: Run, after: Sequence[tuple[float, float]], steady: float, command: float, within: float
 ) -> float | None:
     """Return when the current came to stay; readings after the first constant wish say nothing."""
     span = run.profile.plateau(run.ended)
     if span is None:
         return None
-    within = max(0.1 * steady, noise)
     settled: float | None = None
     for time, amps in after:
         if time >= span[1]:
             break
-        if abs(amps - steady) > within:
+        if abs(amps - steady) > within + 1e-9:
             settled = None
         elif settled is None:
             settled = time - command

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QTimer, Signal, Slot
-from PySide6.QtGui import QCloseEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QPixmap, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.bench.figures import SHARE
+from trex_gui.bench.figures import BAND
 from trex_gui.bench.run import End, Run
 from trex_gui.model.bench import Bench, Phase
 from trex_gui.model.device import Device, Link
@@ -59,7 +59,7 @@ class BenchDialog(QDialog):
         self._bench = bench
         self._said = ""
         self._plot: BenchPlot | None = None
-        self._files = BenchFiles(bench, self)
+        self._files = BenchFiles(bench, self, self._picture)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_FRAME_MS)
@@ -80,15 +80,16 @@ class BenchDialog(QDialog):
         self._compare = QComboBox(self)
         self._compare.setObjectName("benchCompare")
         self._compare.setAccessibleName(self.tr("Test to compare with"))
-        share_name = QLabel(self.tr("&Reached at"), self)
-        self._share = QSpinBox(self)
-        self._share.setObjectName("benchShare")
-        self._share.setAccessibleName(self.tr("Share of the steady current that counts as reached"))
-        self._share.setRange(10, 100)
-        self._share.setSingleStep(5)
-        self._share.setSuffix(self.tr(" %"))
-        self._share.setValue(round(100 * SHARE))
-        share_name.setBuddy(self._share)
+        band_name = QLabel(self.tr("Settled &within"), self)
+        self._band = QSpinBox(self)
+        self._band.setObjectName("benchBand")
+        self._band.setAccessibleName(
+            self.tr("How far from the steady current counts as settled, in percent")
+        )
+        self._band.setRange(2, 50)
+        self._band.setSuffix(self.tr(" %"))
+        self._band.setValue(round(100 * BAND))
+        band_name.setBuddy(self._band)
         self._figures = FiguresTable(self)
         self._tuning = Tuning(device, bench, self)
         self._stop = self._button("benchStopButton", self.tr("Stop motor"), "stop")
@@ -101,7 +102,7 @@ class BenchDialog(QDialog):
             set_icon(button, name, f"{name}_text")
         tint(self._hold, "run")
         self._save = self._button("benchSaveButton", self.tr("Sa&ve…"), "save")
-        self._save.setToolTip(self.tr("Save this test for a spreadsheet, or to compare with later"))
+        self._save.setToolTip(self.tr("Save this test to compare with later, or a picture of it"))
         self._open = self._button("benchOpenButton", self.tr("&Open…"), "open")
         self._open.setToolTip(self.tr("Look at a test that was saved"))
         self._leave = self._button("benchCloseButton", self.tr("Close"))
@@ -120,8 +121,8 @@ class BenchDialog(QDialog):
         label.setBuddy(self._compare)
         compare.addWidget(label)
         compare.addWidget(self._compare, 1)
-        compare.addWidget(share_name)
-        compare.addWidget(self._share)
+        compare.addWidget(band_name)
+        compare.addWidget(self._band)
         self._right = QVBoxLayout()
         self._right.addLayout(compare)
         self._right.addWidget(self._figures)
@@ -152,7 +153,7 @@ class BenchDialog(QDialog):
         self._files.refused.connect(self._on_told)
         self._tuning.apply_requested.connect(self.apply_requested)
         self._compare.currentIndexChanged.connect(self._on_compare_changed)
-        self._share.valueChanged.connect(self._show_figures)
+        self._band.valueChanged.connect(self._show_figures)
         bench.changed.connect(self._on_changed)
         bench.finished.connect(self._on_finished)
         device.telemetry.updated.connect(self._on_telemetry_updated)
@@ -184,8 +185,9 @@ class BenchDialog(QDialog):
         """Esc stops the motors and leaves the window: a result is not to be lost by it."""
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        """Close with the button or the window's cross: Qt's own asks `reject`, which stays."""
         self._bench.abort(self.tr("The window of the bench test was closed."))
-        super().closeEvent(event)
+        event.accept()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -200,6 +202,9 @@ class BenchDialog(QDialog):
         plot = BenchPlot(self)
         self._right.insertWidget(0, plot, 1)
         return plot
+
+    def _picture(self) -> QPixmap:
+        return QPixmap() if self._plot is None else self._plot.grab()
 
     # --- What has changed ---------------------------------------------------------------
 
@@ -316,7 +321,7 @@ class BenchDialog(QDialog):
     @Slot()
     def _show_figures(self) -> None:
         run = None if self._bench.is_driving else self._bench.current
-        self._figures.show_runs(run, self._before, self._share.value() / 100)
+        self._figures.show_runs(run, self._before, self._band.value() / 100)
 
     def _want_frame(self) -> None:
         """Draw soon: however much changes meanwhile, the line must not wait for a picture."""

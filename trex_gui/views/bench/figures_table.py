@@ -9,9 +9,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.bench.figures import SHARE, Figures, figures
+from trex_gui.bench.figures import BAND, Figures, figures
 from trex_gui.bench.run import Run
 from trex_gui.views.widgets.bar import MINUS
+from trex_gui.views.widgets.header_names import name_headers
 
 _NONE = "–"
 
@@ -21,7 +22,7 @@ def tr(text: str) -> str:
     return QCoreApplication.translate("figures_table", text)
 
 
-def _rows(share: float = SHARE) -> tuple[tuple[str, str, str, int, str], ...]:
+def _rows(band: float = BAND) -> tuple[tuple[str, str, str, int, str], ...]:
     """Name, field of `Figures`, unit, decimals, what it is."""
     return (
         (tr("Peak current"), "peak", "A", 2, tr("The highest reading.")),
@@ -36,18 +37,14 @@ def _rows(share: float = SHARE) -> tuple[tuple[str, str, str, int, str], ...]:
             tr("Until the first reading of two counts: the line, the board and its measurement."),
         ),
         (
-            tr("{0:.0f} % of steady after").format(100 * share),
-            "reached",
-            "ms",
-            0,
-            tr("Until the current first came to this share of the steady one."),
-        ),
-        (
-            tr("Settled after"),
+            tr("Settled within {0:.0f} % after").format(100 * band),
             "settled",
             "ms",
             0,
-            tr("Until the current stayed within 10 % of the steady one, or two counts."),
+            tr(
+                "Until the current came so near to the steady one, or within two counts of it, "
+                "and stayed there."
+            ),
         ),
     )
 
@@ -59,6 +56,7 @@ class FiguresTable(QTableWidget):
         super().__init__(parent)
         self.setObjectName("benchFigures")
         self.setAccessibleName(self.tr("Figures of the test"))
+        name_headers(self)
         rows = _rows()
         self.setRowCount(len(rows))
         self.setColumnCount(3)
@@ -83,14 +81,14 @@ class FiguresTable(QTableWidget):
         self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
-    def show_runs(self, run: Run | None, before: Run | None, share: float = SHARE) -> None:
+    def show_runs(self, run: Run | None, before: Run | None, band: float = BAND) -> None:
         """Show what a test came to, and what the one before it had.
 
-        `share` (0 to 1) of the steady current is what counts as reached.
+        Within `band` (0 to 1) of the steady current counts as settled.
         """
-        now = figures(run, share) if run is not None else Figures()
-        then = figures(before, share) if before is not None else Figures()
-        for index, (name, field, unit, decimals, _) in enumerate(_rows(share)):
+        now = figures(run, band) if run is not None else Figures()
+        then = figures(before, band) if before is not None else Figures()
+        for index, (name, field, unit, decimals, _) in enumerate(_rows(band)):
             if (header := self.verticalHeaderItem(index)) is not None:
                 header.setText(name)
             scale = 1000 if unit == "ms" else 1

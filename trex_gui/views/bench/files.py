@@ -1,8 +1,10 @@
-"""Saving bench tests as files, and opening them again to compare with."""
+"""Saving bench tests as files or pictures, and opening files again to compare with."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.bench.files import BenchFileError, from_csv, to_csv
@@ -15,7 +17,7 @@ _MOST_LETTERS = 10_000_000
 
 
 class BenchFiles(QObject):
-    """Asks for a file and says what became of it.
+    """Asks for a file and says what became of it; `picture` gives the plot as it is shown.
 
     Signals:
         told: what was done, for people.
@@ -25,8 +27,9 @@ class BenchFiles(QObject):
     told = Signal(str)
     refused = Signal(str)
 
-    def __init__(self, bench: Bench, window: QWidget) -> None:
+    def __init__(self, bench: Bench, window: QWidget, picture: Callable[[], QPixmap]) -> None:
         super().__init__(window)
+        self._picture = picture
         self._bench = bench
         self._window = window
         self._store = QSettings(self)
@@ -34,8 +37,9 @@ class BenchFiles(QObject):
     def ask_and_save(self, run: Run) -> None:
         """Let a person choose where to save a test."""
         name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.began:%Y%m%d_%H%M%S}.csv"
+        kinds = self.tr("Bench tests (*.csv);;Pictures (*.png)")
         chosen, _ = QFileDialog.getSaveFileName(
-            self._window, self.tr("Save bench test"), str(self._folder / name), self._filter
+            self._window, self.tr("Save bench test"), str(self._folder / name), kinds
         )
         if chosen:
             self.save(run, Path(chosen))
@@ -49,9 +53,12 @@ class BenchFiles(QObject):
             self.open(Path(chosen))
 
     def save(self, run: Run, path: Path) -> None:
-        """Write a test; an older file of this name is replaced."""
+        """Write a test, or a picture where the name ends in .png; replaces an older file."""
         try:
-            path.write_text(to_csv(run), encoding="utf-8", newline="")
+            if path.suffix.lower() == ".png":
+                self._save_picture(path)
+            else:
+                path.write_text(to_csv(run), encoding="utf-8", newline="")
         except OSError as error:
             self.refused.emit(
                 self.tr("{0} was not saved. {1}").format(path.name, error.strerror or error)
@@ -59,6 +66,11 @@ class BenchFiles(QObject):
             return
         remember_folder(self._store, path)
         self.told.emit(self.tr("Saved as {0}.").format(path.name))
+
+    def _save_picture(self, path: Path) -> None:
+        path.touch()  # which says why when it cannot be; Qt does not
+        if not self._picture().save(str(path), "PNG"):
+            raise OSError(self.tr("The picture could not be written"))
 
     def open(self, path: Path) -> None:
         """Read a test and keep it beside those that were run."""

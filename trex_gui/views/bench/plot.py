@@ -40,8 +40,8 @@ class BenchPlot(QWidget):
         self._highest = _SMALLEST_CURRENT
         self._axes = (0.0, 0.0, 0.0)
 
-        self._speeds = PlotCanvas(self)
-        self._currents = PlotCanvas(self)
+        self._speeds = PlotCanvas(self.tr("Speed asked for, against time"), self)
+        self._currents = PlotCanvas(self.tr("Current drawn, against time"), self)
         for canvas, name in ((self._speeds, "benchSpeeds"), (self._currents, "benchCurrents")):
             canvas.viewport.setObjectName(name)
             canvas.viewport.setMouseTracking(True)

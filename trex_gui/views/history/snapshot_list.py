@@ -27,6 +27,7 @@ from trex_gui.model.snapshots import SnapshotColumn, SnapshotFilter, SnapshotRol
 from trex_gui.settings.history import Snapshot
 from trex_gui.views.icons import icon
 from trex_gui.views.theme import theme
+from trex_gui.views.widgets.header_names import name_headers
 
 _WIDEST = 34  # characters of a column, to begin with
 
@@ -83,6 +84,7 @@ class SnapshotList(QWidget):
         self._view = _View(self)
         self._view.setObjectName("snapshotView")
         self._view.setAccessibleName(self.tr("Snapshots"))
+        name_headers(self._view)
         self._view.setModel(self._rows)
         self._view.setItemDelegate(_Delegate(self._view))
         self._view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -21,6 +21,7 @@ from trex_gui.model.device import Device, Link
 from trex_gui.protocol.parameters import parameters_of
 from trex_gui.views.icons import set_icon
 from trex_gui.views.theme import theme
+from trex_gui.views.widgets.header_names import name_headers
 from trex_gui.views.widgets.visible import only_when_visible
 
 _NAME, _COUNT, _LAST, _MEANING = range(4)
@@ -102,6 +103,7 @@ class StatusPage(QWidget):
         table = QTableWidget(len(entries), 4, parent)
         table.setObjectName("errorsTable")
         table.setAccessibleName(self.tr("Errors seen"))
+        name_headers(table)
         table.setHorizontalHeaderLabels(
             [self.tr("Error"), self.tr("Count"), self.tr("Last seen"), self.tr("What it means")]
         )

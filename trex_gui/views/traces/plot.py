@@ -62,7 +62,7 @@ class TracePlot(FocusFramed):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
         self._strip = MarkStrip(self)
-        self._canvas = PlotCanvas(self)
+        self._canvas = PlotCanvas(self.accessibleName(), self)
         self._canvas.setMinimumSize(160, 90)
         self._layers = Layers(self._canvas)
         self._tags: Tags | None = None

@@ -18,6 +18,7 @@ from trex_gui.model.trace.source import Statistics, TraceInfo
 from trex_gui.views.theme import theme
 from trex_gui.views.traces.plot import TracePlot
 from trex_gui.views.traces.words import charge_text, mean_text, value_text
+from trex_gui.views.widgets.header_names import name_headers
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -244,6 +245,7 @@ class TraceTableView(QTableView):
         self._table = model
         self.setObjectName("traceTable")
         self.setAccessibleName(self.tr("Curves and their figures"))
+        name_headers(self)
         self.setModel(model)
         self.verticalHeader().hide()
         row = self.fontMetrics().height() + 6

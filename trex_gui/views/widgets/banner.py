@@ -37,6 +37,7 @@ class Banner(QFrame):
         layout.addWidget(self._dismiss, 0, Qt.AlignmentFlag.AlignTop)
 
         self._dismiss.clicked.connect(self.clear)
+        self._name_text()
         theme().changed.connect(self._on_theme_changed)
         self._on_theme_changed()
         self.hide()
@@ -63,7 +64,12 @@ class Banner(QFrame):
         self._kind = kind
         self._on_theme_changed()
         self._text.setText(text)
+        self._name_text()
         self.setVisible(bool(text))
+
+    def _name_text(self) -> None:
+        """Let a screen reader say what stands there, or that nothing does."""
+        self._text.setAccessibleName("" if self._text.text() else self.tr("No message"))
 
     @Slot()
     def _on_theme_changed(self) -> None:

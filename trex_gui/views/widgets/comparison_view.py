@@ -21,6 +21,7 @@ from trex_gui.model.comparison_table import ComparisonColumn, ComparisonRole, Co
 from trex_gui.settings.comparison import Comparison
 from trex_gui.views.icons import icon
 from trex_gui.views.theme import theme
+from trex_gui.views.widgets.header_names import name_headers
 
 _ROW_MARGIN = 8
 
@@ -105,6 +106,7 @@ class ComparisonView(QWidget):
         self._view = _Table(self)
         self._view.setObjectName("comparisonTable")
         self._view.setAccessibleName(self.tr("Comparison of settings"))
+        name_headers(self._view)
         self._view.setModel(self._table)
         self._view.setItemDelegate(_Delegate(self._view))
         self._view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -62,7 +62,7 @@ class CurvePlot(QWidget):
         self._raw: int | None = None
         self.setAccessibleName(self.tr("Curve of the channel"))
 
-        self._canvas = PlotCanvas(self)
+        self._canvas = PlotCanvas(self.accessibleName(), self)
         self._canvas.viewport.setObjectName("curveViewport")
         self._canvas.viewport.setMouseTracking(True)
         self._canvas.viewport.installEventFilter(self)

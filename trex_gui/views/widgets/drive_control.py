@@ -3,6 +3,7 @@
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
 
+from trex_gui.views.widgets.elided_label import ElidedLabel
 from trex_gui.views.widgets.output_bar import OutputBar
 from trex_gui.views.widgets.speed_entry import SpeedEntry
 from trex_gui.views.widgets.speed_slider import SpeedSlider
@@ -59,7 +60,7 @@ class DriveControl(QWidget):
         self._bar.hide()
         self._asked = QLabel(self)
         self._asked.setObjectName(f"{name}Asked")
-        self._reported = QLabel(self)
+        self._reported = ElidedLabel(self.tr("Board: serial in control, 10.00 A…"), self)
         self._reported.setObjectName(f"{name}Reported")
         self._reported.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for button in (self._zero, self._brake):
@@ -94,6 +95,11 @@ class DriveControl(QWidget):
         self._zero.clicked.connect(self._on_zero_clicked)
         self._brake.clicked.connect(self.brake_wanted)
         self.set_title(title)
+
+    @property
+    def is_held(self) -> bool:
+        """Whether a hand is on the slider."""
+        return self._slider.held
 
     def set_title(self, title: str) -> None:
         """Name the motor, in sight and for who does not see it."""
@@ -137,8 +143,7 @@ class DriveControl(QWidget):
 
     def show_report(self, text: str) -> None:
         """Show what the board says of this motor."""
-        if self._reported.text() != text:
-            self._reported.setText(text)
+        self._reported.show_text(text)
 
     def let_go(self) -> None:
         """End a drag that is under way, so that the slider can be set."""

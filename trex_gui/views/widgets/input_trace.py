@@ -27,7 +27,7 @@ class InputTrace(QWidget):
         self.setObjectName("inputTrace")
         self.setAccessibleName(self.tr("Input of the last 10 seconds"))
         self.setToolTip(self.tr("The input of the last 10 seconds; the newest is at the top"))
-        self._canvas = PlotCanvas(self)
+        self._canvas = PlotCanvas(self.accessibleName(), self)
         self._deadband = QGraphicsRectItem()
         self._deadband.setZValue(-20)
         self._canvas.add_item(self._deadband)

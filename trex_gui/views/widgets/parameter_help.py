@@ -28,17 +28,22 @@ class ParameterHelp(QLabel):
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setMargin(8)
         self.setMinimumHeight(_LINES * self.fontMetrics().lineSpacing() + 2 * self.margin())
+        self._show_lines([])
 
     def show_help_of(self, index: QModelIndex) -> None:
         """Explain the parameter of a row, or what a heading is good for."""
         spec = cast("ParameterSpec | None", index.data(Role.SPEC))
         if spec is not None:
-            self.setText("<br>".join(self._lines(spec, index)))
+            self._show_lines(self._lines(spec, index))
         elif index.data(Role.GROUP) is not None:
             hint = self.tr("Enter, or a click on the arrow, closes or opens the group.")
-            self.setText(f"<b>{escape(str(index.data()))}</b><br>{hint}")
+            self._show_lines([f"<b>{escape(str(index.data()))}</b>", hint])
         else:
-            self.setText("")
+            self._show_lines([])
+
+    def _show_lines(self, lines: list[str]) -> None:
+        self.setText("<br>".join(lines))
+        self.setAccessibleName("" if lines else self.tr("No parameter is selected"))
 
     def _lines(self, spec: ParameterSpec, index: QModelIndex) -> list[str]:
         lines = [

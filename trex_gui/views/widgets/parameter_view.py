@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.model.parameter_filter import ParameterFilter
 from trex_gui.model.parameters import Column, Role
+from trex_gui.views.widgets.header_names import name_headers
 from trex_gui.views.widgets.parameter_delegate import ParameterDelegate, ResetDelegate
 
 Index = QModelIndex | QPersistentModelIndex
@@ -52,6 +53,7 @@ class ParameterView(QTreeView):
 
         self.setObjectName("parametersView")
         self.setAccessibleName(self.tr("Parameters"))
+        name_headers(self)
         self.setModel(rows)
         delegate = ParameterDelegate(self)
         delegate.refused.connect(self.refused)

@@ -53,15 +53,19 @@ class Curve:
 class PlotCanvas(QWidget):
     """The plot; counts along, any value up. It cannot be moved or zoomed by accident.
 
+    A screen reader says its `name`.
+
     Signals:
         arranged: the plot has another size, or its axes are others.
     """
 
     arranged = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.plot = pg.PlotWidget(self, background=None)
+        for part in (self.plot, self.plot.viewport()):
+            part.setAccessibleName(name)
         self.plot.setMenuEnabled(False)
         self.plot.setMouseEnabled(x=False, y=False)
         self.plot.hideButtons()

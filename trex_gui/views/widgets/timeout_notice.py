@@ -5,40 +5,26 @@ from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
 
 from trex_gui.model.device import Device
+from trex_gui.model.driving.timeout import Weakness, weakness_of_timeout
 from trex_gui.views.theme import theme
-
-_OFFERED_S = 0.5
-"""Seconds offered: a robot at 2 m/s goes a metre, and no line that works is silent for so long."""
 
 
 class TimeoutNotice(QWidget):
-    """One line while the board's serial timeout is off; not there at all otherwise."""
+    """One line while the serial timeout is off or too short; not there at all otherwise."""
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("timeoutNotice")
         self._device = device
 
-        self._text = QLabel(
-            self.tr(
-                "Serial timeout is off: motors go on turning if the cable, this computer or this "
-                "program fails."
-            ),
-            self,
-        )
+        self._weakness: Weakness | None = None
+
+        self._text = QLabel(self)
         self._text.setObjectName("timeoutLabel")
         self._text.setWordWrap(True)
-        self._button = QPushButton(self.tr("Set {0} s").format(_OFFERED_S), self)
+        self._button = QPushButton(self)
         self._button.setObjectName("timeoutButton")
-        self._button.setAccessibleName(
-            self.tr("Set the serial timeout to {0} seconds").format(_OFFERED_S)
-        )
-        self._button.setToolTip(
-            self.tr(
-                "Writes this one setting into the board now: it then stops its motors {0} s after "
-                "the last byte. Other changes go on waiting for Apply."
-            ).format(_OFFERED_S)
-        )
+        self._button.setAccessibleName(self.tr("Set the serial timeout"))
         self._button.setFlat(True)
         self._button.setCursor(QCursor(Qt.CursorShape.PointingHandCursor))
         font = self._button.font()
@@ -59,12 +45,31 @@ class TimeoutNotice(QWidget):
 
     @Slot()
     def _on_changed(self) -> None:
-        self.setVisible(self._device.timeout_off)
+        weakness = weakness_of_timeout(self._device)
+        if weakness is not None and weakness != self._weakness:
+            self._show(weakness)
+        self._weakness = weakness
+        self.setVisible(weakness is not None)
         self._button.setEnabled(not self._device.applying)
+
+    def _show(self, weakness: Weakness) -> None:
+        seconds = f"{weakness.seconds:g}"
+        self._text.setText(weakness.text)
+        self._button.setText(self.tr("Set {0} s").format(seconds))
+        self._button.setAccessibleName(
+            self.tr("Set the serial timeout to {0} seconds").format(seconds)
+        )
+        self._button.setToolTip(
+            self.tr(
+                "Writes this one setting into the board now: it then stops its motors {0} s after "
+                "the last byte. Other changes go on waiting for Apply."
+            ).format(seconds)
+        )
 
     @Slot()
     def _on_clicked(self) -> None:
-        self._device.set_serial_timeout(_OFFERED_S)
+        if self._weakness is not None:
+            self._device.set_serial_timeout(self._weakness.seconds)
 
     @Slot()
     def _on_theme_changed(self) -> None:

@@ -32,6 +32,7 @@ class Facts(QLabel):
         )
         self.setToolTip(self.tr("What the board stores; a click opens the parameter"))
 
+        self._name()
         self.linkActivated.connect(self.parameter_wanted)
 
     def refresh(self, *, joint: bool) -> None:
@@ -63,6 +64,12 @@ class Facts(QLabel):
         text = " ".join(parts)
         if text != self.text():
             self.setText(text)
+            self._name()
+
+    def _name(self) -> None:
+        """Let a screen reader say what stands there, or what would."""
+        nothing = self.tr("What the board stores of the motors: not known")
+        self.setAccessibleName("" if self.text() else nothing)
 
     def _link(self, key: str) -> str:
         wire = self._parameters.stored_of(key)

@@ -1,13 +1,26 @@
 """A name, a slider and a number that always show the same strength of 127."""
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Signal, Slot
-from PySide6.QtWidgets import QGridLayout, QLabel, QSlider, QSpinBox, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSlider, QWidget
 
 from trex_gui.protocol.calibration import FULL_SCALE
+from trex_gui.views.widgets.speed_entry import SpeedEntry
+
+
+class _StrengthEntry(SpeedEntry):
+    """A box that shows beside the number what share of full it is."""
+
+    def put(self, speed: int) -> None:
+        with QSignalBlocker(self):  # writing a suffix writes the text anew
+            self.setSuffix(_share(speed))
+        super().put(speed)
 
 
 class Level(QObject):
     """Lies in three cells of a row of a grid. The mouse wheel leaves it alone.
+
+    A number that is typed counts with Enter only, as a speed does: a ceiling that was half typed
+    would let a motor run as fast as nobody meant.
 
     Signals:
         changed: a value that a person chose.
@@ -23,10 +36,9 @@ class Level(QObject):
         self._slider.setRange(lowest, FULL_SCALE)
         self._slider.setPageStep(16)
         self._slider.setMinimumWidth(90)
-        self._entry = QSpinBox(parent)
+        self._entry = _StrengthEntry(parent)
         self._entry.setObjectName(f"{name}Entry")
         self._entry.setRange(lowest, FULL_SCALE)
-        self._entry.setKeyboardTracking(False)
         self._label.setBuddy(self._entry)
         plain = title.replace("&", "")
         self._slider.setAccessibleName(plain)
@@ -34,11 +46,11 @@ class Level(QObject):
         for widget in (self._slider, self._entry):
             widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
             widget.installEventFilter(self)
-        self._entry.setSuffix(_share(FULL_SCALE))
+        self._entry.put(FULL_SCALE)
         self._entry.setMinimumWidth(self._entry.sizeHint().width())
 
-        self._slider.valueChanged.connect(self._on_moved)
-        self._entry.valueChanged.connect(self._on_typed)
+        self._slider.valueChanged.connect(self._on_chosen)
+        self._entry.chosen.connect(self._on_chosen)
 
     def add_to(self, grid: QGridLayout, row: int) -> None:
         """Take three cells of a row."""
@@ -56,10 +68,9 @@ class Level(QObject):
 
     def set_value(self, value: int) -> None:
         """Show a value that no person chose."""
-        with QSignalBlocker(self._slider), QSignalBlocker(self._entry):
+        with QSignalBlocker(self._slider):
             self._slider.setValue(value)
-            self._entry.setSuffix(_share(value))
-            self._entry.setValue(value)
+        self._entry.show_wish(value)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Wheel:
@@ -68,12 +79,7 @@ class Level(QObject):
         return super().eventFilter(watched, event)
 
     @Slot(int)
-    def _on_moved(self, value: int) -> None:
-        self.set_value(value)
-        self.changed.emit(value)
-
-    @Slot(int)
-    def _on_typed(self, value: int) -> None:
+    def _on_chosen(self, value: int) -> None:
         self.set_value(value)
         self.changed.emit(value)
 

@@ -6,21 +6,24 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QGroupBox,
     QHBoxLayout,
+    QLabel,
     QRadioButton,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
 
+from trex_gui.model.driving.lockout import LONGEST, remember_lockout
 from trex_gui.model.driving.motors import Motors
 from trex_gui.protocol.calibration import FULL_SCALE
 from trex_gui.views.pages.motors.level import Level
+from trex_gui.views.widgets.speed_entry import SpeedEntry
 
 _SPACING = 6  # pixels
 
 
 class Options(QGroupBox):
-    """Ceiling, brake strength and spring return are remembered; what drives is not.
+    """Ceiling, brake strength, lock and spring return are remembered; what drives is not.
 
     Signals:
         keys_toggled: whether keys drive wherever the focus is.
@@ -33,6 +36,7 @@ class Options(QGroupBox):
         self.setTitle(self.tr("Options"))
         self.setObjectName("motorsOptions")
         self._motors = motors
+        self._joint = False
         self._store = QSettings(self)
 
         self._accelerate = QRadioButton(self.tr("&Accelerate along the board's ramp"), self)
@@ -54,7 +58,6 @@ class Options(QGroupBox):
         )
         self._link = QCheckBox(self.tr("&Link both motors"), self)
         self._link.setObjectName("linkMotors")
-        self._link.setToolTip(self.tr("Both motors do what either slider says; nothing turns"))
         self._keys = QCheckBox(self.tr("Drive with arrow &keys or WASD"), self)
         self._keys.setObjectName("driveWithKeys")
         self._keys.setToolTip(
@@ -74,6 +77,22 @@ class Options(QGroupBox):
                 "brakes fully"
             )
         )
+        lock_name = QLabel(self.tr("L&ock after Stop"), self)
+        self._lock = SpeedEntry(self)
+        self._lock.setObjectName("lockoutEntry")
+        self._lock.setAccessibleName(self.tr("Seconds that Run motor is locked after Stop"))
+        self._lock.setRange(0, round(LONGEST))
+        self._lock.setSuffix(self.tr(" s"))
+        self._lock.setSpecialValueText(self.tr("none (0 s)"))
+        self._lock.setMinimumWidth(self._lock.sizeHint().width())  # as wide with any text
+        lock_name.setBuddy(self._lock)
+        for part in (lock_name, self._lock):
+            part.setToolTip(
+                self.tr(
+                    "For so long after Stop or Esc nothing drives and Run motor waits, so that "
+                    "what is still being dragged or pressed starts nothing again (0 to {0:g} s)"
+                ).format(LONGEST)
+            )
 
         how = QVBoxLayout()
         how.setSpacing(_SPACING)  # else it would take that of the row that it stands in
@@ -90,7 +109,9 @@ class Options(QGroupBox):
         checks.addWidget(self._return)
         checks.addWidget(self._link)
         checks.addStretch(1)
-        hold.addLayout(checks, 2, 0, 1, 3)
+        hold.addWidget(lock_name, 2, 0)
+        hold.addWidget(self._lock, 2, 2)
+        hold.addLayout(checks, 3, 0, 1, 3)
         hold.setColumnStretch(1, 1)
         layout = QHBoxLayout(self)
         layout.setSpacing(4 * _SPACING)
@@ -104,6 +125,7 @@ class Options(QGroupBox):
         self._return.toggled.connect(self._on_return_toggled)
         self._link.toggled.connect(motors.set_linked)
         self._keys.toggled.connect(self.keys_toggled)
+        self._lock.chosen.connect(self._on_lock_chosen)
         self._ceiling.changed.connect(self._on_ceiling_changed)
         self._brake.changed.connect(self._on_brake_changed)
         motors.changed.connect(self._on_motors_changed)
@@ -116,7 +138,19 @@ class Options(QGroupBox):
 
     def set_joint(self, joint: bool) -> None:
         """Offer to link the motors, or not: there is only one."""
-        self._link.setEnabled(not joint)
+        self._joint = joint
+        self._show_link()
+
+    def _show_link(self) -> None:
+        """Tick it only over motors that do the same: a tick must not start or speed up one."""
+        motors = self._motors
+        can_link = motors.linked or motors.can_link
+        self._link.setChecked(motors.linked)
+        self._link.setEnabled(can_link and not self._joint)
+        tip = self.tr("Both motors do what either slider says; nothing turns")
+        if not can_link:
+            tip = self.tr("The motors run differently: stop both, or give both the same speed")
+        self._link.setToolTip(tip)
 
     def _restore(self) -> None:
         self._motors.set_ceiling(_stored(self._store, "motors/ceiling", 1))
@@ -132,6 +166,11 @@ class Options(QGroupBox):
         self._store.setValue("motors/return_to_zero", wanted)
 
     @Slot(int)
+    def _on_lock_chosen(self, seconds: int) -> None:
+        self._motors.lockout = float(seconds)
+        remember_lockout(seconds)
+
+    @Slot(int)
     def _on_ceiling_changed(self, speed: int) -> None:
         self._motors.set_ceiling(speed)
         self._store.setValue("motors/ceiling", speed)
@@ -145,7 +184,8 @@ class Options(QGroupBox):
     def _on_motors_changed(self) -> None:
         self._ceiling.set_value(self._motors.ceiling)
         self._brake.set_value(self._motors.release_brake)
-        self._link.setChecked(self._motors.linked)
+        self._lock.show_wish(round(self._motors.lockout))
+        self._show_link()
 
 
 def _stored(store: QSettings, key: str, lowest: int) -> int:

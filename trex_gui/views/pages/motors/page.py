@@ -2,13 +2,14 @@
 
 from functools import partial
 
-from PySide6.QtCore import QTimer, Signal, Slot
+from PySide6.QtCore import QEvent, QTimer, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from trex_gui.model.device import Device, Link
 from trex_gui.model.driving.held import HeldDrive
 from trex_gui.model.driving.reasons import reason_for, situation_of
+from trex_gui.model.driving.safe_start import SafeStartWatch
 from trex_gui.model.driving.words import (
     auxiliary_report_text,
     channel_text,
@@ -46,8 +47,11 @@ class MotorsPage(QWidget):
         self._pad_drive = HeldDrive(device.motors, "drive pad", self)
         self._key_drive = HeldDrive(device.motors, "keyboard", self)
 
+        self._safe_start = SafeStartWatch(device, self)
+
         self._options_shown: tuple[float, ...] = ()
         self._holder = ""
+        self._dragged: int | None = None
         self._forget_holder = QTimer(self)
         self._forget_holder.setSingleShot(True)
         self._forget_holder.setInterval(0)
@@ -127,10 +131,12 @@ class MotorsPage(QWidget):
         self._motors.set_brake(number, self._motors.release_brake)
 
     def _on_grabbed(self, number: int) -> None:
+        self._dragged = number
         if self._options.returns_to_zero:
             self._motors.hold(_name(number))
 
     def _on_released(self, number: int) -> None:
+        self._forget_holder.start()
         self._motors.let_go(_name(number))
         self._show_wishes()
 
@@ -204,7 +210,7 @@ class MotorsPage(QWidget):
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
         device, motors = self._device, self._motors
-        reason = reason_for(situation_of(device))
+        reason = reason_for(situation_of(device, perhaps_held=self._safe_start.may_hold))
         can_run = motors.can_arm and not motors.armed and not motors.locked_for
         self._head.show_reason(reason, can_run=can_run)
         driven = self._channels_drive()
@@ -240,8 +246,13 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop what is held here: who cannot see the page does not see the motors' controls."""
-        if self._holder:
+        """Stop what is held here: who cannot see the page does not see the motors' controls.
+
+        A slider under a hand counts as held, also where it stays when it is let go.
+        """
+        is_dragged = self._dragged is not None and self._motors.armed
+        self._dragged = None
+        if self._holder or is_dragged:
             self._motors.stop(self.tr("The Motors page was left while a control was held."))
         super().hideEvent(event)
 
@@ -256,8 +267,19 @@ class MotorsPage(QWidget):
         elif self._holder:
             self._forget_holder.start()
 
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
+            self._forget_holder.start()
+        super().changeEvent(event)
+
     @Slot()
     def _on_event_over(self) -> None:
+        """Forget who held; not while the window is inactive: it may be on its way to be minimised.
+
+        A window that is minimised is deactivated first, in an event of its own.
+        """
+        if self.isActiveWindow() and not any(each.is_held for each in self._controls.values()):
+            self._dragged = None
         if self._motors.holder != self._holder:
             self._holder = ""
 
