@@ -32,6 +32,7 @@ from trex_gui.link.messages import (
     Stop,
     Write,
 )
+from trex_gui.link.transport import latency_of
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import STOP, Drive, DriveMotor, GetMode, GetParameter, GetStatus
 from trex_gui.protocol.errors import PortUnavailable, TrexError
@@ -89,6 +90,25 @@ def test_closing_does_not_wait_for_what_is_left_to_do(stage: Stage) -> None:
     assert sorted(found) == [1, 2, 3]
     assert found[1].error is None  # it tells of each value; see test_closing_while_writing
     assert all("closed before this was done" in str(found[id_].error) for id_ in (2, 3))
+
+
+@pytest.mark.parametrize("after", [0.0, 0.05, 0.3, 1.0])
+@pytest.mark.parametrize("drives", [True, False])
+def test_a_board_that_does_not_answer_a_stop_holds_the_end_up_for_less_than_a_second(
+    stage: Stage, after: float, *, drives: bool
+) -> None:
+    """The window waits for a second, then leaves a thread behind that holds the port."""
+    stage.transport.latency = latency_of("/dev/ttyUSB0")
+    if drives:
+        stage.script.at(0.9, SetDrive(1, Drive.at(60)))
+    stage.script.at(1.0, lambda: setattr(stage.line, "mute", True)).at(1.1, Stop(1))
+    stage.script.at(1.1 + after, Close())
+    reports = stage.run()
+    assert stage.line.now < 1.1 + after + 0.9
+    assert outcomes(reports)[1].error is not None
+    assert among(reports, Closed) == [Closed(None, may_move=drives)]
+    motor = stage.board.motors[0]
+    assert (motor.target_direction.value, motor.target_speed) == ("brake", 127)
 
 
 def test_a_wish_that_waits_is_not_obeyed_on_closing(stage: Stage) -> None:

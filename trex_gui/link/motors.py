@@ -23,9 +23,11 @@ DRIVE_INTERVAL = 0.02
 
 _CLOSING_ATTEMPTS = 6
 _CAREFUL_CLOSING_ATTEMPTS = 16
-"""How often a stop is sent when the line is to be given back: somebody waits for that.
+_CLOSING_SECONDS = 0.5
+"""How often, and how long, a stop is sent when the line is to be given back: somebody waits.
 
-The second where the line has damaged bytes: it is the last chance, and wants more rounds.
+The second number where the line has damaged bytes: it is the last chance, and wants more rounds.
+The window waits for a second; the last round may begin just before this time is over.
 """
 
 INSISTING_ATTEMPTS = 4
@@ -169,11 +171,13 @@ class Motors:
         """
         stops = self._take_stops()
         try:
-            stopped = self._stop(client, status, ATTEMPTS, careful=False)
+            stopped = self._stop(client, status, ATTEMPTS, careful=False, hurries=self._is_to_close)
         except Exception:
             self._mail.stops = stops
             raise
-        if stopped and self.may_move:
+        if not stopped and self._mail.closing:
+            self._mail.stops += stops  # the end of the session has its own way to stop
+        elif stopped and self.may_move:
             self._proof_until = client.transport.clock() + PROOF_PATIENCE
             self._unproved = stops
             self._tell((), None)
@@ -189,8 +193,10 @@ class Motors:
         stops = self._take_stops()
         is_quiet = self._resting.calm.is_quiet(client)
         attempts = _CLOSING_ATTEMPTS if is_quiet else _CAREFUL_CLOSING_ATTEMPTS
+        clock = client.transport.clock
+        end = clock() + _CLOSING_SECONDS
         try:
-            proved = self.stop_and_prove(client, status, attempts)
+            proved = self.stop_and_prove(client, status, attempts, lambda: clock() >= end)
         except Exception:
             self._mail.stops = stops
             raise
@@ -212,8 +218,16 @@ class Motors:
         stops, self._unproved = self._unproved, []
         self._tell(stops, NoReply(_DAMAGED))
 
+    def _is_to_close(self) -> bool:
+        self._mail.collect()
+        return self._mail.closing
+
     def stop_and_prove(
-        self, client: Client, status: StatusReader, attempts: int = ATTEMPTS
+        self,
+        client: Client,
+        status: StatusReader,
+        attempts: int = ATTEMPTS,
+        hurries: Callable[[], bool] | None = None,
     ) -> bool:
         """Stop unasked, and return whether the board's status proves that it has arrived.
 
@@ -223,19 +237,29 @@ class Motors:
             PortUnavailable: the line is gone.
         """
         careful = not self._resting.calm.is_quiet(client)
-        stopped = self._stop(client, status, attempts, careful=careful)
+        stopped = self._stop(
+            client, status, attempts, careful=careful, hurries=hurries or self._is_to_close
+        )
         if stopped:
             self._stand_still()
         return stopped
 
-    def _stop(self, client: Client, status: StatusReader, attempts: int, *, careful: bool) -> bool:
+    def _stop(
+        self,
+        client: Client,
+        status: StatusReader,
+        attempts: int,
+        *,
+        careful: bool,
+        hurries: Callable[[], bool],
+    ) -> bool:
         """Stop, and return whether clean statuses have followed; on a quiet line that proves it.
 
         Raises:
             PortUnavailable: the line is gone.
         """
         self._repeating.rest()
-        stopped = stop_and_prove(client, status, attempts, careful=careful)
+        stopped = stop_and_prove(client, status, attempts, careful=careful, hurries=hurries)
         now = client.transport.clock()
         self._resting.note_stop(now)
         self._drove_at = now
@@ -262,7 +286,7 @@ class Motors:
         """
         self._mail.guard.give_up()
         self._mail.drives.clear()
-        stopped = self._stop(client, status, ATTEMPTS, careful=False)
+        stopped = self._stop(client, status, ATTEMPTS, careful=False, hurries=self._is_to_close)
         self._answer(Halted(_ABANDONED, proved=stopped and not self.may_move))
 
     def seconds_to_insist(self, client: Client) -> float | None:
@@ -277,7 +301,9 @@ class Motors:
         Raises:
             PortUnavailable: the line is gone.
         """
-        stopped = self._stop(client, status, INSISTING_ATTEMPTS, careful=False)
+        stopped = self._stop(
+            client, status, INSISTING_ATTEMPTS, careful=False, hurries=self._is_to_close
+        )
         if stopped and not self.may_move:
             stops, self._unproved = self._unproved, []
             self._tell(stops, None)

@@ -4,6 +4,7 @@ Motor commands have no reply. That a stop arrived whole is proved by the board's
 it answers, and no UART error bit was latched since the packets were sent.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from trex_gui.link.client import Client
@@ -46,12 +47,22 @@ def send_stop(client: Client) -> None:
         client.send(command)
 
 
+def _never() -> bool:
+    return False
+
+
 def stop_and_prove(
-    client: Client, reader: StatusReader, attempts: int = ATTEMPTS, *, careful: bool = False
+    client: Client,
+    reader: StatusReader,
+    attempts: int = ATTEMPTS,
+    *,
+    careful: bool = False,
+    hurries: Callable[[], bool] = _never,
 ) -> Stopped:
     """Send a stop again and again until the board's status proves that it has arrived.
 
-    It is `careful` on a line that has damaged bytes, and wants more rounds.
+    It is `careful` on a line that has damaged bytes, and wants more rounds. When somebody
+    `hurries` after a round that proved nothing, it is the last one.
 
     Raises:
         PortUnavailable: the line is gone.
@@ -65,6 +76,8 @@ def stop_and_prove(
             seen = reader.read(client.request)
         except (NoReply, BadReply):
             clean = 0
+            if hurries():
+                break
             continue
         if seen is not None:
             news.append(seen)
@@ -72,4 +85,6 @@ def stop_and_prove(
         clean = clean + 1 if is_clean else 0
         if clean == wanted:
             return Stopped(True, tuple(news))
+        if not clean and hurries():
+            break
     return Stopped(False, tuple(news))
