@@ -5,11 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.emulator.control import GOODBYE, control
+from trex_gui.emulator.control import control
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
 from trex_gui.emulator.physics import CONSTANTS
+from trex_gui.emulator.serving import GOODBYE
 from trex_gui.protocol.flags import UartError
 
 PULSES = 0.025

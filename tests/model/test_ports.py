@@ -7,6 +7,7 @@ from PySide6.QtCore import QTimer
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
+from trex_gui.model.kinds import TREX, Kind
 from trex_gui.model.ports import Port, PortKind, Ports
 
 
@@ -24,15 +25,15 @@ def port(device: str, description: str = "n/a") -> ListPortInfo:
     return info
 
 
-Make = Callable[[], Ports]
+Make = Callable[..., Ports]
 
 
 @pytest.fixture
 def make(qtbot: QtBot, computer: list[ListPortInfo]) -> Iterator[Make]:
     made: list[Ports] = []
 
-    def new() -> Ports:
-        made.append(Ports())
+    def new(*kinds: Kind) -> Ports:
+        made.append(Ports(kinds=kinds or (TREX,)))
         return made[-1]
 
     yield new
@@ -180,3 +181,41 @@ def test_the_port_that_was_used_last_is_not_offered_when_it_is_gone(
     preferred = make().preferred
     assert preferred is not None
     assert preferred.url == "/dev/ttyUSB0"
+
+
+# --- Kinds of devices -------------------------------------------------------------------
+
+WALKER = Kind("walker", "Walker")
+
+
+def test_each_kind_of_device_has_a_simulated_one(make: Make) -> None:
+    ports = make(TREX, WALKER)
+    labels = [port.label for port in ports.entries if port.kind is PortKind.DEMO]
+    assert labels == ["Demo TReX (no hardware)", "Demo Walker (no hardware)"]
+    assert ports.demo.device == "trex"
+    assert ports.demo_of("walker").label == "Demo Walker (no hardware)"
+
+
+def test_what_a_port_leads_to_is_remembered_and_shown(make: Make) -> None:
+    ports = make(TREX, WALKER)
+    port = ports.lead_to(ports.add_typed("socket://robot:1"), "walker")
+    assert (port.device, port.label) == ("walker", "Walker: socket://robot:1")
+    assert make(TREX, WALKER).find("socket://robot:1") == port
+    again = ports.lead_to(port, "trex")
+    assert (again.device, again.label) == ("trex", "socket://robot:1")
+    found = make(TREX, WALKER).find("socket://robot:1")
+    assert found is not None
+    assert found.device == "trex"
+
+
+def test_a_kind_that_is_not_known_any_more_is_a_trex(make: Make) -> None:
+    ports = make(TREX, WALKER)
+    ports.lead_to(ports.add_typed("socket://robot:1"), "walker")
+    found = make().find("socket://robot:1")
+    assert found is not None
+    assert (found.device, found.label) == ("trex", "socket://robot:1")
+
+
+def test_a_simulated_device_leads_to_nothing_else(make: Make) -> None:
+    ports = make(TREX, WALKER)
+    assert ports.lead_to(ports.demo, "walker") == ports.demo

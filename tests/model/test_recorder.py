@@ -189,7 +189,7 @@ def test_nothing_is_recorded_without_a_board(tmp_path: Path, qtbot: QtBot) -> No
 
 
 def test_a_disk_that_is_too_slow_costs_samples_that_are_counted_and_marked() -> None:
-    backlog = Backlog(most=10)
+    backlog: Backlog[Record] = Backlog(most=10)
     first: list[Record] = [Control(float(n), by_serial=True) for n in range(8)]
     backlog.put(first)
     backlog.put(first)  # has no room

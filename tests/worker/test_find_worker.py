@@ -9,11 +9,11 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
-from trex_gui.link.discovery import Step
+from trex_gui.link.discovery import Step, find
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.errors import PortUnavailable
 from trex_gui.protocol.line_settings import LineSettings
-from trex_gui.worker.find_worker import FindWorker, Searched
+from trex_gui.worker.find_worker import Errand, FindWorker, Searched
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -26,7 +26,7 @@ class Watched:
         self.steps: list[tuple[int, Step]] = []
         self.searched: list[Searched] = []
         self.threads: set[threading.Thread] = set()
-        self.worker = FindWorker([LinkSettings(url) for url in urls])
+        self.worker = FindWorker([Errand(LinkSettings(url), (("trex", find),)) for url in urls])
         self.worker.stepped.connect(self._on_stepped)
         self.worker.searched.connect(self._on_searched)
 
@@ -49,10 +49,10 @@ def test_ports_are_searched_one_after_the_other(
         watched.worker.start()
     first, second, third = watched.searched
     assert first.search is not None
-    assert str(first.search.found[0].signature) == "TReX 1.2"
+    assert first.search.found[0].name == "TReX 1.2"
     assert isinstance(second.error, PortUnavailable)
     assert third.search is not None
-    assert str(third.search.found[0].signature) == "TReX Jr 1.2"
+    assert third.search.found[0].name == "TReX Jr 1.2"
     assert {index for index, _ in watched.steps} == {0, 2}
     assert watched.threads == {threading.main_thread()}
 

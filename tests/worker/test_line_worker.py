@@ -21,6 +21,7 @@ from trex_gui.link.messages import (
     Stop,
     Write,
 )
+from trex_gui.link.session import Session
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.commands import Drive, GetParameter
 from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
@@ -37,7 +38,8 @@ class Watched:
         self.reports: list[Report] = []
         self.threads: set[threading.Thread] = set()
         self.url = url
-        self.worker = LineWorker(LinkSettings(url))
+        settings = LinkSettings(url)
+        self.worker = LineWorker(lambda inbox, tell: Session(settings, inbox, tell))
         self.worker.reported.connect(self._take)
         self.qtbot = qtbot
 

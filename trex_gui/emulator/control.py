@@ -9,12 +9,10 @@ from collections.abc import Callable
 
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
+from trex_gui.emulator.serving import GOODBYE
 from trex_gui.emulator.signals import Signal
 from trex_gui.protocol.errors import TrexError
 from trex_gui.protocol.flags import CHANNELS, UartError
-
-GOODBYE = "ok bye"
-"""The answer to `quit`; whoever runs the line ends after it."""
 
 _HIGHEST_CURRENT = 1000.0
 _HIGHEST_VOLTAGE = 24.0

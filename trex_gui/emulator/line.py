@@ -100,6 +100,16 @@ class Line:
         self._host_turn += 1
         self._host_busy_until = self.now
 
+    @property
+    def own_settings(self) -> LineSettings:
+        """What a host that fits the first board has set its port to."""
+        return self.boards[0].memory.line_settings
+
+    @property
+    def unsaved(self) -> list[str]:
+        """Why the memory of a board is not in its file; a sentence each."""
+        return [str(board.eeprom.unsaved) for board in self.boards if board.eeprom.unsaved]
+
     def _while_wanted(self, moment: float, action: Callable[[], None]) -> None:
         """Do something for the host at a moment, unless what it had queued is dropped before."""
         turn = self._host_turn

@@ -14,12 +14,12 @@ import sys
 import threading
 import time
 from collections import deque
+from collections.abc import Callable, Iterable, Sequence
 from types import FrameType
+from typing import Protocol
 
-from trex_gui.emulator.control import GOODBYE, control
 from trex_gui.emulator.demo import Demo
 from trex_gui.emulator.endpoint import Endpoint, EndpointError, HostSettings
-from trex_gui.emulator.line import Line
 from trex_gui.protocol.line_settings import Detection, LineSettings
 
 _IDLE = 0.1  # seconds; motors and timeouts go on though nothing is on the wire
@@ -44,11 +44,82 @@ of them alone takes a whole core at 115200 baud."""
 _DETECTIONS = {"none": Detection.NONE, "even": Detection.EVEN, "odd": Detection.ODD}
 
 
-class Server:
-    """Runs one line for one endpoint until it is told to end."""
+GOODBYE = "ok bye"
+"""The answer to `quit`; whoever runs the line ends after it."""
 
-    def __init__(self, line: Line, endpoint: Endpoint, demos: list[Demo]) -> None:
+
+class Wire(Protocol):
+    """A line in virtual time, with whatever is at its other end."""
+
+    host: LineSettings | None
+    """What the host has set its port to; `None` assumes that it fits."""
+
+    @property
+    def now(self) -> float:
+        """Seconds since the line was made."""
+        ...
+
+    @property
+    def plugged(self) -> bool:
+        """Whether the cable is in."""
+        ...
+
+    @property
+    def backlog(self) -> float:
+        """Seconds that the bytes which the host has queued still need to get onto the wire."""
+        ...
+
+    @property
+    def next_event(self) -> float | None:
+        """When something happens next; `None` while nothing is to."""
+        ...
+
+    @property
+    def own_settings(self) -> LineSettings:
+        """What a host that fits has set its port to."""
+        ...
+
+    @property
+    def unsaved(self) -> Iterable[str]:
+        """Why something that should be in a file is not; a sentence each."""
+        ...
+
+    def send(self, data: bytes) -> None:
+        """Queue bytes that the host sends now."""
+        ...
+
+    def receive(self) -> bytes:
+        """Take what has reached the host so far."""
+        ...
+
+    def drop_unsent(self) -> None:
+        """Forget what the host has queued."""
+        ...
+
+    def advance_to(self, moment: float) -> None:
+        """Let time pass."""
+        ...
+
+    def unplug(self) -> None:
+        """Pull the cable."""
+        ...
+
+
+class Server:
+    """Runs one line for one endpoint until it is told to end.
+
+    `control` obeys a control line and returns the answer, without a line end.
+    """
+
+    def __init__(
+        self,
+        line: Wire,
+        endpoint: Endpoint,
+        control: Callable[[str], str],
+        demos: Sequence[Demo] = (),
+    ) -> None:
         self._line = line
+        self._control = control
         self._endpoint = endpoint
         self._demos = demos
         self._origin = time.monotonic()
@@ -114,9 +185,8 @@ class Server:
 
     def _tell_of_unsaved(self) -> None:
         """Say once for each reason that a board's memory is not in its file."""
-        for board in self._line.boards:
-            reason = str(board.eeprom.unsaved or "")
-            if reason and reason not in self._told:
+        for reason in self._line.unsaved:
+            if reason not in self._told:
                 self._told.add(reason)
                 sys.stderr.write(f"{reason}; the board goes on without it\n")
 
@@ -153,7 +223,7 @@ class Server:
         """Complete what was seen of the host's port; what cannot be seen fits the board."""
         if seen is None:
             return None
-        own = self._line.boards[0].memory.line_settings
+        own = self._line.own_settings
         detection = own.detection if seen.parity is None else _DETECTIONS[seen.parity]
         return LineSettings(seen.baud, detection, seen.stop_bits)
 
@@ -169,7 +239,7 @@ class Server:
 
     def _answer(self, text: str) -> None:
         was_plugged = self._line.plugged
-        answer = control(self._line, text)
+        answer = self._control(text)
         if was_plugged and not self._line.plugged:
             self._endpoint.unplug()
         elif self._line.plugged and not was_plugged:

@@ -79,6 +79,11 @@ class Found:
     echo: bool = False
     note: str = ""
 
+    @property
+    def name(self) -> str:
+        """Product and firmware, such as `TReX 1.2`."""
+        return str(self.signature)
+
 
 @dataclass(frozen=True, slots=True)
 class Step:

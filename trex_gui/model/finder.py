@@ -5,11 +5,12 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.link.discovery import Found, Step
+from trex_gui.link.discovery import Step, find
 from trex_gui.link.settings import LinkSettings
+from trex_gui.model.kinds import TREX
 from trex_gui.model.ports import Port, PortKind
 from trex_gui.model.simulator import Simulator
-from trex_gui.worker.find_worker import FindWorker, Searched
+from trex_gui.worker.find_worker import Errand, FindWorker, Searched, Seek, Sighting
 
 _ENDING: list[FindWorker] = []
 """Threads that did not end in time; Qt aborts when one is destroyed running."""
@@ -21,12 +22,14 @@ class Finding:
 
     Attributes:
         text: for people; may be of several sentences.
-        found: the board; `None` where there was none.
+        found: the device; `None` where there was none.
+        device: the key of its kind.
     """
 
     port: Port
     text: str
-    found: Found | None = None
+    found: Sighting | None = None
+    device: str = TREX.key
 
 
 class Finder(QObject):
@@ -44,7 +47,8 @@ class Finder(QObject):
 
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._simulator = simulator
+        self._seekers: dict[str, Seek] = {TREX.key: find}
+        self._simulators = {TREX.key: simulator}
         self._worker: FindWorker | None = None
         self._ports: tuple[Port, ...] = ()
         self._findings: tuple[Finding, ...] = ()
@@ -54,6 +58,18 @@ class Finder(QObject):
         self._text = ""
         self._summary = ""
         self._cancelled = False
+
+    def also(self, device: str, seek: Seek, simulator: Simulator) -> None:
+        """Look for another kind of device, too: before those that are known by now.
+
+        What it asks must be harmless to the devices of every kind.
+        """
+        self._seekers = {device: seek, **self._seekers}
+        self._simulators[device] = simulator
+
+    def can_search(self, port: Port) -> bool:
+        """Whether there is something to look on: a simulated device has to run."""
+        return port.kind is not PortKind.DEMO or bool(self._simulators[port.device].url)
 
     @property
     def running(self) -> bool:
@@ -100,8 +116,7 @@ class Finder(QObject):
         self._summary = ""
         self._cancelled = False
         self._text = self.tr("Opening {0} …").format(_name(self._ports[0]))
-        settings = [self._settings_of(port) for port in self._ports]
-        self._worker = FindWorker(settings, full=full)
+        self._worker = FindWorker([self._errand(port) for port in self._ports], full=full)
         self._worker.stepped.connect(self._on_stepped)
         self._worker.searched.connect(self._on_searched)
         self._worker.finished.connect(self._on_worker_finished)
@@ -134,10 +149,12 @@ class Finder(QObject):
             _ENDING.append(worker)
         return in_time
 
-    def _settings_of(self, port: Port) -> LinkSettings:
-        if port.kind is PortKind.DEMO:
-            return LinkSettings(self._simulator.url, name=self.tr("the simulated board"))
-        return LinkSettings(port.url)
+    def _errand(self, port: Port) -> Errand:
+        if port.kind is not PortKind.DEMO:
+            return Errand(LinkSettings(port.url), tuple(self._seekers.items()))
+        url = self._simulators[port.device].url
+        settings = LinkSettings(url, name=self.tr("the simulated board"))
+        return Errand(settings, ((port.device, self._seekers[port.device]),))
 
     @Slot(int, object)
     def _on_stepped(self, index: int, step: Step) -> None:
@@ -159,16 +176,17 @@ class Finder(QObject):
             self._findings += (Finding(port, str(searched.error)),)
         elif search.found:
             self._findings += tuple(
-                Finding(port, self._sentence(found), found) for found in search.found
+                Finding(port, self._sentence(found), found, searched.device)
+                for found in search.found
             )
         elif not search.cancelled:
             self._findings += (Finding(port, search.verdict()),)
         self.changed.emit()
 
-    def _sentence(self, found: Found) -> str:
+    def _sentence(self, found: Sighting) -> str:
         settings = found.settings
         text = self.tr("{0} on {1} at {2}").format(
-            found.signature, settings.name or settings.url, settings.short
+            found.name, settings.name or settings.url, settings.short
         )
         if found.device_number is not None:
             text += self.tr(", device {0}").format(found.device_number)

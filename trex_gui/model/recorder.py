@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -12,6 +13,7 @@ from trex_gui.link.reading import DeviceState
 from trex_gui.model.device import Device, Link
 from trex_gui.model.events import Event
 from trex_gui.recording.backlog import Backlog
+from trex_gui.recording.files import writer_for
 from trex_gui.recording.recording import Record
 from trex_gui.recording.recording_of import header_of, marker, settings_seen, wish_of
 from trex_gui.worker.record_worker import RecordWorker
@@ -19,7 +21,7 @@ from trex_gui.worker.record_worker import RecordWorker
 _PATIENCE_MS = 3000
 """How long the end of the program waits for a disk."""
 
-_abandoned: list[RecordWorker] = []
+_abandoned: list[RecordWorker[Record]] = []
 """Threads that a disk holds up at the end of the program: a `QThread` must outlive its run."""
 
 
@@ -52,8 +54,8 @@ class Recorder(QObject):
         super().__init__(parent)
         self._device = device
         self._clock = clock
-        self._worker: RecordWorker | None = None
-        self._backlog = Backlog()
+        self._worker: RecordWorker[Record] | None = None
+        self._backlog: Backlog[Record] = Backlog()
         self._path: Path | None = None
         self._begun = 0.0
         self._size = 0
@@ -120,7 +122,8 @@ class Recorder(QObject):
         self._path, self._size, self._closing, self._refused = path, 0, False, False
         self._board, self._settings = _identity(state), header.settings
         self._backlog = Backlog()
-        worker = RecordWorker(path, header, self._backlog, self)
+        writer_of = partial(writer_for, path, header=header)
+        worker = RecordWorker(path, self._begun, self._backlog, writer_of, self)
         worker.progressed.connect(self._on_progressed)
         worker.failed.connect(self._on_failed)
         worker.finished.connect(self._on_finished)

@@ -2,7 +2,7 @@
 
 import sys
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, QProcess, Signal, Slot
 
@@ -30,8 +30,12 @@ class Simulator(QObject):
     failed = Signal(str)
     ended = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(
+        self, parent: QObject | None = None, *, arguments: Sequence[str] = ("--demo",)
+    ) -> None:
+        """Start none yet; `arguments` say which board is simulated."""
         super().__init__(parent)
+        self._arguments = tuple(arguments)
         self._url = ""
         self._plugged = True
         self._ending = False
@@ -62,7 +66,7 @@ class Simulator(QObject):
         elif self._process.state() is QProcess.ProcessState.NotRunning:
             self._ending = False
             program, arguments = simulator_command()
-            self._process.start(program, [*arguments, "--demo"])
+            self._process.start(program, [*arguments, *self._arguments])
 
     def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
         """Send one control line, such as `channel 1 1500us`.

@@ -3,8 +3,9 @@
 import threading
 from collections import deque
 from collections.abc import Sequence
+from typing import Generic, Protocol, TypeVar
 
-from trex_gui.recording.recording import Marker, Record
+from trex_gui.recording.recording import Marker
 
 MOST = 100_000
 """Records that may wait: nine minutes at full rate, some 15 MB."""
@@ -12,7 +13,18 @@ MOST = 100_000
 LOST_KIND = "note"
 
 
-class Backlog:
+class Timed(Protocol):
+    """What can be recorded: it has a time on the session's clock."""
+
+    @property
+    def time(self) -> float:
+        """When it was."""
+
+
+RecordT = TypeVar("RecordT", bound=Timed)
+
+
+class Backlog(Generic[RecordT]):
     """Takes records from one thread for another, and never makes the first one wait.
 
     When it is full, what comes is dropped; a marker says so in its place as soon as there is
@@ -22,7 +34,7 @@ class Backlog:
     def __init__(self, most: int = MOST) -> None:
         self._most = most
         self._ready = threading.Condition()
-        self._waiting: deque[Record] = deque()
+        self._waiting: deque[RecordT | Marker] = deque()
         self._lost = 0
         self._lost_in_all = 0
         self._closed = False
@@ -32,7 +44,7 @@ class Backlog:
         """How many records were dropped so far."""
         return self._lost_in_all
 
-    def put(self, records: Sequence[Record]) -> None:
+    def put(self, records: Sequence[RecordT]) -> None:
         """Leave records; does not wait."""
         with self._ready:
             if self._closed or not records:
@@ -52,7 +64,7 @@ class Backlog:
             self._closed = True
             self._ready.notify()
 
-    def get(self, seconds: float) -> list[Record] | None:
+    def get(self, seconds: float) -> list[RecordT | Marker] | None:
         """Return what waits, after at most so many seconds; `None` when nothing more comes."""
         with self._ready:
             if not self._waiting and not self._closed:

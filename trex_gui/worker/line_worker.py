@@ -1,25 +1,25 @@
 """One thread a line."""
 
 import queue
+from collections.abc import Callable
+from typing import Any, Protocol
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from trex_gui.link.messages import Close, Report, Request
-from trex_gui.link.session import Session
-from trex_gui.link.settings import LinkSettings
+from trex_gui.link.messages import Close
 
 
 class QueueInbox:
-    """An inbox that any thread may put requests into."""
+    """An inbox that any thread may put requests into, of whatever kind its session takes."""
 
     def __init__(self) -> None:
-        self._queue: queue.SimpleQueue[Request] = queue.SimpleQueue()
+        self._queue: queue.SimpleQueue[Any] = queue.SimpleQueue()
 
-    def put(self, request: Request) -> None:
+    def put(self, request: object) -> None:
         """Leave a request for the session."""
         self._queue.put(request)
 
-    def get(self, seconds: float) -> Request | None:
+    def get(self, seconds: float) -> Any:
         """Return the next request, waiting up to `seconds` for one; else `None`."""
         try:
             if seconds <= 0:
@@ -29,6 +29,18 @@ class QueueInbox:
             return None
 
 
+class Runs(Protocol):
+    """A session of a line, of whatever device."""
+
+    def run(self) -> None:
+        """Serve the line until it is lost or `Close` comes; never raise."""
+        ...
+
+
+MakeSession = Callable[[QueueInbox, Callable[[object], None]], Runs]
+"""Makes a session from where its requests come and where its reports go."""
+
+
 class LineWorker(QThread):
     """Runs one line session.
 
@@ -36,31 +48,29 @@ class LineWorker(QThread):
     `close` may be called from any thread. Its owner keeps it until it is finished.
 
     Signals:
-        reported: a `messages.Report`, in the thread of the receiver. The last one is `Closed`.
+        reported: a report of the session, in the thread of the receiver. The last one is `Closed`.
     """
 
     reported = Signal(object)
 
-    def __init__(
-        self, settings: LinkSettings, parent: QObject | None = None, *, may_move: bool = False
-    ) -> None:
+    def __init__(self, make_session: MakeSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("LineWorker")
         self._inbox = QueueInbox()
-        self._session = Session(settings, self._inbox, self._report, may_move=may_move)
+        self._session = make_session(self._inbox, self._report)
 
     def run(self) -> None:
         """Serve the line; called by Qt in the new thread."""
         self._session.run()
 
-    def submit(self, request: Request) -> None:
+    def submit(self, request: object) -> None:
         """Hand a request to the session."""
         self._inbox.put(request)
 
     def close(self, timeout_ms: int = 1000) -> bool:
-        """Stop the motors if they were driven, end the thread; return whether it did in time."""
+        """Let the session end, and wait for it; return whether it did in time."""
         self.submit(Close())
         return self.wait(timeout_ms)
 
-    def _report(self, report: Report) -> None:
+    def _report(self, report: object) -> None:
         self.reported.emit(report)

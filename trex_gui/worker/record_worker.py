@@ -3,14 +3,14 @@
 import contextlib
 import os
 import time
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, Generic, Protocol, TypeVar
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from trex_gui.recording.backlog import Backlog
-from trex_gui.recording.files import writer_for
-from trex_gui.recording.recording import Header, Writer
+from trex_gui.recording.backlog import Backlog, RecordT
+from trex_gui.recording.recording import Marker
 
 _LOOK = 0.5
 """Seconds after which the size is told again."""
@@ -19,7 +19,25 @@ _SAFE = 5.0
 """Seconds after which what was recorded is on the disk: as much is lost with the power."""
 
 
-class RecordWorker(QThread):
+WrittenT_contra = TypeVar("WrittenT_contra", contravariant=True)
+
+
+class Writer(Protocol[WrittenT_contra]):
+    """What writes records of any kind; see `trex_gui.recording.recording.Writer`."""
+
+    size: int
+
+    def write(self, records: Sequence[WrittenT_contra]) -> None:
+        """Take records."""
+
+    def flush(self) -> None:
+        """Put what was taken into the file."""
+
+    def finish(self) -> None:
+        """Make the file complete."""
+
+
+class RecordWorker(QThread, Generic[RecordT]):
     """Writes one recording; ends when its backlog is closed, or when the disk refuses.
 
     Signals:
@@ -31,13 +49,23 @@ class RecordWorker(QThread):
     failed = Signal(str)
 
     def __init__(
-        self, path: Path, header: Header, backlog: Backlog, parent: QObject | None = None
+        self,
+        path: Path,
+        begun: float,
+        backlog: Backlog[RecordT],
+        writer_of: Callable[[BinaryIO], Writer[RecordT | Marker]],
+        parent: QObject | None = None,
     ) -> None:
+        """Write into `path` what `writer_of` makes of the records.
+
+        `begun` is when it begins, on the session's clock; `writer_of` is called in the new thread.
+        """
         super().__init__(parent)
         self.setObjectName("RecordWorker")
         self._path = path
-        self._header = header
+        self._begun = begun
         self._backlog = backlog
+        self._writer_of = writer_of
 
     def run(self) -> None:
         """Write until the end; called by Qt in the new thread."""
@@ -45,12 +73,12 @@ class RecordWorker(QThread):
             with self._path.open("wb") as file:
                 self._write(file)
         except (OSError, ValueError) as error:
-            self._backlog.close(self._header.clock)
+            self._backlog.close(self._begun)
             reason = getattr(error, "strerror", None) or error
             self.failed.emit(self.tr("{0} cannot be written: {1}.").format(self._path, reason))
 
     def _write(self, file: BinaryIO) -> None:
-        writer = writer_for(self._path, file, self._header)
+        writer = self._writer_of(file)
         safe_at = time.monotonic() + _SAFE
         self.progressed.emit(writer.size)
         while (records := self._backlog.get(_LOOK)) is not None:
@@ -65,7 +93,7 @@ class RecordWorker(QThread):
         self.progressed.emit(writer.size)
 
 
-def _save(writer: Writer, file: BinaryIO) -> None:
+def _save(writer: Writer[WrittenT_contra], file: BinaryIO) -> None:
     writer.flush()
     file.flush()
     _sync(file)
