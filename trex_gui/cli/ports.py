@@ -7,6 +7,7 @@ from typing import Any
 import click
 from serial.tools import list_ports
 
+from trex_gui.aracna.cli import looking
 from trex_gui.cli.common import (
     as_options,
     json_option,
@@ -41,7 +42,7 @@ def list_command(as_json: bool, **options: Any) -> None:
     """List the ports of this computer and what answers on them.
 
     Only asks; never moves a motor. With --port, looks at that port alone. A board that is not
-    set to these line settings is found by `trexcmd find`.
+    set to these line settings is found by `trexcmd find`. An Aracna has only one setting.
     """
     rows: list[dict[str, Any]] = []
     unreachable = False
@@ -50,12 +51,15 @@ def list_command(as_json: bool, **options: Any) -> None:
         row: dict[str, Any] = {"port": url, "product": None, "firmware": None}
         try:
             answer = _what_answers(settings)
+            robot = None if isinstance(answer, Signature) else looking.look(url, settings.patience)
         except PortUnavailable as error:
             row["answer"], unreachable = str(error), True
         else:
             row["answer"] = str(answer)
             if isinstance(answer, Signature):
                 row |= {"product": answer.model.name, "firmware": answer.firmware}
+            elif robot is not None:
+                row |= looking.listed(robot)
         rows.append(row)
         if not as_json:
             click.echo(f"{url}\t{row['answer']}")
@@ -99,7 +103,7 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
     Tries every baud rate with every parity and with CRC-7, the likely ones first, on one port
     or on all; prints the options that reach the board. Never moves a motor, and changes
     nothing; a board that hears bytes at a wrong rate latches UART errors, and stops its motors
-    where it is set to do so.
+    where it is set to do so. Where no TReX answers, an Aracna is looked for.
     """
     rows: list[dict[str, Any]] = []
     with Interruption() as interrupted:
@@ -115,12 +119,22 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
                         cancelled=interrupted.__bool__,
                         full=full,
                     )
+                    is_over = bool(search.found) or search.cancelled
+                    robot = None if is_over else looking.look(url, patience, interrupted.__bool__)
                 except PortUnavailable as error:
                     line.clear()
                     say(error)
                     continue
             rows += [_row(found) for found in search.found]
-            _report(search, as_json=as_json)
+            if robot is None:
+                _report(search, as_json=as_json)
+                if not is_over:
+                    say("No Aracna answers there either.")
+                continue
+            rows.append(looking.row(robot))
+            say(f"{robot.name}, {robot.motors} motors, on {robot.settings.text()}.")
+            if not as_json:
+                click.echo(rows[-1]["options"])
     if as_json:
         click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
     if not rows:

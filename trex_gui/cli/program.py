@@ -10,7 +10,10 @@ from trex_gui import __version__
 
 
 class Entry(NamedTuple):
-    """Where a command is, and what the list of commands says of it."""
+    """Where a command is, and what the list of commands says of it.
+
+    `module` lies in this package; one of another device begins with a dot and lies beside it.
+    """
 
     module: str
     name: str
@@ -34,6 +37,7 @@ COMMANDS: Mapping[str, Entry] = {
     "restore-defaults": Entry("defaults", "restore_defaults", "Go back to factory parameters."),
     "motor": Entry("motor", "motor", "Run a motor until Ctrl-C, or for some seconds."),
     "stop": Entry("motor", "stop", "Stop every motor and prove it."),
+    "aracna": Entry(".aracna.cli.commands", "aracna", "Ask an Aracna, move it, play its poses."),
     "raw": Entry("packets", "raw", "Send bytes and show what comes back."),
     "decode": Entry("packets", "decode", "Say what packets some bytes are."),
     "completion": Entry("completion", "completion", "Print the completion script of a shell."),
@@ -52,7 +56,7 @@ class _Program(click.Group):
         del ctx
         if (entry := COMMANDS.get(cmd_name)) is None:
             return None
-        module = importlib.import_module(f"trex_gui.cli.{entry.module}")
+        module = importlib.import_module(f".{entry.module}", "trex_gui.cli")
         command = getattr(module, entry.name)
         assert isinstance(command, click.Command)  # noqa: S101 - for the type checker
         return command

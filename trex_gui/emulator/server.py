@@ -1,10 +1,14 @@
 """trex-sim: a virtual TReX that any program can open as a serial port."""
 
+from collections.abc import Callable, Sequence
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
+from click.core import ParameterSource
 
 from trex_gui import __version__
 from trex_gui.emulator.eeprom import Eeprom
@@ -14,8 +18,16 @@ from trex_gui.emulator.line import Line
 from trex_gui.protocol.device_table import device_table
 from trex_gui.protocol.errors import TrexError
 
+if TYPE_CHECKING:  # `--help` needs none of this
+    from trex_gui.emulator.demo import Demo
+    from trex_gui.emulator.serving import Wire
+
 _MODELS = [model.key for model in device_table().models]
 _FIRMWARE = sorted({version for model in device_table().models for version in model.firmware})
+_MOST_MOTORS = 8
+
+_OF_A_TREX = ("model", "firmware", "mode", "mix", "echo", "eeprom", "devices", "demo")
+"""Options that an Aracna has nothing for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +96,12 @@ def _read_address(text: str) -> tuple[str, int]:
 )
 @click.option("--seed", type=int, default=0, show_default=True, help="For all noise.")
 @click.option("--demo", is_flag=True, help="Move the sticks gently and load the motors.")
+@click.option("--aracna", is_flag=True, help="Simulate an Aracna instead, at 38400 8N1.")
+@click.option(
+    "--motors",
+    type=click.IntRange(1, _MOST_MOTORS),
+    help="How many the Aracna has; 2 make it one of version 0.  [default: 8]",
+)
 @click.version_option(__version__, prog_name="trex-sim")
 def main(
     *,
@@ -100,16 +118,24 @@ def main(
     devices: tuple[_Device, ...],
     seed: int,
     demo: bool,
+    aracna: bool,
+    motors: int | None,
 ) -> None:
-    """Simulate TReX motor controllers on a pseudo-terminal or a TCP port.
+    """Simulate TReX motor controllers, or an Aracna, on a pseudo-terminal or a TCP port.
 
     Prints "ready URL" with what a program has to open, then takes control lines on standard
     input and answers each with "ok ..." or "error ...": channel, jumper, power, load, current,
     fault, battery, eeprom, factory, line, show, quit. Each says what it wants when it is given
     too little. With several devices they begin with one of them, as in "@9 power cycle".
+    An Aracna takes others: reset, power, servo, line, show, quit.
     """
     if sum(option is not None for option in (link, tcp, rfc2217)) > 1:
         raise click.UsageError("only one of --link, --tcp and --rfc2217")
+    if aracna:
+        _refuse(_OF_A_TREX, "is for a TReX and means nothing with --aracna")
+        _serve_aracna(motors, paced=not unpaced, seed=seed, place=(link, tcp, rfc2217))
+        return
+    _refuse(("motors",), "means something only with --aracna")
     if len({device.number for device in devices}) < len(devices):
         raise click.UsageError("each --device needs a number of its own; control lines use it")
     try:
@@ -126,9 +152,22 @@ def main(
         ]
         line = Line(boards, echo=echo, paced=not unpaced, seed=seed)
         with closing(_endpoint(link, tcp, rfc2217, boards[0].memory.baud)) as endpoint:
-            _serve(line, endpoint, demo=demo)
+            _serve_boards(line, endpoint, demo=demo)
     except TrexError as error:
         raise click.ClickException(str(error)) from error
+
+
+def _refuse(names: Sequence[str], why: str) -> None:
+    """Refuse options that somebody has given.
+
+    Raises:
+        click.UsageError: one of them was.
+    """
+    context = click.get_current_context()
+    for parameter in context.command.params:
+        given = context.get_parameter_source(parameter.name or "")
+        if parameter.name in names and given is not ParameterSource.DEFAULT:
+            raise click.UsageError(f"{parameter.opts[0]} {why}")
 
 
 def _eeprom(path: Path | None, device: _Device, model: str, count: int) -> Eeprom:
@@ -169,8 +208,38 @@ def _endpoint(
     return PtyEndpoint(link, baud)
 
 
-def _serve(line: Line, endpoint: Endpoint, *, demo: bool) -> None:
+def _serve_boards(line: Line, endpoint: Endpoint, *, demo: bool) -> None:
+    from trex_gui.emulator.control import control  # noqa: PLC0415
     from trex_gui.emulator.demo import Demo  # noqa: PLC0415 - `--help` needs none of this
+
+    demos = [Demo(board) for board in line.boards] if demo else []
+    _serve(line, endpoint, partial(control, line), demos)
+
+
+def _serve_aracna(
+    motors: int | None,
+    *,
+    paced: bool,
+    seed: int,
+    place: tuple[Path | None, tuple[str, int] | None, tuple[str, int] | None],
+) -> None:
+    from trex_gui.aracna.emulator.control import control  # noqa: PLC0415 - nor this
+    from trex_gui.aracna.emulator.line import AracnaLine  # noqa: PLC0415
+
+    line = AracnaLine(_MOST_MOTORS if motors is None else motors, paced=paced, seed=seed)
+    try:
+        with closing(_endpoint(*place, line.own_settings.baud)) as endpoint:
+            _serve(line, endpoint, partial(control, line))
+    except TrexError as error:
+        raise click.ClickException(str(error)) from error
+
+
+def _serve(
+    line: "Wire",
+    endpoint: Endpoint,
+    control: Callable[[str], str],
+    demos: "Sequence[Demo]" = (),
+) -> None:
     from trex_gui.emulator.serving import Server  # noqa: PLC0415
 
-    Server(line, endpoint, [Demo(board) for board in line.boards] if demo else []).run()
+    Server(line, endpoint, control, demos).run()

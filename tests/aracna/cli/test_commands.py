@@ -1,0 +1,292 @@
+"""trexcmd aracna: query, speeds, pose, play; list and find."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from tests.aracna.cli.conftest import Run
+from tests.support.aracna import AracnaProcess
+from tests.support.simulator import SimulatorProcess
+from trex_gui.aracna.cli.talk import Talk, settings_of
+from trex_gui.cli import main
+from trex_gui.cli.talk import Refused
+
+FILE = """Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024
+Pose=low:400, 300, 400, 300, 400, 300, 400, 300
+Pose=high:450, 350, 450, 350, 450, 350, 450, 350
+Pose=far:1000, 300, 400, 300, 400, 300, 400, 300
+Seq=nod: low|300, high|300
+Seq=reach: far|300
+Seq=ghost: nowhere|300
+"""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> str:
+    path = tmp_path / "poses.ppr"
+    path.write_text(FILE, encoding="utf-8")
+    return str(path)
+
+
+def positions(robot: AracnaProcess) -> list[int]:
+    return [servo["position"] for servo in robot.show()["servos"]]
+
+
+def near(robot: AracnaProcess, wanted: list[int]) -> bool:
+    return all(abs(a - b) <= 2 for a, b in zip(positions(robot), wanted, strict=True))
+
+
+# --- query, speeds --------------------------------------------------------------------------
+
+
+def test_query_tells_what_the_robot_is(trexcmd: Run, robot: AracnaProcess) -> None:
+    assert trexcmd("aracna", "query").stdout == "Aracna, firmware 1, 8 motors\n"
+    row = json.loads(trexcmd("aracna", "query", "--json").stdout)
+    assert row == {"port": robot.url, "product": "Aracna", "firmware": 1, "motors": 8}
+
+
+def test_without_a_port_it_is_wrong_usage() -> None:
+    result = CliRunner().invoke(main, ["aracna", "query"], env={"TREX_PORT": ""})
+    assert result.exit_code == 2
+    assert "Which port?" in result.stderr
+
+
+def test_a_port_that_is_not_there_is_refused(trexcmd: Run) -> None:
+    result = trexcmd("aracna", "query", "--port", "/dev/ttyNOTHERE")
+    assert result.exit_code == 1
+    assert "There is no port" in result.stderr
+
+
+def test_a_trex_on_the_port_is_told_not_to_be_an_aracna(quick_simulator: SimulatorProcess) -> None:
+    result = CliRunner().invoke(main, ["aracna", "query", "--port", quick_simulator.url])
+    assert result.exit_code == 1
+    assert "No Aracna answers" in result.stderr or "not as an Aracna does" in result.stderr
+
+
+def test_one_speed_is_for_all_and_what_the_servos_hold_is_printed(
+    trexcmd: Run, robot: AracnaProcess
+) -> None:
+    assert trexcmd("aracna", "speeds", "200").stdout == "200 200 200 200 200 200 200 200\n"
+    result = trexcmd("aracna", "speeds", *map(str, range(8)))
+    assert result.stdout == "0 1 2 3 4 5 6 7\n"
+    assert [servo["speed"] for servo in robot.show()["servos"]] == list(range(8))
+
+
+def test_a_servo_that_does_not_answer_is_named_with_exit_code_1(
+    trexcmd: Run, robot: AracnaProcess
+) -> None:
+    robot.do("servo 4 dead")
+    result = trexcmd("aracna", "speeds", "50")
+    assert result.exit_code == 1
+    assert result.stdout == "50 50 50 50 -1 50 50 50\n"
+    assert "Motor 4 does not answer (-1)." in result.stderr
+
+
+@pytest.mark.parametrize(
+    "words", [["speeds", "1", "2"], ["speeds", "1024"], ["pose", "1", "2"], ["pose"]]
+)
+def test_what_is_no_value_for_each_motor_is_wrong_usage(trexcmd: Run, words: list[str]) -> None:
+    assert trexcmd("aracna", *words, "--no-limits" if words[0] == "pose" else "5").exit_code == 2
+
+
+# --- pose -----------------------------------------------------------------------------------
+
+
+def test_pose_goes_there_slowly_and_tells_each_motor(trexcmd: Run, robot: AracnaProcess) -> None:
+    result = trexcmd("aracna", "pose", *["530"] * 8)
+    assert result.exit_code == 0, result.stderr
+    assert near(robot, [530] * 8)
+    assert [abs(int(value) - 530) <= 2 for value in result.stdout.split()] == [True] * 8
+    assert [f"motor {motor}:" in result.stderr for motor in range(8)] == [True] * 8
+    assert {servo["speed"] for servo in robot.show()["servos"]} == {100}
+
+
+def test_positions_beyond_a_joints_limits_are_refused_before_anything_is_sent(
+    trexcmd: Run, robot: AracnaProcess
+) -> None:
+    result = trexcmd("aracna", "pose", "20", *["551"] * 7)
+    assert result.exit_code == 2
+    assert "motor 0 goes from 50 to 600, not to 20" in result.stderr
+    assert "motor 7 goes from 0 to 550, not to 551" in result.stderr
+    assert robot.show()["counters"]["line"]["sent"] == 0
+    lifted = trexcmd("aracna", "pose", "--no-limits", "--speed", "0", "20", *["551"] * 7)
+    assert lifted.exit_code == 0, lifted.stderr
+    assert near(robot, [20] + [551] * 7)
+
+
+def test_a_known_pose_is_cut_to_the_limits_and_that_is_told(
+    trexcmd: Run, robot: AracnaProcess
+) -> None:
+    result = trexcmd("aracna", "pose", "--pose", "stand", "--speed", "500")
+    assert result.exit_code == 0, result.stderr
+    assert near(robot, [512, 550] * 4)
+    assert "stand: motor 1 is sent to 550, its limit, not to 680." in result.stderr
+
+
+def test_a_pose_of_a_file_is_found_by_its_name(
+    trexcmd: Run, robot: AracnaProcess, file: str
+) -> None:
+    assert trexcmd("aracna", "pose", "--pose", "low", "--file", file, "--speed", "0").exit_code == 0
+    assert near(robot, [400, 300] * 4)
+    wrong = trexcmd("aracna", "pose", "--pose", "lwo", "--file", file)
+    assert wrong.exit_code == 2
+    assert "Known are: low, high, far." in wrong.stderr
+
+
+def test_a_motor_that_does_not_arrive_is_named_and_nothing_waits_for_ever(
+    trexcmd: Run, robot: AracnaProcess
+) -> None:
+    robot.do("servo 2 block")
+    result = trexcmd("aracna", "pose", "--speed", "1000", *["530"] * 8)
+    assert result.exit_code == 1
+    assert "waits for motor 2" in result.stderr
+    assert "servo power" in result.stderr
+
+
+def test_a_position_that_could_not_be_read_is_told(trexcmd: Run, robot: AracnaProcess) -> None:
+    robot.do("servo 6 lose position")
+    result = trexcmd("aracna", "pose", *["515"] * 8)
+    assert result.exit_code == 1
+    assert result.stdout.split()[6] == "-1"
+    assert "Motor 6: its position could not be read (-1)." in result.stderr
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+def test_ctrl_c_says_that_nothing_stops_a_running_motion(robot: AracnaProcess) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", "trex_gui.cli", "aracna", "pose", *["550"] * 8, "--speed", "20"],
+        env={**os.environ, "TREX_PORT": robot.url},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        while not robot.show()["servos"][7]["moving"]:
+            pass
+        process.send_signal(signal.SIGINT)
+        out, errors = process.communicate(timeout=20)
+    finally:
+        process.kill()
+        process.communicate()
+    assert "Nothing on this link stops a motion that runs" in errors
+    assert "Only servo power stops them" in errors
+    assert len(out.split()) == 8
+    assert process.returncode == 0
+
+
+def test_whoever_breaks_off_while_the_line_is_opened_moves_nothing(robot: AracnaProcess) -> None:
+    with (
+        pytest.raises(Refused, match="before anything was sent"),
+        Talk(settings_of(robot.url, 0.0), interrupted=lambda: True),
+    ):
+        pass
+    assert not any(servo["torque"] for servo in robot.show()["servos"])
+
+
+# --- play -----------------------------------------------------------------------------------
+
+
+def test_play_begins_slowly_and_plays_every_step(
+    trexcmd: Run, robot: AracnaProcess, file: str
+) -> None:
+    result = trexcmd("aracna", "play", file, "--sequence", "nod", "--rounds", "2", "--scale", "1.5")
+    assert result.exit_code == 0, result.stderr
+    steps = [
+        line.split(",")[0] + "," + line.split(",")[1]
+        for line in result.stderr.splitlines()
+        if line.startswith("round")
+    ]
+    assert steps == ["round 1, step 1", "round 1, step 2", "round 2, step 1", "round 2, step 2"]
+    assert "blend in" in result.stderr
+    assert near(robot, [450, 350] * 4)
+
+
+def test_play_cuts_to_the_limits_unless_they_are_lifted(
+    trexcmd: Run, robot: AracnaProcess, file: str
+) -> None:
+    result = trexcmd("aracna", "play", file, "--sequence", "reach")
+    assert "far: motor 0 is sent to 600, its limit, not to 1000." in result.stderr
+    assert abs(positions(robot)[0] - 600) <= 2
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "says"),
+    [
+        ((), 2, "Which sequence?"),
+        (("--sequence", "x"), 2, "The file has: nod, reach, ghost."),
+        (("--sequence", "ghost"), 1, "nowhere"),
+        (("--sequence", "nod", "--scale", "0"), 2, "--scale"),
+    ],
+)
+def test_what_cannot_be_played_is_told(
+    trexcmd: Run, file: str, words: tuple[str, ...], code: int, says: str
+) -> None:
+    result = trexcmd("aracna", "play", file, *words)
+    assert result.exit_code == code
+    assert says in result.stderr
+
+
+def test_a_file_that_cannot_be_read_is_told(trexcmd: Run, tmp_path: Path) -> None:
+    result = trexcmd("aracna", "play", str(tmp_path / "none.ppr"))
+    assert result.exit_code == 1
+    assert "none.ppr" in result.stderr
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+def test_ctrl_c_ends_a_loop_after_the_running_step(robot: AracnaProcess, file: str) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", "trex_gui.cli", "aracna", "play", file, "--sequence=nod", "--loop"],
+        env={**os.environ, "TREX_PORT": robot.url},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        assert process.stderr is not None
+        for line in process.stderr:
+            if line.startswith("round 2"):
+                break
+        process.send_signal(signal.SIGINT)
+        out, errors = process.communicate(timeout=20)
+    finally:
+        process.kill()
+        process.communicate()
+    assert "Halted." in errors
+    assert process.returncode == 0
+    assert not any(servo["moving"] for servo in robot.show()["servos"])
+    assert len(out.split()) == 8
+
+
+# --- list, find -----------------------------------------------------------------------------
+
+
+def test_list_names_an_aracna(trexcmd: Run, robot: AracnaProcess) -> None:
+    assert trexcmd("list", "--port", robot.url).stdout == f"{robot.url}\tAracna 1, 8 motors\n"
+    (row,) = json.loads(trexcmd("list", "--json", "--port", robot.url).stdout)
+    assert (row["product"], row["firmware"]) == ("Aracna", "1")
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(180)  # behind every setting of a TReX
+def test_find_names_an_aracna_and_prints_what_reaches_it(
+    trexcmd: Run, robot: AracnaProcess
+) -> None:
+    result = trexcmd("find")
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout == f"--port {robot.url}\n"
+    assert "Aracna 1, 8 motors" in result.stderr
+    assert not any(servo["torque"] for servo in robot.show()["servos"])
+    assert trexcmd("aracna", "query", *result.stdout.split()).exit_code == 0
+
+
+def test_help_needs_neither_qt_nor_a_port() -> None:
+    for words in (["aracna"], ["aracna", "pose"], ["aracna", "play"]):
+        result = CliRunner().invoke(main, [*words, "--help"])
+        assert result.exit_code == 0
+    assert "servo power" in " ".join(CliRunner().invoke(main, ["aracna", "--help"]).stdout.split())

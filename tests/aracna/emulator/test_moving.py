@@ -1,0 +1,134 @@
+"""The answer to `.c` as it comes, against the travel times of the servos' documentation."""
+
+import pytest
+
+from tests.support.aracna import AracnaStage
+
+UNITS_A_SECOND = 2.28
+"""For each unit of speed: 0.1114 rpm."""
+
+CEILING = 870
+BUS = 0.02
+"""Seconds that packets to eight servos, polls and bytes may add to a travel time."""
+
+
+def line(letter: str, values: list[int]) -> bytes:
+    return f".{letter}{','.join(map(str, values))}\n".encode()
+
+
+def stamps(stage: AracnaStage, goals: list[int], seconds: float = 60) -> tuple[list[float], bytes]:
+    """Send goals; return when each motor's value was complete, and the reply."""
+    request = line("c", goals)
+    stage.line.send(request)
+    begun = stage.now + len(request) * stage.line.byte_time
+    reply, times = b"", []
+    while not reply.endswith(b"\n") and stage.now < begun + seconds:
+        reply += stage.line.read(1, 1)
+        if reply[-1:] in {b",", b"\r"}:
+            times.append(stage.now - begun)
+    return times, reply
+
+
+def test_values_come_motor_by_motor_when_each_has_arrived() -> None:
+    goals = [600, 550, 900, 512, 100, 700, 20, 1023]
+    speeds = [100, 50, 200, 10, 150, 100, 300, 400]
+    stage = AracnaStage(margin=0)
+    stage.ask(line("v", speeds))
+    times, reply = stamps(stage, goals)
+
+    travels = [
+        abs(goal - 512) / (UNITS_A_SECOND * speed)
+        for goal, speed in zip(goals, speeds, strict=True)
+    ]
+    assert reply == line("c", goals).replace(b"\n", b"\r\n")
+    assert len(times) == 8
+    for motor, time in enumerate(times):
+        slowest = max(travels[: motor + 1])
+        assert slowest <= time <= slowest + BUS, f"motor {motor}"
+
+
+@pytest.mark.parametrize(
+    ("speed", "seconds"),
+    [
+        (1023, 1023 / (UNITS_A_SECOND * CEILING)),
+        (0, 1023 / (UNITS_A_SECOND * CEILING)),
+        (870, 1023 / (UNITS_A_SECOND * CEILING)),
+        (530, 0.85),  # an AX-12A's end
+        (100, 4.5),
+        (1, 450),
+    ],
+)
+def test_a_whole_turn_takes_what_the_documentation_says(speed: int, seconds: float) -> None:
+    stage = AracnaStage(positions=[0] * 8, margin=0)
+    stage.ask(line("v", [speed] * 8))
+    times, _ = stamps(stage, [1023] * 8, seconds=500)
+    assert times[-1] == pytest.approx(seconds, rel=0.01, abs=2 * BUS)
+
+
+@pytest.mark.parametrize(("position", "milliseconds"), [(512, 33), (1023, 37)])
+def test_without_motion_a_round_trip_takes_33_to_37_ms(position: int, milliseconds: float) -> None:
+    stage = AracnaStage(positions=[position] * 8)
+    request = line("c", [position] * 8)
+    begun = stage.now
+    stage.line.send(request)
+    assert stage.line.read(len(request) + 1, 1) == request.replace(b"\n", b"\r\n")
+    assert (stage.now - begun) * 1000 == pytest.approx(milliseconds, abs=0.5)
+
+
+@pytest.mark.parametrize(("speeds", "least", "most"), [([0] * 8, 42, 46), ([1000] * 8, 52, 56)])
+def test_speeds_take_42_to_55_ms(speeds: list[int], least: float, most: float) -> None:
+    stage = AracnaStage()
+    request = line("v", speeds)
+    begun = stage.now
+    stage.line.send(request)
+    assert stage.line.read(len(request) + 1, 1) == request.replace(b"\n", b"\r\n")
+    assert least <= (stage.now - begun) * 1000 <= most
+
+
+def test_the_first_bytes_come_before_any_motor_has_arrived() -> None:
+    stage = AracnaStage()
+    stage.ask(line("v", [1] * 8))
+    assert stage.ask(line("c", [1023] * 8), 1) == b".c"
+
+
+def test_servos_stop_some_units_off_their_goal() -> None:
+    stage = AracnaStage(margin=3)
+    assert stage.ask(line("c", [600] * 4 + [400] * 4)) == (b".c597,597,597,597,403,403,403,403\r\n")
+    assert stage.ask(line("c", [599] * 4 + [401] * 4)) == (  # near enough: none moves
+        b".c597,597,597,597,403,403,403,403\r\n"
+    )
+
+
+def test_a_refused_goal_is_answered_at_once_with_where_the_servo_is() -> None:
+    stage = AracnaStage(positions=[200] * 8)
+    assert stage.ask(line("c", [1024] * 8), 0.1) == line("c", [200] * 8).replace(b"\n", b"\r\n")
+
+
+def test_a_servo_on_its_way_goes_on_to_its_old_goal_when_a_new_one_is_refused() -> None:
+    stage = AracnaStage(margin=0)
+    stage.ask(line("v", [50] * 8))
+    stage.line.send(line("c", [700] * 8))
+    stage.line.advance(0.2)
+    stage.do("reset")
+    stage.line.advance(1.1)
+    stage.line.receive()
+    assert stage.ask(line("c", [1024] * 8)) == line("c", [700] * 8).replace(b"\n", b"\r\n")
+
+
+def test_a_later_motor_tells_where_it_is_when_its_turn_comes() -> None:
+    stage = AracnaStage(margin=0)
+    stage.line.servos[7].lag = 10  # the moving flag is not up when it is asked
+    stage.ask(line("v", [100] * 7 + [10]))
+    reply = stage.ask(line("c", [740] * 8))
+    last = int(reply.rsplit(b",", 1)[1])
+    assert 512 < last < 600
+    assert last == pytest.approx(512 + 10 * UNITS_A_SECOND, abs=2)
+
+
+def test_a_load_makes_a_servo_slower() -> None:
+    stage = AracnaStage(margin=0)
+    stage.ask(line("v", [100] * 8))
+    stage.do("servo 2 load 0.5")
+    times, _ = stamps(stage, [740] * 8)
+    assert times[1] == pytest.approx(1, abs=BUS)
+    assert times[2] == pytest.approx(2, abs=BUS)

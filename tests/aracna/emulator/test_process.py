@@ -1,0 +1,176 @@
+"""trex-sim --aracna as a process of its own, in real time."""
+
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+
+import pytest
+import serial
+from click.testing import CliRunner
+
+from tests.support.aracna import AracnaProcess
+from trex_gui.emulator.server import main
+
+PATIENCE = 10.0
+VERSION = b".q1,8\r\n"
+
+needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
+
+Start = Callable[..., AracnaProcess]
+
+
+@pytest.fixture
+def start() -> Iterator[Start]:
+    running: list[AracnaProcess] = []
+
+    def starter(*arguments: str) -> AracnaProcess:
+        running.append(AracnaProcess(*arguments))
+        return running[-1]
+
+    yield starter
+    for process in running:
+        process.end()
+
+
+def open_port(process: AracnaProcess, baud: int = 38400) -> serial.Serial:
+    return serial.serial_for_url(process.url, baudrate=baud, timeout=PATIENCE)
+
+
+@needs_pty
+def test_it_says_hello_after_a_reset_and_answers_a_second_later(start: Start) -> None:
+    robot = start()
+    with open_port(robot) as port:
+        port.write(b".q\n")
+        while port.readline() != VERSION:
+            pass
+        begun = time.monotonic()
+        robot.do("reset")
+        assert port.readline() == b".h\r\n"
+        port.write(b".q\n")
+        assert port.readline() == VERSION
+        assert time.monotonic() - begun >= 1
+    assert robot.show()["state"] == "idle"
+
+
+@needs_pty
+def test_servos_take_their_time(start: Start) -> None:
+    robot = start()
+    with open_port(robot) as port:
+        port.write(b".q\n")
+        while port.readline() != VERSION:
+            pass
+        port.write(b".v100,100,100,100,100,100,100,100\n")
+        assert port.readline() == b".v100,100,100,100,100,100,100,100\r\n"
+        begun = time.monotonic()
+        port.write(b".c626,512,512,512,512,512,512,512\n")
+        assert port.readline() == b".c624,512,512,512,512,512,512,512\r\n"
+        assert time.monotonic() - begun >= 112 / 228
+    assert robot.show()["servos"][0]["position"] == 624
+
+
+@needs_pty
+def test_the_rate_that_the_host_has_set_is_seen(start: Start) -> None:
+    robot = start()
+    with open_port(robot, 9600) as port:
+        port.timeout = 1.5
+        port.write(b".q\n")
+        assert VERSION not in port.read(50)
+    assert robot.show()["counters"]["line"]["garbled"] > 0
+
+
+def test_two_motors_over_tcp(start: Start) -> None:
+    robot = start("--motors", "2", "--tcp", "127.0.0.1:0", "--unpaced")
+    with open_port(robot) as port:
+        port.write(b".q\n")
+        answer = b""
+        while not answer.endswith(b".q0,2\r\n"):
+            answer += port.read(1)
+    shown = robot.show()
+    assert (shown["version"], shown["motors"], len(shown["servos"])) == (0, 2, 2)
+
+
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial 3.5
+def test_a_remote_serial_port_shows_the_hosts_parity(start: Start) -> None:
+    robot = start("--rfc2217", "127.0.0.1:0")
+    with serial.serial_for_url(robot.url, baudrate=38400, parity="E", timeout=1.5) as port:
+        port.write(b".q\n")
+        assert VERSION not in port.read(50)
+    with serial.serial_for_url(robot.url, baudrate=38400, timeout=PATIENCE) as port:
+        port.write(b"\n\n.q\n")
+        answer = b""
+        while not answer.endswith(VERSION):
+            answer += port.read(1)
+
+
+def test_unplugging_is_noticed_and_the_port_comes_back(start: Start) -> None:
+    robot = start("--tcp", "127.0.0.1:0")
+    host, number = robot.url.removeprefix("socket://").split(":")
+    with socket.create_connection((host, int(number)), PATIENCE) as other:
+        assert robot.do("line unplug") == "unplugged"
+        while other.recv(100):
+            pass
+    with pytest.raises(ConnectionRefusedError):
+        socket.create_connection((host, int(number)), PATIENCE)
+    assert robot.do("line plug") == f"plugged {robot.url}"
+    socket.create_connection((host, int(number)), PATIENCE).close()
+
+
+def test_quit_ends_it() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "trex_gui.emulator", "--aracna", "--tcp", "127.0.0.1:0"],
+        check=False,
+        capture_output=True,
+        input="warp\nquit\n",
+        text=True,
+        timeout=PATIENCE,
+    )
+    ready, refused, bye = done.stdout.splitlines()
+    assert ready.startswith("ready socket://")
+    assert refused.startswith("error 'warp' is unknown")
+    assert bye == "ok bye"
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+MEANINGLESS = [
+    ["--model", "trexjr"],
+    ["--model", "trex"],  # the default, but somebody meant something by it
+    ["--firmware", "1.0"],
+    ["--mode", "rc"],
+    ["--mix"],
+    ["--echo"],
+    ["--eeprom", "somewhere"],
+    ["--device", "7"],
+    ["--demo"],
+]
+
+
+@pytest.mark.parametrize("option", MEANINGLESS, ids=" ".join)
+def test_options_of_a_trex_are_refused_with_a_sentence(option: list[str]) -> None:
+    result = CliRunner().invoke(main, ["--aracna", *option])
+    assert result.exit_code == 2
+    assert f"{option[0]} is for a TReX and means nothing with --aracna" in result.output
+
+
+def test_motors_are_an_aracnas() -> None:
+    result = CliRunner().invoke(main, ["--motors", "2"])
+    assert result.exit_code == 2
+    assert "--motors means something only with --aracna" in result.output
+
+
+@pytest.mark.parametrize("motors", ["0", "9", "many"])
+def test_a_number_of_motors_that_it_cannot_have_is_refused(motors: str) -> None:
+    assert CliRunner().invoke(main, ["--aracna", "--motors", motors]).exit_code == 2
+
+
+def test_an_endpoint_that_cannot_be_had_is_a_sentence() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        address = f"127.0.0.1:{other.getsockname()[1]}"
+        result = CliRunner().invoke(main, ["--aracna", "--tcp", address])
+    assert result.exit_code == 1
+    assert address in result.output
+
+
+def test_help_tells_of_it() -> None:
+    assert "--aracna" in CliRunner().invoke(main, ["--help"]).output

@@ -1,0 +1,251 @@
+"""What the firmware does with a line, one row a line: the document's tables of replies and harm.
+
+Eight servos stand at 300, content only at their goals, and are as fast as they can be. A row is
+a name, what is sent, what comes back, and what the servos then hold as goals or speeds.
+"""
+
+import pytest
+
+from tests.support.aracna import AracnaStage
+
+HELLO = b".h\r\n"
+SILENCE = b""
+VERSION = b".q1,8\r\n"
+START = 300
+REFUSED = START
+
+
+def values(first: object, rest: object = START) -> str:
+    return ",".join(map(str, [first, *[rest] * 7]))
+
+
+def row_of(first: int, rest: int) -> tuple[int, ...]:
+    return (first, *[rest] * 7)
+
+
+QUERIES = [
+    ("query", b".q\n", VERSION),
+    ("query with anything behind it", b".qxyz\n", VERSION),
+    ("query with a carriage return", b".q\r\n", VERSION),
+    ("query with values", b".q1,2,3\n", VERSION),
+    ("query in a query", b".q.q\n", VERSION),
+    ("query without its dot", b"xq\n", VERSION),
+    ("query of two letters", b"qq\n", VERSION),
+    ("query behind a blank", b" q\n", VERSION),
+    ("query behind a byte that is no character", b"\xffq\n", VERSION),
+    ("query behind a zero byte", b"\x00q\n", VERSION),
+    ("query behind an empty line", b"\n.q\n", VERSION),
+    ("two queries glued together", b".q\n.q\n", VERSION * 2),
+    ("query of capital letter", b".Q\n", SILENCE),
+    ("query of one letter", b"q\n", SILENCE),
+    ("query behind two dots", b"..q\n", SILENCE),
+    ("query behind dot and blank", b". q\n", SILENCE),
+    ("query without an end", b".q", SILENCE),
+    ("query ended by a carriage return alone", b".q\r", SILENCE),
+]
+
+SILENT = [
+    ("empty line", b"\n", SILENCE),
+    ("empty line with a carriage return", b"\r\n", SILENCE),
+    ("three empty lines", b"\n\n\n", SILENCE),
+    ("dot alone", b".\n", SILENCE),
+    ("hello from the host", b".h\n", SILENCE),
+    ("torque, which is nowhere", b".t1\n", SILENCE),
+    ("planned: directions", b".d1\n", SILENCE),
+    ("planned: pins", b".p1\n", SILENCE),
+    ("planned: read pins", b".r\n", SILENCE),
+    ("planned: analog", b".a\n", SILENCE),
+    ("planned: servos", b".s1,2\n", SILENCE),
+    ("capital C", b".C" + values(500).encode() + b"\n", SILENCE),
+    ("capital V", b".V" + values(500).encode() + b"\n", SILENCE),
+    ("a word", b"hello\n", SILENCE),
+    ("zero bytes", b"\x00\x00\x00\n", SILENCE),
+    ("bytes of a TReX packet", bytes.fromhex("80 07 2f 7b 0a"), SILENCE),
+]
+
+LED = [
+    ("LED on", b".l1\n", b".l1\r\n"),
+    ("LED off", b".l0\n", b".l0\r\n"),
+    ("LED asked", b".l\n", b".l0\r\n"),
+    ("LED set to what it knows not", b".l2\n", b".l0\r\n"),
+    ("LED without its dot", b"xl1\n", b".l1\r\n"),
+    ("LED on, then asked", b".l1\n.l\n", b".l1\r\n.l1\r\n"),
+]
+
+CUT = [
+    ("59 characters with the newline", b".q" + b"x" * 56 + b"\n", VERSION),
+    ("59 characters, then the newline", b".q" + b"x" * 57 + b"\n", VERSION),
+    ("59 characters without an end", b".q" + b"x" * 57, VERSION),
+    ("58 characters without an end", b".q" + b"x" * 56, SILENCE),
+    ("cut, the rest is a query", b".q" + b"x" * 57 + b"xq\n", VERSION * 2),
+    ("cut, the rest is none", b".q" + b"x" * 57 + b"qx\n", VERSION),
+    ("cut twice", b"x" * 118 + b".q\n", VERSION),
+]
+
+TOO_FEW = [
+    ("positions without values", b".c\n", HELLO),
+    ("speeds without values", b".v\n", HELLO),
+    ("positions with one value", b".c300\n", HELLO),
+    ("positions with seven values", b".c300,300,300,300,300,300,300\n", HELLO),
+    ("speeds with seven values", b".v1,2,3,4,5,6,7\n", HELLO),
+    ("positions of six commas", b".c,,,,,,\n", HELLO),
+    ("positions of letters without commas", b".cabc\n", HELLO),
+    ("positions without a dot and values", b"xc\n", HELLO),
+    ("positions cut before the eighth comma", b".c" + b"0000300," * 8 + b"\n", HELLO),
+    ("values separated by blanks", b".c300 300 300 300 300 300 300 300\n", HELLO),
+]
+
+
+@pytest.fixture
+def stage() -> AracnaStage:
+    return AracnaStage(positions=[START] * 8, margin=0)
+
+
+@pytest.mark.parametrize(
+    ("line", "reply"),
+    [
+        pytest.param(line, reply, id=name)
+        for name, line, reply in [*QUERIES, *SILENT, *LED, *CUT, *TOO_FEW]
+    ],
+)
+def test_a_line_gets_its_reply_and_no_servo_notices(
+    stage: AracnaStage, line: bytes, reply: bytes
+) -> None:
+    assert stage.ask(line) == reply
+    assert stage.goals == (START,) * 8
+    assert stage.speeds == (0,) * 8
+    assert not any(servo.torque for servo in stage.line.servos)
+
+
+@pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line, _ in TOO_FEW])
+def test_too_few_values_restart_the_firmware(stage: AracnaStage, line: bytes) -> None:
+    stage.ask(line)
+    assert stage.line.station.firmware.boots == 2
+    assert stage.ask(b"\n.q\n") == VERSION  # the newline: the rest of a cut line may wait
+
+
+FIELDS = [
+    ("plain", "520", 520),
+    ("nothing", "0", 0),
+    ("the highest", "1023", 1023),
+    ("leading zero", "0520", 520),
+    ("two leading zeros", "007", 7),
+    ("empty", "", 10),
+    ("one too high", "1024", REFUSED),
+    ("the highest of four digits", "9999", REFUSED),
+    ("the sine demo's", "1188", REFUSED),
+    ("five characters, first four used", "00520", 52),
+    ("five digits, too high", "12345", REFUSED),
+    ("eight characters, first four used", "05200000", 520),
+    ("eight digits, too high", "12345678", REFUSED),
+    ("leading blank", " 520", REFUSED),
+    ("leading blank, one digit", " 5", REFUSED),
+    ("plus", "+520", REFUSED),
+    ("minus", "-154", REFUSED),
+    ("minus, one digit", "-5", REFUSED),
+    ("minus nothing", "-0", REFUSED),
+    ("point in front", ".5", REFUSED),
+    ("point", "5.5", REFUSED),
+    ("blank behind", "520 ", 520),
+    ("blanks behind", "52  ", 52),
+    ("letters", "abc", 49),
+    ("hexadecimal", "0x1F", 721),
+    ("exponent", "1e3", 633),
+]
+
+
+@pytest.mark.parametrize(
+    ("field", "goal"), [pytest.param(field, goal, id=name) for name, field, goal in FIELDS]
+)
+class TestAValue:
+    def test_in_front_becomes_a_goal_or_is_refused(
+        self, stage: AracnaStage, field: str, goal: int
+    ) -> None:
+        assert stage.ask(f".c{values(field)}\n".encode()) == f".c{values(goal)}\r\n".encode()
+        assert stage.goals == row_of(goal, START)
+
+    def test_at_the_end_becomes_a_goal_or_is_refused(
+        self, stage: AracnaStage, field: str, goal: int
+    ) -> None:
+        line = f".c{'300,' * 7}{field}\n".encode()
+        assert stage.ask(line) == f".c{'300,' * 7}{goal}\r\n".encode()
+
+    def test_becomes_a_speed_or_leaves_the_old_one(
+        self, stage: AracnaStage, field: str, goal: int
+    ) -> None:
+        stage.ask(f".v{values(START)}\n".encode())
+        assert stage.ask(f".v{values(field)}\n".encode()) == f".v{values(goal)}\r\n".encode()
+        assert stage.speeds == row_of(goal, START)
+
+
+WHOLE = [
+    ("nine values", f".c{values(520)},7\n", values(520)),
+    ("twelve values", f".c{values(520)},7,7,7,7\n", values(520)),
+    ("trailing comma", f".c{values(520)},\n", values(520)),
+    ("seven values and a comma", ".c" + "300," * 7 + "\n", "300," * 7 + "10"),
+    ("seven commas", ".c,,,,,,,\n", values(10, 10)),
+    ("a word behind the last value", f".c{values(520)},nonsense\n", values(520)),
+    ("a long word behind the last value", f".c{values(520)},wholly ignored\n", values(520)),
+    ("carriage return behind three digits", f".c{values(300, 520)}\r\n", values(300, 520)),
+    ("carriage return behind four digits", f".c{values(300, 1023)}\r\n", values(300, 1023)),
+    ("no dot", f"xc{values(520)}\n", values(520)),
+    ("twenty values, cut at 59", ".c" + ",".join(["520"] * 20) + "\n", values(520, 520)),
+]
+
+
+@pytest.mark.parametrize(
+    ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in WHOLE]
+)
+def test_the_first_eight_values_count(stage: AracnaStage, line: str, reply: str) -> None:
+    assert stage.ask(line.encode()) == f".c{reply}\r\n".encode()
+    assert stage.goals == tuple(map(int, reply.split(",")))
+    assert stage.line.station.firmware.boots == 1
+
+
+HANGING = [
+    ("nine digits", f".c{values('123456789')}\n"),
+    ("nine zeros", f".v{values('000000000')}\n"),
+    ("a word of nine letters", f".c{values('wordwordw')}\n"),
+    ("nine blanks before a number", f".c{values('         5')}\n"),
+]
+
+
+@pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line in HANGING])
+def test_nine_characters_in_a_field_hang_the_firmware_until_it_is_reset(
+    stage: AracnaStage, line: str
+) -> None:
+    assert stage.ask(line.encode()) == SILENCE
+    assert stage.ask(b".q\n", 60) == SILENCE
+    assert stage.line.station.firmware.state.value == "hung"
+    stage.do("reset")
+    assert stage.ask(b"") == HELLO
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_a_servo_with_torque_off_holds_from_its_first_goal_on(stage: AracnaStage) -> None:
+    stage.ask(f".v{values(100)}\n".encode())
+    assert not stage.line.servos[0].torque
+    stage.ask(f".c{values(1024)}\n".encode())
+    assert [servo.torque for servo in stage.line.servos] == [False] + [True] * 7
+
+
+OF_TWO = [
+    ("query", b".q\n", b".q0,2\r\n"),
+    ("two positions", b".c520,300\n", b".c520,300\r\n"),
+    ("two speeds", b".v7,1023\n", b".v7,1023\r\n"),
+    ("eight positions", b".c520,300,1,2,3,4,5,6\n", b".c520,300\r\n"),
+    ("one position", b".c520\n", HELLO),
+    ("LED", b".l1\n", b".l1\r\n"),
+]
+
+
+@pytest.mark.parametrize(
+    ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in OF_TWO]
+)
+def test_version_0_has_two_motors(line: bytes, reply: bytes) -> None:
+    stage = AracnaStage(motors=2, positions=[START] * 2, margin=0)
+    assert stage.ask(line) == reply
+
+
+def test_builds_older_than_that_do_not_say_how_many_motors_they_have() -> None:
+    assert AracnaStage(motors=2, tells_motors=False).ask(b".q\n") == b".q0\r\n"

@@ -1,0 +1,116 @@
+"""Switching on, restarting, and what the servos make of it."""
+
+import pytest
+
+from tests.support.aracna import AracnaStage
+
+HELLO = b".h\r\n"
+VERSION = b".q1,8\r\n"
+SPEEDS = b".v50,50,50,50,50,50,50,50\n"
+GOALS = b".c800,800,800,800,800,800,800,800\n"
+
+
+@pytest.fixture
+def stage() -> AracnaStage:
+    return AracnaStage()
+
+
+def test_a_board_says_hello_and_is_then_deaf_for_a_second() -> None:
+    stage = AracnaStage(booted=False)
+    assert stage.line.read(4, 1) == HELLO
+    assert stage.now == pytest.approx(0.001, abs=0.0005)
+    stage.line.send(b".q\n")
+    assert stage.line.read(len(VERSION), 2) == VERSION
+    assert stage.now == pytest.approx(1.003, abs=0.002)
+
+
+def test_the_led_blinks_while_it_starts_and_is_off_then() -> None:
+    stage = AracnaStage(booted=False)
+    seen = []
+    while stage.now < 1.1:
+        stage.line.advance(0.05)
+        seen.append(stage.line.station.firmware.led)
+    assert True in seen[:19]
+    assert False in seen[:19]
+    assert seen[-1] is False
+
+
+def test_a_boot_loader_delays_hello() -> None:
+    stage = AracnaStage(booted=False, boot_loader=2.0)
+    assert stage.line.read(4, 1.9) == b""
+    assert stage.line.read(4, 0.2) == HELLO
+
+
+def test_the_led_is_off_after_a_restart(stage: AracnaStage) -> None:
+    stage.ask(b".l1\n")
+    stage.ask(b".c\n")
+    assert stage.ask(b".l\n") == b".l0\r\n"
+
+
+def test_servos_go_on_moving_over_a_restart_of_the_board(stage: AracnaStage) -> None:
+    stage.ask(SPEEDS)
+    stage.line.send(GOALS)
+    stage.line.advance(1)
+    before = stage.positions
+    stage.do("reset")
+    stage.line.advance(0.5)
+    assert all(now > then for now, then in zip(stage.positions, before, strict=True))
+    stage.line.advance(5)
+    assert stage.positions == (798,) * 8
+    assert stage.line.receive() == b".c" + HELLO
+    assert stage.speeds == (50,) * 8
+    assert all(servo.torque for servo in stage.line.servos)
+
+
+def test_a_restart_that_a_line_has_caused_leaves_the_servos_alone_too(stage: AracnaStage) -> None:
+    stage.ask(SPEEDS)
+    stage.ask(GOALS, 10)
+    stage.ask(b".c\n")
+    assert (stage.speeds, stage.goals) == ((50,) * 8, (800,) * 8)
+
+
+def test_servos_without_power_lose_all_but_their_position(stage: AracnaStage) -> None:
+    stage.ask(SPEEDS)
+    stage.line.send(GOALS)
+    stage.line.advance(1)
+    stage.do("servo power off")
+    stopped = stage.positions
+    stage.line.advance(1)
+    stage.do("servo power on")
+    stage.line.advance(1)
+    assert stage.positions == stopped
+    assert 512 < stopped[0] < 800
+    assert stage.speeds == (0,) * 8
+    assert not any(servo.torque for servo in stage.line.servos)
+
+
+def test_a_reset_in_mid_reply_cuts_it_off(stage: AracnaStage) -> None:
+    stage.line.send(b".q\n")
+    assert stage.line.read(3, 1) == b".q1"
+    stage.line.advance(stage.line.byte_time / 2)  # in mid-byte
+    stage.do("reset")
+    assert stage.ask(b"") == HELLO
+
+
+def test_a_reset_forgets_half_a_line(stage: AracnaStage) -> None:
+    stage.ask(b".c500,")
+    stage.do("reset")
+    stage.line.advance(1.1)
+    stage.line.receive()
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_a_board_without_power_is_silent_and_starts_with_hello(stage: AracnaStage) -> None:
+    stage.ask(SPEEDS)
+    stage.do("power off")
+    assert stage.ask(b".q\n") == b""
+    stage.do("power on")
+    assert stage.ask(b"") == HELLO
+    assert stage.ask(b".q\n") == VERSION
+    assert stage.speeds == (0,) * 8
+
+
+def test_power_on_where_there_is_power_starts_nothing(stage: AracnaStage) -> None:
+    stage.do("power on")
+    assert stage.ask(b".q\n") == VERSION
+    assert stage.line.station.firmware.boots == 1

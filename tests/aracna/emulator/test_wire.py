@@ -1,0 +1,200 @@
+"""The wire: its pace, hosts that are set otherwise, faults, the cable."""
+
+from itertools import pairwise
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.support.aracna import BOOT, AracnaStage
+from trex_gui.aracna.emulator.line import AracnaLine
+from trex_gui.protocol.line_settings import Detection, LineSettings
+
+VERSION = b".q1,8\r\n"
+GOALS = b".c512,512,512,512,512,512,512,512\n"
+
+
+@pytest.fixture
+def stage() -> AracnaStage:
+    return AracnaStage()
+
+
+def test_a_query_takes_about_three_milliseconds(stage: AracnaStage) -> None:
+    begun = stage.now
+    stage.line.send(b".q\n")
+    assert stage.line.read(7, 1) == VERSION
+    assert (stage.now - begun) * 1000 == pytest.approx(2.6, abs=0.1)
+
+
+def test_bytes_arrive_one_by_one_a_quarter_of_a_millisecond_apart(stage: AracnaStage) -> None:
+    stage.line.send(b".q\n")
+    times = []
+    for _ in VERSION:
+        stage.line.read(1, 1)
+        times.append(stage.now)
+    assert [later - sooner for sooner, later in pairwise(times)] == (pytest.approx([0.00026] * 6))
+
+
+def test_unpaced_bytes_take_no_time_but_servos_and_booting_do() -> None:
+    stage = AracnaStage(paced=False, margin=0)
+    begun = stage.now
+    stage.line.send(b".q\n")
+    assert stage.line.read(7, 1) == VERSION
+    assert stage.now == begun
+    stage.line.send(b".v100,100,100,100,100,100,100,100\n.c740,512,512,512,512,512,512,512\n")
+    assert stage.line.read(35, 1).startswith(b".v100,")
+    stage.do("reset")
+    stage.line.send(b".q\n")
+    assert stage.line.read(11, 2) == b".h\r\n" + VERSION
+    assert stage.now - begun == pytest.approx(1.033, abs=0.001)
+
+
+@pytest.mark.parametrize("baud", [300, 9600, 19200, 57600, 115200])
+@pytest.mark.parametrize("paced", [True, False])
+def test_a_host_at_another_rate_is_not_understood(baud: int, paced: bool) -> None:
+    stage = AracnaStage(paced=paced)
+    stage.line.host = LineSettings(baud)
+    assert VERSION not in stage.ask(b".q\n")
+    stage.do("reset")
+    assert stage.ask(b"") != b".h\r\n"
+    stage.line.host = None
+    stage.do("reset")
+    stage.line.advance(BOOT)
+    stage.line.receive()
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_what_a_host_at_another_rate_gets_is_garbage(stage: AracnaStage) -> None:
+    stage.line.host = LineSettings(19200)
+    stage.do("reset")
+    garbage = stage.ask(b"", 2)
+    assert garbage
+    assert garbage != b".h\r\n"
+
+
+def test_what_a_host_at_another_rate_sends_is_garbage(stage: AracnaStage) -> None:
+    stage.line.host = LineSettings(9600)
+    stage.ask(b".l1\n" * 4)
+    assert stage.line.station.firmware.led is False
+    assert stage.line.faults.counters["garbled"] > 4
+
+
+@pytest.mark.parametrize("detection", [Detection.EVEN, Detection.ODD])
+def test_a_host_with_parity_is_not_understood(stage: AracnaStage, detection: Detection) -> None:
+    stage.line.host = LineSettings(38400, detection)
+    assert VERSION not in stage.ask(b".q\n" * 3)
+
+
+def test_a_second_stop_bit_harms_nobody(stage: AracnaStage) -> None:
+    stage.line.host = LineSettings(38400, stop_bits=2)
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_a_mute_line_lets_nothing_out(stage: AracnaStage) -> None:
+    stage.do("line mute on")
+    assert stage.ask(b".l1\n") == b""
+    stage.do("line mute off")
+    assert stage.ask(b".l\n") == b".l1\r\n"
+
+
+def test_bytes_to_the_host_get_lost(stage: AracnaStage) -> None:
+    stage.do("line drop 2")
+    assert stage.ask(b".q\n") == VERSION[2:]
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_bytes_from_the_host_get_lost(stage: AracnaStage) -> None:
+    stage.do("line drop 1 sent")
+    assert stage.ask(b".q\n") == b""  # "q" and the newline
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_garbage_comes_at_the_pace_of_the_line(stage: AracnaStage) -> None:
+    stage.do("line garbage 00 FF 2E 68")
+    assert stage.line.read(4, 1) == b"\x00\xff.h"
+    assert stage.now == pytest.approx(BOOT + 4 * stage.line.byte_time)
+
+
+def test_noise_spoils_every_byte_where_it_is_certain(stage: AracnaStage) -> None:
+    stage.do("line noise 1")
+    assert stage.ask(b".q\n") != VERSION
+    stage.do("line noise 0")
+    stage.ask(b"\n")
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_noise_is_the_same_for_the_same_seed() -> None:
+    def heard(seed: int) -> bytes:
+        stage = AracnaStage(seed=seed)
+        stage.do("line noise 0.2")
+        return b"".join(stage.ask(b".q\n", 1) for _ in range(10))
+
+    assert heard(4) == heard(4)
+    assert heard(4) != heard(5)
+
+
+def test_nothing_passes_while_the_cable_is_out(stage: AracnaStage) -> None:
+    stage.do("line unplug")
+    assert stage.ask(b".l1\n") == b""
+    assert not stage.line.station.firmware.led
+    stage.do("line plug")
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_of_a_reply_under_way_when_the_cable_comes_back_the_rest_arrives(
+    stage: AracnaStage,
+) -> None:
+    stage.line.send(b".q\n")
+    stage.line.read(2, 1)
+    stage.do("line unplug")
+    stage.line.advance(0.0004)
+    stage.do("line plug")
+    assert stage.ask(b"", 1) == VERSION[4:]
+
+
+def test_what_a_host_has_queued_is_dropped_when_it_leaves(stage: AracnaStage) -> None:
+    stage.line.send(b".l1\n" * 10)
+    assert stage.line.backlog == pytest.approx(40 * stage.line.byte_time)
+    stage.line.advance(2.5 * stage.line.byte_time)
+    stage.line.drop_unsent()
+    assert stage.line.backlog == 0
+    assert stage.ask(b"") == b""
+    assert stage.ask(b"\n.q\n").endswith(VERSION)
+
+
+def test_a_robot_needs_motors_and_a_position_for_each() -> None:
+    with pytest.raises(ValueError, match="0 motors"):
+        AracnaLine(motors=0)
+    with pytest.raises(ValueError, match="8 motors and 2 positions"):
+        AracnaLine(positions=[1, 2])
+
+
+PIECES = st.one_of(
+    st.binary(max_size=70),
+    st.text(".cvql0123456789,- \r\n", max_size=70).map(str.encode),
+    st.sampled_from([GOALS, GOALS[:20], b".v" + GOALS[2:], b".q\n", b".c\n", b".l1\n"]),
+)
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    pieces=st.lists(st.tuples(PIECES, st.floats(0, 1.5)), max_size=8),
+    paced=st.booleans(),
+    keeps_last=st.booleans(),
+)
+def test_whatever_it_is_sent_a_board_answers_after_a_reset(
+    pieces: list[tuple[bytes, float]], paced: bool, keeps_last: bool
+) -> None:
+    stage = AracnaStage(booted=False, paced=paced, keeps_last=keeps_last)
+    for data, pause in pieces:
+        stage.line.send(data)
+        stage.line.advance(pause)
+    stage.line.drop_unsent()
+    stage.do("reset")
+    stage.line.advance(BOOT)
+    stage.line.receive()
+    assert stage.ask(b".q\n", 0.1) == VERSION
+    for servo in stage.line.servos:
+        assert 0 <= servo.goal <= 1023
+        assert 0 <= servo.speed <= 1023
+        assert -1 < servo.position < 1024

@@ -1,0 +1,117 @@
+"""One command in flight, and what may follow one that is not answered."""
+
+import pytest
+
+from tests.support.aracna import AracnaStage
+from trex_gui.aracna.link.client import Client, shown
+from trex_gui.aracna.link.news import Answered, Late, Lost, News, Passing, Voided
+from trex_gui.aracna.protocol.replies import Positions, Version
+from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.errors import BadRequest, NoReply
+
+THERE = (600,) * 8
+
+
+def client_of(stage: AracnaStage, motors: int = 8) -> Client:
+    client = Client(stage.transport, LinkSettings("virtual"))
+    client.motors = motors
+    return client
+
+
+def heard(client: Client, seconds: float) -> list[News]:
+    """Listen in small slices for so long."""
+    end = client.transport.clock() + seconds
+    news: list[News] = []
+    while client.transport.clock() < end:
+        news += client.listen(0.01)
+    return news
+
+
+def test_a_second_command_is_refused_until_the_first_is_answered() -> None:
+    stage = AracnaStage()
+    client = client_of(stage)
+    client.query()
+    with pytest.raises(BadRequest, match="One command at a time"):
+        client.move(THERE, 5.0)
+    [answered] = heard(client, 0.1)
+    assert isinstance(answered, Answered)
+    assert answered.reply == Version(1, 8)
+    client.move(THERE, 5.0)
+    assert bytes(stage.transport.sent).count(b"\n") == 2
+
+
+def test_before_the_number_of_motors_is_known_none_is_sent_anywhere() -> None:
+    stage = AracnaStage()
+    with pytest.raises(NoReply):
+        client_of(stage, 0).move(THERE, 5.0)
+    assert not stage.transport.sent
+
+
+def test_behind_a_late_c_goes_one_q_and_the_late_answer_comes_first() -> None:
+    stage = AracnaStage()
+    stage.do("servo 1 block")
+    client = client_of(stage)
+    client.move(THERE, 1.0)
+    news = heard(client, 30.0)
+    assert [type(one) for one in news if not isinstance(one, Passing)] == [Late]
+    assert client.waits_for == 1
+    assert bytes(stage.transport.sent).endswith(b"600\n.q\n")
+    stage.do("servo 1 free")
+    first, second = [one for one in heard(client, 2.0) if not isinstance(one, Passing)]
+    assert isinstance(first, Answered)
+    assert isinstance(first.reply, Positions)
+    assert isinstance(second, Answered)
+    assert second.reply == Version(1, 8)
+    assert client.asked is None
+
+
+def test_the_line_is_not_free_before_that_q_is_answered_too() -> None:
+    stage = AracnaStage()
+    stage.do("servo 1 block")
+    client = client_of(stage)
+    client.move(THERE, 0.5)
+    heard(client, 2.0)
+    stage.do("servo 1 free")
+    while not any(isinstance(one, Answered) for one in client.listen(0.001)):
+        pass
+    with pytest.raises(BadRequest):
+        client.move(THERE, 5.0)
+
+
+def test_a_c_whose_answer_is_lost_is_over_when_the_q_behind_it_is_answered() -> None:
+    stage = AracnaStage()
+    stage.do("line drop 50 sent")
+    client = client_of(stage)
+    client.move(THERE, 0.5)
+    stage.line.advance(0.2)
+    stage.do("line drop 0 sent")
+    late, lost = heard(client, 2.0)
+    assert isinstance(late, Late)
+    assert late.motor is None
+    assert isinstance(lost, Lost)
+    assert lost.free
+
+
+@pytest.mark.parametrize("letter", ["q", "v", "c", "l"])
+def test_a_hello_voids_whatever_is_on_its_way(letter: str) -> None:
+    stage = AracnaStage()
+    client = client_of(stage)
+    match letter:
+        case "q":
+            client.query()
+        case "v":
+            client.set_speeds(THERE)
+        case "c":
+            client.move(THERE, 5.0)
+        case _:
+            client.set_led(on=True)
+    stage.do("reset")
+    [voided] = [one for one in heard(client, 0.5) if isinstance(one, Voided)]
+    assert voided.asked is not None
+    assert voided.asked.letter == letter
+    assert client.asked is None
+
+
+def test_bytes_are_shown_as_text_where_they_are_one() -> None:
+    assert shown(b"\r\nERR 7\r\n") == "ERR 7"
+    assert shown(bytes(range(0x80, 0x90))) == "80 81 82 83 84 85 86 87 88 89 8A 8B …"

@@ -1,0 +1,213 @@
+"""A session in its thread, over a pseudo-terminal, with a robot at its real pace."""
+
+from collections.abc import Iterator
+from typing import TypeVar
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.aracna import AracnaProcess
+from trex_gui.aracna.link.discovery import find_aracna
+from trex_gui.aracna.link.messages import (
+    Connected,
+    Ending,
+    Halt,
+    Move,
+    Moved,
+    Moving,
+    Passed,
+    Play,
+    PlayEnded,
+    Restarted,
+    SetSpeeds,
+    SpeedsHeld,
+    Step,
+    StepBegun,
+    Stuck,
+)
+from trex_gui.aracna.link.session import AracnaSession
+from trex_gui.aracna.protocol.units import travel_seconds
+from trex_gui.link.messages import Closed, Outcome
+from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.errors import PortUnavailable
+from trex_gui.worker.line_worker import LineWorker
+
+KindT = TypeVar("KindT")
+
+HERE = (512,) * 8
+THERE = (700,) * 8
+SLOW = (100,) * 8
+
+
+class Talk:
+    """A session that runs, and what it has reported."""
+
+    def __init__(self, url: str, qtbot: QtBot) -> None:
+        self._qtbot = qtbot
+        self.reports: list[object] = []
+        settings = LinkSettings(url, patience=0.2)
+        self.worker = LineWorker(lambda inbox, tell: AracnaSession(settings, inbox, tell))
+        self.worker.reported.connect(self.reports.append)
+        self.worker.start()
+
+    def of(self, kind: type[KindT]) -> list[KindT]:
+        return [report for report in self.reports if isinstance(report, kind)]
+
+    def wait(self, kind: type[KindT], count: int = 1, seconds: float = 15.0) -> KindT:
+        """Wait for the nth report of a kind."""
+        self._qtbot.waitUntil(lambda: len(self.of(kind)) >= count, timeout=int(seconds * 1000))
+        return self.of(kind)[count - 1]
+
+    def do(self, *requests: object) -> None:
+        for request in requests:
+            self.worker.submit(request)
+
+
+@pytest.fixture
+def robot() -> Iterator[AracnaProcess]:
+    process = AracnaProcess()
+    yield process
+    process.end()
+
+
+@pytest.fixture
+def talk(robot: AracnaProcess, qtbot: QtBot) -> Iterator[Talk]:
+    talk = Talk(robot.url, qtbot)
+    yield talk
+    assert talk.worker.close(5000)
+    qtbot.waitUntil(lambda: bool(talk.of(Closed)))
+    assert talk.reports[-1] == talk.of(Closed)[0]
+
+
+def test_a_robot_that_was_just_switched_on_is_found_and_talked_to(
+    robot: AracnaProcess, qtbot: QtBot
+) -> None:
+    [found] = find_aracna(LinkSettings(robot.url, patience=0.2)).found
+    assert found.motors == 8
+    talk = Talk(robot.url, qtbot)
+    assert talk.wait(Connected).motors == 8
+    assert talk.worker.close(5000)
+
+
+def test_a_move_takes_as_long_as_the_formula_says(talk: Talk) -> None:
+    talk.wait(Connected)
+    talk.do(SetSpeeds(1, SLOW), Move(2, THERE))
+    moved = talk.wait(Moved)
+    assert all(abs(position - 700) <= 2 for position in moved.present)
+    formula = travel_seconds(188, 100)
+    assert formula - 0.05 <= moved.seconds <= formula + 0.4
+    assert len(talk.of(Passed)) >= 1
+    assert all(outcome.error is None for outcome in talk.of(Outcome))
+
+
+def _restart_is_survived(talk: Talk, robot: AracnaProcess) -> None:
+    robot.do("reset")
+    talk.wait(Restarted)
+    assert talk.wait(Connected, 2).restarted
+    talk.do(Move(99, HERE))
+    talk._qtbot.waitUntil(lambda: any(one.id == 99 for one in talk.of(Outcome)), timeout=15000)
+    [outcome] = [one for one in talk.of(Outcome) if one.id == 99]
+    assert outcome.error is None
+    assert robot.show()["boots"] == 2
+
+
+def test_a_restart_while_idle(talk: Talk, robot: AracnaProcess) -> None:
+    talk.wait(Connected)
+    _restart_is_survived(talk, robot)
+
+
+def test_a_restart_during_a_v(talk: Talk, robot: AracnaProcess) -> None:
+    talk.wait(Connected)
+    talk.do(*(SetSpeeds(number, (500,) * 8) for number in range(40)))
+    talk.wait(SpeedsHeld, 2)
+    _restart_is_survived(talk, robot)
+    assert any("restarted" in str(one.error) for one in talk.of(Outcome))
+
+
+def test_a_restart_during_a_c(talk: Talk, robot: AracnaProcess) -> None:
+    talk.wait(Connected)
+    talk.do(SetSpeeds(1, SLOW), Move(2, THERE))
+    talk.wait(Moving)
+    _restart_is_survived(talk, robot)
+    assert "restarted" in str(next(one for one in talk.of(Outcome) if one.id == 2).error)
+
+
+def test_a_restart_while_playing(talk: Talk, robot: AracnaProcess) -> None:
+    talk.wait(Connected)
+    talk.do(Play(1, (Step((560,) * 8, 0.4), Step((460,) * 8, 0.4)), 0))
+    talk.wait(StepBegun, 3)
+    _restart_is_survived(talk, robot)
+    assert talk.of(PlayEnded)[0].why is Ending.RESTARTED
+
+
+def test_a_restart_while_opening(robot: AracnaProcess, talk: Talk) -> None:
+    talk._qtbot.waitUntil(lambda: robot.show()["counters"]["line"]["sent"] > 0, timeout=5000)
+    robot.do("reset")
+    assert talk.wait(Connected).motors == 8
+
+
+@pytest.mark.parametrize("comes_back", [True, False])
+def test_a_servo_that_dies_in_mid_motion(
+    talk: Talk, robot: AracnaProcess, *, comes_back: bool
+) -> None:
+    talk.wait(Connected)
+    talk.do(SetSpeeds(1, SLOW), Move(2, HERE))
+    talk.wait(Moved)
+    talk.do(Move(3, THERE))
+    talk.wait(Moving, 2)
+    robot.do("servo 3 dead")
+    assert talk.wait(Stuck).motor == 3
+    if comes_back:
+        robot.do("servo 3 alive")
+        assert abs(talk.wait(Moved, 2).present[3] - 700) <= 2
+        talk.do(Move(4, HERE))
+        assert abs(talk.wait(Moved, 3).present[3] - 512) <= 2
+    else:
+        robot.do("reset")
+        assert talk.wait(Connected, 2).restarted
+        assert talk.of(Outcome)[-1].error is not None
+
+
+def test_a_reply_that_is_cut_in_the_middle(talk: Talk, robot: AracnaProcess) -> None:
+    talk.wait(Connected)
+    talk.do(SetSpeeds(1, SLOW), Move(2, THERE))
+    talk.wait(Moving)
+    robot.do("line drop 9")
+    talk.wait(Outcome, 2)
+    talk.do(Move(3, HERE))
+    assert talk.wait(Outcome, 3).error is None
+
+
+def test_a_line_that_is_pulled_out_in_mid_motion(talk: Talk, robot: AracnaProcess) -> None:
+    talk.wait(Connected)
+    talk.do(SetSpeeds(1, SLOW), Move(2, THERE))
+    talk.wait(Moving)
+    robot.do("line unplug")
+    assert isinstance(talk.wait(Closed).error, PortUnavailable)
+    assert {one.id for one in talk.of(Outcome)} == {1, 2}
+
+
+def test_a_halt_lets_the_running_step_end_and_nothing_else(
+    talk: Talk, robot: AracnaProcess
+) -> None:
+    talk.wait(Connected)
+    talk.do(Play(1, (Step((560,) * 8, 0.6), Step((460,) * 8, 0.6)), 0))
+    talk.wait(Moving, 3)
+    talk.do(Halt())
+    assert talk.wait(PlayEnded).why is Ending.HALTED
+    talk.wait(Moved, len(talk.of(Moving)))
+    goals = robot.show()["servos"][0]["goal"]
+    talk._qtbot.waitUntil(lambda: not robot.show()["servos"][0]["moving"])
+    assert robot.show()["servos"][0]["goal"] == goals
+    assert len(talk.of(Moved)) == len(talk.of(Moving))
+
+
+def test_what_is_played_keeps_its_clock(talk: Talk) -> None:
+    talk.wait(Connected)
+    talk.do(SetSpeeds(1, (500,) * 8), Move(2, HERE))
+    talk.wait(Moved)
+    talk.do(Play(3, (Step((560,) * 8, 0.5), Step((460,) * 8, 0.5)), 4))
+    assert talk.wait(PlayEnded).why is Ending.DONE
+    begun = [report.time for report in talk.of(StepBegun)]
+    for index, time in enumerate(begun):
+        assert time - begun[0] == pytest.approx(index * 0.5, abs=0.25)  # a machine that is busy

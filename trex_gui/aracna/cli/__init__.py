@@ -1,0 +1,1 @@
+"""`trexcmd aracna …`: ask an Aracna, move it, play pose files. No Qt."""

@@ -1,0 +1,1 @@
+"""The simulated robot: firmware, servos, its UART and wire. Written from the documents alone."""

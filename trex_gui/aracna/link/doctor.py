@@ -1,0 +1,40 @@
+"""Why no robot answers on a port: one sentence, and what to look at."""
+
+from trex_gui.aracna.link.client import shown
+from trex_gui.aracna.protocol import lines
+from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.errors import BadReply, NoReply, TrexError
+
+_CHECK = (
+    "Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to "
+    "its TX (or that both radios are on the same channel), and that ground is connected."
+)
+
+
+def why_no_robot(settings: LinkSettings, received: bytes) -> TrexError:
+    """Return an error that tells a person why no Aracna was found, from the first bytes heard."""
+    where = settings.text()
+    heard = received.strip(b"\r\n")
+    if not heard:
+        return NoReply(f"No Aracna answers on {where}. {_CHECK}")
+    if not heard.replace(lines.QUERY.strip(), b"").strip(b"\r\n\x00\xff"):
+        return NoReply(
+            f"Everything sent on {where} comes back, and nothing else: the adapter's TX and RX "
+            "are joined."
+        )
+    if not heard.replace(b".h", b"").strip(b"\r\nh"):
+        return NoReply(
+            f"An Aracna on {where} has said that it starts, but does not answer then. Perhaps it "
+            "starts again and again: look at its power supply."
+        )
+    return BadReply(
+        f"Something answers on {where}, but not as an Aracna does: {shown(heard)}. Another "
+        "device, perhaps a TReX at another baud rate, or a line that is disturbed."
+    )
+
+
+def why_stuck(motor: int | None) -> TrexError:
+    """Return an error for an answer to a `.c` that is late: which motor is waited for."""
+    if motor is None:
+        return NoReply("The robot has not answered in time.")
+    return NoReply(f"The robot waits for motor {motor}, which does not arrive.")

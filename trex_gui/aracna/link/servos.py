@@ -1,0 +1,99 @@
+"""What is known of the servos, and how long a motion takes for all that is known.
+
+There is no question for a position or a speed: only the answers to `.c` and `.v` tell.
+"""
+
+from collections.abc import Sequence
+
+from trex_gui.aracna.protocol.units import HIGHEST, speed_for, travel_seconds
+
+ASSUMED_SPEED = 100
+"""What a servo is taken to be set to as long as nobody knows: slow, so that no answer is called
+late that is not."""
+
+SETTING = 0.055
+"""Seconds that a `.v` takes at most: 25 ms of pause, and each servo's register read back."""
+
+_NEAR = 1.05
+"""How much faster than needed a speed may be that is left as it is."""
+
+_THERE = 5
+"""Units off its goal at which a motor counts as there; servos are content some units off it."""
+
+MARGIN, ALLOWANCE = 1.25, 1.0
+"""What a motion may take longer than without load: a quarter and a second."""
+
+
+class Servos:
+    """Where every motor is and how fast it is set, as far as the robot has said so.
+
+    Attributes:
+        present: positions, 0-1023; `None` where that is not known.
+        speeds: speed settings, 0-1023 (0: as fast as it can); `None` where not known.
+    """
+
+    def __init__(self, motors: int) -> None:
+        self.present: tuple[int | None, ...] = (None,) * motors
+        self.speeds: tuple[int | None, ...] = (None,) * motors
+
+    def forget_positions(self) -> None:
+        """A motion has begun, and where it ends nobody knows yet."""
+        self.present = (None,) * len(self.present)
+
+    def forget(self) -> None:
+        """The servos may have been without power."""
+        self.forget_positions()
+        self.speeds = (None,) * len(self.speeds)
+
+    def arrive(self, present: Sequence[int]) -> None:
+        """Take the answer to a `.c`."""
+        self.present = tuple(None if value < 0 else value for value in present)
+
+    def hold(self, speeds: Sequence[int]) -> None:
+        """Take the answer to a `.v`."""
+        self.speeds = tuple(None if value < 0 else value for value in speeds)
+
+    def seconds_to(self, goals: Sequence[int]) -> float:
+        """Return how long the slowest motor needs, without load.
+
+        From an unknown position that is as far as it can be; an unknown speed is the slowest
+        that any other motor is known to have, and no more than `ASSUMED_SPEED`.
+        """
+        known = [speed for speed in self.speeds if speed]
+        slowest = min([ASSUMED_SPEED, *known])
+        return max(
+            travel_seconds(_farthest(start, goal), slowest if speed is None else speed)
+            for start, speed, goal in zip(self.present, self.speeds, goals, strict=True)
+        )
+
+    def speeds_to(self, goals: Sequence[int], seconds: float) -> tuple[int, ...] | None:
+        """Return speeds at which every motor arrives in so many seconds; `None`: as they are.
+
+        What setting them takes is taken off. A motor that is there already keeps its speed. One
+        whose position is not known goes no faster than `ASSUMED_SPEED`: nobody knows how far it
+        has to go.
+        """
+        rest = max(seconds - SETTING, seconds / 2)
+        wanted: list[int] = []
+        fits = True
+        for start, speed, goal in zip(self.present, self.speeds, goals, strict=True):
+            if start is not None and abs(goal - start) <= _THERE and speed is not None:
+                wanted.append(speed)
+                continue
+            highest = ASSUMED_SPEED if start is None else HIGHEST
+            distance = _farthest(start, goal)
+            best = min(speed_for(distance, rest), highest)
+            wanted.append(best)
+            lowest = min(speed_for(distance, seconds), highest)
+            fits &= bool(speed) and lowest <= (speed or 0) <= best * _NEAR + 2
+        return None if fits else tuple(wanted)
+
+
+def deadline(expected: float) -> float:
+    """Return after how many seconds the answer to a motion is late."""
+    return expected * MARGIN + ALLOWANCE
+
+
+def _farthest(start: int | None, goal: int) -> int:
+    """Return a distance, or the longest that it can be."""
+    return max(goal, HIGHEST - goal) if start is None else abs(goal - start)
