@@ -1,0 +1,215 @@
+"""Pose files: read as PyPose reads them, written as it writes them, and nothing lost."""
+
+import time
+from collections.abc import Iterable
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.aracna.poses.pose import Pose
+from trex_gui.aracna.poses.ppr import read_ppr, write_ppr
+from trex_gui.aracna.poses.project import Project, missing_poses
+from trex_gui.aracna.poses.sequence import Sequence, SequenceStep
+from trex_gui.resource_files import resource
+from trex_gui.settings.errors import Finding, Severity
+
+HEAD = "Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024\n"
+EIGHT = "1, 2, 3, 4, 5, 6, 7, 8"
+AS_PYPOSE_WRITES = (
+    HEAD
+    + f"Pose=a b:{EIGHT}\n"
+    + "Pose=zero:0, 0, 0, 0, 0, 0, 0, 0\n"
+    + "Seq=there: a b|500, zero|5000, p3|1\n"
+    + "Seq=nothing: \n"
+    + "Nuke=IK,walk\n"
+)
+
+
+def messages(findings: Iterable[Finding]) -> list[tuple[int | None, str]]:
+    return [(finding.line, finding.message) for finding in findings]
+
+
+def test_a_file_as_pypose_writes_it_comes_back_to_the_byte() -> None:
+    project, _ = read_ppr(AS_PYPOSE_WRITES)
+    assert write_ppr(project) == AS_PYPOSE_WRITES
+
+
+def test_a_file_that_pypose_wrote_on_windows_keeps_its_line_ends() -> None:
+    text = AS_PYPOSE_WRITES.replace("\n", "\r\n")
+    assert write_ppr(read_ppr(text)[0]) == text
+
+
+def test_poses_sequences_and_robot_are_read() -> None:
+    project, findings = read_ppr(AS_PYPOSE_WRITES.replace(", p3|1", ""))
+    assert findings == ()
+    assert (project.name, project.resolutions) == ("Aracna", (1024,) * 8)
+    assert project.poses == (Pose("a b", (1, 2, 3, 4, 5, 6, 7, 8)), Pose("zero", (0,) * 8))
+    steps = (SequenceStep("a b", 500), SequenceStep("zero", 5000))
+    assert project.sequences == (Sequence("there", steps), Sequence("nothing"))
+    assert project.rest == ("Nuke=IK,walk",)
+
+
+def test_a_wrong_number_of_resolutions_becomes_1024_for_all_and_is_told() -> None:
+    project, findings = read_ppr("Aracna:8:300:300\n")
+    assert project.resolutions == (1024,) * 8
+    [(line, message)] = messages(findings)
+    assert line == 1
+    assert "8 resolutions" in message
+    assert "1024" in message
+
+
+def test_missing_positions_become_512_and_that_is_told() -> None:
+    project, findings = read_ppr(HEAD + "Pose=short:1, 2, 3\n")
+    assert project.poses == (Pose("short", (1, 2, 3, 512, 512, 512, 512, 512)),)
+    [(line, message)] = messages(findings)
+    assert line == 2
+    assert "3 positions of 8" in message
+    assert findings[0].severity is Severity.WARNING
+
+
+def test_a_pose_without_any_position_is_in_the_centre() -> None:
+    assert read_ppr(HEAD + "Pose=none:\n")[0].poses == (Pose("none", (512,) * 8),)
+
+
+def test_a_line_without_prefix_is_an_old_style_pose_and_is_written_as_a_new_one() -> None:
+    project, findings = read_ppr(HEAD + f"stand:{EIGHT}\n")
+    assert findings == ()
+    assert project.poses == (Pose("stand", (1, 2, 3, 4, 5, 6, 7, 8)),)
+    assert write_ppr(project) == HEAD + f"Pose=stand:{EIGHT}\n"
+
+
+def test_a_sequence_may_name_poses_that_the_file_lacks_and_that_is_told_with_its_line() -> None:
+    project, findings = read_ppr(HEAD + "Seq=gait: p1|500, p2|500, p1|100\n")
+    assert missing_poses(project.sequences[0], project.poses) == ("p1", "p2")
+    assert [finding.line for finding in findings] == [2, 2]
+    assert "p1" in findings[0].message
+    assert "Seq=gait: p1|500, p2|500, p1|100\n" in write_ppr(project)
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("just words", "no colon"),
+        ("Seq=no colon", "colon"),
+        ("Pose=a:1, two, 3", "'two' (motor 1)"),
+        ("Pose=a:1, 1024", "'1024' (motor 1)"),
+        ("Pose=a:-1", "'-1' (motor 0)"),
+        ("Pose=a:1,,3", "'' (motor 1)"),
+        ("Pose=a:1_0", "'1_0'"),
+        ("Pose=a:٣", "'٣'"),
+        ("Seq=s: a|0", "'a|0'"),
+        ("Seq=s: a|3600001", "'a|3600001'"),
+        ("Seq=s: a", "'a'"),
+        ("Seq=s: a|b|5", "'a|b|5'"),
+        ("Seq=s: a|1.5", "'a|1.5'"),
+    ],
+)
+def test_a_line_that_cannot_be_used_is_told_with_its_number_and_written_back(
+    line: str, said: str
+) -> None:
+    text = HEAD + f"Pose=good:{EIGHT}\n" + line + "\n"
+    project, findings = read_ppr(text)
+    assert [pose.name for pose in project.poses] == ["good"]
+    assert project.sequences == ()
+    [finding] = findings
+    assert (finding.line, finding.severity) == (3, Severity.ERROR)
+    assert said in finding.message
+    assert write_ppr(project) == text
+
+
+def test_positions_beyond_the_last_servo_are_kept_and_told() -> None:
+    text = HEAD + f"Pose=long:{EIGHT}, 9\n"
+    project, findings = read_ppr(text)
+    assert project.poses[0].first(8) == (1, 2, 3, 4, 5, 6, 7, 8)
+    assert "9 positions for 8" in findings[0].message
+    assert write_ppr(project) == text
+
+
+def test_of_two_poses_of_a_name_the_last_counts_and_the_first_is_kept_under_another() -> None:
+    project, findings = read_ppr(HEAD + f"Pose=a:{EIGHT}\n" + "Pose=a:8, 2, 3, 4, 5, 6, 7, 8\n")
+    assert [(pose.name, pose.positions[0]) for pose in project.poses] == [("a 2", 1), ("a", 8)]
+    [(line, message)] = messages(findings)
+    assert line == 2
+    assert "line 3" in message
+
+
+@pytest.mark.parametrize("text", ["", "\n", "Pose=a:1\n", "Aracna", "Aracna:many:1", "Aracna:0"])
+def test_a_file_without_a_proper_first_line_is_read_and_that_is_told(text: str) -> None:
+    project, findings = read_ppr(text)
+    assert project.resolutions == (1024,) * 8
+    assert findings[0].line == 1
+
+
+def test_a_robot_with_other_servos_keeps_their_number() -> None:
+    project, findings = read_ppr("Bioloid:2:1024:4096\nPose=p:1, 2\n")
+    assert findings == ()
+    assert project.resolutions == (1024, 4096)
+
+
+_NAMES = st.text(st.characters(exclude_characters=":\r\n", exclude_categories=["Cs"]), max_size=8)
+_REFERENCES = st.text(
+    st.characters(exclude_characters=",|\r\n", exclude_categories=["Cs"]), max_size=8
+).map(str.strip)
+_POSITIONS = st.lists(st.integers(0, 1023), min_size=8, max_size=8).map(tuple)
+
+
+@st.composite
+def projects(draw: st.DrawFn) -> Project:
+    poses = draw(
+        st.lists(st.builds(Pose, _NAMES, _POSITIONS), unique_by=lambda pose: pose.name, max_size=4)
+    )
+    steps = st.builds(SequenceStep, _REFERENCES, st.integers(1, 6000))
+    sequences = st.builds(Sequence, _NAMES, st.lists(steps, max_size=4).map(tuple))
+    return Project(
+        draw(_NAMES.filter(lambda name: not name.startswith(("Pose=", "Seq=", "Nuke=")))),
+        poses=tuple(poses),
+        sequences=tuple(draw(st.lists(sequences, unique_by=lambda one: one.name, max_size=3))),
+        line_end=draw(st.sampled_from(["\n", "\r\n"])),
+    )
+
+
+@given(projects())
+def test_what_is_written_is_read_back(project: Project) -> None:
+    found, findings = read_ppr(write_ppr(project))
+    assert found == project
+    assert all("is not in the file" in finding.message for finding in findings)
+
+
+_LINES = st.one_of(
+    st.text(max_size=20),
+    st.sampled_from(["Pose=a:1, 2", "Pose=a:3", "Seq=s: a|5, b|6", "Seq=s: a|x", "Nuke=x", "b:1"]),
+)
+
+
+@given(st.lists(_LINES, max_size=6).map("\n".join))
+def test_any_text_is_read_and_means_the_same_when_written_and_read_again(text: str) -> None:
+    project, _ = read_ppr(text)
+    assert read_ppr(write_ppr(project))[0] == project
+
+
+@given(st.lists(_LINES, max_size=6).map("\n".join))
+def test_whatever_is_no_pose_and_no_sequence_is_written_back_as_it_stands(text: str) -> None:
+    project, findings = read_ppr(text)
+    lines = [line.removesuffix("\r") for line in text.split("\n")]
+    for finding in findings:
+        if finding.severity is Severity.ERROR:
+            assert finding.line is not None
+            assert lines[finding.line - 1] in write_ppr(project).split(project.line_end)
+
+
+def test_the_sample_file_is_as_pypose_would_write_it_and_has_nothing_to_complain_of() -> None:
+    text = resource("aracna/sample.ppr").read_text(encoding="utf-8")
+    project, findings = read_ppr(text)
+    assert findings == ()
+    assert write_ppr(project) == text
+
+
+@pytest.mark.parametrize("line", ["a:1\n", "Seq=a: b|1\n", "nothing\n"])
+def test_a_long_file_is_read_in_a_moment(line: str) -> None:
+    text = HEAD + line * (256 * 1024 // len(line))
+    began = time.process_time()
+    project, findings = read_ppr(text)
+    assert time.process_time() - began < 5
+    assert len(findings) >= text.count("\n") - 2
+    assert len(project.poses + project.sequences) + len(project.rest) == text.count("\n") - 1
