@@ -49,6 +49,7 @@ def test_the_tour_writes_a_picture_of_every_page_and_of_the_wizard_light_and_dar
     names = {path.name for path in tmp_path.glob("*.png")}
     pages = ["status", "channels", "calibration", "motors", "currents", "parameters"]
     pages += [f"learn-{step}" for step in ("rest", "travel", "review", "test")]
+    pages += ["aracnaRobot", "aracnaPoses", "aracnaLog"]
     assert names == {f"{page}-{scheme}.png" for page in pages for scheme in ("light", "dark")}
     assert all(path.stat().st_size > 10_000 for path in tmp_path.glob("*.png"))
 

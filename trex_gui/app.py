@@ -20,6 +20,12 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument("--port", metavar="URL", help="connect to this port at once")
     parser.add_argument("--demo", action="store_true", help="connect to the simulated board")
     parser.add_argument(
+        "--device",
+        choices=("trex", "aracna"),
+        default="trex",
+        help="what --demo simulates and --port leads to (default: trex)",
+    )
+    parser.add_argument(
         "--settings",
         metavar="FILE",
         type=Path,
@@ -78,16 +84,17 @@ def main(argv: list[str] | None = None) -> int:
 
         tour = Tour(program, arguments.tour)
         QTimer.singleShot(0, tour.start)
-    if arguments.demo or arguments.tour is not None:
-        QTimer.singleShot(0, lambda: program.connector.connect_to(program.ports.demo))
+    if arguments.tour is not None:
+        QTimer.singleShot(0, lambda: program.connect_to_demo("trex"))
+    elif arguments.demo:
+        QTimer.singleShot(0, lambda: program.connect_to_demo(arguments.device))
     elif arguments.port:
-        port = arguments.port
-        QTimer.singleShot(0, lambda: program.connector.connect_to(program.ports.add_typed(port)))
+        QTimer.singleShot(0, lambda: program.connect_to_port(arguments.port, arguments.device))
     if arguments.settings is not None:
         if arguments.demo or arguments.port or arguments.tour is not None:
             program.open_when_connected(arguments.settings)
         else:
-            QTimer.singleShot(0, lambda: program.window.files.edit_file(arguments.settings))
+            QTimer.singleShot(0, lambda: program.desk.files.edit_file(arguments.settings))
     code = app.exec()
     # Hidden while Python is whole: Qt destroys what is still shown when half of it is gone.
     for window in app.topLevelWidgets():

@@ -82,6 +82,7 @@ class Tour(QObject):
     def _make_steps(self) -> Iterator[Do]:
         yield from self._look_at_pages()
         yield from self._learn()
+        yield from self._look_at_robot()
 
     def _look_at_pages(self) -> Iterator[Do]:
         window = self._program.window
@@ -116,6 +117,16 @@ class Tour(QObject):
         yield from self._hold(1850)
         yield from self._look_at_wizard("learn-test")
         yield partial(self._press, "learnCancelButton")
+
+    def _look_at_robot(self) -> Iterator[Do]:
+        """Turn to the simulated Aracna, move it a little, and look at its pages."""
+        robot = self._program.robot
+        yield self._program.device.motors.stop
+        yield partial(self._program.connect_to_demo, "aracna")
+        yield lambda: robot.link is Link.UP
+        yield partial(robot.move, (300, 400) * (robot.motors // 2))
+        yield lambda: robot.known.moved is not None
+        yield from self._look_at_pages()
 
     def _hold(self, microseconds: float) -> Iterator[Do]:
         """Hold all sticks for a while where they give pulses of this length."""

@@ -24,8 +24,8 @@ class Watching(QObject):
     def __init__(self, program: Program, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._program = program
-        self._stopper = Stopper(program.device.stop_now, self)
-        self._signals = SignalWatch(lambda: program.device.stop_now(ending=True), self)
+        self._stopper = Stopper(program.stop_now, self)
+        self._signals = SignalWatch(lambda: program.stop_now(ending=True), self)
         self._exceptions = ExceptionWatch(self._stopper.stop)
         self._wake = WakeWatch(parent=self)
         self._sleep_delay: SleepDelay | None = None
@@ -66,6 +66,7 @@ class Watching(QObject):
     @Slot(str)
     def _on_stopped(self, reason: str) -> None:
         self._program.device.motors.stop(reason)
+        self._program.robot.halt()
         self._program.device.failed.emit(reason)
 
     @Slot(int)

@@ -5,10 +5,20 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 
+from trex_gui.aracna.link.discovery import find_aracna
+from trex_gui.aracna.model.library import Library
+from trex_gui.aracna.model.robot import Robot
+from trex_gui.aracna.model.way import ARACNA, AracnaWay
+from trex_gui.aracna.views.desk import AracnaDesk
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
+from trex_gui.model.kinds import TREX
 from trex_gui.model.ports import Ports
+from trex_gui.model.switchboard import Switchboard
+from trex_gui.model.trex_way import TrexWay
+from trex_gui.views.connection_bar import ConnectionBar
 from trex_gui.views.main_window import MainWindow
+from trex_gui.views.trex_desk import TrexDesk
 
 
 @dataclass(slots=True)
@@ -18,7 +28,22 @@ class Program:
     device: Device
     ports: Ports
     connector: Connector
+    switchboard: Switchboard
+    desk: TrexDesk
+    robot: Robot
+    robot_way: AracnaWay
+    library: Library
+    aracna: AracnaDesk
     window: MainWindow
+
+    def connect_to_demo(self, device: str) -> None:
+        """Connect to the simulated device of a kind; see `model.kinds`."""
+        self.switchboard.connect_to(self.ports.demo_of(device))
+
+    def connect_to_port(self, url: str, device: str) -> None:
+        """Connect to a port that leads to a device of this kind, and remember that it does."""
+        port = self.ports.lead_to(self.ports.add_typed(url), device)
+        self.switchboard.connect_to(port)
 
     def open_when_connected(self, path: Path) -> None:
         """Open a settings file as soon as a board answers, once."""
@@ -26,27 +51,45 @@ class Program:
         def open_once() -> None:
             if self.device.link is Link.UP:
                 self.device.state_changed.disconnect(open_once)
-                self.window.files.open_file(path)
+                self.desk.files.open_file(path)
 
         self.device.state_changed.connect(open_once)
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every device, from any thread; see `Device.stop_now` and `Robot.halt_now`."""
+        self.device.stop_now(ending=ending)
+        self.robot.halt_now(ending=ending)
 
     def shut_down(self) -> bool:
         """Stop the motors, close the line, then end what is recorded; for the end of the program.
 
         Return whether every thread has ended; Qt aborts on destroying one that runs.
         """
-        is_closed = self.connector.shut_down()
-        return self.window.recordings.shut_down() and is_closed
+        ends = [
+            self.switchboard.shut_down(),
+            self.desk.recordings.shut_down(),
+            self.aracna.recordings.recorder.shut_down(),
+        ]
+        return all(ends)
 
     def end(self) -> None:
         """Stop the motors, close the line and leave, without asking anything."""
-        self.connector.shut_down()
+        self.switchboard.shut_down()
         QCoreApplication.exit(0)
 
 
 def build() -> Program:
     """Make the models and the window; nothing is connected yet."""
     device = Device()
-    ports = Ports()
+    robot = Robot()
+    ports = Ports(kinds=(TREX, ARACNA))
     connector = Connector(device, ports)
-    return Program(device, ports, connector, MainWindow(device, ports, connector))
+    way = AracnaWay(robot, ports, connector.finder, robot)
+    connector.finder.also(ARACNA.key, find_aracna, way.simulator)
+    switchboard = Switchboard([TrexWay(device, connector, device), way])
+    window = MainWindow(switchboard)
+    desk = TrexDesk(device, connector, window.question, window)
+    library = Library(robot)
+    aracna = AracnaDesk(robot, library, way, window)
+    window.furnish(ConnectionBar(switchboard, device, ports, connector, window), [desk, aracna])
+    return Program(device, ports, connector, switchboard, desk, robot, way, library, aracna, window)

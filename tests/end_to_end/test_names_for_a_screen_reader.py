@@ -114,8 +114,8 @@ def test_everything_in_the_window_of_a_recording_has_a_name(
     program: Program, qtbot: QtBot, tmp_path: Path
 ) -> None:
     write(tmp_path / "minute.trexrec", list(an_hour(60)))
-    program.window.recordings.open_file(tmp_path / "minute.trexrec")
-    window = program.window.recordings.windows[0]
+    program.desk.recordings.open_file(tmp_path / "minute.trexrec")
+    window = program.desk.recordings.windows[0]
     qtbot.waitUntil(lambda: window.playback.is_loaded)
     assert_named(window)
     window.close()

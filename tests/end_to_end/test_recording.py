@@ -53,13 +53,13 @@ def action(program: Program, key: str) -> QAction:
 
 def record(program: Program, path: Path, qtbot: QtBot) -> None:
     """Record until there is something in the file, and end it with the button."""
-    program.window.recordings.record(path)
+    program.desk.recordings.record(path)
     qtbot.waitUntil(lambda: indicator(program).isVisible())
     samples = program.device.telemetry.samples
     qtbot.waitUntil(lambda: program.device.telemetry.samples > samples + 300, timeout=10_000)
     button = indicator(program).findChild(QPushButton, "stopRecordingButton")
     assert button is not None
-    with qtbot.waitSignal(program.window.recordings.recorder.ended, timeout=10_000):
+    with qtbot.waitSignal(program.desk.recordings.recorder.ended, timeout=10_000):
         QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
@@ -67,7 +67,7 @@ def test_recording_is_seen_on_every_page_with_time_and_size(
     connected: Program, tmp_path: Path, qtbot: QtBot
 ) -> None:
     assert not indicator(connected).isVisible()
-    connected.window.recordings.record(tmp_path / "a.trexrec")
+    connected.desk.recordings.record(tmp_path / "a.trexrec")
     qtbot.waitUntil(lambda: "Recording  0:00:00" in text(connected.window, "recordText"))
     qtbot.waitUntil(lambda: " kB" in text(connected.window, "recordText"), timeout=10_000)
     for page in range(connected.window.pages.count()):
@@ -75,7 +75,7 @@ def test_recording_is_seen_on_every_page_with_time_and_size(
         assert indicator(connected).isVisible()
         assert "Recording" in indicator(connected).accessibleName()
     assert action(connected, "record").text() == "Stop &recording"
-    with qtbot.waitSignal(connected.window.recordings.recorder.ended, timeout=10_000):
+    with qtbot.waitSignal(connected.desk.recordings.recorder.ended, timeout=10_000):
         action(connected, "record").trigger()
     assert not indicator(connected).isVisible()
     assert action(connected, "record").text() == "&Record…"
@@ -90,23 +90,23 @@ def test_a_recording_is_opened_again_without_a_board(
     record(connected, path, qtbot)
     connected.device.disconnect_line()
     qtbot.waitUntil(lambda: connected.device.link is Link.NONE, timeout=10_000)
-    connected.window.recordings.open_file(path)
-    (window,) = connected.window.recordings.windows
+    connected.desk.recordings.open_file(path)
+    (window,) = connected.desk.recordings.windows
     qtbot.waitUntil(lambda: window.playback.is_loaded)
     assert window.playback.problems == []
     assert window.playback.end > window.playback.start
     window.playback.set_position(window.playback.end)
     assert text(window, "channel1PhysicalAtPosition").endswith("µs")
-    connected.window.recordings.open_file(path)
-    assert connected.window.recordings.windows == [window]
+    connected.desk.recordings.open_file(path)
+    assert connected.desk.recordings.windows == [window]
     button = window.findChild(QPushButton, "settingsInForceButton")
     assert button is not None
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    (editor,) = connected.window.files.editors
+    (editor,) = connected.desk.files.editors
     assert editor.document.readable
     editor.close()
     window.close()
-    assert connected.window.recordings.windows == []
+    assert connected.desk.recordings.windows == []
 
 
 def test_a_recording_that_is_dropped_onto_the_window_opens(
@@ -122,7 +122,7 @@ def test_a_recording_that_is_dropped_onto_the_window_opens(
     QApplication.sendEvent(program.window, enter)
     assert enter.isAccepted()
     QApplication.sendEvent(program.window, QDropEvent(QPointF(9, 9), copy, data, left, none))
-    (window,) = program.window.recordings.windows
+    (window,) = program.desk.recordings.windows
     qtbot.waitUntil(lambda: window.playback.is_loaded)
     window.close()
 
@@ -130,9 +130,9 @@ def test_a_recording_that_is_dropped_onto_the_window_opens(
 def test_a_file_that_is_none_is_refused_with_its_name(program: Program, tmp_path: Path) -> None:
     path = tmp_path / "none.trexrec"
     path.write_text("nothing of the kind")
-    program.window.recordings.open_file(path)
+    program.desk.recordings.open_file(path)
     assert "none.trexrec, byte 0: This is no recording" in text(program.window, "bannerText")
-    assert program.window.recordings.windows == []
+    assert program.desk.recordings.windows == []
 
 
 def test_nothing_can_be_recorded_without_a_board(program: Program, tmp_path: Path) -> None:
@@ -144,7 +144,7 @@ def test_a_recording_that_runs_is_whole_after_the_window_is_closed(
     connected: Program, tmp_path: Path, qtbot: QtBot, make_sure: Callable[[Path], None]
 ) -> None:
     path = tmp_path / "a.trexrec"
-    connected.window.recordings.record(path)
+    connected.desk.recordings.record(path)
     samples = connected.device.telemetry.samples
     qtbot.waitUntil(lambda: connected.device.telemetry.samples > samples + 100, timeout=10_000)
     connected.window.close()
@@ -212,7 +212,7 @@ def test_esc_in_a_file_dialog_stops_the_motors(program: Program, qtbot: QtBot, a
         QTest.keyClick(window, Qt.Key.Key_Escape)
 
     QTimer.singleShot(100, press_esc)
-    getattr(program.window.recordings, ask)()
+    getattr(program.desk.recordings, ask)()
     assert stops == ["stop"]
 
 
@@ -235,7 +235,7 @@ def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(
     if not full.exists():
         pytest.skip("this system has no disk that is always full")
     device = connected.device
-    connected.window.recordings.record(full)
+    connected.desk.recordings.record(full)
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 60)
@@ -270,8 +270,8 @@ def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
     def turns_while_it_is_opened() -> bool:
         qtbot.waitUntil(turns, timeout=20_000)
         begin = time.monotonic()
-        connected.window.recordings.open_file(tmp_path / "hour.csv")
-        (window,) = connected.window.recordings.windows
+        connected.desk.recordings.open_file(tmp_path / "hour.csv")
+        (window,) = connected.desk.recordings.windows
         # Longer than the silence of a window that stops armed motors.
         qtbot.waitUntil(lambda: time.monotonic() > begin + 2 * PATIENCE, timeout=20_000)
         assert not window.playback.is_loaded
@@ -281,7 +281,7 @@ def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
 
     # A computer with far too much to do may stop them by itself, but hardly each time.
     assert any(turns_while_it_is_opened() for _ in range(4))
-    assert connected.window.recordings.windows == []
+    assert connected.desk.recordings.windows == []
     device = connected.device
     device.motors.press_stop()
     qtbot.waitUntil(
@@ -293,8 +293,8 @@ def test_a_program_that_ends_while_a_recording_is_read_ends_its_thread(
     program: Program, tmp_path: Path, qtbot: QtBot
 ) -> None:
     write_an_hour_of_csv(tmp_path / "hour.csv", 10)
-    program.window.recordings.open_file(tmp_path / "hour.csv")
-    (window,) = program.window.recordings.windows
+    program.desk.recordings.open_file(tmp_path / "hour.csv")
+    (window,) = program.desk.recordings.windows
     (thread,) = window.playback.findChildren(QThread)
     qtbot.waitUntil(lambda: window.playback.progress > 0, timeout=20_000)
     assert thread.isRunning()

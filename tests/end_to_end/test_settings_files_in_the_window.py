@@ -53,7 +53,7 @@ def dialog(program: Program) -> QDialog:
 def offered(program: Program, path: Path, text: str | bytes) -> QDialog:
     """Write a file, open it, and return what is shown of it."""
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    program.window.files.open_file(path)
+    program.desk.files.open_file(path)
     return dialog(program)
 
 
@@ -91,9 +91,9 @@ rc_channel_2: {minimum: 2600, neutral: 3700, maximum: 4900, deadband: 60}
 
 def test_what_was_saved_opens_as_no_change(connected: Program, tmp_path: Path) -> None:
     path = tmp_path / "board.txt"
-    connected.window.files.save_file(path)
+    connected.desk.files.save_file(path)
     assert path.read_text(encoding="utf-8").startswith("product: TReX\n")
-    connected.window.files.open_file(path)
+    connected.desk.files.open_file(path)
     summary = label(dialog(connected), "comparisonSummary")
     assert "28 parameters: 0 will change, 28 match" in summary
     assert "5 calibrations: 0 will change, 5 match" in summary
@@ -123,7 +123,7 @@ def test_ticked_rows_become_edits_and_apply_writes_just_them(
     index = view.model().index(1, 0)
     assert index.data() == "Motor 1 Acceleration"
     view.model().setData(index, Qt.CheckState.Unchecked.value, Qt.ItemDataRole.CheckStateRole)
-    with qtbot.waitSignal(connected.window.files.staged):
+    with qtbot.waitSignal(connected.desk.files.staged):
         take(shown)
     assert "2 changes are edits now" in banner(connected)
     assert connected.window.pages.currentWidget().objectName() == "parametersPageArea"
@@ -142,7 +142,7 @@ def test_an_editor_sends_what_it_shows_to_the_board(
 ) -> None:
     path = tmp_path / "rover.txt"
     path.write_text(ROVER, encoding="utf-8")
-    editor = connected.window.files.edit_file(path)
+    editor = connected.desk.files.edit_file(path)
     assert editor is not None
     editor.document.draft.parameters.edit("serial_timeout", 9)
     send = editor.findChild(QAction, "editorSendAction")
@@ -166,7 +166,7 @@ def test_an_editor_compares_with_the_board_as_its_edits_change(
 ) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nserial_timeout: 0\n", encoding="utf-8")
-    editor = connected.window.files.edit_file(path)
+    editor = connected.desk.files.edit_file(path)
     assert editor is not None
     editor.compare_with_board()
     shown = editor.findChild(QDialog, "compareDialog")
@@ -205,7 +205,7 @@ def test_a_bad_file_changes_nothing_and_names_the_lines(
     path = tmp_path / "bad.txt"
     if not bad.is_text:
         path.write_bytes(bad.data)
-        connected.window.files.open_file(path)
+        connected.desk.files.open_file(path)
         assert "bad.txt was not opened" in banner(connected)
         assert bad.words in banner(connected)
         return
@@ -227,7 +227,7 @@ def test_a_file_for_another_model_changes_nothing_and_offers_the_editor(
     assert "settings of a TReX Jr" in findings(shown)[0][1]
     assert not button(shown, "takeChangesButton").isEnabled()
     QTest.mouseClick(button(shown, "editFileButton"), Qt.MouseButton.LeftButton)
-    (editor,) = connected.window.files.editors
+    (editor,) = connected.desk.files.editors
     assert editor.document.name == "junior.txt"
     assert connected.device.pending == 0
     editor.close_at_once()
@@ -270,7 +270,7 @@ def test_analog_calibrations_are_left_out_and_named_while_inputs_are_rc(
 
 
 def test_a_missing_file_is_a_sentence(connected: Program, tmp_path: Path) -> None:
-    connected.window.files.open_file(tmp_path / "nowhere.txt")
+    connected.desk.files.open_file(tmp_path / "nowhere.txt")
     assert "was not opened" in banner(connected)
 
 
@@ -299,7 +299,7 @@ def test_saving_over_a_file_keeps_what_a_person_wrote_and_what_the_board_hides(
     )
     path.write_text(text, encoding="utf-8")
     connected.device.parameters.edit("serial_timeout", 5)
-    connected.window.files.save_file(path)
+    connected.desk.files.save_file(path)
     after = path.read_text(encoding="utf-8")
     assert after.startswith(text.replace("9  # for", "5  # for"))
     assert "motor_mode: 0" in after
@@ -313,11 +313,11 @@ def test_a_file_that_is_something_else_is_replaced_only_after_a_question(
     path = tmp_path / "other.txt"
     path.write_text(text, encoding="utf-8")
     asked = answer(monkeypatch, QMessageBox.StandardButton.Cancel)
-    connected.window.files.save_file(path)
+    connected.desk.files.save_file(path)
     assert "Replace it?" in asked[0]
     assert path.read_text(encoding="utf-8") == text
     answer(monkeypatch, QMessageBox.StandardButton.Yes)
-    connected.window.files.save_file(path)
+    connected.desk.files.save_file(path)
     assert "motor_mode: 0" in path.read_text(encoding="utf-8")
 
 
@@ -373,7 +373,7 @@ def test_what_was_stored_before_an_apply_comes_back_from_its_snapshot(
     connected.device.apply()
     qtbot.waitUntil(lambda: connected.device.pending == 0)
     (snapshot,) = connected.device.history.snapshots()
-    connected.window.files.open_file(snapshot.path, remember=False)
+    connected.desk.files.open_file(snapshot.path, remember=False)
     take(dialog(connected))
     assert connected.device.parameters.pending == (("serial_timeout", 0),)
     connected.device.apply()
@@ -388,7 +388,7 @@ def test_the_settings_shown_are_exported_as_code(
 ) -> None:
     connected.device.parameters.edit("serial_timeout", 5)
     path = tmp_path / f"board{language.suffix}"
-    connected.window.files.export_file(path, language)
+    connected.desk.files.export_file(path, language)
     text = path.read_text(encoding="utf-8")
     assert "Serial Timeout" in text
     assert "0.5 s" in text
@@ -396,5 +396,5 @@ def test_the_settings_shown_are_exported_as_code(
 
 
 def test_a_place_that_cannot_be_written_is_told(connected: Program, tmp_path: Path) -> None:
-    connected.window.files.export_file(tmp_path / "missing" / "board.py", Language.PYTHON)
+    connected.desk.files.export_file(tmp_path / "missing" / "board.py", Language.PYTHON)
     assert "was not written" in banner(connected)

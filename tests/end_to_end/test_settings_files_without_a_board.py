@@ -30,7 +30,7 @@ TEXT = "product: TReX\n# my rover\nserial_timeout: 5  # 0.5 s\n"
 @pytest.fixture
 def alone(program: Program) -> Iterator[Program]:
     yield program
-    program.window.files.close_all()
+    program.desk.files.close_all()
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ def rover(tmp_path: Path) -> Path:
 
 
 def only_editor(program: Program) -> SettingsEditor:
-    (editor,) = program.window.files.editors
+    (editor,) = program.desk.files.editors
     return editor
 
 
@@ -71,7 +71,7 @@ def answer(monkeypatch: pytest.MonkeyPatch, button: QMessageBox.StandardButton) 
 
 def test_a_file_opens_in_a_window_of_its_own(alone: Program, rover: Path) -> None:
     assert action(alone.window, "open").isEnabled()
-    alone.window.files.open_file(rover)
+    alone.desk.files.open_file(rover)
     editor = only_editor(alone)
     assert editor.isVisible()
     assert editor.document.text == TEXT
@@ -79,7 +79,7 @@ def test_a_file_opens_in_a_window_of_its_own(alone: Program, rover: Path) -> Non
 
 
 def test_a_file_is_edited_saved_and_reads_back(alone: Program, rover: Path) -> None:
-    alone.window.files.open_file(rover)
+    alone.desk.files.open_file(rover)
     editor = only_editor(alone)
     editor.document.draft.parameters.edit("serial_timeout", 15)
     action(editor, "editorSave").trigger()
@@ -90,13 +90,13 @@ def test_a_file_is_edited_saved_and_reads_back(alone: Program, rover: Path) -> N
 def test_a_file_that_is_open_already_comes_to_the_front(
     alone: Program, rover: Path, tmp_path: Path
 ) -> None:
-    alone.window.files.open_file(rover)
-    alone.window.files.open_file(rover)
-    assert len(alone.window.files.editors) == 1
+    alone.desk.files.open_file(rover)
+    alone.desk.files.open_file(rover)
+    assert len(alone.desk.files.editors) == 1
     other = tmp_path / "other.txt"
     other.write_text(TEXT, encoding="utf-8")
-    alone.window.files.open_file(other)
-    assert len(alone.window.files.editors) == 2
+    alone.desk.files.open_file(other)
+    assert len(alone.desk.files.editors) == 2
 
 
 @pytest.mark.parametrize("bad", BAD_FILES, ids=lambda bad: bad.name)
@@ -105,12 +105,12 @@ def test_a_bad_file_opens_as_text_or_is_refused_in_a_sentence(
 ) -> None:
     path = tmp_path / "bad.txt"
     path.write_bytes(bad.data)
-    alone.window.files.open_file(path)
+    alone.desk.files.open_file(path)
     if bad.is_text:
         found = only_editor(alone).document.findings
         assert any(bad.words in each.message and each.line == bad.line for each in found)
     else:
-        assert not alone.window.files.editors
+        assert not alone.desk.files.editors
         assert "bad.txt was not opened" in banner(alone.window)
         assert bad.words in banner(alone.window)
     assert path.read_bytes() == bad.data
@@ -147,7 +147,7 @@ def test_a_new_file_begins_with_what_is_chosen(
 def test_closing_the_program_asks_about_unsaved_files(
     alone: Program, rover: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    alone.window.files.open_file(rover)
+    alone.desk.files.open_file(rover)
     editor = only_editor(alone)
     editor.document.draft.parameters.edit("serial_timeout", 15)
     asked = answer(monkeypatch, QMessageBox.StandardButton.Cancel)
@@ -156,16 +156,16 @@ def test_closing_the_program_asks_about_unsaved_files(
     assert editor.isVisible()
     answer(monkeypatch, QMessageBox.StandardButton.Discard)
     assert alone.window.close()
-    assert not alone.window.files.editors
+    assert not alone.desk.files.editors
     assert rover.read_text(encoding="utf-8") == TEXT
 
 
 def test_a_window_that_was_closed_is_forgotten(alone: Program, rover: Path, qtbot: QtBot) -> None:
-    alone.window.files.open_file(rover)
+    alone.desk.files.open_file(rover)
     editor = only_editor(alone)
     action(editor, "editorClose").trigger()
     qtbot.waitUntil(lambda: not isValid(editor))
-    assert not alone.window.files.editors
+    assert not alone.desk.files.editors
 
 
 def test_a_text_file_that_is_dropped_opens(alone: Program, rover: Path) -> None:
@@ -176,8 +176,8 @@ def test_a_text_file_that_is_dropped_opens(alone: Program, rover: Path) -> None:
         key = Qt.KeyboardModifier.NoModifier
         QApplication.sendEvent(alone.window, QDragEnterEvent(QPoint(5, 5), *how, key))
         QApplication.sendEvent(alone.window, QDropEvent(QPointF(5, 5), *how, key))
-        assert len(alone.window.files.editors) == opened
-        alone.window.files.close_all()
+        assert len(alone.desk.files.editors) == opened
+        alone.desk.files.close_all()
 
 
 def test_keys_of_the_main_window_do_nothing_to_a_board_from_an_editor(

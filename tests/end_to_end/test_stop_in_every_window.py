@@ -33,8 +33,8 @@ def _child(program: Program, name: str) -> QWidget:
 
 def playback(program: Program, folder: Path) -> QWidget:
     write(folder / "a.trexrec", list(an_hour(5)))
-    program.window.recordings.open_file(folder / "a.trexrec")
-    (window,) = program.window.recordings.windows
+    program.desk.recordings.open_file(folder / "a.trexrec")
+    (window,) = program.desk.recordings.windows
     return window
 
 
@@ -42,7 +42,7 @@ def editor(program: Program, folder: Path) -> QWidget:
     shown = program.device.draft.shown
     assert shown is not None
     save(folder / "a.txt", write_settings(shown))
-    window = program.window.files.edit_file(folder / "a.txt")
+    window = program.desk.files.edit_file(folder / "a.txt")
     assert window is not None
     return window
 

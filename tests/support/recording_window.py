@@ -32,7 +32,7 @@ class Recording(QObject):
         self._timer.start(20)
 
     def _look(self) -> None:
-        recorder = self._program.window.recordings.recorder
+        recorder = self._program.desk.recordings.recorder
         if self._program.device.link is not Link.UP:
             return
         samples = self._program.device.telemetry.samples

@@ -11,6 +11,8 @@ from serial.tools.list_ports_common import ListPortInfo
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device
 from trex_gui.model.ports import Ports
+from trex_gui.model.switchboard import Switchboard
+from trex_gui.model.trex_way import TrexWay
 from trex_gui.views.find_dialog import FindDialog
 
 
@@ -38,7 +40,7 @@ def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
 def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindDialog]:
     device = Device()
     connector = Connector(device, ports)
-    dialog = FindDialog(device, ports, connector)
+    dialog = FindDialog(Switchboard([TrexWay(device, connector)]), ports, connector)
     qtbot.addWidget(dialog)
     yield dialog
     connector.shut_down()

@@ -1,6 +1,6 @@
 """Menus and shortcuts: one table, one `QAction` each, wherever it stands."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QCoreApplication, Qt
@@ -93,14 +93,23 @@ def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
 
 
 def build_menus(
-    window: QMainWindow, slots: Mapping[str, Callable[[], object]]
+    window: QMainWindow,
+    slots: Mapping[str, Callable[[], object]],
+    more: Sequence[Mapping[str, Sequence[ActionInfo | str]]] = (),
 ) -> dict[str, QAction]:
     """Fill the window's menu bar; return the actions by key.
 
-    Every action of the table needs a slot: a missing one is a `KeyError` at start.
+    Every action of the table needs a slot: a missing one is a `KeyError` at start. The menus of
+    `more` stand before that of the window.
     """
     actions: dict[str, QAction] = {}
-    for title, entries in menus().items():
+    table: dict[str, Sequence[ActionInfo | str]] = {}
+    for title, ours in menus().items():
+        if title == tr("&Window"):
+            for others in more:
+                table |= others
+        table[title] = ours
+    for title, entries in table.items():
         menu = window.menuBar().addMenu(title)
         menu.setToolTipsVisible(True)
         for entry in entries:

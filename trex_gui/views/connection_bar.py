@@ -15,9 +15,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.model.connection import Link
 from trex_gui.model.connector import Connector
-from trex_gui.model.device import Device, Link
+from trex_gui.model.device import Device
 from trex_gui.model.ports import Port, Ports
+from trex_gui.model.switchboard import Switchboard
 from trex_gui.views.find_dialog import FindDialog
 from trex_gui.views.icons import set_icon
 from trex_gui.views.line_settings_dialog import LineSettingsDialog
@@ -39,12 +41,15 @@ class ConnectionBar(QWidget):
 
     def __init__(
         self,
+        switchboard: Switchboard,
         device: Device,
         ports: Ports,
         connector: Connector,
         parent: QWidget | None = None,
     ) -> None:
+        """Connect by the switchboard; line settings and the search are those of the TReX."""
         super().__init__(parent)
+        self._switchboard = switchboard
         self._device = device
         self._ports = ports
         self._connector = connector
@@ -74,6 +79,7 @@ class ConnectionBar(QWidget):
         self._find.setToolTip(self.tr("Find a board whose line settings are not known"))
         set_icon(self._find, "find")
         self._dialog: FindDialog | None = None
+        self._shown: Port | None = None
         self._status = QLabel(self)
         self._status.setObjectName("statusLabel")
         self._status.setWordWrap(True)
@@ -98,13 +104,10 @@ class ConnectionBar(QWidget):
         self._line.clicked.connect(self.edit_line)
         self._find.clicked.connect(self.find_board)
         ports.changed.connect(self._on_ports_changed)
-        connector.port_changed.connect(self._on_ports_changed)
-        connector.port_changed.connect(self._on_link_changed)
-        connector.settings_changed.connect(self._on_settings_changed)
-        device.link_changed.connect(self._on_link_changed)
-        device.progressed.connect(self._on_progressed)
+        switchboard.changed.connect(self._on_link_changed)
+        switchboard.current_changed.connect(self._on_link_changed)
+        switchboard.progressed.connect(self._on_progressed)
         self._on_ports_changed()
-        self._on_settings_changed()
         self._on_link_changed()
 
     # --- What a person does -------------------------------------------------------------
@@ -112,17 +115,17 @@ class ConnectionBar(QWidget):
     @Slot()
     def toggle(self) -> None:
         """Connect, or disconnect."""
-        if self._device.link is Link.NONE and not self._connector.starting:
+        if self._switchboard.is_idle:
             self.connect_preferred()
         else:
             self.leave()
 
     def leave(self) -> None:
         """Disconnect, after a question while settings are being written."""
-        self._when_nothing_is_cut_off(self._connector.disconnect_port)
+        self._when_nothing_is_cut_off(self._switchboard.leave)
 
     def _when_nothing_is_cut_off(self, then: Callable[[], object]) -> None:
-        if self._device.applying:
+        if self._switchboard.current.is_busy:
             self._on_ports_changed()  # the combo box has the next port already
             self.interruption_wanted.emit(then)
         else:
@@ -130,10 +133,12 @@ class ConnectionBar(QWidget):
 
     def connect_preferred(self) -> None:
         """Connect to the port used last, or to the only one; else let a person choose."""
-        if self._device.link is not Link.NONE:
+        way = self._switchboard.current
+        if way.link is not Link.NONE:
             return
-        # A line to the simulated board that broke is taken up again: nobody has left it.
-        port = self._ports.demo if self._connector.demo_in_use else self._ports.preferred
+        # A line to a simulated device that broke is taken up again: nobody has left it.
+        demo = self._ports.demo_of(way.kind.key) if way.demo_in_use else None
+        port = demo or self._ports.preferred
         if port is not None:
             self._connect_to(port)
         else:
@@ -152,7 +157,9 @@ class ConnectionBar(QWidget):
     def find_board(self) -> None:
         """Show the search for a board whose line settings nobody knows."""
         if self._dialog is None:
-            self._dialog = FindDialog(self._device, self._ports, self._connector, self.window())
+            self._dialog = FindDialog(
+                self._switchboard, self._ports, self._connector, self.window()
+            )
         self._dialog.look()
 
     def close_dialogs(self) -> None:
@@ -164,7 +171,7 @@ class ConnectionBar(QWidget):
     def _on_activated(self, index: int) -> None:
         choice = self._combo.itemData(index)
         if isinstance(choice, Port):
-            if choice != self._connector.port:
+            if choice != self._switchboard.current.port:
                 self._connect_to(choice)
         elif choice == _OTHER:
             self._ask_for_address()
@@ -188,7 +195,7 @@ class ConnectionBar(QWidget):
     def _connect_to(self, port: Port) -> None:
         def connect_to() -> None:
             self.connecting.emit()
-            self._connector.connect_to(port)
+            self._switchboard.connect_to(port)
 
         self._when_nothing_is_cut_off(connect_to)
 
@@ -205,27 +212,25 @@ class ConnectionBar(QWidget):
                 combo.addItem(port.label, port)
             combo.insertSeparator(combo.count())
             combo.addItem(self.tr("Other port or address…"), _OTHER)
-            current = self._connector.port
+            current = self._switchboard.current.port
+            self._shown = current
             for index in range(combo.count()):
                 if current is not None and combo.itemData(index) == current:
                     combo.setCurrentIndex(index)
                     break
 
     @Slot()
-    def _on_settings_changed(self) -> None:
-        settings = self._connector.settings
-        text = settings.short
-        if settings.device_number is not None:
-            text += f" #{settings.device_number}"
-        self._line.setText(text)
-
-    @Slot()
     def _on_link_changed(self) -> None:
-        link, starting = self._device.link, self._connector.starting
-        idle = link is Link.NONE and not starting
+        way = self._switchboard.current
+        link, starting, idle = way.link, way.starting, self._switchboard.is_idle
         opening = link is Link.OPENING or starting
+        if way.port != self._shown:
+            self._on_ports_changed()
+        self._line.setText(way.line_text)
         self._status.setText(
-            self.tr("Starting the simulated board …") if starting else self._device.status
+            self.tr("Starting the simulated {0} …").format(way.kind.name)
+            if starting
+            else way.status
         )
         self._progress.setVisible(opening)
         if opening:
@@ -233,7 +238,7 @@ class ConnectionBar(QWidget):
         self._connect.setText(self.tr("&Connect") if idle else self.tr("Dis&connect"))
         set_icon(self._connect, "connect" if idle else "disconnect")
         self._connect.setEnabled(link is not Link.CLOSING)
-        self._line.setEnabled(idle)
+        self._line.setEnabled(idle and way.has_line_settings)
 
     @Slot(int, int, str)
     def _on_progressed(self, done: int, total: int, what: str) -> None:

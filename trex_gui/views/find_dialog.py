@@ -19,9 +19,9 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.model.connector import Connector
-from trex_gui.model.device import Device
 from trex_gui.model.finder import Finding
 from trex_gui.model.ports import Port, PortKind, Ports
+from trex_gui.model.switchboard import Switchboard
 from trex_gui.views.icons import set_icon
 
 _PORT = Qt.ItemDataRole.UserRole
@@ -31,13 +31,18 @@ class FindDialog(QDialog):
     """Beside the window, never in its way; closing it ends the search."""
 
     def __init__(
-        self, device: Device, ports: Ports, connector: Connector, parent: QWidget | None = None
+        self,
+        switchboard: Switchboard,
+        ports: Ports,
+        connector: Connector,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.setObjectName("findDialog")
         self.setWindowTitle(self.tr("Find a board"))
         self.resize(620, 480)
         self._ports = ports
+        self._switchboard = switchboard
         self._connector = connector
         self._finder = connector.finder
         self._ticks: dict[Port, bool] = {}
@@ -123,16 +128,15 @@ class FindDialog(QDialog):
         layout.addLayout(bottom)
 
         self._list.itemChanged.connect(self._on_item_changed)
-        self._disconnect.clicked.connect(connector.disconnect_port)
+        self._disconnect.clicked.connect(switchboard.leave)
         self._start.clicked.connect(self._on_start_clicked)
         self._cancel.clicked.connect(self._finder.cancel)
         close.clicked.connect(self.close)
         ports.changed.connect(self._on_ports_changed)
-        connector.port_changed.connect(self._on_ports_changed)
+        switchboard.changed.connect(self._on_ports_changed)
         connector.demo_changed.connect(self._on_ports_changed)
         connector.simulator.ready.connect(self._on_ports_changed)
         connector.simulator.ended.connect(self._on_ports_changed)
-        device.link_changed.connect(self._on_possibilities_changed)
         self._finder.changed.connect(self._on_finder_changed)
         self._finder.progressed.connect(self._on_progressed)
         self._on_ports_changed()
@@ -166,9 +170,8 @@ class FindDialog(QDialog):
         with QSignalBlocker(self._list):
             self._list.clear()
             for port in self._ports.entries:
-                if port.kind is PortKind.DEMO and not self._connector.simulator.url:
-                    continue
-                self._list.addItem(self._item(port))
+                if self._finder.can_search(port):
+                    self._list.addItem(self._item(port))
         rows = min(max(self._list.count(), 2), 6)
         height = self._list.sizeHintForRow(0)
         if height <= 0:
@@ -177,7 +180,7 @@ class FindDialog(QDialog):
         self._on_possibilities_changed()
 
     def _item(self, port: Port) -> QListWidgetItem:
-        is_open = port == self._connector.port
+        is_open = port == self._switchboard.current.port
         text = self.tr("{0} – connected to this window") if is_open else "{0}"
         item = QListWidgetItem(text.format(port.label))
         item.setData(_PORT, port)
@@ -194,7 +197,7 @@ class FindDialog(QDialog):
 
     @Slot()
     def _on_possibilities_changed(self) -> None:
-        running, port = self._finder.running, self._connector.port
+        running, port = self._finder.running, self._switchboard.current.port
         if port is not None:
             self._busy.setText(
                 self.tr("{0} is connected to this window, so it is not searched.").format(
@@ -257,19 +260,24 @@ class FindDialog(QDialog):
         text.setObjectName(f"findText{index}")
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         layout.addWidget(text, 1)
-        if (found := finding.found) is not None:
+        if finding.found is not None:
             connect = QPushButton(self.tr("Connect"), row)
             connect.setObjectName(f"connectFound{index}")
             connect.setAccessibleName(self.tr("Connect to {0}").format(finding.text))
             connect.setAutoDefault(False)
             set_icon(connect, "connect")
-            connect.clicked.connect(
-                lambda: self._connector.connect_with(finding.port, found.settings)
-            )
-            connect.setEnabled(finding.port != self._connector.port)
+            connect.clicked.connect(lambda: self._connect(finding))
+            connect.setEnabled(finding.port != self._switchboard.current.port)
             self._connects[connect] = finding.port
             layout.addWidget(connect, 0, Qt.AlignmentFlag.AlignVCenter)
         return row
+
+    def _connect(self, finding: Finding) -> None:
+        """Connect to what was found; the port leads there from now on."""
+        if finding.found is None:
+            return
+        port = self._ports.lead_to(finding.port, finding.device)
+        self._switchboard.connect_with(port, finding.found.settings)
 
 
 _ENABLED = Qt.ItemFlag.ItemIsEnabled

@@ -1,14 +1,54 @@
 """The row that says that something is being recorded, the same on every page."""
 
-from PySide6.QtCore import QSize, Qt, QTimer, Slot
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import QSize, Qt, QTimer, SignalInstance, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
-from trex_gui.model.recorder import Recorder
 from trex_gui.views.icons import icon, set_icon
 from trex_gui.views.recording.words import size_text, time_text
 from trex_gui.views.theme import theme
 
 _INTERVAL_MS = 250
+
+
+class Records(Protocol):
+    """What records, whatever the device."""
+
+    @property
+    def changed(self) -> SignalInstance:
+        """Told when anything of what stands below is other than it was."""
+        ...
+
+    @property
+    def recording(self) -> bool:
+        """Whether what comes is recorded."""
+        ...
+
+    @property
+    def seconds(self) -> float:
+        """How long it has been recording."""
+        ...
+
+    @property
+    def size(self) -> int:
+        """Bytes written so far."""
+        ...
+
+    @property
+    def lost(self) -> int:
+        """Records that could not be kept because the disk was too slow."""
+        ...
+
+    @property
+    def path(self) -> Path | None:
+        """The file that is written, or was written last."""
+        ...
+
+    def stop(self) -> None:
+        """End the recording."""
+        ...
 
 
 class RecordIndicator(QWidget):
@@ -17,25 +57,28 @@ class RecordIndicator(QWidget):
     Hidden while nothing is recorded. The dot is not all that tells it: the words do.
     """
 
-    def __init__(self, recorder: Recorder, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, recorder: Records, parent: QWidget | None = None, *, prefix: str = ""
+    ) -> None:
+        """Show this recorder; `prefix` goes before the names that the parts are found by."""
         super().__init__(parent)
-        self.setObjectName("recordIndicator")
+        self.setObjectName(f"{prefix}recordIndicator")
         self.setAccessibleName(self.tr("Recording"))
         self._recorder = recorder
 
         self._dot = QLabel(self)
         self._text = QLabel(self)
-        self._text.setObjectName("recordText")
+        self._text.setObjectName(f"{prefix}recordText")
         font = self._text.font()
         font.setBold(True)
         self._text.setFont(font)
         self._file = QLabel(self)
-        self._file.setObjectName("recordFile")
+        self._file.setObjectName(f"{prefix}recordFile")
         self._file.setTextFormat(Qt.TextFormat.PlainText)
         # A long name is cut rather than making the window wide; its tool tip has all of it.
         self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._stop = QPushButton(self.tr("Stop recordin&g"), self)
-        self._stop.setObjectName("stopRecordingButton")
+        self._stop.setObjectName(f"{prefix}stopRecordingButton")
         self._stop.setToolTip(self.tr("End the recording; motors and line go on as they are"))
         set_icon(self._stop, "ok")
         self._timer = QTimer(self)

@@ -1,0 +1,45 @@
+"""What a screen reader finds on the robot's pages, and how the program is told to begin there."""
+
+import sys
+
+import pytest
+from PySide6.QtWidgets import QAbstractButton, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.aracna.end_to_end.person import Person
+from tests.end_to_end.test_names_for_a_screen_reader import assert_named
+from trex_gui import app
+from trex_gui.window import Program
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+
+
+def test_everything_of_the_robot_has_a_name(program: Program, qtbot: QtBot) -> None:
+    person = Person(program, qtbot)
+    person.connect_to_demo()
+    person.click("aracnaLimitsBox")
+    for page in range(program.window.pages.count()):
+        program.window.pages.setCurrentIndex(page)
+        assert_named(program.window)
+
+
+def test_every_control_of_the_robot_can_be_found_by_its_name(program: Program) -> None:
+    page = program.window.findChild(QWidget, "aracnaRobotPage")
+    assert page is not None
+    buttons = page.findChildren(QAbstractButton)
+    assert buttons
+    assert all(button.objectName().startswith("aracna") for button in buttons)
+
+
+@pytest.mark.parametrize(
+    ("words", "device"),
+    [(["--demo"], "trex"), (["--demo", "--device", "aracna"], "aracna")],
+)
+def test_the_command_line_says_which_device(words: list[str], device: str) -> None:
+    assert app._arguments(words).device == device
+
+
+def test_a_device_that_nobody_knows_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        app._arguments(["--demo", "--device", "toaster"])
+    assert "toaster" in capsys.readouterr().err

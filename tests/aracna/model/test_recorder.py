@@ -1,0 +1,103 @@
+"""Recording a session with the simulated robot while it runs."""
+
+import csv
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.aracna import AracnaProcess
+from trex_gui.aracna.model.recorder import AracnaRecorder
+from trex_gui.aracna.model.robot import Robot
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.connection import Link
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.fixture
+def robot(qtbot: QtBot) -> Iterator[Robot]:
+    simulator = AracnaProcess("--unpaced")
+    robot = Robot()
+    robot.connect_to(LinkSettings(simulator.url))
+    qtbot.waitUntil(lambda: robot.link is Link.UP, timeout=15_000)
+    yield robot
+    assert robot.shut_down()
+    simulator.end()
+
+
+@pytest.fixture
+def recorder(robot: Robot) -> Iterator[AracnaRecorder]:
+    recorder = AracnaRecorder(robot)
+    yield recorder
+    assert recorder.shut_down()
+
+
+def test_goals_places_speeds_and_events_of_a_move_are_in_the_file(
+    robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "session.csv"
+    assert recorder.start(path)
+    assert recorder.recording
+    assert not recorder.can_record
+    assert robot.move((500,) * 8)
+    qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
+    with qtbot.waitSignal(recorder.ended, timeout=5000) as ended:
+        recorder.stop()
+    assert ended.args == [path]
+    assert recorder.size == path.stat().st_size
+    found = rows(path)
+    kinds = [row["record"] for row in found]
+    assert kinds[0] == "header"
+    assert kinds.index("speeds") < kinds.index("goals") < kinds.index("present")
+    last = [row for row in found if row["record"] == "present"][-1]
+    assert last["motor_3_goal_units"] == "500"
+    assert abs(int(last["motor_3_present_units"]) - 500) < 10
+    times = [float(row["time_s"]) for row in found]
+    assert times == sorted(times)
+
+
+def test_it_begins_with_what_is_known_already(
+    robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
+) -> None:
+    robot.move((500,) * 8)
+    qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
+    recorder.start(tmp_path / "later.csv")
+    with qtbot.waitSignal(recorder.ended, timeout=5000):
+        recorder.stop()
+    assert [row["record"] for row in rows(tmp_path / "later.csv")[:3]] == [
+        *("header", "present", "speeds")
+    ]
+
+
+def test_it_ends_with_the_connection_and_says_so(
+    robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
+) -> None:
+    recorder.start(tmp_path / "cut.csv")
+    with qtbot.waitSignals([recorder.told, recorder.ended], timeout=5000):
+        robot.disconnect_line()
+    assert not recorder.recording
+    assert rows(tmp_path / "cut.csv")[0]["record"] == "header"
+
+
+def test_a_file_that_cannot_be_written_is_told(
+    recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
+) -> None:
+    with qtbot.waitSignal(recorder.failed, timeout=5000) as failed:
+        recorder.start(tmp_path / "gone" / "a.csv")
+    assert "cannot be written" in failed.args[0]
+    qtbot.waitUntil(lambda: recorder.can_record)
+
+
+def test_nothing_is_recorded_without_a_robot(tmp_path: Path, qtbot: QtBot) -> None:
+    del qtbot
+    recorder = AracnaRecorder(Robot())
+    assert not recorder.start(tmp_path / "a.csv")
+    assert list(tmp_path.iterdir()) == []

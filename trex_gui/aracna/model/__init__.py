@@ -1,0 +1,1 @@
+"""Aracna as the window sees it: Qt objects that mirror the robot."""

@@ -1,0 +1,129 @@
+"""The row below the robot's pages: the red button, and how long what moves goes on."""
+
+from PySide6.QtCore import QTimer, Slot
+from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
+
+from trex_gui.aracna.model.known import Playing
+from trex_gui.aracna.model.robot import Robot
+from trex_gui.model.connection import Link
+from trex_gui.views.icons import set_icon
+from trex_gui.views.theme import tint
+from trex_gui.views.widgets.note import Note
+
+_LOOK_MS = 100
+
+
+class RobotBar(QWidget):
+    """Says plainly what the button can do: end what is sent, not what moves."""
+
+    def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._robot = robot
+        self._timer = QTimer(self)
+        self._timer.setInterval(_LOOK_MS)
+
+        self._stop = QPushButton(self.tr("Stop sequence"), self)
+        self._stop.setObjectName("aracnaStopButton")
+        self._stop.setToolTip(
+            self.tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)")
+        )
+        font = self._stop.font()
+        font.setBold(True)
+        self._stop.setFont(font)
+        tint(self._stop, "stop")
+        set_icon(self._stop, "stop", "stop_text")
+        height = 2 * self.fontMetrics().height() + 4
+        self._stop.setMinimumSize(4 * height, height)
+        self._end = QPushButton(self.tr("End after this step"), self)
+        self._end.setObjectName("aracnaEndButton")
+        self._end.setToolTip(self.tr("Let the step finish, then what leads out of the sequence"))
+        self._end.setMinimumHeight(height)
+        self._state = Note(1, self)
+        self._state.setObjectName("aracnaMotionLabel")
+        self._state.setAccessibleName(self.tr("What the robot does"))
+        honest = QLabel(
+            self.tr(
+                "This link has no stop: a motion that runs ends only by itself, or by cutting the "
+                "servo power."
+            ),
+            self,
+        )
+        honest.setObjectName("aracnaHonestLabel")
+        honest.setWordWrap(True)
+
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setVerticalSpacing(2)
+        layout.addWidget(self._stop, 0, 0, 2, 1)
+        layout.addWidget(self._state, 0, 1)
+        layout.addWidget(honest, 1, 1)
+        layout.addWidget(self._end, 0, 2, 2, 1)
+        layout.setColumnStretch(1, 1)
+
+        # At the press, not when it is let go; a finger that slips off it does not take it back.
+        self._stop.pressed.connect(robot.halt)
+        self._end.clicked.connect(robot.end_play)
+        self._timer.timeout.connect(self._show)
+        robot.changed.connect(self._on_changed)
+        robot.link_changed.connect(self._on_changed)
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        robot = self._robot
+        self._stop.setEnabled(robot.link in {Link.OPENING, Link.UP, Link.SILENT})
+        self._end.setEnabled(robot.playing is not None and robot.link is Link.UP)
+        if robot.known.moving is not None and not self._timer.isActive():
+            self._timer.start()
+        elif robot.known.moving is None:
+            self._timer.stop()
+        self._show()
+
+    @Slot()
+    def _show(self) -> None:
+        text, alarming = self._words()
+        self._state.show_note(text, alarming=alarming)
+
+    def _words(self) -> tuple[str, bool]:
+        """Say what is known of the motion; never more than that."""
+        robot, known = self._robot, self._robot.known
+        if known.stuck is not None:
+            return self._stuck_text(known.stuck.motor), True
+        if robot.link in {Link.NONE, Link.CLOSING, Link.OPENING}:
+            return self.tr("No robot is connected."), False
+        wait = self._wait_text()
+        if robot.playing is not None:
+            return f"{self._playing_text(robot.playing)} {wait}", True
+        if wait:
+            return wait, True
+        if robot.link is Link.SILENT:
+            return self.tr("Not known: what was sent last goes on to its goal."), True
+        return self.tr("At rest: nothing is sent."), False
+
+    def _stuck_text(self, motor: int | None) -> str:
+        if motor is None:
+            return self.tr("The robot does not answer.")
+        return self.tr("Stuck: the robot waits for motor {0} and listens to nothing.").format(motor)
+
+    def _wait_text(self) -> str:
+        robot, known = self._robot, self._robot.known
+        if known.moving is None:
+            return ""
+        if (left := robot.remaining()) > 0:
+            return self.tr("The motion ends by itself in about {0:.1f} s.").format(left)
+        return self.tr("Waiting for motor {0} to arrive …").format(known.waited_for)
+
+    def _playing_text(self, playing: Playing) -> str:
+        if playing.step is None:
+            return self.tr("The sequence begins.")
+        where = self.tr("step {0} of {1}").format(playing.step + 1, playing.steps)
+        if playing.name:
+            where += f" “{playing.name}”"
+        if playing.part == "in":
+            where = self.tr("on the way in")
+        elif playing.part == "out":
+            where = self.tr("on the way out")
+        elif playing.rounds != 1:
+            often = "∞" if playing.rounds == 0 else str(playing.rounds)
+            where += self.tr(", round {0} of {1}").format(playing.round + 1, often)
+        return self.tr("Playing {0}.").format(where)

@@ -1,0 +1,176 @@
+"""The desk of an Aracna: its pages, the bar below them, and what its menus do."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+from PySide6.QtCore import QObject, QSettings, Slot
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMainWindow, QVBoxLayout
+
+from trex_gui.aracna.model.library import Library
+from trex_gui.aracna.model.robot import Robot
+from trex_gui.aracna.model.way import ARACNA, AracnaWay
+from trex_gui.aracna.views.bar import RobotBar
+from trex_gui.aracna.views.log_page import LogPage
+from trex_gui.aracna.views.menu import menus
+from trex_gui.aracna.views.page.page import RobotPage
+from trex_gui.aracna.views.poses_page import PosesPage
+from trex_gui.aracna.views.recordings import AracnaRecordings
+from trex_gui.model.connection import Link
+from trex_gui.views.actions import ActionInfo
+from trex_gui.views.desk import Desk
+from trex_gui.views.widgets.scroll_box import ScrollBox
+
+_PAGE = "aracna/page"
+_POSES = 1
+
+
+class AracnaDesk(Desk):
+    """Everything of the window that is about an Aracna; it holds no state of the robot."""
+
+    def __init__(self, robot: Robot, library: Library, way: AracnaWay, frame: QMainWindow) -> None:
+        super().__init__(ARACNA.key, frame)
+        self._robot = robot
+        self._library = library
+        self._store = QSettings(self)
+        self._was_up = False
+        self._actions: Mapping[str, QAction] = {}
+        self._told_possible: Mapping[str, bool] = {}
+
+        tabs = self.pages
+        tabs.setObjectName("aracnaTabs")
+        tabs.setAccessibleName(self.tr("Pages"))
+        self._page = RobotPage(robot, self)
+        self._poses = PosesPage(robot, library, self)
+        pages = {
+            self.tr("Robot"): self._page,
+            self.tr("Poses"): self._poses,
+            self.tr("Log"): LogPage(robot.events, self),
+        }
+        for title, page in pages.items():
+            tabs.addTab(ScrollBox(page, self), title)
+        self.recordings = AracnaRecordings(robot, self)
+        bar = RobotBar(robot, self)
+
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(tabs, 1)
+        layout.addWidget(self.recordings.indicator)
+        layout.addWidget(bar)
+
+        panel = self._poses.panel
+        for told in (robot.told, panel.told, self.recordings.told):
+            told.connect(self.told)
+        for refused in (panel.refused, self.recordings.refused, robot.refused, robot.failed):
+            refused.connect(self.refused)
+        way.failed.connect(self.refused)
+        robot.link_changed.connect(self._on_link_changed)
+        robot.changed.connect(self._on_changed)
+        robot.limits.changed.connect(self._on_changed)
+        self.recordings.changed.connect(self._on_changed)
+        self._undo_watch = library.undo.indexChanged.connect(self._on_changed)
+
+    # --- What its menus do --------------------------------------------------------------
+
+    def menus(self) -> Mapping[str, Sequence[ActionInfo | str]]:
+        """Return the menus of the robot and of its poses."""
+        return menus()
+
+    def slots(self) -> Mapping[str, Callable[[], object]]:
+        """Return what each of its actions does."""
+
+        def page(index: int) -> Callable[[], object]:
+            return lambda: self.pages.setCurrentIndex(index)
+
+        controls, files, undo = self._page.controls, self._poses.panel.files, self._library.undo
+        return {
+            "aracna_move": self._page.move_now,
+            "aracna_present": controls.take_present,
+            "aracna_centre": controls.centre,
+            "aracna_stand": controls.stand,
+            "aracna_play": self._play,
+            "aracna_end": self._robot.end_play,
+            "aracna_record": self.recordings.toggle,
+            "aracna_limits": self._robot.limits.reset,
+            **{f"aracna_page{index}": page(index) for index in range(self.pages.count())},
+            "aracna_new": files.new,
+            "aracna_open": files.ask_and_open,
+            "aracna_save": files.save,
+            "aracna_save_as": files.ask_and_save,
+            "aracna_undo": undo.undo,
+            "aracna_redo": undo.redo,
+            "aracna_capture": self._capture,
+        }
+
+    def take_actions(self, actions: Mapping[str, QAction]) -> None:
+        """Take the actions that stand for its slots, and show the page of the last time."""
+        self._actions = actions
+        page = str(self._store.value(_PAGE, 0))
+        self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
+        self._on_changed()
+
+    def possible(self) -> Mapping[str, bool]:
+        """Return which of its actions can be done now."""
+        robot, recorder = self._robot, self.recordings.recorder
+        idle, undo = robot.playing is None, self._library.undo
+        known = any(position is not None for position in robot.present)
+        return {
+            "aracna_move": self._page.controls.can_move,
+            "aracna_present": idle and known,
+            "aracna_centre": idle,
+            "aracna_stand": idle,
+            "aracna_play": self._page.controls.can_move,
+            "aracna_end": not idle and robot.link is Link.UP,
+            "aracna_record": recorder.recording or recorder.can_record,
+            "aracna_limits": not robot.limits.are_factory,
+            "aracna_capture": None not in robot.present,
+            "aracna_undo": undo.canUndo(),
+            "aracna_redo": undo.canRedo(),
+        }
+
+    def _play(self) -> None:
+        """Play what is chosen, and show which step runs."""
+        self.pages.setCurrentIndex(_POSES)
+        self._poses.press("aracnaPlay")
+
+    def _capture(self) -> None:
+        """Keep the present position, and let its name be typed."""
+        self.pages.setCurrentIndex(_POSES)
+        self._poses.press("aracnaCapture")
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        up = self._robot.link is Link.UP
+        if up and not self._was_up:
+            self.settled.emit()
+        self._was_up = up
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        """A drag tells of replies thirty times a second; the menus seldom depend on them."""
+        if not self._actions:
+            return
+        recording = self.recordings.recorder.recording
+        text = self.tr("Stop &recording") if recording else self.tr("&Record…")
+        self._actions["aracna_record"].setText(text)
+        if (possible := self.possible()) != self._told_possible:
+            self._told_possible = possible
+            self.possibilities_changed.emit()
+
+    # --- The end ------------------------------------------------------------------------
+
+    def may_close(self, leave: Callable[[], object]) -> bool:
+        """Ask before poses that were not saved are lost."""
+        del leave
+        return self._poses.panel.files.may_close()
+
+    def prepare_to_close(self) -> None:
+        """Remember the page that is shown."""
+        QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
+        self._store.setValue(_PAGE, self.pages.currentIndex())
+
+    def finish(self) -> None:
+        """End the recording."""
+        self.recordings.recorder.shut_down()

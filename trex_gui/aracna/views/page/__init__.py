@@ -1,0 +1,1 @@
+"""The page on which the robot is seen and moved."""

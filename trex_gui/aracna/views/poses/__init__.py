@@ -1,0 +1,1 @@
+"""The part of the page that keeps poses, sequences and gaits, and plays them."""
