@@ -22,8 +22,8 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--device",
         choices=("trex", "aracna"),
-        default="trex",
-        help="what --demo simulates and --port leads to (default: trex)",
+        help="what --demo simulates and --port leads to (default: a TReX, and what was found on "
+        "that port)",
     )
     parser.add_argument(
         "--settings",
@@ -87,7 +87,7 @@ def main(argv: list[str] | None = None) -> int:
     if arguments.tour is not None:
         QTimer.singleShot(0, lambda: program.connect_to_demo("trex"))
     elif arguments.demo:
-        QTimer.singleShot(0, lambda: program.connect_to_demo(arguments.device))
+        QTimer.singleShot(0, lambda: program.connect_to_demo(arguments.device or "trex"))
     elif arguments.port:
         QTimer.singleShot(0, lambda: program.connect_to_port(arguments.port, arguments.device))
     if arguments.settings is not None:

@@ -40,9 +40,11 @@ class Program:
         """Connect to the simulated device of a kind; see `model.kinds`."""
         self.switchboard.connect_to(self.ports.demo_of(device))
 
-    def connect_to_port(self, url: str, device: str) -> None:
-        """Connect to a port that leads to a device of this kind, and remember that it does."""
-        port = self.ports.lead_to(self.ports.add_typed(url), device)
+    def connect_to_port(self, url: str, device: str | None = None) -> None:
+        """Connect to a port; where `device` is given it leads to that kind from now on."""
+        port = self.ports.add_typed(url)
+        if device is not None:
+            port = self.ports.lead_to(port, device)
         self.switchboard.connect_to(port)
 
     def open_when_connected(self, path: Path) -> None:

@@ -33,10 +33,22 @@ def test_every_control_of_the_robot_can_be_found_by_its_name(program: Program) -
 
 @pytest.mark.parametrize(
     ("words", "device"),
-    [(["--demo"], "trex"), (["--demo", "--device", "aracna"], "aracna")],
+    [(["--demo"], None), (["--demo", "--device", "aracna"], "aracna")],
 )
-def test_the_command_line_says_which_device(words: list[str], device: str) -> None:
+def test_the_command_line_says_which_device(words: list[str], device: str | None) -> None:
     assert app._arguments(words).device == device
+
+
+def test_a_port_goes_on_leading_to_what_was_found_there(program: Program, qtbot: QtBot) -> None:
+    ports, url = program.ports, "/dev/ttyNothing8"
+    ports.lead_to(ports.add_typed(url), "aracna")
+    program.connect_to_port(url)
+    assert program.switchboard.current.kind.key == "aracna"
+    program.connect_to_port(url, "trex")
+    qtbot.waitUntil(lambda: program.switchboard.current.kind.key == "trex")
+    found = ports.find(url)
+    assert found is not None
+    assert found.device == "trex"
 
 
 def test_a_device_that_nobody_knows_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
