@@ -127,8 +127,8 @@ class Connection(QObject):
         `may_move` says that motors may be turning from an earlier one.
         """
         if self._line.is_open:
-            self._next = settings
             self.close()
+            self._next = settings
             return
         self._settings = settings
         self._counters = Counters()
@@ -137,6 +137,7 @@ class Connection(QObject):
 
     def close(self) -> None:
         """Stop the motors if they were driven, and close the line; does not wait for it."""
+        self._next = None
         if self._line.is_open and self._link is not Link.CLOSING:
             self.closing.emit()
             self._line.close()

@@ -134,12 +134,12 @@ class Switchboard(QObject):
         self._turn_to(way, lambda: way.connect_with(port, settings))
 
     def _turn_to(self, way: Way, then: Callable[[], None]) -> None:
-        if way is not self._current and not self.is_idle:
-            self._next = lambda: self._turn_to(way, then)
-            self._current.leave()
-            return
         self._next = None
         if way is not self._current:
+            self._current.leave()  # an idle one may be waiting for a search to end, too
+            if not self.is_idle:
+                self._next = lambda: self._turn_to(way, then)
+                return
             self._current = way
             self.current_changed.emit()
         then()

@@ -47,8 +47,8 @@ class RobotConnection(SessionThread):
     def open(self, settings: LinkSettings) -> None:
         """Open a line; one that is open is closed first."""
         if self.is_open:
-            self._next = settings
             self.leave()
+            self._next = settings
             return
         where = settings.name or settings.url
         self._stand(Link.OPENING, self.tr("Connecting to {0} …").format(where))
@@ -56,6 +56,7 @@ class RobotConnection(SessionThread):
 
     def leave(self) -> None:
         """Send nothing more and close the line; does not wait for it."""
+        self._next = None
         if self.is_open and self._link is not Link.CLOSING:
             self.submit(Halt())
             self.close()

@@ -1,0 +1,130 @@
+"""One device at a time, whatever kind it is of."""
+
+import pytest
+from PySide6.QtCore import QObject, Signal
+
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.connection import Link
+from trex_gui.model.kinds import Kind
+from trex_gui.model.ports import Port, PortKind
+from trex_gui.model.switchboard import Switchboard
+
+
+class Road(QObject):
+    """A way whose link does what the test says; see `switchboard.Way`."""
+
+    changed = Signal()
+    progressed = Signal(int, int, str)
+
+    def __init__(self, key: str) -> None:
+        super().__init__()
+        self.kind = Kind(key, key.title())
+        self.link = Link.NONE
+        self.starting = False
+        self.port: Port | None = None
+        self.done: list[str] = []
+
+    status = line_text = ""
+    demo_in_use = has_line_settings = is_busy = False
+
+    def connect_to(self, port: Port) -> None:
+        self.done.append(f"connect {port.url}")
+        self.port = port
+        self.become(Link.UP)
+
+    def connect_with(self, port: Port, settings: LinkSettings) -> None:
+        self.done.append(f"with {settings.short}")
+        self.connect_to(port)
+
+    def leave(self) -> None:
+        self.done.append("leave")
+        if self.link is not Link.NONE:
+            self.become(Link.CLOSING)
+
+    def press_stop(self) -> None:
+        self.done.append("stop")
+
+    def shut_down(self) -> bool:
+        self.done.append("shut down")
+        return self.kind.key != "first"
+
+    def become(self, link: Link) -> None:
+        self.link = link
+        self.changed.emit()
+
+
+def port(url: str, device: str) -> Port:
+    return Port(PortKind.TYPED, url, url, device)
+
+
+@pytest.fixture
+def roads(qapp: QObject) -> tuple[Road, Road]:
+    return Road("first"), Road("second")
+
+
+@pytest.fixture
+def board(roads: tuple[Road, Road]) -> Switchboard:
+    return Switchboard(roads)
+
+
+def test_the_first_is_in_use_until_another_is_asked_for(
+    board: Switchboard, roads: tuple[Road, Road]
+) -> None:
+    assert board.current is roads[0]
+    assert board.is_idle
+    board.connect_to(port("a", "first"))
+    assert roads[0].done == ["connect a"]
+    assert not board.is_idle
+
+
+def test_the_device_before_is_left_first_and_awaited(
+    board: Switchboard, roads: tuple[Road, Road]
+) -> None:
+    first, second = roads
+    board.connect_to(port("a", "first"))
+    board.connect_to(port("b", "second"))
+    assert first.done[-1] == "leave"
+    assert (second.done, board.current) == ([], first)
+    first.become(Link.NONE)
+    assert second.done == ["connect b"]
+    assert board.current is second
+
+
+def test_one_that_is_idle_is_left_too_since_it_may_wait_for_a_search(
+    board: Switchboard, roads: tuple[Road, Road]
+) -> None:
+    board.connect_to(port("b", "second"))
+    assert roads[0].done == ["leave"]
+    assert roads[1].done == ["connect b"]
+
+
+def test_leaving_forgets_what_was_to_come_next(
+    board: Switchboard, roads: tuple[Road, Road]
+) -> None:
+    first, second = roads
+    board.connect_to(port("a", "first"))
+    board.connect_to(port("b", "second"))
+    board.leave()
+    first.become(Link.NONE)
+    assert second.done == []
+
+
+def test_the_newest_choice_counts(board: Switchboard, roads: tuple[Road, Road]) -> None:
+    first, second = roads
+    board.connect_to(port("a", "first"))
+    board.connect_to(port("b", "second"))
+    board.connect_with(port("c", "second"), LinkSettings(""))
+    first.become(Link.NONE)
+    assert second.done == ["with 19200 8N1", "connect c"]
+
+
+def test_a_stop_reaches_every_device(board: Switchboard, roads: tuple[Road, Road]) -> None:
+    board.press_stop()
+    assert [road.done for road in roads] == [["stop"], ["stop"]]
+
+
+def test_every_line_is_shut_down_though_one_does_not_end(
+    board: Switchboard, roads: tuple[Road, Road]
+) -> None:
+    assert not board.shut_down()
+    assert [road.done for road in roads] == [["shut down"], ["shut down"]]
