@@ -39,8 +39,13 @@ class Desk(QWidget):
         return self._pages
 
     @property
+    def stop_text(self) -> str:
+        """What Esc does, as the menu names it."""
+        return self.tr("&Stop motor")
+
+    @property
     def docks(self) -> Sequence[QDockWidget]:
-        """What stands at the right of the window while this desk is shown."""
+        """What stands at the right of the window; the desk shows and hides it."""
         return ()
 
     def menus(self) -> Mapping[str, Sequence[ActionInfo | str]]:

@@ -119,12 +119,10 @@ class MainWindow(QMainWindow):
     def _on_device_changed(self) -> None:
         """Show the desk of the device in use, and what its menus offer."""
         self._stack.setCurrentWidget(self._desk)
+        self._actions["stop"].setText(self._desk.stop_text)
         for desk in self._desks:
             for key in desk.slots():
                 self._actions[key].setVisible(desk is self._desk)
-            for dock in desk.docks:
-                if desk is not self._desk:
-                    dock.hide()
         for menu_action in self.menuBar().actions():
             if isinstance(menu := menu_action.menu(), QMenu):
                 offered = (a.isVisible() and not a.isSeparator() for a in menu.actions())
@@ -135,10 +133,11 @@ class MainWindow(QMainWindow):
     @Slot()
     def _on_possibilities_changed(self) -> None:
         """Let every action say whether it can be done now."""
-        link = self._switchboard.current.link
+        way = self._switchboard.current
+        link = way.link
         possible = {
             "connect": link is Link.NONE,
-            "line": link is Link.NONE,
+            "line": link is Link.NONE and way.has_line_settings,
             "disconnect": link not in {Link.NONE, Link.CLOSING},
             "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
             **self._desk.possible(),

@@ -6,6 +6,7 @@ from tests.aracna.link.scene import Scene
 from trex_gui.aracna.link.messages import (
     Connected,
     Drag,
+    DragDropped,
     Ending,
     Move,
     Moved,
@@ -21,6 +22,7 @@ from trex_gui.aracna.link.messages import (
     Stuck,
 )
 from trex_gui.aracna.link.presence import BOOT
+from trex_gui.aracna.link.refusals import STUCK
 from trex_gui.link.messages import Outcome
 from trex_gui.protocol.errors import BadReply, NoReply
 
@@ -145,13 +147,20 @@ def test_a_servo_that_dies_in_mid_motion_is_named_once_and_nothing_sent_but_one_
     assert outcomes[4] is not None
 
 
-def test_a_servo_that_comes_back_ends_the_move_after_all() -> None:
+def test_a_servo_that_comes_back_ends_the_move_after_all_and_begins_nothing_by_itself() -> None:
     scene = _stuck_scene()
-    scene.at(3.0, Move(4, HERE)).at(9.0, lambda: scene.stage.do("servo 3 alive")).until(12.0)
+    scene.at(0.9, Move(4, HERE)).at(0.9, Drag((400,) * 8))  # both wait
+    scene.at(3.0, Drag((410,) * 8)).at(3.1, Move(5, HERE)).at(3.2, Play(6, STEPS))
+    scene.at(9.0, lambda: scene.stage.do("servo 3 alive"))
+    scene.at(10.5, Move(7, HERE)).until(14.0)
     scene.run()
     assert len(scene.of(Stuck)) == 1
     assert [moved.present[3] for moved in scene.of(Moved)] == [512, 598, 514]
-    assert all(outcome.error is None for outcome in scene.of(Outcome))
+    assert scene.when(Moving)[2] > 10.4, "only what was asked for after the robot had answered"
+    outcomes = {outcome.id: outcome.error for outcome in scene.of(Outcome)}
+    assert [number for number, error in outcomes.items() if error is None] == [1, 2, 3, 7]
+    assert {str(outcomes[number]) for number in (4, 5, 6)} == {STUCK}
+    assert [dropped.goals for dropped in scene.of(DragDropped)] == [(410,) * 8]
     assert not scene.of(Silent)
 
 
@@ -201,7 +210,7 @@ def test_a_reply_that_is_cut_in_the_middle_is_no_reply_and_the_next_command_is_a
     lost: int,
 ) -> None:
     scene = Scene().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE))
-    scene.at(0.7, lambda: scene.stage.do(f"line drop {lost}")).at(5.0, Move(3, HERE)).until(12.0)
+    scene.at(0.7, lambda: scene.stage.do(f"line drop {lost}")).at(7.0, Move(3, HERE)).until(14.0)
     scene.run()
     outcomes = {outcome.id: outcome.error for outcome in scene.of(Outcome)}
     assert outcomes[3] is None

@@ -116,9 +116,11 @@ def test_a_restart_while_idle(talk: Talk, robot: AracnaProcess) -> None:
     _restart_is_survived(talk, robot)
 
 
-def test_a_restart_during_a_v(talk: Talk, robot: AracnaProcess) -> None:
+def test_a_restart_among_speeds_and_motions_that_take_turns(
+    talk: Talk, robot: AracnaProcess
+) -> None:
     talk.wait(Connected)
-    talk.do(*(SetSpeeds(number, (500,) * 8) for number in range(40)))
+    talk.do(*(Move(number, HERE, (500 + number % 2,) * 8) for number in range(60)))
     talk.wait(SpeedsHeld, 2)
     _restart_is_survived(talk, robot)
     assert any("restarted" in str(one.error) for one in talk.of(Outcome))

@@ -40,6 +40,25 @@ def test_a_file_that_pypose_wrote_on_windows_keeps_its_line_ends() -> None:
     assert write_ppr(read_ppr(text)[0]) == text
 
 
+def test_a_file_whose_lines_end_in_a_carriage_return_alone_is_read_and_keeps_them() -> None:
+    text = AS_PYPOSE_WRITES.replace("\n", "\r")
+    project, _ = read_ppr(text)
+    assert [pose.name for pose in project.poses] == ["a b", "zero"]
+    assert write_ppr(project) == text
+
+
+@pytest.mark.parametrize("line", ["Pose=:1, 2, 3, 4, 5, 6, 7, 8", "Pose= :1, 2", "Seq=: a|500"])
+def test_what_has_no_name_is_kept_but_not_used(line: str) -> None:
+    text = f"{HEAD}Pose=a:{EIGHT}\n{line}\n"
+    project, [finding] = read_ppr(text)
+    assert (finding.line, finding.severity) == (3, Severity.ERROR)
+    assert "name" in finding.message
+    assert "kept, but not used" in finding.message
+    assert [pose.name for pose in project.poses] == ["a"]
+    assert project.sequences == ()
+    assert write_ppr(project) == text
+
+
 def test_poses_sequences_and_robot_are_read() -> None:
     project, findings = read_ppr(AS_PYPOSE_WRITES.replace(", p3|1", ""))
     assert findings == ()
@@ -148,6 +167,7 @@ def test_a_robot_with_other_servos_keeps_their_number() -> None:
 
 
 _NAMES = st.text(st.characters(exclude_characters=":\r\n", exclude_categories=["Cs"]), max_size=8)
+_ITEM_NAMES = _NAMES.filter(str.strip)
 _REFERENCES = st.text(
     st.characters(exclude_characters=",|\r\n", exclude_categories=["Cs"]), max_size=8
 ).map(str.strip)
@@ -157,15 +177,17 @@ _POSITIONS = st.lists(st.integers(0, 1023), min_size=8, max_size=8).map(tuple)
 @st.composite
 def projects(draw: st.DrawFn) -> Project:
     poses = draw(
-        st.lists(st.builds(Pose, _NAMES, _POSITIONS), unique_by=lambda pose: pose.name, max_size=4)
+        st.lists(
+            st.builds(Pose, _ITEM_NAMES, _POSITIONS), unique_by=lambda pose: pose.name, max_size=4
+        )
     )
     steps = st.builds(SequenceStep, _REFERENCES, st.integers(1, 6000))
-    sequences = st.builds(Sequence, _NAMES, st.lists(steps, max_size=4).map(tuple))
+    sequences = st.builds(Sequence, _ITEM_NAMES, st.lists(steps, max_size=4).map(tuple))
     return Project(
         draw(_NAMES.filter(lambda name: not name.startswith(("Pose=", "Seq=", "Nuke=")))),
         poses=tuple(poses),
         sequences=tuple(draw(st.lists(sequences, unique_by=lambda one: one.name, max_size=3))),
-        line_end=draw(st.sampled_from(["\n", "\r\n"])),
+        line_end=draw(st.sampled_from(["\n", "\r\n", "\r"])),
     )
 
 
@@ -191,7 +213,8 @@ def test_any_text_is_read_and_means_the_same_when_written_and_read_again(text: s
 @given(st.lists(_LINES, max_size=6).map("\n".join))
 def test_whatever_is_no_pose_and_no_sequence_is_written_back_as_it_stands(text: str) -> None:
     project, findings = read_ppr(text)
-    lines = [line.removesuffix("\r") for line in text.split("\n")]
+    parting = "\n" if "\n" in text else "\r"
+    lines = [line.removesuffix("\r") for line in text.split(parting)]
     for finding in findings:
         if finding.severity is Severity.ERROR:
             assert finding.line is not None

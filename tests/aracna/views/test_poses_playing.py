@@ -136,12 +136,11 @@ def test_a_sequence_with_poses_nobody_defined_cannot_be_played_until_they_are(
     assert stage.button("aracnaPlay").isEnabled()
 
 
-def test_while_something_plays_it_can_be_ended_or_slowed_and_the_step_is_marked(
+def test_while_something_plays_it_can_be_slowed_and_the_step_is_marked(
     stage: Stage, qtbot: QtBot
 ) -> None:
     stage.panel.show_link(True)
     stage.choose("aracnaMotions", "push-ups (built in)")
-    assert not stage.button("aracnaEndPlay").isEnabled()
     stage.click("aracnaPlay")
     stage.panel.show_playing(Playing(2, 0, "steps", 1))
     assert not stage.button("aracnaPlay").isEnabled()
@@ -150,11 +149,25 @@ def test_while_something_plays_it_can_be_ended_or_slowed_and_the_step_is_marked(
     with qtbot.waitSignal(stage.panel.scale_changed) as scale:
         stage.spin("aracnaSpeedScale").setValue(200)
     assert scale.args == [0.5]
-    with qtbot.waitSignal(stage.panel.end_requested):
-        stage.click("aracnaEndPlay")
+    assert "being played" in stage.button("aracnaGoTo").toolTip()
     stage.panel.show_playing(None)
     assert stage.steps.model().index(1, 0).data() == "2"
     assert stage.button("aracnaPlay").isEnabled()
+
+
+def test_something_can_be_played_as_soon_as_there_is_a_robot(stage: Stage) -> None:
+    assert not stage.button("aracnaPlay").isEnabled()
+    stage.panel.show_link(True)
+    stage.click("aracnaPlay")
+    assert stage.plays
+
+
+def test_why_nothing_can_be_moved_is_said_at_the_buttons(stage: Stage) -> None:
+    stage.choose("aracnaPoses", "stand")
+    stage.panel.show_link(False, "The robot waits for motor 3.")
+    for name in ("aracnaPlay", "aracnaGoTo"):
+        assert not stage.button(name).isEnabled()
+        assert stage.button(name).toolTip() == "The robot waits for motor 3."
 
 
 def test_a_gait_that_is_duplicated_becomes_a_sequence_that_can_be_changed(stage: Stage) -> None:

@@ -28,7 +28,6 @@ class Wired(Stage):
         robot.refused.connect(self.said.append)
         self.panel.play_requested.connect(robot.play)
         self.panel.go_to_requested.connect(robot.move)
-        self.panel.end_requested.connect(robot.end_play)
         self.panel.scale_changed.connect(robot.set_time_scale)
         robot.changed.connect(self.follow)
         robot.link_changed.connect(self.follow)
@@ -100,6 +99,6 @@ def test_a_loop_ends_after_its_step_when_a_person_wants_it(wired: Wired, qtbot: 
     qtbot.waitUntil(lambda: len(wired.sent) >= 4, timeout=15_000)
     marked = [wired.steps.model().index(row, 0).data() for row in (0, 1)]
     assert sum(mark.startswith("▶") for mark in marked) == 1
-    wired.click("aracnaEndPlay")
+    wired.robot.end_play()
     qtbot.waitUntil(lambda: wired.endings == [Ending.ENDED], timeout=15_000)
     assert wired.robot.playing is None

@@ -5,10 +5,18 @@ from trex_gui.aracna.protocol import lines
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.errors import BadReply, NoReply, TrexError
 
+_NOBODY = "No Aracna answers on "
+_STRANGE = "Something answers on "
+_MOVING = "It may still be moving and hears nothing meanwhile; wait until it stands."
 _CHECK = (
     "Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to "
     "its TX (or that both radios are on the same channel), and that ground is connected."
 )
+
+
+def may_be_elsewhere(text: str) -> bool:
+    """Whether a sentence of this module leaves open what is on the port, and at which settings."""
+    return text.startswith((_NOBODY, _STRANGE))
 
 
 def why_no_robot(settings: LinkSettings, received: bytes) -> TrexError:
@@ -16,7 +24,7 @@ def why_no_robot(settings: LinkSettings, received: bytes) -> TrexError:
     where = settings.text()
     heard = received.strip(b"\r\n")
     if not heard:
-        return NoReply(f"No Aracna answers on {where}. {_CHECK}")
+        return NoReply(f"{_NOBODY}{where}. {_MOVING} {_CHECK}")
     if not heard.replace(lines.QUERY.strip(), b"").strip(b"\r\n\x00\xff"):
         return NoReply(
             f"Everything sent on {where} comes back, and nothing else: the adapter's TX and RX "
@@ -28,7 +36,7 @@ def why_no_robot(settings: LinkSettings, received: bytes) -> TrexError:
             "starts again and again: look at its power supply."
         )
     return BadReply(
-        f"Something answers on {where}, but not as an Aracna does: {shown(heard)}. Another "
+        f"{_STRANGE}{where}, but not as an Aracna does: {shown(heard)}. Another "
         "device, perhaps a TReX at another baud rate, or a line that is disturbed."
     )
 

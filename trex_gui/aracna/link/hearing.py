@@ -18,6 +18,7 @@ from trex_gui.aracna.link.messages import (
 from trex_gui.aracna.link.news import Answered, Asked, Late, Lost, News, Passing, Voided
 from trex_gui.aracna.link.player import Player
 from trex_gui.aracna.link.presence import Presence, Why, motors_of
+from trex_gui.aracna.link.refusals import STUCK, why_not_confirmed, why_not_taken
 from trex_gui.aracna.link.servos import Servos
 from trex_gui.aracna.link.waiting import Waiting
 from trex_gui.aracna.protocol.replies import Led, Positions, Speeds, Version
@@ -32,6 +33,7 @@ class Hearing:
 
     Attributes:
         servos: what is known of them.
+        is_stuck: the answer to a motion is late, and the robot has answered nothing since.
     """
 
     def __init__(
@@ -43,6 +45,7 @@ class Hearing:
         tell: Callable[[Report], None],
     ) -> None:
         self.servos = Servos(0)
+        self.is_stuck = False
         self._client = client
         self._presence = presence
         self._waiting = waiting
@@ -67,15 +70,23 @@ class Hearing:
                     self._presence.note_answer(time)
                     self._tell(Passed(time, present))
                 case Late(motor=motor, time=time):
-                    self._tell(Stuck(time, motor))
-                    self._player.stop(time, Ending.STUCK, why_stuck(motor))
+                    self._note_late(motor, time)
                 case Lost():
                     self._note_loss(one)
                 case Voided(asked=asked, time=time):
                     self._note_restart(asked, time)
 
+    def _note_late(self, motor: int | None, now: float) -> None:
+        """What waits is not to begin by itself when a servo comes back, perhaps in an hour."""
+        self.is_stuck = True
+        self.servos.forget_speeds()  # a servo without power forgets its own
+        self._tell(Stuck(now, motor))
+        self._player.stop(now, Ending.STUCK, why_stuck(motor))
+        self._waiting.drop(NoReply(STUCK))
+
     def _note_answer(self, answer: Answered) -> None:
         asked, now = answer.asked, answer.time
+        self.is_stuck = False
         match answer.reply:
             case Version():
                 self._note_version(answer.reply, now)
@@ -83,7 +94,7 @@ class Hearing:
                 self.servos.hold(held)
                 report = SpeedsHeld(now, asked.values, held)
                 self._tell(report)
-                self._waiting.answer(report)
+                self._go_on_at(report)
             case Positions(values=present):
                 self.servos.arrive(present)
                 moved = Moved(now, asked.values, present, now - asked.sent)
@@ -92,6 +103,17 @@ class Hearing:
                 self._waiting.answer(moved)
             case Led(on=on):
                 self._waiting.answer(on)
+
+    def _go_on_at(self, report: SpeedsHeld) -> None:
+        """Let a motion begin only where every servo has taken its speed."""
+        error = why_not_taken(report.wanted, report.held)
+        if self._waiting.is_preparing:
+            if error is None:
+                self._waiting.go_on()
+            else:
+                self._waiting.answer(error=error)
+        elif not self._waiting.answer(report) and error is not None:
+            self._player.stop(report.time, Ending.SPEEDS, error)
 
     def _note_version(self, reply: Version, now: float) -> None:
         motors = motors_of(reply)
@@ -118,13 +140,19 @@ class Hearing:
             goals = loss.asked.values
             nowhere = (UNREAD,) * len(goals)
             self._tell(Moved(loss.time, goals, nowhere, loss.time - loss.asked.sent))
-        self._waiting.answer(error=loss.error)
+        if loss.asked.letter in {"c", "v"}:
+            self.servos.forget_speeds()
+        is_preparing = self._waiting.is_preparing
+        self._waiting.answer(error=why_not_confirmed(loss.error) if is_preparing else loss.error)
         self._player.stop(loss.time, Ending.LOST, loss.error)
-        if not loss.free:
+        if loss.free:
+            self.is_stuck = False
+        else:
             self._presence.doubt(loss.time)
 
     def _note_restart(self, asked: Asked | None, now: float) -> None:
         is_opening = self._presence.why is Why.OPENING
+        self.is_stuck = False
         self._presence.restart(now)
         if is_opening:
             return

@@ -9,13 +9,17 @@ from enum import Enum, auto
 
 from trex_gui.link.messages import Close, Closed, Outcome
 from trex_gui.link.settings import LinkSettings
+from trex_gui.protocol.errors import TrexError
 
 # --- Requests -------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
 class SetSpeeds:
-    """Give every servo a speed; `Outcome` follows, its value the `SpeedsHeld`."""
+    """Give every servo a speed; `Outcome` follows, its value the `SpeedsHeld`.
+
+    One that waits is replaced by a newer one, and motions that wait with speeds get the newer.
+    """
 
     id: int
     speeds: tuple[int, ...]
@@ -23,17 +27,37 @@ class SetSpeeds:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Send every motor to a goal; `Outcome` follows when the robot has answered: `Moved`."""
+    """Send every motor to a goal; `Outcome` follows when the robot has answered: `Moved`.
+
+    With `speeds` it goes at those or not at all: they are set before where the servos are not
+    known to hold them, and where one does not take them its outcome is an error.
+    """
 
     id: int
     goals: tuple[int, ...]
+    speeds: tuple[int, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Drag:
-    """Send every motor to a goal while somebody drags: the newest that waits replaces it."""
+    """Send every motor to a goal while somebody drags: the newest that waits replaces it.
+
+    `speeds` are those of a `Move`; where they are not taken, `DragDropped` follows.
+    """
 
     goals: tuple[int, ...]
+    speeds: tuple[int, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SetLimits:
+    """Send no motor beyond its lowest and highest position (0-1023) from now on.
+
+    They count for all that is sent later, asked for before or not; nothing is kept within any
+    before the first.
+    """
+
+    limits: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +116,9 @@ class Halt:
     """
 
 
-Request = SetSpeeds | Move | Drag | SetLed | Play | SetTimeScale | EndPlay | Halt | Close
+Request = (
+    SetSpeeds | SetLimits | Move | Drag | SetLed | Play | SetTimeScale | EndPlay | Halt | Close
+)
 
 # --- Reports --------------------------------------------------------------------------------
 
@@ -171,11 +197,21 @@ class SpeedsHeld:
 
 
 @dataclass(frozen=True, slots=True)
+class DragDropped:
+    """A `Drag` was not sent, and will not be."""
+
+    time: float
+    goals: tuple[int, ...]
+    error: TrexError
+
+
+@dataclass(frozen=True, slots=True)
 class Stuck:
     """The answer to a `.c` is late: the robot waits for `motor`; `None` where it is all silent.
 
     The firmware never gives up on a servo that is blocked or does not answer. Told once a
-    command; `Moved` may follow after all.
+    command; `Moved` may follow after all. What waits is dropped, and no motion is taken until the
+    robot has answered.
     """
 
     time: float
@@ -204,13 +240,14 @@ class StepBegun:
 
 
 class Ending(Enum):
-    """Why nothing is played any more."""
+    """Why nothing is played any more; `SPEEDS`: a servo did not take the speed of a step."""
 
     DONE = auto()
     ENDED = auto()
     HALTED = auto()
     RESTARTED = auto()
     STUCK = auto()
+    SPEEDS = auto()
     LOST = auto()
 
 
@@ -229,6 +266,7 @@ Report = (
     | Passed
     | Moved
     | SpeedsHeld
+    | DragDropped
     | Stuck
     | Silent
     | StepBegun

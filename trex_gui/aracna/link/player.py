@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from trex_gui.aracna.link.fence import Fence
 from trex_gui.aracna.link.messages import Ending, Play, PlayEnded, Report, StepBegun
 from trex_gui.aracna.link.playing import Playing, check, check_scale
 from trex_gui.aracna.link.servos import Servos
@@ -13,8 +14,9 @@ from trex_gui.protocol.errors import TrexError
 class Player:
     """What is played at the moment, and where its step is: speeds, then goals, then arrived."""
 
-    def __init__(self, tell: Callable[[Report], None]) -> None:
+    def __init__(self, tell: Callable[[Report], None], fence: Fence) -> None:
         self._tell = tell
+        self._fence = fence
         self._playing: Playing | None = None
         self._goals: tuple[int, ...] | None = None  # of the step that runs, not yet sent
         self._waits = False  # for the answer to them
@@ -88,7 +90,7 @@ class Player:
             self.stop(now, Ending.ENDED if self._playing.was_ended else Ending.DONE)
             return None
         late, seconds = self._playing.begin(turn, now)
-        self._goals = turn.step.goals
+        self._goals = self._fence.crop(turn.step.goals)
         self._tell(StepBegun(now, turn.part, turn.index, turn.round, late))
         return servos.speeds_to(self._goals, seconds)
 

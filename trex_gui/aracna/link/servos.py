@@ -43,10 +43,16 @@ class Servos:
     def forget(self) -> None:
         """The servos may have been without power."""
         self.forget_positions()
+        self.forget_speeds()
+
+    def forget_speeds(self) -> None:
+        """A servo may have been without power, or have been given a speed that nobody confirms."""
         self.speeds = (None,) * len(self.speeds)
 
     def arrive(self, present: Sequence[int]) -> None:
-        """Take the answer to a `.c`."""
+        """Take the answer to a `.c`; a motor that cannot be read makes all speeds doubtful."""
+        if any(value < 0 for value in present):
+            self.forget_speeds()
         self.present = tuple(None if value < 0 else value for value in present)
 
     def hold(self, speeds: Sequence[int]) -> None:

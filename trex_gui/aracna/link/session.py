@@ -6,13 +6,13 @@ a TReX at any settings as well, which may be what is on the port. (With a newlin
 can do is to send nothing more.
 """
 
-import contextlib
 import logging
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Protocol
 
 from trex_gui.aracna.link.client import LINE, Client
+from trex_gui.aracna.link.fence import Fence
 from trex_gui.aracna.link.hearing import Hearing
 from trex_gui.aracna.link.messages import (
     Drag,
@@ -25,13 +25,16 @@ from trex_gui.aracna.link.messages import (
     Report,
     Request,
     SetLed,
+    SetLimits,
     SetSpeeds,
     SetTimeScale,
 )
 from trex_gui.aracna.link.player import Player
 from trex_gui.aracna.link.presence import RETRY, Presence, Why
+from trex_gui.aracna.link.refusals import STUCK
 from trex_gui.aracna.link.servos import deadline
 from trex_gui.aracna.link.waiting import Job, Waiting
+from trex_gui.aracna.protocol import lines
 from trex_gui.link.messages import Close, Closed
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import SerialTransport, Transport
@@ -77,8 +80,9 @@ class AracnaSession:
         self._inbox = inbox
         self._tell = tell
         self._open_transport = open_transport
-        self._waiting = Waiting(tell)
-        self._player = Player(tell)
+        self._fence = Fence()
+        self._waiting = Waiting(tell, self._now)
+        self._player = Player(tell, self._fence)
 
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes; then report `Closed`.
@@ -151,8 +155,7 @@ class AracnaSession:
         elif self._player.is_due(now):
             self._play(now)
         elif self._waiting.drag is not None:
-            with contextlib.suppress(BadRequest):  # drags have no outcome
-                self._move(self._waiting.take_drag())
+            self._waiting.send_drag(self._send)
         elif presence.is_due(now):
             self._client.query()
 
@@ -174,8 +177,9 @@ class AracnaSession:
                         self._now(), Ending.HALTED, TrexError("Halted before it was sent.")
                     )
                 case Drag():
-                    if self._is_there and not self._player.is_playing:
-                        self._waiting.drag = request
+                    self._take_drag(request)
+                case SetLimits(limits=limits):
+                    self._fence.set(limits)
                 case EndPlay():
                     self._player.end()
                 case SetTimeScale(time_scale=scale):
@@ -183,9 +187,15 @@ class AracnaSession:
                 case Play():
                     self._check_presence()
                     self._refuse_while_playing()
-                    self._waiting.drag = None
+                    self._refuse_while_stuck()
+                    self._waiting.drop_drag()
                     self._player.start(request, self._hearing.servos, self._now())
-                case Move() | SetSpeeds():
+                case Move():
+                    self._check_presence()
+                    self._refuse_while_playing()
+                    self._refuse_while_stuck()
+                    self._waiting.add(request)
+                case SetSpeeds():
                     self._check_presence()
                     self._refuse_while_playing()
                     self._waiting.add(request)
@@ -196,6 +206,14 @@ class AracnaSession:
                     pass
         except (BadRequest, NoReply) as error:
             self._waiting.refuse(request, error)
+
+    def _take_drag(self, drag: Drag) -> None:
+        if not self._is_there or self._player.is_playing:
+            return
+        if self._hearing.is_stuck:
+            self._waiting.refuse_drag(drag, NoReply(STUCK))
+        else:
+            self._waiting.drag = drag
 
     @property
     def _is_there(self) -> bool:
@@ -209,22 +227,33 @@ class AracnaSession:
         if self._player.is_playing:
             raise BadRequest("A sequence is being played: end it first.")
 
+    def _refuse_while_stuck(self) -> None:
+        if self._hearing.is_stuck:
+            raise NoReply(STUCK)
+
     # --- Sending ------------------------------------------------------------------------
 
-    def _send(self, job: Job) -> None:
-        """Send a job.
+    def _send(self, job: Job | Drag) -> bool:
+        """Send a job, or the speeds of a motion that the servos are not known to hold.
+
+        Returns whether it was those, so that the motion is still to be sent.
 
         Raises:
             BadRequest: it has not one value of 0-1023 for each motor.
             PortUnavailable: the line is gone.
         """
         match job:
-            case Move(goals=goals):
+            case Move(goals=goals, speeds=speeds) | Drag(goals=goals, speeds=speeds):
+                if speeds is not None and speeds != self._hearing.servos.speeds:
+                    lines.positions(self._fence.crop(goals), self._client.motors)  # refused first
+                    self._client.set_speeds(speeds)
+                    return True
                 self._move(goals)
             case SetSpeeds(speeds=speeds):
                 self._client.set_speeds(speeds)
             case SetLed(on=on):
                 self._client.set_led(on=on)
+        return False
 
     def _move(self, goals: tuple[int, ...]) -> None:
         """Send every motor to a goal.
@@ -233,6 +262,7 @@ class AracnaSession:
             BadRequest: not one of 0-1023 for each.
             PortUnavailable: the line is gone.
         """
+        goals = self._fence.crop(goals)
         fits = len(goals) == self._client.motors
         expected = self._hearing.servos.seconds_to(goals) if fits else 0.0
         self._client.move(goals, deadline(expected))

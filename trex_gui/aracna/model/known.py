@@ -4,12 +4,14 @@ from collections import deque
 from dataclasses import dataclass, field
 
 from trex_gui.aracna.link.messages import (
+    Connected,
     Moved,
     Moving,
     Passed,
     Play,
     PlayEnded,
     Restarted,
+    Silent,
     SpeedsHeld,
     StepBegun,
     Stuck,
@@ -109,6 +111,7 @@ class Known:
         moving: the `.c` that is not answered yet.
         moved: the last complete answer.
         waited_for: the motor whose turn it is in the answer that is coming.
+        unsure: whether what was sent last may still go on, unseen.
         speeds: the last `.v` and what the servos hold; `None` where neither is known.
     """
 
@@ -119,6 +122,7 @@ class Known:
     moved: Moved | None = None
     waited_for: int = 0
     stuck: Stuck | None = None
+    unsure: bool = False
     speeds: SpeedsHeld | None = None
     play: Play | None = None
     playing: Playing | None = None
@@ -133,6 +137,7 @@ class Known:
             case Moving(goals=goals):
                 self.moving, self.goals = report, goals
                 self.waited_for, self.stuck, self.moved = 0, None, None
+                self.unsure = False
             case Passed(present=present):
                 self._note(present)
                 self.waited_for = min(len(present), self.motors - 1)
@@ -141,13 +146,15 @@ class Known:
             case Moved(goals=goals, present=present):
                 self._note(present)
                 self.moving, self.stuck = None, None
-                self.moved, self.goals = report, goals
+                self.moved, self.goals, self.unsure = report, goals, False
             case Stuck():
                 self.stuck = report
             case SpeedsHeld():
                 self.speeds = report
-            case Restarted():
-                self.moving, self.stuck, self.speeds = None, None, None
+            case Restarted() | Silent():
+                self._lose_sight()
+            case Connected():
+                self.moving, self.stuck = None, None  # what answers `.q` waits for no motor
             case StepBegun() if self.play is not None:
                 self.playing = _place(self.play, report)
             case PlayEnded():
@@ -155,9 +162,25 @@ class Known:
             case _:
                 pass
 
+    def _lose_sight(self) -> None:
+        """Know no position: nobody saw what the servos did meanwhile, nor who turned them."""
+        self.present = [None] * self.motors
+        self.moving, self.moved, self.stuck, self.speeds = None, None, None, None
+        self.unsure = self.goals is not None
+
     def _note(self, present: tuple[int, ...]) -> None:
         for motor, position in enumerate(present[: self.motors]):
             self.present[motor] = None if position == UNREADABLE else position
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether the last answer says of no motor where it is: it was lost, or none answers."""
+        return self.moved is not None and set(self.moved.present) == {UNREADABLE}
+
+    @property
+    def no_servo_answers(self) -> bool:
+        """Whether the last `.v` was answered by no servo."""
+        return self.speeds is not None and set(self.speeds.held) == {UNREADABLE}
 
     @property
     def missed(self) -> tuple[Missed, ...]:

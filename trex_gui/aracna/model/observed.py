@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.aracna.link.messages import Connected, Moved, Moving
+from trex_gui.aracna.link.messages import Connected, DragDropped, Moved, Moving, SetLimits
 from trex_gui.aracna.model.connection import RobotConnection
 from trex_gui.aracna.model.known import Known, Playing, Rate
 from trex_gui.aracna.model.limits import JointLimits
@@ -16,6 +16,7 @@ from trex_gui.aracna.protocol.units import MOTORS
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Link
 from trex_gui.model.events import EventKind, Events
+from trex_gui.protocol.errors import sentence
 
 
 class ObservedRobot(QObject):
@@ -53,6 +54,7 @@ class ObservedRobot(QObject):
         self._moves_waiting = 0
         self._dragging = False
         self._holding = False
+        self._goes_on_until: float | None = None
         self._line = RobotConnection(self)
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
@@ -60,6 +62,7 @@ class ObservedRobot(QObject):
         self.events = Events(self, clock=clock)
         self._story = Story(self.events)
 
+        self.limits.changed.connect(self._send_limits)
         self.speeds.changed.connect(self.changed)
         self.speeds.refused.connect(self.refused)
         self._line.reported.connect(self._on_reported)
@@ -117,9 +120,20 @@ class ObservedRobot(QObject):
         return self._rate.per_second
 
     def remaining(self) -> float:
-        """Return the seconds until the running motion should end; 0 where none runs."""
+        """Return the seconds until the running motion should end; 0 where none runs.
+
+        One that was left running when the line was closed goes on, and counts.
+        """
         ends_at = self._known.ends_at
+        if ends_at is None:
+            ends_at = self._goes_on_until
         return 0.0 if ends_at is None else max(ends_at - self._clock(), 0.0)
+
+    @Slot()
+    def _send_limits(self) -> None:
+        """Let the session enforce the newest limits, on what is played as well."""
+        pairs = tuple((each.low, each.high) for each in self.limits.first(self.motors))
+        self._line.submit(SetLimits(pairs))
 
     # --- The line -----------------------------------------------------------------------
 
@@ -159,6 +173,9 @@ class ObservedRobot(QObject):
                     self._rate.note(moment)
                 if self._holding:
                     self._hold()
+            case DragDropped(error=error):
+                self._dragging = False  # told once, not with every goal that is dragged over
+                self.refused.emit(self.tr("Not moved: {0}").format(sentence(error)))
             case _:
                 pass
         self._story.follow(report, self._known)
@@ -168,18 +185,21 @@ class ObservedRobot(QObject):
     @Slot(object)
     def _on_answered(self, report: Connected) -> None:
         self._version = report.version
+        self._goes_on_until = None  # who answers does not move
         if report.motors != self.motors:
             self._begin_with(report.motors)
+        self._send_limits()
 
     @Slot()
     def _on_lapsed(self) -> None:
-        """Be sure of nothing: servos that lost their power have no speed limit any more."""
-        self.speeds.doubt()
+        """Nobody drags what does not listen."""
         self._dragging = False
 
     @Slot()
     def _on_left(self) -> None:
         self._version = None
+        if self._known.ends_at is not None:
+            self._goes_on_until = self._known.ends_at
         self._moves_waiting = 0
         self._begin_with(self.motors)
 

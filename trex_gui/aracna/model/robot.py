@@ -30,10 +30,11 @@ class Robot(ObservedRobot):
             self._tell(cropped_goals_text(goals, cropped))
         self.targets.set_all(cropped)
         self._holding = False
-        self.speeds.give()
+        speeds = self.speeds.wanted
+        self._story.move_begins(cropped)
         if self._known.moving is not None or self._moves_waiting:
-            return self._line.submit(Drag(cropped))
-        if self._line.ask(lambda number: Move(number, cropped), self._on_move_over):
+            return self._line.submit(Drag(cropped, speeds))
+        if self._line.ask(lambda number: Move(number, cropped, speeds), self._on_move_over):
             self._moves_waiting += 1
         return True
 
@@ -48,8 +49,7 @@ class Robot(ObservedRobot):
         """Send every motor to a goal as soon as the robot listens; the newest goals count."""
         if self._dragging and self.link is Link.UP:
             self._holding = False
-            self.speeds.give()
-            self._line.submit(Drag(self.limits.crop(goals)))
+            self._line.submit(Drag(self.limits.crop(goals), self.speeds.wanted))
 
     def end_drag(self) -> None:
         """The goal was let go; what was asked last is still sent."""
@@ -60,7 +60,8 @@ class Robot(ObservedRobot):
     def set_speeds(self, speeds: Sequence[int]) -> None:
         """Choose a speed for each motor, 0-1023; 0 is as fast as it can.
 
-        They are sent at once, or before the motion that follows what is played now.
+        They are sent at once, or before the motion that follows what is played now; the newest
+        count for every motion that is sent after them.
 
         Raises:
             BadRequest: too few, too many, or one out of range.
@@ -107,12 +108,15 @@ class Robot(ObservedRobot):
         """Send nothing more. What moves goes on to its goal: nothing on this link stops it."""
         if not self._line.is_open or self.link is Link.CLOSING:
             return
+        known = self._known
+        goes_on = known.moving is not None or known.play is not None
         self._line.submit(Halt())
+        self._holding = goes_on or self._dragging or self._moves_waiting > 0
         self._dragging = False
-        self._holding = True
         self._story.halted(self.remaining())
         self.halted.emit()
-        self._hold()
+        if self._holding:
+            self._hold()
         self.changed.emit()
 
     def halt_now(self, *, ending: bool = False) -> None:
@@ -132,6 +136,9 @@ class Robot(ObservedRobot):
         if self._known.play is not None:
             self.refused.emit(self.tr("A sequence is playing. Stop it first."))
             return False
+        if self._known.stuck is not None:
+            self.refused.emit(self.tr("The robot is stuck. Nothing is sent until it has answered."))
+            return False
         return True
 
     def _tell(self, text: str) -> None:
@@ -148,7 +155,6 @@ class Robot(ObservedRobot):
 
     def _on_play_over(self, outcome: Outcome) -> None:
         self._known.play = self._known.playing = None
-        self.speeds.doubt()  # each step has set its own
         if outcome.error is not None and not self._holding:
             self.refused.emit(self.tr("Broken off: {0}").format(sentence(outcome.error)))
         self.changed.emit()

@@ -33,8 +33,7 @@ class Speeds(QObject):
         self._line = line
         self._motors = MOTORS
         self._chosen: tuple[int, ...] | None = None
-        self._sent: tuple[int, ...] | None = None
-        self._asking = False
+        self._asked = 0
 
     @property
     def wanted(self) -> tuple[int, ...]:
@@ -59,29 +58,19 @@ class Speeds(QObject):
         self.changed.emit()
 
     def give(self) -> None:
-        """Let the servos have them, where they do not: one request at a time."""
+        """Let the servos have them now; every motion is sent with them anyhow."""
         wanted = self.wanted
-        if wanted == self._sent or self._asking:
-            return
         if self._line.ask(lambda number: SetSpeeds(number, wanted), self._on_over):
-            self._asking = True
-            self._sent = wanted
-
-    def doubt(self) -> None:
-        """Give them anew before the next motion: the servos may hold others."""
-        self._sent = None
+            self._asked += 1
 
     def begin(self, motors: int) -> None:
         """Begin with a robot that nobody has chosen speeds for."""
         self._motors = motors
-        self._chosen = self._sent = None
-        self._asking = False
+        self._chosen = None
+        self._asked = 0
         self.changed.emit()
 
     def _on_over(self, outcome: Outcome) -> None:
-        self._asking = False
-        if outcome.error is not None:
-            self._sent = None
+        self._asked = max(self._asked - 1, 0)
+        if outcome.error is not None and not self._asked:  # else newer ones have taken its place
             self.refused.emit(self.tr("Speeds not set: {0}").format(sentence(outcome.error)))
-        elif self._sent is not None:
-            self.give()  # others may have been chosen meanwhile

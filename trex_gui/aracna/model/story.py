@@ -1,5 +1,7 @@
 """What happened to the robot, in sentences with times."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.aracna.link.messages import (
@@ -38,6 +40,27 @@ def speed_text(refused: SpeedRefused) -> str:
     return text.format(refused.motor, refused.held, refused.wanted)
 
 
+def missed_texts(known: Known) -> list[str]:
+    """Say of each motor where it is that was sent elsewhere; once, where none has said it."""
+    if known.is_lost:
+        return [tr("the answer was lost (or no motor answers): positions are not known")]
+    return [missed_text(each) for each in known.missed]
+
+
+def speed_texts(known: Known) -> list[str]:
+    """Say what the servos made of their speeds; once, where none answers."""
+    if known.no_servo_answers:
+        return [tr("no motor answers (−1): is the servo power on?")]
+    return [speed_text(each) for each in known.speeds_refused]
+
+
+def joined(texts: Sequence[str]) -> str:
+    """Make one sentence of clauses."""
+    text = "; ".join(texts)
+    end = "" if text.endswith("?") else "."
+    return f"{text[:1].upper()}{text[1:]}{end}"
+
+
 def stuck_text(motor: int | None) -> str:
     """Say what is waited for, and what to look at."""
     if motor is None:
@@ -55,6 +78,7 @@ _ENDINGS = {
     Ending.HALTED: "The sequence was stopped.",
     Ending.RESTARTED: "The sequence was broken off: the board has restarted.",
     Ending.STUCK: "The sequence was broken off: the robot waits for a motor.",
+    Ending.SPEEDS: "The sequence was broken off: a motor did not take its speed.",
     Ending.LOST: "The sequence was broken off: the robot does not answer.",
 }
 
@@ -74,10 +98,9 @@ class Story:
                     tr("The board has restarted. Its servos keep their goals and go on."),
                 )
             case Moved() if known.missed:
-                self._note(EventKind.FAULT, _joined([missed_text(each) for each in known.missed]))
+                self._note(EventKind.FAULT, joined(missed_texts(known)))
             case SpeedsHeld() if known.speeds_refused:
-                texts = [speed_text(each) for each in known.speeds_refused]
-                self._note(EventKind.FAULT, _joined(texts))
+                self._note(EventKind.FAULT, joined(speed_texts(known)))
             case Stuck(motor=motor):
                 self._note(EventKind.FAULT, stuck_text(motor))
             case PlayEnded(why=why):
@@ -90,6 +113,10 @@ class Story:
         often = tr("for ever") if rounds == 0 else tr("{0} times").format(rounds)
         self._note(EventKind.NOTE, tr("Playing {0} steps, {1}.").format(steps, often))
 
+    def move_begins(self, goals: Sequence[int]) -> None:
+        """Note that a person sends every motor to a goal."""
+        self._note(EventKind.NOTE, tr("Move to {0}.").format(", ".join(map(str, goals))))
+
     def halted(self, remaining: float) -> None:
         """Note that a person has stopped what is played."""
         text = tr("Stopped: nothing more is sent.")
@@ -101,8 +128,3 @@ class Story:
 
     def _note(self, kind: EventKind, text: str) -> None:
         self._events.add(kind, text)
-
-
-def _joined(texts: list[str]) -> str:
-    text = "; ".join(texts)
-    return f"{text[:1].upper()}{text[1:]}."

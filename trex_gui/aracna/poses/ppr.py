@@ -42,8 +42,9 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
     Every text gives a project. A finding that is an error stands for a line that is not used;
     of a warning, something was taken for granted.
     """
-    lines = text.split("\n")
-    line_end = "\r\n" if lines[0].endswith("\r") else "\n"
+    parting = "\r" if "\r" in text and "\n" not in text else "\n"  # "\r": of an old Macintosh
+    lines = text.split(parting)
+    line_end = "\r\n" if lines[0].endswith("\r") else parting
     if lines[-1] == "":
         lines.pop()
     lines = [line.removesuffix("\r") for line in lines]
@@ -166,6 +167,8 @@ def _pose(line: str) -> Pose:
     name, colon, values = line.partition(":")
     if not colon:
         raise _UnreadableError("neither a pose nor a sequence, for it has no colon")
+    if not name.strip():
+        raise _UnreadableError("a pose has a name before its colon")
     positions = []
     for motor, field in enumerate(_fields(values)):
         position = _number(field)
@@ -180,6 +183,8 @@ def _sequence(line: str) -> Sequence:
     name, colon, values = line.partition(":")
     if not colon:
         raise _UnreadableError("a sequence has a colon after its name")
+    if not name.strip():
+        raise _UnreadableError("a sequence has a name before its colon")
     steps = []
     for field in _fields(values):
         pose_name, bar, time = field.strip().partition("|")

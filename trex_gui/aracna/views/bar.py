@@ -73,32 +73,38 @@ class RobotBar(QWidget):
         robot = self._robot
         self._stop.setEnabled(robot.link in {Link.OPENING, Link.UP, Link.SILENT})
         self._end.setEnabled(robot.playing is not None and robot.link is Link.UP)
-        if robot.known.moving is not None and not self._timer.isActive():
-            self._timer.start()
-        elif robot.known.moving is None:
-            self._timer.stop()
         self._show()
 
     @Slot()
     def _show(self) -> None:
         text, alarming = self._words()
         self._state.show_note(text, alarming=alarming)
+        counts = self._robot.known.moving is not None or self._robot.remaining() > 0
+        if counts != self._timer.isActive():
+            self._timer.start() if counts else self._timer.stop()
 
     def _words(self) -> tuple[str, bool]:
         """Say what is known of the motion; never more than that."""
         robot, known = self._robot, self._robot.known
+        if robot.link in {Link.NONE, Link.CLOSING, Link.OPENING}:
+            return self._unconnected_words()
         if known.stuck is not None:
             return self._stuck_text(known.stuck.motor), True
-        if robot.link in {Link.NONE, Link.CLOSING, Link.OPENING}:
-            return self.tr("No robot is connected."), False
         wait = self._wait_text()
         if robot.playing is not None:
             return f"{self._playing_text(robot.playing)} {wait}", True
         if wait:
             return wait, True
-        if robot.link is Link.SILENT:
+        if robot.link is Link.SILENT or known.unsure:
             return self.tr("Not known: what was sent last goes on to its goal."), True
         return self.tr("At rest: nothing is sent."), False
+
+    def _unconnected_words(self) -> tuple[str, bool]:
+        text = self.tr("No robot is connected.")
+        if (left := self._robot.remaining()) <= 0:
+            return text, False
+        more = self.tr("The motion goes on for about {0:.0f} s by itself.").format(max(left, 1))
+        return f"{text} {more}", True
 
     def _stuck_text(self, motor: int | None) -> str:
         if motor is None:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMainWindow, QVBoxLayout
 
+from trex_gui.aracna.link.doctor import may_be_elsewhere
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.way import ARACNA, AracnaWay
@@ -60,14 +61,20 @@ class AracnaDesk(Desk):
         panel = self._poses.panel
         for told in (robot.told, panel.told, self.recordings.told):
             told.connect(self.told)
-        for refused in (panel.refused, self.recordings.refused, robot.refused, robot.failed):
+        for refused in (panel.refused, self.recordings.refused, robot.refused):
             refused.connect(self.refused)
+        robot.failed.connect(self._on_robot_failed)
         way.failed.connect(self.refused)
         robot.link_changed.connect(self._on_link_changed)
         robot.changed.connect(self._on_changed)
         robot.limits.changed.connect(self._on_changed)
         self.recordings.changed.connect(self._on_changed)
         self._undo_watch = library.undo.indexChanged.connect(self._on_changed)
+
+    @property
+    def stop_text(self) -> str:
+        """Name what there is: this robot has no stop."""
+        return self.tr("&Stop sequence")
 
     # --- What its menus do --------------------------------------------------------------
 
@@ -138,6 +145,12 @@ class AracnaDesk(Desk):
         self._poses.press("aracnaCapture")
 
     # --- What has changed ---------------------------------------------------------------
+
+    @Slot(str)
+    def _on_robot_failed(self, text: str) -> None:
+        if may_be_elsewhere(text):
+            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
+        self.refused.emit(text)
 
     @Slot()
     def _on_link_changed(self) -> None:

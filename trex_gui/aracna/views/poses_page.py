@@ -1,14 +1,14 @@
 """Poses, sequences and gaits beside the robot that plays them."""
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QAbstractButton, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QAbstractButton, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.targets import CENTRE
 from trex_gui.aracna.views.page.drawing import RobotDrawing
+from trex_gui.aracna.views.page.words import assumed_text, why_not_move
 from trex_gui.aracna.views.poses.panel import PosesPanel
-from trex_gui.model.connection import Link
 
 
 class PosesPage(QWidget):
@@ -21,11 +21,16 @@ class PosesPage(QWidget):
         self.panel = PosesPanel(library, self)
         drawing = RobotDrawing(robot, self)
         drawing.setObjectName("aracnaPosesDrawing")
+        footnote = QLabel(f"* {assumed_text()}", self)
+        footnote.setObjectName("aracnaPosesFootnote")
+        footnote.setWordWrap(True)
+        footnote.setForegroundRole(footnote.palette().ColorRole.PlaceholderText)
 
         layout = QHBoxLayout(self)
         layout.setSpacing(16)
         left = QVBoxLayout()
         left.addWidget(drawing, 1)
+        left.addWidget(footnote)
         left.addStretch(0)
         layout.addLayout(left, 1)
         layout.addWidget(self.panel, 4)
@@ -33,7 +38,6 @@ class PosesPage(QWidget):
         drawing.pointed.connect(drawing.mark)
         self.panel.go_to_requested.connect(self._on_go_to_requested)
         self.panel.play_requested.connect(robot.play)
-        self.panel.end_requested.connect(robot.end_play)
         self.panel.scale_changed.connect(robot.set_time_scale)
         robot.changed.connect(self._on_changed)
         robot.link_changed.connect(self._on_changed)
@@ -55,7 +59,8 @@ class PosesPage(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         robot = self._robot
-        self.panel.show_link(robot.link is Link.UP)
+        why = why_not_move(robot)
+        self.panel.show_link(not why, why)
         self.panel.show_present(robot.present)
         self.panel.show_limits(robot.limits.first(robot.motors))
         self.panel.show_playing(robot.playing)

@@ -7,7 +7,7 @@ from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.targets import CENTRE
 from trex_gui.aracna.poses.known import STAND
 from trex_gui.aracna.views.page.boxes import SpeedBox
-from trex_gui.model.connection import Link
+from trex_gui.aracna.views.page.words import why_not_move
 from trex_gui.views.icons import set_icon
 from trex_gui.views.theme import tint
 
@@ -33,7 +33,7 @@ class Controls(QWidget):
 
         self._move = QPushButton(self.tr("Move"), self)
         self._move.setObjectName("aracnaMoveButton")
-        self._move.setToolTip(self.tr("Send every motor to its goal, within its limits (Ctrl+M)"))
+        self._move_tip = self.tr("Send every motor to its goal, within its limits (Ctrl+M)")
         font = self._move.font()
         font.setBold(True)
         self._move.setFont(font)
@@ -111,7 +111,7 @@ class Controls(QWidget):
     @property
     def can_move(self) -> bool:
         """Whether a robot is there that could, and nothing is played."""
-        return self._robot.link is Link.UP and self._robot.playing is None
+        return not why_not_move(self._robot) and self._robot.playing is None
 
     @Slot()
     def take_present(self) -> None:
@@ -150,6 +150,7 @@ class Controls(QWidget):
     def _on_changed(self) -> None:
         robot = self._robot
         self._move.setEnabled(self.can_move)
+        self._move.setToolTip(why_not_move(robot) or self._move_tip)
         is_idle = robot.playing is None
         is_known = any(each is not None for each in robot.present)
         self._present.setEnabled(is_idle and is_known)

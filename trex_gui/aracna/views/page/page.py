@@ -8,6 +8,7 @@ from trex_gui.aracna.views.page.controls import Controls
 from trex_gui.aracna.views.page.drawing import RobotDrawing
 from trex_gui.aracna.views.page.joint_table import JointTable
 from trex_gui.aracna.views.page.reports import Reports
+from trex_gui.aracna.views.page.words import assumed_text
 
 _CAPTION_LINES = 6
 
@@ -22,10 +23,8 @@ class RobotPage(QWidget):
 
         self._drawing = RobotDrawing(robot, self)
         caption = QLabel(
-            self.tr(
-                "Full lines: as last reported; dashed: goal. A sketch: angles are drawn flat.\n"
-                "* Which leg is which is assumed; even motors are inner joints, odd ones outer."
-            ),
+            self.tr("Full lines: as last reported; dashed: goal. A sketch: angles are drawn flat.")
+            + f"\n* {assumed_text()}",
             self,
         )
         caption.setObjectName("aracnaCaption")

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.speeds import FIRST_SPEED
-from trex_gui.aracna.model.story import missed_text, speed_text, stuck_text
+from trex_gui.aracna.model.story import joined, missed_texts, speed_texts, stuck_text
 from trex_gui.aracna.views.page.words import speed_text as meaning
 from trex_gui.model.connection import Link
 from trex_gui.views.widgets.note import Note
@@ -40,11 +40,11 @@ class Reports(QWidget):
             return self._without_a_robot(), False
         if known.stuck is not None:
             return stuck_text(known.stuck.motor), True
-        faults = [missed_text(each) for each in known.missed]
-        faults += [speed_text(each) for each in known.speeds_refused]
+        faults = missed_texts(known) + speed_texts(known)
         if faults:
-            text = "; ".join(faults)
-            return f"{text[:1].upper()}{text[1:]}.", True
+            return joined(faults), True
+        if known.unsure:
+            return self._out_of_sight(), True
         if all(position is None for position in robot.present):
             return self._before_the_first_move(), False
         if known.moved is not None:
@@ -56,6 +56,12 @@ class Reports(QWidget):
         return self.tr(
             "No robot is connected. Choose its port above, or Demo Aracna to try without one; "
             "limits and goals can be set already."
+        )
+
+    def _out_of_sight(self) -> str:
+        return self.tr(
+            "Where the motors are is not known any more: what was sent last goes on to its goal. "
+            "The answer to the next move tells it."
         )
 
     def _before_the_first_move(self) -> str:

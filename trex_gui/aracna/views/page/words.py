@@ -2,8 +2,10 @@
 
 from PySide6.QtCore import QCoreApplication
 
+from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.protocol.joints import JOINTS, Joint, Kind, Side
 from trex_gui.aracna.protocol.units import degrees, degrees_per_second
+from trex_gui.model.connection import Link
 
 
 def tr(text: str) -> str:
@@ -57,3 +59,20 @@ def speed_text(speed: int) -> str:
     """Write what a speed setting means."""
     per_second = degrees_per_second(speed)
     return tr("as fast as it can") if per_second is None else f"{per_second:.0f} °/s"
+
+
+def assumed_text() -> str:
+    """Say what the drawing takes for granted."""
+    return tr("Which leg is which is assumed; even motors are inner joints, odd ones outer.")
+
+
+def why_not_move(robot: Robot) -> str:
+    """Say why a robot cannot be sent anywhere now; empty where it can."""
+    if robot.link is not Link.UP:
+        return tr("There is no robot that could move now.")
+    if (stuck := robot.known.stuck) is None:
+        return ""
+    if stuck.motor is None:
+        return tr("The robot does not answer; it listens to nothing until it does.")
+    text = tr("The robot waits for motor {0} and listens to nothing until it answers.")
+    return text.format(stuck.motor)

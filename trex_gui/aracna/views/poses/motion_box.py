@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QVBoxLayout, QWidget
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.names import Motion, MotionNames, played_of
 from trex_gui.aracna.model.step_table import StepTable
-from trex_gui.aracna.poses.gaits import Gait
+from trex_gui.aracna.poses.gaits import GAITS, Gait
 from trex_gui.aracna.poses.sequence import USUAL_MS, Sequence, SequenceStep
 from trex_gui.aracna.views.poses.name_list import NameList
 from trex_gui.aracna.views.poses.parts import arrow_button, follow, tool_button
@@ -99,6 +99,7 @@ class MotionBox(QGroupBox):
         self._step_down.clicked.connect(self._on_step_down_clicked)
         self._steps.selectionModel().currentChanged.connect(self._allow)
         self.table.shown.connect(self._on_table_shown)
+        self._list.choose(Motion(GAITS[0].name, built_in=True))  # something that can be played
         self._allow()
 
     @property

@@ -27,7 +27,6 @@ class PosesPanel(QWidget):
     Signals:
         go_to_requested: positions are to be reached, a tuple as the pose has them, not cropped.
         play_requested: a `Play` whose goals are within the limits; its `id` is 0.
-        end_requested: what is played is to end after its current step.
         scale_changed: the factor on the seconds of each step, also while something is played.
         told: what was done, for people.
         refused: why something was not done, for people.
@@ -38,7 +37,6 @@ class PosesPanel(QWidget):
 
     go_to_requested = Signal(object)
     play_requested = Signal(object)
-    end_requested = Signal()
     scale_changed = Signal(float)
     told = Signal(str)
     refused = Signal(str)
@@ -50,6 +48,7 @@ class PosesPanel(QWidget):
         self._limits = factory_limits()
         self._present: tuple[int | None, ...] = ()
         self._up = False
+        self._why_not = self.tr("There is no robot that could move now.")
         self._playing: Playing | None = None
         self._played: Motion | None = None
         self._preview = Preview()
@@ -92,7 +91,6 @@ class PosesPanel(QWidget):
         self._bar.choices_changed.connect(self._renew)
         self._bar.scale_changed.connect(self.scale_changed)
         self._bar.play_clicked.connect(self._on_play_clicked)
-        self._bar.end_clicked.connect(self.end_requested)
         self._undo_button.clicked.connect(library.undo.undo)
         self._redo_button.clicked.connect(library.undo.redo)
         library.undo.canUndoChanged.connect(self._undo_button.setEnabled)
@@ -127,12 +125,17 @@ class PosesPanel(QWidget):
 
     # --- What it is told of the robot ---------------------------------------------------
 
-    def show_link(self, up: bool) -> None:
-        """Whether there is a robot that can be moved."""
-        if up != self._up:
-            self._up = up
-            self._poses.show_link(up and self._playing is None)
+    def show_link(self, up: bool, why_not: str = "") -> None:
+        """Whether there is a robot that can be moved; else why not."""
+        why_not = why_not or self.tr("There is no robot that could move now.")
+        if (up, why_not) != (self._up, self._why_not):
+            self._up, self._why_not = up, why_not
+            self._show_whether_idle()
             self._allow()
+
+    def _show_whether_idle(self) -> None:
+        why_not = self.tr("Something is being played.") if self._playing else self._why_not
+        self._poses.show_link(self._up and self._playing is None, why_not)
 
     def show_present(self, present: Present) -> None:
         """Where each motor is; `None` where that is not known."""
@@ -152,7 +155,7 @@ class PosesPanel(QWidget):
     def show_playing(self, playing: Playing | None) -> None:
         """What is played, and which step of it runs."""
         self._playing = playing
-        self._poses.show_link(self._up and playing is None)
+        self._show_whether_idle()
         self._mark()
         self._allow()
 
@@ -185,12 +188,11 @@ class PosesPanel(QWidget):
         if self._playing is not None:
             why = self.tr("Something is being played.")
         elif not self._up:
-            why = self.tr("There is no robot that could move now.")
+            why = self._why_not
         else:
             why = self.tr("Play what is chosen.") if playable else self._preview.text
         self._bar.allow(
             play=playable and self._up and self._playing is None,
-            end=self._playing is not None,
             why=why,
         )
 

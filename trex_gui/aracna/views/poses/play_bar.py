@@ -36,13 +36,12 @@ class PlayBar(QWidget):
     """Controls and a summary; a part of the panel, which says what they act on.
 
     Signals:
-        play_clicked, end_clicked: a person wants it.
+        play_clicked: a person wants it.
         choices_changed: how it is to be played is another now.
         scale_changed: the factor on every step's time is another, also while something plays.
     """
 
     play_clicked = Signal()
-    end_clicked = Signal()
     choices_changed = Signal()
     scale_changed = Signal(float)
 
@@ -52,11 +51,6 @@ class PlayBar(QWidget):
         self._play = QPushButton(self.tr("Pla&y"), self)
         self._play.setObjectName("aracnaPlay")
         set_icon(self._play, "run")
-        self._end = QPushButton(self.tr("Stop after this &step"), self)
-        self._end.setObjectName("aracnaEndPlay")
-        self._end.setToolTip(
-            self.tr("Sends no further step. The one that runs ends by itself; nothing stops it.")
-        )
         self._rounds: QSpinBox = spin_box(self, "aracnaRounds", self.tr("Rounds"))
         self._rounds.setRange(1, _MOST_ROUNDS)
         self._loop = QCheckBox(self.tr("&Loop"), self)
@@ -103,7 +97,6 @@ class PlayBar(QWidget):
         blends.addStretch(1)
         buttons = QHBoxLayout()
         buttons.addWidget(self._play)
-        buttons.addWidget(self._end)
         buttons.addStretch(1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -114,7 +107,6 @@ class PlayBar(QWidget):
         layout.addLayout(buttons)
 
         self._play.clicked.connect(self._on_play_clicked)
-        self._end.clicked.connect(self._on_end_clicked)
         self._rounds.valueChanged.connect(self.choices_changed)
         self._loop.toggled.connect(self._on_loop_toggled)
         self._blend_in.toggled.connect(self._on_blend_toggled)
@@ -131,11 +123,10 @@ class PlayBar(QWidget):
             self._blend_out.isChecked(),
         )
 
-    def allow(self, *, play: bool, end: bool, why: str) -> None:
-        """Let it be played, or ended; `why` says what is lacking."""
+    def allow(self, *, play: bool, why: str) -> None:
+        """Let it be played; `why` says what is lacking."""
         self._play.setEnabled(play)
         self._play.setToolTip(why)
-        self._end.setEnabled(end)
 
     def show_summary(self, text: str, *, alarming: bool) -> None:
         """Say what would be played, and what cannot be as it is written."""
@@ -145,10 +136,6 @@ class PlayBar(QWidget):
     @Slot()
     def _on_play_clicked(self) -> None:
         self.play_clicked.emit()
-
-    @Slot()
-    def _on_end_clicked(self) -> None:
-        self.end_clicked.emit()
 
     @Slot(bool)
     def _on_loop_toggled(self, checked: bool) -> None:

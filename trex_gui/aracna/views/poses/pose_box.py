@@ -34,6 +34,7 @@ class PoseBox(QGroupBox):
         self._library = library
         self._present: tuple[int | None, ...] = ()
         self._up = False
+        self._why_not = self.tr("There is no robot that could move now.")
 
         names = PoseNames(library, self)
         empty = self.tr("No poses. Capture where the robot is, or open a pose file.")
@@ -103,9 +104,9 @@ class PoseBox(QGroupBox):
         self._present = tuple(present)
         self._allow()
 
-    def show_link(self, up: bool) -> None:
-        """Whether there is a robot that may be moved now."""
-        self._up = up
+    def show_link(self, up: bool, why_not: str) -> None:
+        """Whether there is a robot that may be moved now; else why not."""
+        self._up, self._why_not = up, why_not
         self._allow()
 
     def show_limits(self, limits: tuple[Limits, ...]) -> None:
@@ -125,7 +126,7 @@ class PoseBox(QGroupBox):
         self._go_to.setToolTip(
             self.tr("Move every motor to this pose, within its limits.")
             if self._up
-            else self.tr("There is no robot that could move now.")
+            else self._why_not
         )
 
     @Slot()
