@@ -150,13 +150,14 @@ def test_a_restart_while_opening(robot: AracnaProcess, talk: Talk) -> None:
 
 @pytest.mark.parametrize("comes_back", [True, False])
 def test_a_servo_that_dies_in_mid_motion(
-    talk: Talk, robot: AracnaProcess, *, comes_back: bool
+    talk: Talk, robot: AracnaProcess, qtbot: QtBot, *, comes_back: bool
 ) -> None:
     talk.wait(Connected)
     talk.do(SetSpeeds(1, SLOW), Move(2, HERE))
     talk.wait(Moved)
     talk.do(Move(3, THERE))
     talk.wait(Moving, 2)
+    qtbot.waitUntil(lambda: robot.show()["servos"][3]["moving"])  # the line takes its time
     robot.do("servo 3 dead")
     assert talk.wait(Stuck).motor == 3
     if comes_back:

@@ -77,8 +77,8 @@ def test_speeds_whose_answer_is_lost_move_nothing(lost: str) -> None:
 
 
 def test_speeds_that_are_known_to_be_held_are_not_sent_again() -> None:
-    scene = Scene().at(0.2, Move(1, THERE, FAST)).at(4.0, Move(2, HERE, FAST))
-    scene.at(6.0, Drag(THERE, FAST)).until(8.0)
+    scene = Scene().at(0.2, Move(1, THERE, FAST)).at(1.5, Move(2, HERE, FAST))
+    scene.at(3.0, Drag(THERE, FAST)).until(5.0)
     scene.run()
     assert lines(scene, "v") == ["700"]
     assert lines(scene, "c") == ["600", "512", "600"]
@@ -99,8 +99,8 @@ def test_after_a_fault_speeds_are_sent_anew(fault: str) -> None:
 
 
 def test_after_a_servo_was_waited_for_speeds_are_sent_anew() -> None:
-    scene = Scene().at(0.2, Move(1, HERE, FAST)).at(3.0, lambda: scene.stage.do("servo 3 dead"))
-    scene.at(3.1, Move(2, THERE, FAST)).at(8.0, lambda: scene.stage.do("servo 3 alive"))
+    scene = Scene().at(0.2, Move(1, HERE, FAST)).at(1.0, lambda: scene.stage.do("servo 3 dead"))
+    scene.at(1.1, Move(2, THERE, FAST)).at(8.0, lambda: scene.stage.do("servo 3 alive"))
     scene.at(9.0, Move(3, HERE, FAST)).until(11.0)
     scene.run()
     assert len(scene.of(Stuck)) == 1
@@ -124,6 +124,16 @@ def test_a_step_whose_speeds_are_not_taken_ends_what_is_played() -> None:
     assert [ended.why for ended in scene.of(PlayEnded)] == [Ending.SPEEDS]
     assert "Motor 5 did not take its speed" in errors(scene)[2]
     assert lines(scene, "c") == ["512"]
+
+
+def test_servos_that_were_without_power_meanwhile_are_given_their_speed_again() -> None:
+    scene = Scene().at(0.2, Move(1, HERE, SLOW))
+    scene.at(4.0, lambda: scene.stage.do("servo power off"))
+    scene.at(5.0, lambda: scene.stage.do("servo power on"))
+    scene.at(6.5, Move(2, THERE, SLOW)).until(9.5).run()
+    assert lines(scene, "v") == ["30", "30"]
+    assert errors(scene) == {1: "", 2: ""}
+    assert scene.of(Moved)[-1].seconds > 1.2, "88 units at 30 are 1.29 s"
 
 
 # --- The newest wish ------------------------------------------------------------------------

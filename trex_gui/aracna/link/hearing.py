@@ -91,12 +91,12 @@ class Hearing:
             case Version():
                 self._note_version(answer.reply, now)
             case Speeds(values=held):
-                self.servos.hold(held)
+                self.servos.hold(held, now)
                 report = SpeedsHeld(now, asked.values, held)
                 self._tell(report)
                 self._go_on_at(report)
             case Positions(values=present):
-                self.servos.arrive(present)
+                self.servos.arrive(present, now)
                 moved = Moved(now, asked.values, present, now - asked.sent)
                 self._tell(moved)
                 self._player.arrive()

@@ -14,6 +14,13 @@ late that is not."""
 SETTING = 0.055
 """Seconds that a `.v` takes at most: 25 ms of pause, and each servo's register read back."""
 
+TRUST = 2.0
+"""Seconds after the last answer of the servos for which their speeds count as known.
+
+A servo that was without power is as fast as it can be, and nothing on the link tells of it while
+nothing is asked; nobody switches the power off and on again in less.
+"""
+
 _NEAR = 1.05
 """How much faster than needed a speed may be that is left as it is."""
 
@@ -35,6 +42,7 @@ class Servos:
     def __init__(self, motors: int) -> None:
         self.present: tuple[int | None, ...] = (None,) * motors
         self.speeds: tuple[int | None, ...] = (None,) * motors
+        self._heard_at = 0.0
 
     def forget_positions(self) -> None:
         """A motion has begun, and where it ends nobody knows yet."""
@@ -49,14 +57,21 @@ class Servos:
         """A servo may have been without power, or have been given a speed that nobody confirms."""
         self.speeds = (None,) * len(self.speeds)
 
-    def arrive(self, present: Sequence[int]) -> None:
+    def doubt(self, now: float) -> None:
+        """Forget the speeds where the servos have said nothing for too long."""
+        if now - self._heard_at > TRUST:
+            self.forget_speeds()
+
+    def arrive(self, present: Sequence[int], now: float) -> None:
         """Take the answer to a `.c`; a motor that cannot be read makes all speeds doubtful."""
+        self._heard_at = now
         if any(value < 0 for value in present):
             self.forget_speeds()
         self.present = tuple(None if value < 0 else value for value in present)
 
-    def hold(self, speeds: Sequence[int]) -> None:
+    def hold(self, speeds: Sequence[int], now: float) -> None:
         """Take the answer to a `.v`."""
+        self._heard_at = now
         self.speeds = tuple(None if value < 0 else value for value in speeds)
 
     def seconds_to(self, goals: Sequence[int]) -> float:

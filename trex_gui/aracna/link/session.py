@@ -244,6 +244,7 @@ class AracnaSession:
         """
         match job:
             case Move(goals=goals, speeds=speeds) | Drag(goals=goals, speeds=speeds):
+                self._hearing.servos.doubt(self._now())
                 if speeds is not None and speeds != self._hearing.servos.speeds:
                     lines.positions(self._fence.crop(goals), self._client.motors)  # refused first
                     self._client.set_speeds(speeds)
@@ -272,6 +273,7 @@ class AracnaSession:
 
     def _play(self, now: float) -> None:
         """Send what the step that is due needs next."""
+        self._hearing.servos.doubt(now)
         if (speeds := self._player.take_speeds(now, self._hearing.servos)) is not None:
             self._client.set_speeds(speeds)
         elif (goals := self._player.take_goals()) is not None:
