@@ -108,7 +108,8 @@ def _restart_is_survived(talk: Talk, robot: AracnaProcess) -> None:
     talk._qtbot.waitUntil(lambda: any(one.id == 99 for one in talk.of(Outcome)), timeout=15000)
     [outcome] = [one for one in talk.of(Outcome) if one.id == 99]
     assert outcome.error is None
-    assert robot.show()["boots"] == 2
+    # Of a line that was on its way three bytes may be left, which restart the board once more.
+    assert robot.show()["boots"] in {2, 3}
 
 
 def test_a_restart_while_idle(talk: Talk, robot: AracnaProcess) -> None:
