@@ -19,6 +19,7 @@ from tests.link.helpers import (
 from tests.support.virtual import Stage
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.motors import Direction
+from trex_gui.link.batches import Batches
 from trex_gui.link.messages import (
     Ask,
     Close,
@@ -205,6 +206,19 @@ def test_a_mistake_of_ours_ends_the_session_properly(
     assert isinstance(closed.error, TrexError)
     assert "made a mistake" in str(closed.error)
     assert "a bug" in str(closed.error)
+    assert stage.transport.closed
+
+
+def test_the_port_is_given_back_though_the_last_samples_cannot_be_told(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def fail(*_: object) -> None:
+        raise RuntimeError("nobody listens")
+
+    stage.script.at(1.0, lambda: monkeypatch.setattr(Batches, "tell", fail))
+    with caplog.at_level(logging.CRITICAL):
+        reports = stage.run()
+    assert isinstance(reports[-1], Closed)
     assert stage.transport.closed
 
 

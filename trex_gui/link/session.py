@@ -176,7 +176,10 @@ class Session:
             log.info("the line was left without a proved stop", exc_info=True)
         except Exception:
             log.exception("leaving the line failed")
-        self._flush()
+        try:
+            self._flush()
+        except Exception:  # whoever is told may be what went wrong; the port is given back
+            log.exception("the last samples could not be told")
         self._client.close()
 
     def _finish(self, error: TrexError | None) -> None:
