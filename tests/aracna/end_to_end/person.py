@@ -48,7 +48,7 @@ class Person:
 
     def click(self, name: str) -> None:
         button = self.find(QAbstractButton, name)
-        assert button.isVisible(), f"{name} is hidden"
+        self.wait(button.isVisible)  # what was just laid out is shown in the next round
         assert button.isEnabled(), f"{name} is greyed"
         place = QPoint(8, button.height() // 2)
         QTest.mouseClick(button, Qt.MouseButton.LeftButton, pos=place)
