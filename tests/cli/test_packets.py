@@ -3,9 +3,9 @@
 import pytest
 
 from tests.cli.conftest import Run
-from trex_gui.cli.packets import describe
 from trex_gui.protocol.commands import COMMANDS
 from trex_gui.protocol.parser import Packet, PacketParser
+from trex_gui.protocol.words import describe
 
 
 @pytest.mark.parametrize(

@@ -23,7 +23,9 @@ from trex_gui.link.messages import (
     Write,
 )
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.trex_wording import TrexWording
 from trex_gui.model.line import Line
+from trex_gui.model.transcript import Transcript
 
 log = logging.getLogger(__name__)
 
@@ -40,6 +42,9 @@ class Link(Enum):
 
 class Connection(QObject):
     """The way to one board, or none.
+
+    Attributes:
+        transcript: every byte that went over its line.
 
     What `answered`, `closing`, `silenced` and `left` tell is known before `link` says so, and
     `changed` follows.
@@ -79,6 +84,8 @@ class Connection(QObject):
         self._counters = Counters()
         self._next: LinkSettings | None = None
         self._line = Line(self)
+        self._wording = TrexWording()
+        self.transcript = Transcript(self._line, self._wording)
         self._line.reported.connect(self._on_reported)
         self._line.closed.connect(self._on_closed)
 
@@ -200,6 +207,10 @@ class Connection(QObject):
         self._settings = report.settings
         self._echo = report.echo
         self._port_rates = report.port_rates
+        self.transcript.note_settings(report.settings)
+        if self._wording.board != report.state.signature:
+            self._wording.board = report.state.signature
+            self.transcript.forget_words()
         self.answered.emit(report)
         self._stand(Link.UP, self.tr("Connected to {0}.").format(report.state.signature))
         self.settled.emit()

@@ -35,6 +35,7 @@ from trex_gui.model.parameters import Column
 from trex_gui.model.reset_order import ResetOrder
 from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.model.telemetry import Telemetry
+from trex_gui.model.transcript import Transcript
 from trex_gui.settings.document import calibration_key
 from trex_gui.settings.factory import factory_settings
 from trex_gui.settings.history import History
@@ -132,6 +133,11 @@ class Device(QObject):
     def state(self) -> DeviceState | None:
         """What the board said of itself; `None` while none answers."""
         return self._state
+
+    @property
+    def transcript(self) -> Transcript:
+        """Every byte that went over its line."""
+        return self._connection.transcript
 
     @property
     def echo(self) -> bool:

@@ -5,6 +5,7 @@ import math
 from trex_gui.link.messages import Close, SetAuxiliary, SetDrive, SetDrives, Stop, Write
 from trex_gui.link.session import Session
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transcript import taped
 from trex_gui.model.session_thread import NOBODY, SessionThread
 
 
@@ -22,7 +23,7 @@ class Line(SessionThread):
     def open(self, settings: LinkSettings, *, may_move: bool) -> None:
         """Start a session; `may_move` says that motors may be turning from an earlier one."""
         self.start(
-            lambda inbox, tell: Session(settings, inbox, tell, may_move=may_move),
+            lambda inbox, tell: Session(settings, inbox, tell, taped(self.tape), may_move=may_move),
             may_move=may_move,
         )
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal, Slot
 
 from trex_gui.link.messages import Close, Closed, Outcome
+from trex_gui.link.transcript import Tape
 from trex_gui.protocol.errors import TrexError
 from trex_gui.worker.line_worker import LineWorker, MakeSession
 
@@ -23,17 +24,23 @@ _PATIENCE_WHILE_WRITING_MS = 3000
 class SessionThread(QObject):
     """One session after another, never two at a time.
 
+    Attributes:
+        tape: what their bytes are noted on, where `transcript.taped` opens the line.
+
     Signals:
+        started: a session begins.
         reported: a report that is neither an outcome nor the last one.
         closed: the port is given back; the `messages.Closed` of the session. A fault of the
             program leaves none: then motors that were driven at all may move.
     """
 
+    started = Signal()
     reported = Signal(object)
     closed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.tape = Tape()
         self._worker: LineWorker | None = None
         self._may_move = False
         self._ids = itertools.count(1)
@@ -62,6 +69,7 @@ class SessionThread(QObject):
         self._worker.reported.connect(self._on_reported)
         self._worker.finished.connect(self._on_worker_finished)
         self._worker.start()
+        self.started.emit()
 
     def submit(self, request: object) -> bool:
         """Hand a request to the session; return whether there is one."""

@@ -78,6 +78,7 @@ def menus() -> Mapping[str, tuple[ActionInfo | str, ...]]:
             ActionInfo("page3", tr("&Motors"), "Ctrl+4"),
             ActionInfo("page4", tr("C&urrents"), "Ctrl+5"),
             ActionInfo("page5", tr("&Parameters"), "Ctrl+6"),
+            ActionInfo("page6", tr("T&ranscript"), "Ctrl+7"),
             SEPARATOR,
             ActionInfo("demo", tr("&Demo TReX panel"), checkable=True),
             SEPARATOR,

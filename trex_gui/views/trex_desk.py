@@ -32,6 +32,7 @@ from trex_gui.views.review.power_cycle_dialog import PowerCycleDialog
 from trex_gui.views.review.review_dialog import ReviewDialog
 from trex_gui.views.settings_editor.file_drop import FileDrop
 from trex_gui.views.settings_files import SettingsFiles
+from trex_gui.views.transcript.page import TranscriptPage
 from trex_gui.views.widgets.question import Answer, Question
 from trex_gui.views.widgets.scroll_box import ScrollBox
 
@@ -59,6 +60,7 @@ class TrexDesk(Desk):
         parameters_page = ParametersPage(device, self)
         calibration_page = CalibrationPage(device, self)
         motors_page = MotorsPage(device, self)
+        transcript_page = TranscriptPage(device.transcript, "transcript", self.tr("a board"), self)
         pages = {
             self.tr("Status"): StatusPage(device, self),
             self.tr("Channels"): ChannelsPage(device, self),
@@ -66,6 +68,7 @@ class TrexDesk(Desk):
             self.tr("Motors"): motors_page,
             self.tr("Currents"): CurrentsPage(device, self),
             self.tr("Parameters"): parameters_page,
+            self.tr("Transcript"): transcript_page,
         }
         for title, page in pages.items():
             tabs.addTab(ScrollBox(page, self), title)
@@ -113,6 +116,8 @@ class TrexDesk(Desk):
         motors_page.parameter_wanted.connect(lambda: tabs.setCurrentIndex(parameters_index))
         calibration_page.told.connect(self.told)
         calibration_page.refused.connect(self.refused)
+        transcript_page.told.connect(self.told)
+        transcript_page.refused.connect(self.refused)
         connector.failed.connect(self.refused)
         connector.demo_changed.connect(self._on_demo_changed)
         connector.demo_board.refused.connect(self.refused)

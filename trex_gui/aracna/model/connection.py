@@ -4,14 +4,20 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.aracna.link.messages import Connected, Halt, Restarted, Silent
 from trex_gui.aracna.link.session import AracnaSession
+from trex_gui.aracna.link.wording import AracnaWording
 from trex_gui.link.messages import Closed
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transcript import taped
 from trex_gui.model.connection import Link
 from trex_gui.model.session_thread import SessionThread
+from trex_gui.model.transcript import Transcript
 
 
 class RobotConnection(SessionThread):
     """The way to one robot, or none.
+
+    Attributes:
+        transcript: every byte that went over its line.
 
     Signals:
         changed: `link` or `status`.
@@ -32,6 +38,7 @@ class RobotConnection(SessionThread):
         self._link = Link.NONE
         self._status = self.tr("Not connected.")
         self._next: LinkSettings | None = None
+        self.transcript = Transcript(self, AracnaWording())
         self.closed.connect(self._on_closed)
 
     @property
@@ -52,7 +59,10 @@ class RobotConnection(SessionThread):
             return
         where = settings.name or settings.url
         self._stand(Link.OPENING, self.tr("Connecting to {0} …").format(where))
-        self.start(lambda inbox, tell: AracnaSession(settings, inbox, tell), may_move=False)
+        self.start(
+            lambda inbox, tell: AracnaSession(settings, inbox, tell, taped(self.tape)),
+            may_move=False,
+        )
 
     def leave(self) -> None:
         """Send nothing more and close the line; does not wait for it."""

@@ -16,6 +16,7 @@ from trex_gui.aracna.protocol.units import MOTORS
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Link
 from trex_gui.model.events import EventKind, Events
+from trex_gui.model.transcript import Transcript
 from trex_gui.protocol.errors import sentence
 
 
@@ -83,6 +84,11 @@ class ObservedRobot(QObject):
     def status(self) -> str:
         """How things stand, as a sentence."""
         return self._line.status
+
+    @property
+    def transcript(self) -> Transcript:
+        """Every byte that went over its line."""
+        return self._line.transcript
 
     @property
     def version(self) -> int | None:

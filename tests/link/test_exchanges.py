@@ -1,0 +1,129 @@
+"""Question and answer find each other again, however the bytes come."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, rows_of, told
+from trex_gui.link.exchanges import Assembler
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transcript import Piece, Way
+from trex_gui.link.trex_wording import TrexWording
+from trex_gui.protocol.commands import Command, GetMode, GetSignature, SetParameter, Signature
+from trex_gui.protocol.crc7 import crc7
+from trex_gui.protocol.device_table import device_table
+from trex_gui.protocol.framing import Framing
+from trex_gui.protocol.line_settings import Detection, LineSettings
+
+CRC = LinkSettings("virtual", line=LineSettings(19200, Detection.CRC7))
+
+TREX: list[tuple[Said, str, bool]] = [
+    ((b"\x81", b"TReX1.2"), "get signature → TReX 1.2", False),
+    ((b"\x81", b"\x81TReX1.2"), "get signature → TReX 1.2", False),
+    ((b"\x82", b"r"), "get mode → serial mode, RC inputs", False),
+    ((b"\x82", b""), "get mode → no answer", True),
+    ((b"\x82", b"\x82"), "get mode → only its echo came back", True),
+    ((b"\x81", b"TReX"), "get signature → the answer is not complete", True),
+    ((b"\x84", b"\x00"), "get status bits, and clear them → none", False),
+    ((b"\x84", b"\x10"), "get status bits, and clear them → Motor 1 fault", False),
+    ((b"\x85", b"\x80"), "get UART error bits, and clear them → Serial timeout", False),
+    (
+        (b"\x86\x1f", bytes(8) + b"\xff\xff"),
+        "get raw inputs of all channels → 1: 0, 2: 0, 3: 0, 4: 0, 5: no signal",
+        False,
+    ),
+    ((b"\x87\x01", b"\xff"), "get remapped inputs of channel 1 → 1: -127", False),
+    (
+        (b"\x8f", b"\x02\x00"),
+        "get currents of both motors → motor 1: 2 counts, motor 2: 0 counts",
+        False,
+    ),
+    ((b"\x9f\x07", b"\x0f"), "get Serial Timeout → 1.5 s (15)", False),
+    ((b"\xaf\x07\x0f\x55\x2a", b"\x00"), "set Serial Timeout to 1.5 s (15) → stored", False),
+    (
+        (b"\xaf\x07\x0f\x55\x2a", b"\x02"),
+        "set Serial Timeout to 1.5 s (15) → refused: this value is not allowed (code 2)",
+        True,
+    ),
+    ((b"\xc2\x50", b""), "set motor 1 to forward 80", False),
+    ((b"\xc2\x50", b"\xc2\x50"), "set motor 1 to forward 80", False),
+    (
+        (b"\xc2\x50", b"\x07"),
+        "set motor 1 to forward 80 → damaged: 1 byte more than the reply has",
+        True,
+    ),
+    ((b"\x80\x09\x02", b"R"), "device 9: get mode → RC mode", False),
+    ((b"\xff", b""), "null command: nothing", False),
+    ((b"\x12", b""), "no packet of a TReX: a data byte outside a packet", False),
+    ((b"\xc2\x00\xca\x00", b""), "set motor 1 to forward 0; set motor 2 to forward 0", False),
+    ((b"", b"\x55\x55"), "bytes that nobody asked for", True),
+]
+
+
+@pytest.mark.parametrize(("said", "text", "is_fault"), TREX, ids=lambda value: str(value)[:40])
+def test_an_exchange_with_a_trex_in_words(said: Said, text: str, is_fault: bool) -> None:
+    assert told(TrexWording(), pieces_of([said])) == [(text, is_fault)]
+
+
+@settings(deadline=None)  # several processes may share the computer
+@given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
+def test_pieces_of_any_size_make_the_same_rows_of_a_trex(
+    talk: list[tuple[Said, str, bool]], cut: int
+) -> None:
+    # Bytes behind an answer that is whole begin a row of their own, wherever they were cut.
+    said = [one[0] for one in talk if one[0][0] and not one[2]]
+    whole = told(TrexWording(), pieces_of(said))
+    assert told(TrexWording(), pieces_of(said, cut)) == whole
+    assert len(whole) == len(said)
+
+
+def test_every_byte_stands_in_one_row_and_no_other() -> None:
+    said = [one[0] for one in TREX]
+    rows = rows_of(TrexWording(), pieces_of(said, 1))
+    assert b"".join(row.sent for row in rows) == b"".join(sent for sent, _ in said)
+    assert b"".join(row.received for row in rows) == b"".join(received for _, received in said)
+
+
+@pytest.mark.parametrize("command", [GetSignature(), GetMode(), SetParameter(7, 15)], ids=str)
+@pytest.mark.parametrize("number", [None, 7])
+def test_a_checksum_is_judged_in_question_and_answer(
+    command: Command[object], number: int | None
+) -> None:
+    sent = Framing(number, CRC.polynomial).encode(command)
+    answer = {GetSignature: b"TReX1.2", GetMode: b"r", SetParameter: b"\x00"}[type(command)]
+    good = answer + bytes([crc7(answer, CRC.polynomial)])
+    ((_, is_fault),) = told(TrexWording(), pieces_of([(sent, good)], settings=CRC))
+    assert not is_fault
+    bad = answer + bytes([good[-1] ^ 1])
+    ((text, is_fault),) = told(TrexWording(), pieces_of([(sent, bad)], settings=CRC))
+    assert is_fault
+    assert "the CRC is" in text
+
+
+def test_an_answer_that_comes_late_belongs_to_its_question() -> None:
+    assembler = Assembler(TrexWording())
+    assembler.feed([Piece(1.0, Way.SENT, b"\x81"), Piece(1.1, Way.RECEIVED, b"TRe")])
+    (row,) = assembler.feed([Piece(1.4, Way.RECEIVED, b"X1.2")])
+    assert row.received == b"TReX1.2"
+    assert row.seconds == pytest.approx(0.4)
+
+
+def test_units_are_those_of_the_board_that_answers() -> None:
+    wording = TrexWording()
+    junior = device_table().model("trexjr")
+    wording.board = Signature(junior, "1.2")
+    ((text, _),) = told(wording, pieces_of([(b"\x8f", b"\x0a\x00")]))
+    assert f"motor 1: {10 * junior.current_unit:.2f} A" in text
+
+
+def test_what_is_polled_is_told_from_what_is_asked() -> None:
+    polled = [b"\x82", b"\x86\x1f", b"\x8f", b"\xff", b"\x80\x07\x04"]
+    asked = [b"\x81", b"\x9f\x07", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
+    assert all(map(TrexWording().is_routine, polled))
+    assert not any(map(TrexWording().is_routine, asked))
+
+
+@settings(deadline=None)  # several processes may share the computer
+@given(STRANGE_TALK, st.integers(1, 24))
+def test_no_bytes_are_too_strange_for_words(talk: list[Said], cut: int) -> None:
+    assert_sayable(TrexWording(), pieces_of(talk, cut))

@@ -1,0 +1,52 @@
+"""What is said on a line, and the rows that a transcript makes of it."""
+
+from collections.abc import Iterable
+
+from hypothesis import strategies as st
+
+from trex_gui.link.exchanges import Assembler, Exchange, Wording
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transcript import Piece, Way
+
+Said = tuple[bytes, bytes]
+"""What is sent, and what comes back."""
+
+
+def pieces_of(
+    talk: Iterable[Said], cut: int = 0, settings: LinkSettings | None = None
+) -> list[Piece]:
+    """Return a line's bytes, the answers in pieces of `cut` bytes."""
+    now = 0.0
+    pieces = [Piece(now, Way.LINE, text="Opened.", settings=settings)]
+    for sent, received in talk:
+        now += 0.001
+        if sent:
+            pieces.append(Piece(now, Way.SENT, sent))
+        size = cut or max(len(received), 1)
+        for at in range(0, len(received), size):
+            now += 0.002
+            pieces.append(Piece(now, Way.RECEIVED, received[at : at + size]))
+    return [*pieces, Piece(now + 1, Way.LINE, text="Closed.")]
+
+
+def rows_of(wording: Wording, pieces: list[Piece]) -> list[Exchange]:
+    """Return the rows that have bytes."""
+    return [row for row in Assembler(wording).feed(pieces) if not row.note]
+
+
+def told(wording: Wording, pieces: list[Piece]) -> list[tuple[str, bool]]:
+    """Return what the rows mean, and which are faults."""
+    words = [wording.words_of(row) for row in rows_of(wording, pieces)]
+    return [(one.text, one.is_fault) for one in words]
+
+
+STRANGE_TALK = st.lists(st.tuples(st.binary(max_size=12), st.binary(max_size=24)), max_size=8)
+"""Bytes that no device sends."""
+
+
+def assert_sayable(wording: Wording, pieces: list[Piece]) -> None:
+    """Fail where a row has no words, or bytes that cannot be shown."""
+    for row in rows_of(wording, pieces):
+        assert wording.words_of(row).text
+        assert wording.shown(row.sent).isprintable()
+        assert wording.shown(row.received).isprintable()
