@@ -19,6 +19,7 @@ from trex_gui.aracna.views.recordings import AracnaRecordings
 from trex_gui.model.connection import Link
 from trex_gui.views.actions import ActionInfo
 from trex_gui.views.desk import Desk
+from trex_gui.views.transcript.page import TranscriptPage
 from trex_gui.views.widgets.scroll_box import ScrollBox
 
 _PAGE = "aracna/page"
@@ -42,10 +43,12 @@ class AracnaDesk(Desk):
         tabs.setAccessibleName(self.tr("Pages"))
         self._page = RobotPage(robot, self)
         self._poses = PosesPage(robot, library, self)
+        transcript = TranscriptPage(robot.transcript, "aracnaTranscript", self.tr("a robot"), self)
         pages = {
             self.tr("Robot"): self._page,
             self.tr("Poses"): self._poses,
             self.tr("Log"): LogPage(robot.events, self),
+            self.tr("Transcript"): transcript,
         }
         for title, page in pages.items():
             tabs.addTab(ScrollBox(page, self), title)
@@ -59,9 +62,14 @@ class AracnaDesk(Desk):
         layout.addWidget(bar)
 
         panel = self._poses.panel
-        for told in (robot.told, panel.told, self.recordings.told):
+        for told in (robot.told, panel.told, self.recordings.told, transcript.told):
             told.connect(self.told)
-        for refused in (panel.refused, self.recordings.refused, robot.refused):
+        for refused in (
+            panel.refused,
+            self.recordings.refused,
+            robot.refused,
+            transcript.refused,
+        ):
             refused.connect(self.refused)
         robot.failed.connect(self._on_robot_failed)
         way.failed.connect(self.refused)

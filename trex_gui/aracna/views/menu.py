@@ -33,6 +33,7 @@ def menus() -> Mapping[str, Sequence[ActionInfo | str]]:
             ActionInfo("aracna_page0", tr("R&obot page"), "Ctrl+1"),
             ActionInfo("aracna_page1", tr("Poses p&age"), "Ctrl+2"),
             ActionInfo("aracna_page2", tr("Lo&g page"), "Ctrl+3"),
+            ActionInfo("aracna_page3", tr("&Transcript page"), "Ctrl+4"),
         ),
         tr("P&oses"): (
             ActionInfo("aracna_new", tr("&New pose file"), QKeySequence.StandardKey.New, "new"),
