@@ -49,7 +49,7 @@ TREX: list[tuple[Said, str, bool]] = [
     ((b"\xc2\x50", b"\xc2\x50"), "set motor 1 to forward 80", False),
     (
         (b"\xc2\x50", b"\x07"),
-        "set motor 1 to forward 80 → damaged: 1 byte more than the reply has",
+        "set motor 1 to forward 80 → bytes that it does not ask for; perhaps a late answer",
         True,
     ),
     ((b"\x80\x09\x02", b"R"), "device 9: get mode → RC mode", False),

@@ -54,6 +54,9 @@ class TrexWording(Wording):
             case Reply(value=value):
                 answer = describe_reply(packet.command, value, self.board)
                 return Words(f"{said} → {answer}" if answer else said, is_refusal(value))
+            case Malformed() if not packet.command.reply_size():
+                text = "bytes that it does not ask for; perhaps a late answer"
+                return Words(f"{said} → {text}", is_fault=True)
             case Malformed(reason=reason):
                 return Words(f"{said} → damaged: {reason}", is_fault=True)
             case _ if not exchange.is_over:
