@@ -118,9 +118,9 @@ def test_what_is_stored_and_what_is_refused_is_seen(reader: Reader) -> None:
 
 def test_answers_that_are_lost_are_faults_and_can_be_listed_alone(reader: Reader) -> None:
     reader.connect()
-    reader.wait(lambda: "0 faults" in reader.summary)
+    reader.wait(lambda: "faults: 0" in reader.summary)
     reader.simulator.do("line drop 4")
-    reader.wait(lambda: "0 faults" not in reader.summary)
+    reader.wait(lambda: "faults: 0" not in reader.summary)
     reader.tick("transcriptFaults")
     reader.wait(lambda: reader.view.model().rowCount() > 0)
     for row in range(reader.view.model().rowCount()):

@@ -53,7 +53,7 @@ def test_a_servo_that_does_not_answer_is_a_fault(person: Person) -> None:
     person.simulator.send("servo 3 dead")
     person.robot.set_speeds((50,) * 8)
     waits_for(person, "no answer")
-    assert "0 faults" not in person.find(QLabel, "aracnaTranscriptSummary").text()
+    assert "faults: 0" not in person.find(QLabel, "aracnaTranscriptSummary").text()
 
 
 def test_neither_device_stands_in_the_transcript_of_the_other(person: Person) -> None:

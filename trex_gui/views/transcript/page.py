@@ -46,6 +46,7 @@ class TranscriptPage(QWidget):
         self.setObjectName(f"{key}Page")
         self._transcript = transcript
         self._key = key
+        self._who = who
         self._store = QSettings(self)
         self._table = TranscriptTable(transcript, self)
         self._saver = TranscriptSaver(transcript, self)
@@ -76,12 +77,6 @@ class TranscriptPage(QWidget):
         clear.setToolTip(self.tr("Forget every row"))
         self._view = TranscriptView(self._table, self)
         self._view.setObjectName(f"{key}View")
-        self._view.set_empty_text(
-            self.tr(
-                "Nothing to show yet. When {0} is connected, everything that goes over the line "
-                "stands here, with what it means."
-            ).format(who)
-        )
         self._details = RowDetails(transcript, self._table, self)
         self._details.setObjectName(f"{key}Details")
         self._summary = QLabel(self)
@@ -171,17 +166,29 @@ class TranscriptPage(QWidget):
         transcript = self._transcript
         faults = transcript.faults
         parts = [
-            self.tr("{0} rows shown").format(f"{self._table.rowCount():,}"),
-            self.tr("{0} exchanges in all").format(f"{transcript.everything.count:,}"),
-            self.tr("1 fault") if faults == 1 else self.tr("{0} faults").format(f"{faults:,}"),
+            self.tr("shown: {0}").format(f"{self._table.rowCount():,}"),
+            self.tr("exchanges in all: {0}").format(f"{transcript.everything.count:,}"),
+            self.tr("faults: {0}").format(f"{faults:,}"),
         ]
         if not self._polling.isChecked():
             parts.append(self.tr("polling is hidden"))
         if self._paused.isChecked():
             parts.append(self.tr("held still"))
         if transcript.lost:
-            parts.append(self.tr("{0} pieces were lost").format(f"{transcript.lost:,}"))
+            parts.append(self.tr("pieces lost: {0}").format(f"{transcript.lost:,}"))
         self._summary.setText(" · ".join(parts))
+        self._view.set_empty_text(self._empty_text())
+
+    def _empty_text(self) -> str:
+        """Say why there is nothing in the table."""
+        if self._transcript.everything.rows and self._words.text().strip():
+            return self.tr("No row that is listed has this in it.")
+        if self._transcript.everything.rows and self._faults.isChecked():
+            return self.tr("Nothing went wrong so far.")
+        return self.tr(
+            "Nothing to show yet. When {0} is connected, everything that goes over the line "
+            "stands here, with what it means."
+        ).format(self._who)
 
     @Slot(QModelIndex)
     def _on_current_changed(self, _current: QModelIndex) -> None:

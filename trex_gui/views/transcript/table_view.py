@@ -55,8 +55,9 @@ class TranscriptView(QTableView):
 
     def set_empty_text(self, text: str) -> None:
         """Say what is shown while there are no rows."""
-        self._empty = text
-        self.viewport().update()
+        if text != self._empty:
+            self._empty = text
+            self.viewport().update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
