@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import hypothesis
 import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -24,6 +25,10 @@ from trex_gui.emulator.firmware import Board
 from trex_gui.model.device import Link
 from trex_gui.views.theme import theme
 from trex_gui.window import Program, build
+
+# Several processes may share the computer: how long an example takes says nothing.
+hypothesis.settings.register_profile("shared", hypothesis.settings.default, deadline=None)
+hypothesis.settings.load_profile("shared")
 
 
 @pytest.fixture

@@ -1,7 +1,7 @@
 """Question and answer find each other again, however the bytes come."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, rows_of, told
@@ -65,7 +65,6 @@ def test_an_exchange_with_a_trex_in_words(said: Said, text: str, is_fault: bool)
     assert told(TrexWording(), pieces_of([said])) == [(text, is_fault)]
 
 
-@settings(deadline=None)  # several processes may share the computer
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
 def test_pieces_of_any_size_make_the_same_rows_of_a_trex(
     talk: list[tuple[Said, str, bool]], cut: int
@@ -123,7 +122,6 @@ def test_what_is_polled_is_told_from_what_is_asked() -> None:
     assert not any(map(TrexWording().is_routine, asked))
 
 
-@settings(deadline=None)  # several processes may share the computer
 @given(STRANGE_TALK, st.integers(1, 24))
 def test_no_bytes_are_too_strange_for_words(talk: list[Said], cut: int) -> None:
     assert_sayable(TrexWording(), pieces_of(talk, cut))

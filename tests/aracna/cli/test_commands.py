@@ -207,6 +207,16 @@ def test_play_begins_slowly_and_plays_every_step(
     assert near(robot, [450, 350] * 4)
 
 
+def test_what_went_wrong_in_an_early_step_is_told_in_the_end(
+    trexcmd: Run, robot: AracnaProcess, file: str
+) -> None:
+    robot.do("servo 2 lose position 1")
+    result = trexcmd("aracna", "play", file, "--sequence", "nod")
+    assert "Played." in result.stderr
+    assert "Motor 2: its position could not be read (-1)." in result.stderr
+    assert result.exit_code == 1
+
+
 def test_play_cuts_to_the_limits_unless_they_are_lifted(
     trexcmd: Run, robot: AracnaProcess, file: str
 ) -> None:

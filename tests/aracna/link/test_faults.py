@@ -3,6 +3,7 @@
 import pytest
 
 from tests.aracna.link.scene import Scene
+from trex_gui.aracna.link.client import ASK_AGAIN
 from trex_gui.aracna.link.messages import (
     Connected,
     Drag,
@@ -23,7 +24,7 @@ from trex_gui.aracna.link.messages import (
 )
 from trex_gui.aracna.link.presence import BOOT
 from trex_gui.aracna.link.refusals import STUCK
-from trex_gui.link.messages import Outcome
+from trex_gui.link.messages import Closed, Outcome
 from trex_gui.protocol.errors import BadReply, NoReply
 
 HERE = (512,) * 8
@@ -128,7 +129,7 @@ def _stuck_scene() -> Scene:
     return scene.at(0.8, lambda: scene.stage.do("servo 3 dead"))
 
 
-def test_a_servo_that_dies_in_mid_motion_is_named_once_and_nothing_sent_but_one_question() -> None:
+def test_a_servo_that_dies_in_mid_motion_is_named_once_and_nothing_sent_but_questions() -> None:
     scene = _stuck_scene()
     scene.at(8.0, Move(4, HERE)).until(60.0)
     scene.run()
@@ -141,7 +142,8 @@ def test_a_servo_that_dies_in_mid_motion_is_named_once_and_nothing_sent_but_one_
     assert scene.of(Passed)[-1].present == (598,) * 3
     assert not scene.of(Silent)
     behind = bytes(scene.stage.transport.sent).split(b".c" + b"600," * 7 + b"600\n")[1]
-    assert behind == b".q\n"
+    assert behind == b".q\n" * behind.count(b".q\n")
+    assert 1 < behind.count(b".q\n") <= 2 + 60 / ASK_AGAIN
     outcomes = {outcome.id: outcome.error for outcome in scene.of(Outcome)}
     assert outcomes[3] is not None  # closed before this was done
     assert outcomes[4] is not None
@@ -270,3 +272,52 @@ def test_a_robot_that_is_mute_from_the_middle_of_a_motion_on_is_called_silent() 
     assert len(scene.of(Connected)) == 2
     assert isinstance({one.id: one.error for one in scene.of(Outcome)}[3], NoReply)
     assert scene.line.station.firmware.boots == 1
+
+
+def test_a_second_servo_that_dies_is_named_too() -> None:
+    scene = _stuck_scene()
+    scene.at(6.0, lambda: scene.stage.do("servo 5 dead"))
+    scene.at(8.0, lambda: scene.stage.do("servo 3 alive")).until(20.0)
+    scene.run()
+    assert [stuck.motor for stuck in scene.of(Stuck)] == [3, 5]
+
+
+def test_a_line_that_was_cut_in_mid_answer_is_free_again_once_the_robot_answers() -> None:
+    scene = Scene()
+    scene.at(0.5, Move(1, (500, 300, *(400,) * 6), (30,) * 8))
+    scene.at(2.0, lambda: scene.stage.do("line mute on"))
+    scene.at(30.0, lambda: scene.stage.do("line mute off"))
+    scene.at(40.0, Move(2, (450,) * 8, (30,) * 8)).until(50.0)
+    scene.run()
+    outcomes = {outcome.id: outcome.error for outcome in scene.of(Outcome)}
+    assert outcomes[1] is not None
+    assert outcomes[2] is None
+
+
+def test_speeds_that_are_asked_for_while_it_is_stuck_are_not_sent_later() -> None:
+    scene = _stuck_scene()
+    scene.at(5.0, SetSpeeds(9, (0,) * 8))
+    scene.at(30.0, lambda: scene.stage.do("servo 3 alive")).until(40.0)
+    scene.run()
+    outcomes = {outcome.id: outcome.error for outcome in scene.of(Outcome)}
+    assert str(outcomes[9]) == STUCK
+    assert (0,) * 8 not in [held.wanted for held in scene.of(SpeedsHeld)]
+
+
+def test_after_a_sequence_the_speeds_are_those_that_were_asked_for_before_it() -> None:
+    scene = Scene()
+    scene.at(0.5, Move(1, HERE, SLOW)).at(1.0, Move(2, (400,) * 8, SLOW))
+    scene.at(1.1, SetSpeeds(3, (20,) * 8)).at(1.15, Play(4, (Step((420,) * 8, 1.0),))).until(10.0)
+    scene.run()
+    assert scene.stage.speeds == (20,) * 8
+
+
+def test_a_board_that_only_ever_says_that_it_starts_is_given_up() -> None:
+    scene = Scene()
+    scene.stage.do("power off")
+    for turn in range(40):
+        scene.at(3.0 * turn, lambda: scene.line.inject(b".h\r\n"))
+    scene.until(120.0).run()
+    [closed] = scene.of(Closed)
+    assert "starts again and again" in str(closed.error)
+    assert scene.when(Closed)[0] < 20.0

@@ -1,7 +1,7 @@
 """What goes over the line to a robot, in words."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, told
@@ -39,7 +39,6 @@ def test_an_exchange_with_an_aracna_in_words(said: Said, text: str, is_fault: bo
     assert told(AracnaWording(), pieces_of([said])) == [(text, is_fault)]
 
 
-@settings(deadline=None)  # several processes may share the computer
 @given(st.lists(st.sampled_from(ARACNA), max_size=8), st.integers(1, 5))
 def test_pieces_of_any_size_make_the_same_rows_of_an_aracna(
     talk: list[tuple[Said, str, bool]], cut: int
@@ -55,7 +54,6 @@ def test_only_the_question_whether_it_is_there_is_polled() -> None:
     assert not any(map(wording.is_routine, [b".c1,2\n", b".v1,2\n", b"\n", b".l1\n"]))
 
 
-@settings(deadline=None)  # several processes may share the computer
 @given(STRANGE_TALK, st.integers(1, 24))
 def test_no_bytes_are_too_strange_for_words(talk: list[Said], cut: int) -> None:
     assert_sayable(AracnaWording(), pieces_of(talk, cut))

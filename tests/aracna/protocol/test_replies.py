@@ -5,6 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.aracna.protocol.replies import (
+    MOST_MOTORS,
     Hello,
     Led,
     Positions,
@@ -19,7 +20,7 @@ from trex_gui.aracna.protocol.replies import (
 NUMBERS = st.lists(st.integers(-1, 1023), min_size=1, max_size=9).map(tuple)
 REPLIES = st.one_of(
     st.just(Hello()),
-    st.builds(Version, st.integers(0, 99), st.one_of(st.none(), st.integers(1, 18))),
+    st.builds(Version, st.integers(0, 99), st.one_of(st.none(), st.integers(1, MOST_MOTORS))),
     st.builds(Speeds, NUMBERS),
     st.builds(Positions, NUMBERS),
     st.builds(Led, st.booleans()),
@@ -153,3 +154,10 @@ def test_bytes_without_end_take_no_memory() -> None:
     assert len(reader._rest) <= 200
     reader.feed(b"\n")
     assert reader.feed(b".q1,8\r\n") == [Version(1, 8)]
+
+
+@pytest.mark.parametrize(
+    "line", [b".c512,1024", b".c99999", b".v1024,0", b".q1,12", b".q1,999"], ids=bytes.decode
+)
+def test_what_no_servo_and_no_firmware_can_say_is_no_reply(line: bytes) -> None:
+    assert read_line(line) == Strange(line)

@@ -5,7 +5,7 @@ import json
 import click
 
 from trex_gui.aracna.cli import files, moving
-from trex_gui.aracna.cli.showing import amiss_after_move, listed
+from trex_gui.aracna.cli.showing import listed
 from trex_gui.aracna.cli.talk import Talk, settings_of
 from trex_gui.aracna.link.messages import Play, Report, SpeedsHeld
 from trex_gui.aracna.poses.playing import blend_in, steps_of
@@ -113,10 +113,9 @@ def pose(
                 goals = _for_each(values, motors, "positions")
             else:
                 goals = files.cut(meant, files.limits_of(motors, lifted=no_limits))
-            moving.conclude(moving.set_speeds(talk, (speed,) * motors))
-            moved = moving.move(talk, watch, goals)
+            moved = moving.move(talk, watch, goals, (speed,) * motors)
     click.echo(listed(moved.present))
-    moving.conclude(amiss_after_move(goals, moved.present))
+    moving.conclude(watch.amiss)
 
 
 @aracna.command()
@@ -171,7 +170,7 @@ def play(
     say("Halted." if watch.halted else "Played.")
     if (moved := watch.moved) is not None:
         click.echo(listed(moved.present))
-        moving.conclude(amiss_after_move(moved.goals, moved.present))
+        moving.conclude(watch.amiss)
 
 
 def _for_each(values: tuple[int, ...], motors: int, what: str) -> tuple[int, ...]:

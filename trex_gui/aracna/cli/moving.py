@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
-from trex_gui.aracna.cli.showing import amiss_after_speeds
+from trex_gui.aracna.cli.showing import amiss_after_move, amiss_after_speeds
 from trex_gui.aracna.cli.talk import Talk
 from trex_gui.aracna.link.messages import (
     Halt,
@@ -18,6 +18,8 @@ from trex_gui.aracna.link.messages import (
 )
 from trex_gui.aracna.protocol.joints import factory_limits
 from trex_gui.cli.talk import Interruption, Refused, Usage, say
+
+HALTED = "Nothing more is sent. "
 
 NO_STOP = (
     "Nothing on this link stops a motion that runs: the motors go on to where they were "
@@ -36,16 +38,21 @@ class Watch:
         self._expected = 0.0
         self.halted = False
         self.moved: Moved | None = None
+        self.amiss: list[str] = []
 
     def hear(self, report: Report) -> None:
         """Take a report of the session."""
         match report:
             case Moving(expected=expected):
                 self._told, self._runs, self._expected = 0, True, expected
+                if self.halted:  # it was on its way already
+                    say(self._no_stop())
             case Passed(present=present) if self._motors:
                 self._tell(present)
-            case Moved(present=present):
+            case Moved(goals=goals, present=present):
                 self._runs, self.moved = False, report
+                told = amiss_after_move(goals, present)
+                self.amiss += [sentence for sentence in told if sentence not in self.amiss]
                 if self._motors:
                     self._tell(present)
             case StepBegun(part=part, index=index, round=number, late=late) if not self._motors:
@@ -73,10 +80,12 @@ class Watch:
             if self._interrupted and not self.halted:
                 self.halted = True
                 talk.tell(Halt())
-                rest = f", {self._expected:.1f} s at most" if self._runs else ""
-                say("Nothing more is sent. " + NO_STOP.format(rest=rest))
+                say(HALTED + (self._no_stop() if self._runs else "No motion runs."))
 
         return look
+
+    def _no_stop(self) -> str:
+        return NO_STOP.format(rest=f", {self._expected:.1f} s at most")
 
 
 def check_limits(goals: Sequence[int]) -> None:
@@ -108,14 +117,15 @@ def set_speeds(talk: Talk, speeds: Sequence[int]) -> list[str]:
     return amiss_after_speeds(held.wanted, held.held)
 
 
-def move(talk: Talk, watch: Watch, goals: Sequence[int]) -> Moved:
-    """Send every motor to a goal and wait.
+def move(talk: Talk, watch: Watch, goals: Sequence[int], speeds: Sequence[int]) -> Moved:
+    """Send every motor to a goal, at a speed that every servo has taken, and wait.
 
     Raises:
-        Refused: the robot does not answer, or waits for a motor.
+        Refused: the robot does not answer, waits for a motor, or a servo refuses its speed; or it
+            was asked not to go on before the motion began.
     """
     number = talk.next_id()
-    talk.tell(Move(number, tuple(goals)))
+    talk.tell(Move(number, tuple(goals), tuple(speeds)))
     moved = talk.wait(number, watch.look(talk))
     assert isinstance(moved, Moved)  # noqa: S101 - for the type checker
     return moved

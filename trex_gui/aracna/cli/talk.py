@@ -170,6 +170,7 @@ def _stuck(motor: int | None) -> str:
         return "The robot does not answer any more. Its motors may go on to their goals."
     return (
         f"The robot waits for motor {motor}, which does not arrive: it is blocked, has no power or "
-        "does not answer. Until it arrives, or the board is reset, the robot reads nothing. "
+        "does not answer, or the board itself has no power. Until it arrives, or the board is "
+        "reset, the robot reads nothing. "
         "Only servo power stops its motors."
     )

@@ -34,6 +34,10 @@ LINE = LineSettings(lines.BAUD)
 ANSWER = 1.0
 """Seconds within which `.q`, `.l` and `.v` are answered; the slowest takes 0.06 s on a wire."""
 
+ASK_AGAIN = 5.0
+"""Seconds after which a robot that has broken off in mid-answer is asked once more whether it is
+free. Its chip keeps one `.q`, however often that was sent, and answers once."""
+
 _KEPT = 48
 """Bytes that are kept of what nobody understands, to show them."""
 
@@ -196,14 +200,22 @@ class Client:
         if self.asked is None or self.asked.letter != "c" or passed in {None, self._passed}:
             return []
         self._passed = passed
+        if self._is_late:  # the next motor may be waited for in vain, too
+            self._is_late = False
+            seconds = max(self.asked.seconds, now - self.asked.sent + ANSWER + self.slack)
+            self.asked = replace(self.asked, seconds=seconds)
         return [Passing(self.asked, passed or (), now)]
 
     def _look_at_the_clock(self, now: float) -> list[News]:
         asked = self.asked
         if asked is None:
             return []
-        if self._free_by is not None and now >= self._free_by and self.waits_for is None:
-            return [self._lose(self._why_lost(), now, free=False)]
+        if self._free_by is not None and now >= self._free_by:
+            if self.waits_for is None:
+                return [self._lose(self._why_lost(), now, free=False)]
+            # The end of the line may be lost, and with it the answer to what was asked then.
+            self._free_by = None
+            self._ask_whether_free(now + ASK_AGAIN)
         if self._is_late or now < asked.sent + asked.seconds:
             return []
         if asked.letter != "c":

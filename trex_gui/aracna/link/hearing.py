@@ -18,8 +18,13 @@ from trex_gui.aracna.link.messages import (
 from trex_gui.aracna.link.news import Answered, Asked, Late, Lost, News, Passing, Voided
 from trex_gui.aracna.link.player import Player
 from trex_gui.aracna.link.presence import Presence, Why, motors_of
-from trex_gui.aracna.link.refusals import STUCK, why_not_confirmed, why_not_taken
-from trex_gui.aracna.link.servos import Servos
+from trex_gui.aracna.link.refusals import (
+    STUCK,
+    why_missed,
+    why_not_confirmed,
+    why_not_taken,
+)
+from trex_gui.aracna.link.servos import Servos, far_off
 from trex_gui.aracna.link.waiting import Waiting
 from trex_gui.aracna.protocol.replies import Led, Positions, Speeds, Version
 from trex_gui.protocol.errors import NoReply, TrexError
@@ -96,10 +101,12 @@ class Hearing:
                 self._tell(report)
                 self._go_on_at(report)
             case Positions(values=present):
-                self.servos.arrive(present, now)
+                self.servos.arrive(asked.values, present, now)
                 moved = Moved(now, asked.values, present, now - asked.sent)
                 self._tell(moved)
                 self._player.arrive()
+                if off := far_off(asked.values, present):
+                    self._player.stop(now, Ending.MISSED, why_missed(off))
                 self._waiting.answer(moved)
             case Led(on=on):
                 self._waiting.answer(on)

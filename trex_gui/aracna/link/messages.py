@@ -240,7 +240,10 @@ class StepBegun:
 
 
 class Ending(Enum):
-    """Why nothing is played any more; `SPEEDS`: a servo did not take the speed of a step."""
+    """Why nothing is played any more.
+
+    `SPEEDS`: a servo did not take the speed of a step; `MISSED`: a motor was far from its goal.
+    """
 
     DONE = auto()
     ENDED = auto()
@@ -248,6 +251,7 @@ class Ending(Enum):
     RESTARTED = auto()
     STUCK = auto()
     SPEEDS = auto()
+    MISSED = auto()
     LOST = auto()
 
 

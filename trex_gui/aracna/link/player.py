@@ -34,8 +34,7 @@ class Player:
             BadRequest: it cannot be played on so many motors.
         """
         check(play, len(servos.speeds))
-        speeds = tuple(speed for speed in servos.speeds if speed is not None)
-        self._before = speeds if len(speeds) == len(servos.speeds) else None
+        self._before = None
         self._playing = Playing(play, now)
         self._goals, self._waits = None, False
 
@@ -89,6 +88,9 @@ class Player:
                 return before
             self.stop(now, Ending.ENDED if self._playing.was_ended else Ending.DONE)
             return None
+        if self._playing.turn is None:  # speeds that were asked for before are set by now
+            speeds = tuple(speed for speed in servos.speeds if speed is not None)
+            self._before = speeds if len(speeds) == len(servos.speeds) else None
         late, seconds = self._playing.begin(turn, now)
         self._goals = self._fence.crop(turn.step.goals)
         self._tell(StepBegun(now, turn.part, turn.index, turn.round, late))

@@ -20,6 +20,8 @@ BOOT = 1.1
 PATIENCE = 6.0
 """Seconds until a robot is called silent that was reset: a boot loader may delay its start."""
 
+OPENING = 15.0
+"""Seconds until one that is connected to, and only says that it starts, is given up."""
 
 _MOTORS = {0: 2}
 """Motors that a firmware was made for whose answer to `.q` does not tell, by its version."""
@@ -52,6 +54,7 @@ class Presence:
         self.was_restarted = False
         self._ask_at = now
         self._until = now + PATIENCE
+        self._given_up_at = now + OPENING
         self._look_at = now
 
     def doubt(self, now: float) -> None:
@@ -64,11 +67,12 @@ class Presence:
     def restart(self, now: float) -> None:
         """It has said `.h`, and is deaf for a second."""
         self.was_restarted = True
-        if self.why is not Why.OPENING:
-            self.why = Why.RESTARTED
-            self._until = now + PATIENCE
         self._ask_at = now + BOOT
-        self._until = max(self._until, now + PATIENCE)
+        self._until = now + PATIENCE
+        if self.why is Why.OPENING:
+            self._until = min(self._until, self._given_up_at)
+        else:
+            self.why = Why.RESTARTED
 
     def fall_silent(self, now: float) -> None:
         """It is called silent from here on."""

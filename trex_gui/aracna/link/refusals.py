@@ -1,6 +1,6 @@
 """Why a motion is not sent, in a sentence for people."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from trex_gui.protocol.errors import NoReply, TrexError
 
@@ -25,6 +25,16 @@ def why_not_taken(wanted: Sequence[int], held: Sequence[int]) -> TrexError | Non
     ]
     text = "; ".join(parts)
     return NoReply(f"{text[0].upper()}{text[1:]}.")
+
+
+def why_missed(off: Mapping[int, int]) -> TrexError:
+    """Return an error for a sequence whose step ended with motors far from their goals."""
+    parts = [f"motor {motor} is {abs(units)} units off its goal" for motor, units in off.items()]
+    text = "; ".join(parts)
+    return NoReply(
+        f"{text[0].upper()}{text[1:]}: something holds it, or the servo power was off. The "
+        "sequence does not go on by itself."
+    )
 
 
 def why_not_confirmed(error: TrexError) -> TrexError:

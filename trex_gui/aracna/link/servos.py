@@ -18,8 +18,12 @@ TRUST = 2.0
 """Seconds after the last answer of the servos for which their speeds count as known.
 
 A servo that was without power is as fast as it can be, and nothing on the link tells of it while
-nothing is asked; nobody switches the power off and on again in less.
+nothing is asked, nor while a motion runs: one that lasts longer leaves speeds that nobody knows.
 """
+
+FAR = 50
+"""Units off its goal at which a motor has failed to go there: what the firmware's authors take in
+their self-test. Somebody has cut the servo power, or holds it."""
 
 _NEAR = 1.05
 """How much faster than needed a speed may be that is left as it is."""
@@ -62,10 +66,15 @@ class Servos:
         if now - self._heard_at > TRUST:
             self.forget_speeds()
 
-    def arrive(self, present: Sequence[int], now: float) -> None:
-        """Take the answer to a `.c`; a motor that cannot be read makes all speeds doubtful."""
+    def arrive(self, goals: Sequence[int], present: Sequence[int], now: float) -> None:
+        """Take the answer to a `.c`.
+
+        A motor that cannot be read, or is far from its goal, makes all speeds doubtful: it may
+        have been without power on its way. So does a motion that was long enough for that.
+        """
+        self.doubt(now)
         self._heard_at = now
-        if any(value < 0 for value in present):
+        if any(value < 0 for value in present) or far_off(goals, present):
             self.forget_speeds()
         self.present = tuple(None if value < 0 else value for value in present)
 
@@ -108,6 +117,15 @@ class Servos:
             lowest = min(speed_for(distance, seconds), highest)
             fits &= bool(speed) and lowest <= (speed or 0) <= best * _NEAR + 2
         return None if fits else tuple(wanted)
+
+
+def far_off(goals: Sequence[int], present: Sequence[int]) -> dict[int, int]:
+    """Return by how many units each motor misses its goal that has failed to go there."""
+    return {
+        motor: place - goal
+        for motor, (goal, place) in enumerate(zip(goals, present, strict=True))
+        if place >= 0 and abs(place - goal) > FAR
+    }
 
 
 def deadline(expected: float) -> float:

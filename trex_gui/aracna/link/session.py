@@ -198,6 +198,7 @@ class AracnaSession:
                 case SetSpeeds():
                     self._check_presence()
                     self._refuse_while_playing()
+                    self._refuse_while_stuck()
                     self._waiting.add(request)
                 case SetLed():
                     self._check_presence()

@@ -67,8 +67,8 @@ def stuck_text(motor: int | None) -> str:
         return tr("The robot does not answer at all. Look at its power and at the cable.")
     return tr(
         "The robot waits for motor {0}, and listens to nothing until it answers. Look at the servo "
-        "power and at the cable of this servo, and whether something blocks it. A reset of the "
-        "board ends the wait; it does not stop the servos."
+        "power, at the board's, and at the cable of this servo, and whether something blocks it. A "
+        "reset of the board ends the wait; it does not stop the servos."
     ).format(motor)
 
 
@@ -79,6 +79,7 @@ _ENDINGS = {
     Ending.RESTARTED: "The sequence was broken off: the board has restarted.",
     Ending.STUCK: "The sequence was broken off: the robot waits for a motor.",
     Ending.SPEEDS: "The sequence was broken off: a motor did not take its speed.",
+    Ending.MISSED: "The sequence was broken off: a motor was far from its goal.",
     Ending.LOST: "The sequence was broken off: the robot does not answer.",
 }
 

@@ -3,6 +3,8 @@
 import re
 from dataclasses import dataclass
 
+from trex_gui.aracna.protocol.units import HIGHEST
+
 
 @dataclass(frozen=True, slots=True)
 class Hello:
@@ -53,6 +55,9 @@ Reply = Hello | Version | Speeds | Positions | Led | Strange
 _LONGEST = 200
 """Bytes without a line end that are kept; the longest reply of eight motors has 43."""
 
+MOST_MOTORS = 11
+"""More values of four digits than the firmware's line buffer of 59 characters takes."""
+
 _NUMBER = rb"-1|0|[1-9]\d{0,4}"
 """What `%d` makes of it: no sign but of -1, nothing in front of it."""
 
@@ -68,9 +73,11 @@ def read_line(line: bytes) -> Reply:
         return Hello()
     if match := _QUERY.fullmatch(line):
         motors = None if match[2] is None else int(match[2])
-        return Version(int(match[1]), motors)
+        return Strange(line) if (motors or 0) > MOST_MOTORS else Version(int(match[1]), motors)
     if match := _VALUES.fullmatch(line):
         values = tuple(map(int, match[2].split(b",")))
+        if max(values) > HIGHEST:
+            return Strange(line)
         return Speeds(values) if match[1] == b"v" else Positions(values)
     if match := _LED.fullmatch(line):
         return Led(match[1] == b"1")
