@@ -33,7 +33,7 @@ from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
 from trex_gui.model.driving.lockout import remembered_lockout
 from trex_gui.model.driving.timeout import weakness_on
-from trex_gui.protocol.commands import DriveBoth
+from trex_gui.protocol.commands import Drive, DriveAuxiliary, DriveBoth, DriveMotor
 from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.views.widgets.speed_slider import SpeedSlider
 from trex_gui.window import Program
@@ -233,8 +233,18 @@ def test_every_packet_of_a_control_for_both_motors_is_for_both(
         let_go()
         armed.wait_for(BRAKE, BRAKE)
     driven = moving(sent)
-    assert len(driven) >= 40
-    assert {type(command) for command in driven} == {DriveBoth}
+    pairs = [command for command in driven if isinstance(command, DriveBoth)]
+    assert len(pairs) >= 40
+    # On a busy machine an answer may be late, and what rests is told to rest again, one by one.
+    doing: dict[int, Drive] = {}
+    for command in driven:
+        match command:
+            case DriveBoth(motor1=first, motor2=second):
+                doing = {1: first, 2: second}
+            case DriveMotor(motor=motor, drive=drive):
+                assert doing[motor] == drive, "one motor alone does something else"
+            case DriveAuxiliary(speed=speed):
+                assert speed == 0
 
 
 def test_leaving_the_page_with_a_slider_in_hand_stops_and_disarms(armed: Driver) -> None:
