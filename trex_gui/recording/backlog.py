@@ -3,25 +3,15 @@
 import threading
 from collections import deque
 from collections.abc import Sequence
-from typing import Generic, Protocol, TypeVar
+from typing import Generic
 
+from trex_gui.recording.blocks import RecordT
 from trex_gui.recording.recording import Marker
 
 MOST = 100_000
 """Records that may wait: nine minutes at full rate, some 15 MB."""
 
 LOST_KIND = "note"
-
-
-class Timed(Protocol):
-    """What can be recorded: it has a time on the session's clock."""
-
-    @property
-    def time(self) -> float:
-        """When it was."""
-
-
-RecordT = TypeVar("RecordT", bound=Timed)
 
 
 class Backlog(Generic[RecordT]):

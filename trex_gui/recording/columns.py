@@ -3,6 +3,7 @@
 `trexcmd stream` and recordings name the same things the same way.
 """
 
+import csv
 from collections.abc import Sequence
 
 from trex_gui.protocol.flags import CHANNELS, InputSource, Status, UartError
@@ -66,6 +67,21 @@ def _quoted(cell: str) -> str:
     if "," in cell or '"' in cell:
         return '"' + cell.replace('"', '""') + '"'
     return cell
+
+
+def cells_of(line: bytes) -> list[str]:
+    """Return the cells of a line of CSV, with its end or without.
+
+    Raises:
+        ValueError: it is none.
+    """
+    text = line.decode("utf-8", "surrogatepass").removesuffix("\n").removesuffix("\r")
+    if '"' not in text and "\r" not in text and "\n" not in text:
+        return text.split(",")  # several times as fast, and nearly every row is one of these
+    try:
+        return next(csv.reader([text], strict=True), [])
+    except csv.Error as error:
+        raise ValueError(str(error)) from error
 
 
 def plain_line(text: str) -> str:

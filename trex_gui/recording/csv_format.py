@@ -22,7 +22,6 @@ What is measured stands in every row, as it was last known, so that a spreadshee
 column against another. Line ends within a text are written `\n`.
 """
 
-from collections.abc import Sequence
 from typing import BinaryIO
 
 from trex_gui.link.telemetry import Control, Currents, ModeSeen, Raw, Remapped, StatusNews
@@ -35,6 +34,7 @@ from trex_gui.recording.columns import (
     physical,
     plain_line,
 )
+from trex_gui.recording.csv_lines import CsvLines
 from trex_gui.recording.recording import (
     AuxiliaryWish,
     Header,
@@ -58,16 +58,11 @@ def columns(source: InputSource) -> list[str]:
     ]
 
 
-class CsvWriter:
-    """Writes a recording as CSV.
-
-    Attributes:
-        size: bytes handed to the file so far.
-    """
+class CsvWriter(CsvLines[Record]):
+    """Writes a recording of a board as CSV."""
 
     def __init__(self, file: BinaryIO, header: Header) -> None:
-        self.size = 0
-        self._file = file
+        super().__init__(file)
         self._clock = header.clock
         self._source = header.mode.source
         self._unit = header.model.current_unit
@@ -76,27 +71,11 @@ class CsvWriter:
         self._known[-1] = header.mode.value
         self._bits: list[Status | UartError] = [*Status, *UartError]
         names = columns(self._source)
-        self._put(joined(names))
+        self.put(joined(names))
         cells = ["0.000000", "header", *[""] * (len(names) - 3), plain_line(header.to_json())]
-        self._put(joined(cells))
+        self.put(joined(cells))
 
-    def write(self, records: Sequence[Record]) -> None:
-        lines = [self._line(record) for record in records]
-        if lines:
-            self._put("\n".join(lines))
-
-    def flush(self) -> None:
-        """Every row is handed on at once."""
-
-    def finish(self) -> None:
-        self._file.flush()
-
-    def _put(self, text: str) -> None:
-        data = (text + "\n").encode("utf-8", "surrogatepass")
-        self._file.write(data)
-        self.size += len(data)
-
-    def _line(self, record: Record) -> str:
+    def line_of(self, record: Record) -> str:
         known = self._known
         wish = news = ""
         event = text = ""

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from copy import copy
 from pathlib import Path
 
+from trex_gui.recording.blocks import Block
 from trex_gui.recording.codec import decode
 from trex_gui.recording.errors import RecordingError
 from trex_gui.recording.layout import (
@@ -20,7 +21,7 @@ from trex_gui.recording.layout import (
     unpack_run,
 )
 from trex_gui.recording.on_disk import opened
-from trex_gui.recording.recording import Block, Header, Record
+from trex_gui.recording.recording import Header, Record
 
 _PIECE = 1 << 20
 _LONGEST_SEARCH = 64 << 20

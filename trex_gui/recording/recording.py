@@ -1,7 +1,7 @@
 """What a recording holds: a header that says of what, and records in the order they came."""
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any, Protocol
@@ -11,6 +11,7 @@ from trex_gui.protocol.commands import Drive
 from trex_gui.protocol.device_table import Model, device_table
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.flags import Mode
+from trex_gui.recording.blocks import BlockFile
 
 LONGEST_TEXT = 60_000
 """Characters that a text in a record may have: settings take 4,000."""
@@ -127,43 +128,8 @@ class Header:
             raise ValueError(str(error)) from error
 
 
-@dataclass(frozen=True, slots=True)
-class Block:
-    """A piece of a recording that is read as a whole.
-
-    Attributes:
-        first, last: the earliest and the latest time in it.
-        count: how many records.
-        place: where it begins in the file, in bytes.
-    """
-
-    first: float
-    last: float
-    count: int
-    place: int
-
-
-class RecordingFile(Protocol):
-    """A recording that can be read at any place, whatever its format."""
-
-    @property
-    def header(self) -> Header:
-        """Of what it is."""
-
-    @property
-    def blocks(self) -> Sequence[Block]:
-        """Its pieces, in the order they were written."""
-
-    @property
-    def problems(self) -> Sequence[str]:
-        """What is missing or cannot be read, as sentences; empty for a whole one."""
-
-    def look_through(self, tell: Callable[[float], None] = ...) -> None:
-        """Find the blocks, where only the head was read; `tell` is told the share, 0 to 1.
-
-        Raises:
-            RecordingError: it cannot be read.
-        """
+class RecordingFile(BlockFile[Header, Record], Protocol):
+    """A recording of a board that can be read at any place, whatever its format."""
 
     def again(self) -> "RecordingFile":
         """Return the same recording opened once more, for another thread.
@@ -171,16 +137,6 @@ class RecordingFile(Protocol):
         Raises:
             RecordingError: it cannot be opened any more.
         """
-
-    def read(self, index: int) -> list[Record]:
-        """Return the records of one block.
-
-        Raises:
-            RecordingError: the file has changed or gone since it was opened.
-        """
-
-    def close(self) -> None:
-        """Give the file back."""
 
 
 class Writer(Protocol):

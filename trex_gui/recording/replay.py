@@ -1,13 +1,13 @@
 """What was known at one time of a recording, found without reading it from the start."""
 
 from collections.abc import Callable
-from copy import copy
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from trex_gui.link.telemetry import Control, Currents, ModeSeen, Raw, Remapped, StatusNews
 from trex_gui.protocol.commands import Drive
 from trex_gui.protocol.flags import Mode
+from trex_gui.recording.block_replay import BlockReplay
 from trex_gui.recording.csv_format import CsvWriter
 from trex_gui.recording.errors import RecordingError
 from trex_gui.recording.on_disk import whole_file
@@ -66,62 +66,11 @@ class Latest:
                 pass
 
 
-class Replay:
-    """Goes to any time of a recording; remembers what was known where each block begins.
-
-    It belongs to one thread at a time, and the file with it.
-    """
+class Replay(BlockReplay[Record, Latest]):
+    """Goes to any time of a recording of a board."""
 
     def __init__(self, file: RecordingFile) -> None:
-        self._file = file
-        self._known = [Latest(file.header.mode, file.header.settings)]
-        self._read: tuple[int, list[Record]] = (-1, [])
-
-    @property
-    def blocks_seen(self) -> int:
-        """How many blocks, from the first on, were gone through."""
-        return len(self._known) - 1
-
-    def go_through_next(self) -> tuple[Latest, list[Record]]:
-        """Go through one block more; return what was known before it, and its records.
-
-        Raises:
-            RecordingError: the file has changed since it was opened.
-            IndexError: there is none.
-        """
-        records = self._file.read(self.blocks_seen)
-        latest = copy(self._known[-1])
-        for record in records:
-            latest.take(record)
-        self._known.append(latest)
-        return copy(self._known[-2]), records
-
-    def at(self, time: float) -> Latest:
-        """Return what was known at a time, as far as the blocks were gone through.
-
-        Raises:
-            RecordingError: the file has changed since it was opened.
-        """
-        index = self._block_of(time)
-        latest = copy(self._known[index])
-        if index < self.blocks_seen:
-            if self._read[0] != index:
-                self._read = (index, self._file.read(index))
-            for record in self._read[1]:
-                if record.time <= time:
-                    latest.take(record)
-        return latest
-
-    def _block_of(self, time: float) -> int:
-        """Return the last block seen that begins no later than that."""
-        low, high = 0, self.blocks_seen
-        while low + 1 < high:
-            middle = (low + high) // 2
-            if self._file.blocks[middle].first <= time:
-                low = middle
-            else:
-                high = middle
-        return low
+        super().__init__(file, Latest(file.header.mode, file.header.settings))
 
 
 def export_span(

@@ -4,6 +4,7 @@ import zlib
 from collections.abc import Sequence
 from typing import BinaryIO
 
+from trex_gui.recording.blocks import Block
 from trex_gui.recording.codec import encode
 from trex_gui.recording.layout import (
     DATA_HEAD,
@@ -16,7 +17,7 @@ from trex_gui.recording.layout import (
     VERSION,
     section,
 )
-from trex_gui.recording.recording import Block, Header, Marker, Record, SettingsSeen
+from trex_gui.recording.recording import Header, Marker, Record, SettingsSeen
 
 _LONGEST_WORDS = 1 << 20
 """Characters of text after which a block is written, so that it stays small enough."""

@@ -9,7 +9,8 @@ from typing import BinaryIO, Generic, Protocol, TypeVar
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from trex_gui.recording.backlog import Backlog, RecordT
+from trex_gui.recording.backlog import Backlog
+from trex_gui.recording.blocks import RecordT
 from trex_gui.recording.recording import Marker
 
 _LOOK = 0.5

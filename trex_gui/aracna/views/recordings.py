@@ -1,78 +1,64 @@
-"""Recording the robot's session into a CSV file: asking where, and saying what became of it."""
+"""Recording the robot's session, and opening what was recorded."""
 
-from datetime import datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QSettings, Signal, Slot
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtCore import QCoreApplication, QEvent, QObject
+from PySide6.QtWidgets import QWidget
 
+from trex_gui.aracna.model.playback import RobotPlayback
 from trex_gui.aracna.model.recorder import AracnaRecorder
 from trex_gui.aracna.model.robot import Robot
-from trex_gui.views.recording.indicator import RecordIndicator
-from trex_gui.views.recording.words import size_text
+from trex_gui.views.recording.keeper import RecordingKeeper, RecordingWords
+from trex_gui.views.recording.recordings import SUFFIXES
+from trex_gui.views.settings_editor.file_drop import FileDrop
 
-_FOLDER = "aracna/recordings"
+if TYPE_CHECKING:
+    from trex_gui.aracna.views.recording.window import RobotPlaybackWindow
 
 
-class AracnaRecordings(QObject):
-    """One recorder, and the row that shows that it records.
-
-    Signals:
-        told: what was recorded, for people.
-        refused: why nothing is, for people.
-        changed: whether something is recorded, or can be.
-    """
-
-    told = Signal(str)
-    refused = Signal(str)
-    changed = Signal()
+class AracnaRecordings(RecordingKeeper[AracnaRecorder, "RobotPlaybackWindow"]):
+    """One recorder, the row that shows that it records, and the windows of what was recorded."""
 
     def __init__(self, robot: Robot, window: QWidget) -> None:
-        super().__init__(window)
-        self._window = window
-        self._store = QSettings(self)
-        self._was = (False, False)
-        self.recorder = AracnaRecorder(robot, self)
-        self.indicator = RecordIndicator(self.recorder, window, prefix="aracna_")
-
-        self.recorder.told.connect(self.told)
-        self.recorder.failed.connect(self.refused)
-        self.recorder.ended.connect(self._on_ended)
-        self.recorder.changed.connect(self._on_changed)
-
-    def toggle(self) -> None:
-        """End the recording that runs, or ask where to begin one."""
-        if self.recorder.recording:
-            self.recorder.stop()
-            return
-        stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
-        folder = Path(str(self._store.value(_FOLDER, str(Path.home()))))
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._window,
-            self.tr("Record"),
-            str(folder / f"aracna_{stamp}.csv"),
-            self.tr("CSV for spreadsheets (*.csv)"),
+        super().__init__(
+            AracnaRecorder(robot), _words(), window, store="aracna/recording", prefix="aracna_"
         )
-        if chosen:
-            path = Path(chosen)
-            self.record(path if path.suffix else path.with_suffix(".csv"))
+        self._robot = robot
 
-    def record(self, path: Path) -> None:
-        """Record into a file."""
-        if self.recorder.start(path):
-            self._store.setValue(_FOLDER, str(path.parent))
-        else:
-            self.refused.emit(self.tr("Nothing can be recorded: no robot is connected."))
+    def take_drops(self, frame: QWidget, desk: QWidget) -> None:
+        """Open the recordings that are dropped on a window while this desk is shown in it."""
+        _DeskDrop(frame, desk).dropped.connect(self.open_file)
 
-    @Slot(object)
-    def _on_ended(self, path: Path) -> None:
-        size = size_text(self.recorder.size)
-        self.told.emit(self.tr("Recorded in {0} ({1}).").format(path, size))
+    def open_window(self, path: Path) -> "RobotPlaybackWindow":
+        playback = RobotPlayback.open(path)
+        # The plotting library takes as long to load as all of Qt: not before it is needed.
+        from trex_gui.aracna.views.recording.window import RobotPlaybackWindow  # noqa: PLC0415
 
-    @Slot()
-    def _on_changed(self) -> None:
-        """Tell of what menus depend on; the recorder tells of every kilobyte."""
-        now = (self.recorder.recording, self.recorder.can_record)
-        if now != self._was:
-            self._was = now
-            self.changed.emit()
+        return RobotPlaybackWindow(playback, self._robot)
+
+
+class _DeskDrop(FileDrop):
+    """Takes recordings of any device, so that those of another are told from these.
+
+    What was installed last is asked first: no other desk gets them while this one is shown.
+    """
+
+    def __init__(self, frame: QWidget, desk: QWidget) -> None:
+        super().__init__(frame, SUFFIXES)
+        self._desk = desk
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        return self._desk.isVisible() and super().eventFilter(watched, event)
+
+
+def _words() -> RecordingWords:
+    def tr(text: str) -> str:
+        return QCoreApplication.translate("AracnaRecordings", text)
+
+    return RecordingWords(
+        stem="aracna",
+        kinds={tr("CSV for spreadsheets (*.csv)"): ".csv"},
+        nothing=tr("Nothing can be recorded: no robot is connected."),
+        shown_by=tr("Aracna, Open recording"),
+    )

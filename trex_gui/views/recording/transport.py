@@ -3,21 +3,21 @@
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
-from trex_gui.model.playback import SPEEDS, Playback
+from trex_gui.model.moving_place import SPEEDS, MovingPlace
 from trex_gui.views.icons import set_icon
 from trex_gui.views.recording.words import time_text
 
 _PER_SECOND = 100
-"""Steps of the slider a second: a currents sample is 1.25 of them."""
+"""Steps of the slider a second: about as fine as samples come."""
 
 
 class TransportBar(QWidget):
-    """Moves the position of a recording.
+    """Moves the position of a recording, whatever it is of.
 
     Arrow keys on the slider go by a second, page keys by ten.
     """
 
-    def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
+    def __init__(self, playback: MovingPlace, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._playback = playback
 

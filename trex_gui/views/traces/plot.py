@@ -47,7 +47,10 @@ class TracePlot(FocusFramed):
     cursor_changed = Signal()
     event_chosen = Signal(object)
 
-    def __init__(self, window: float = 30.0, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, window: float = 30.0, parent: QWidget | None = None, *, name: str = ""
+    ) -> None:
+        """Show so many seconds; a screen reader says `name`, where it is no plot of currents."""
         super().__init__(parent)
         self.span = Span(window)
         self.origin: float | None = None
@@ -58,7 +61,7 @@ class TracePlot(FocusFramed):
         self._hovered: float | None = None  # pixels: under a mouse that rests the time moves on
         self._mark: float | None = None
         self.setObjectName("tracePlot")
-        self.setAccessibleName(self.tr("Plot of currents and speeds against time"))
+        self.setAccessibleName(name or self.tr("Plot of currents and speeds against time"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
         self._strip = MarkStrip(self)

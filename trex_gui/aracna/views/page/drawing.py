@@ -1,10 +1,12 @@
 """The robot seen from above: where it is in full lines, where it is to go in dashes."""
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from typing import Protocol
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, SignalInstance
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.aracna.model.robot import Robot
+from trex_gui.aracna.model.known import Known
 from trex_gui.aracna.protocol.joints import JOINTS
 from trex_gui.aracna.views.page.geometry import BODY, Leg, legs
 from trex_gui.aracna.views.page.words import position_text, spoken_joint
@@ -13,6 +15,49 @@ from trex_gui.views.theme import theme
 _RADIUS = 0.075
 _REACH = 0.13
 """How near the mouse has to be to a joint."""
+
+
+class Wanted(Protocol):
+    """Where each joint is wanted."""
+
+    @property
+    def changed(self) -> SignalInstance:
+        """Told when one of the goals is another."""
+        ...
+
+    @property
+    def goals(self) -> tuple[int, ...]:
+        """All of them in units, motor 0 first."""
+        ...
+
+
+class Posed(Protocol):
+    """A robot as far as it is drawn: one that is connected, or one that was recorded."""
+
+    @property
+    def changed(self) -> SignalInstance:
+        """Told when anything is other than it was, but for what is wanted."""
+        ...
+
+    @property
+    def known(self) -> Known:
+        """Everything that it has reported."""
+        ...
+
+    @property
+    def present(self) -> tuple[int | None, ...]:
+        """Where each motor was last reported; `None` where that is not known."""
+        ...
+
+    @property
+    def motors(self) -> int:
+        """How many motors it has."""
+        ...
+
+    @property
+    def targets(self) -> Wanted:
+        """Where each joint is wanted."""
+        ...
 
 
 class RobotDrawing(QWidget):
@@ -28,7 +73,7 @@ class RobotDrawing(QWidget):
     pointed = Signal(int)
     chosen = Signal(int)
 
-    def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
+    def __init__(self, robot: Posed, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaDrawing")
         self.setAccessibleName(self.tr("The robot from above"))

@@ -1,0 +1,1 @@
+"""Recordings of an Aracna as a person looks at them."""
