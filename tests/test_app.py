@@ -49,7 +49,9 @@ def test_the_tour_writes_a_picture_of_every_page_and_of_the_wizard_light_and_dar
     names = {path.name for path in tmp_path.glob("*.png")}
     pages = ["status", "channels", "calibration", "motors", "currents", "parameters"]
     pages += [f"learn-{step}" for step in ("rest", "travel", "review", "test")]
-    pages += ["aracnaRobot", "aracnaPoses", "aracnaLog"]
+    pages += ["transcript"]
+    robot_pages = ["aracnaRobot", "aracnaPoses", "aracnaLog", "aracnaTranscript"]
+    pages += [*robot_pages, *(f"{page}-moving" for page in robot_pages), "aracnaRobot-stuck"]
     assert names == {f"{page}-{scheme}.png" for page in pages for scheme in ("light", "dark")}
     assert all(path.stat().st_size > 10_000 for path in tmp_path.glob("*.png"))
 

@@ -10,6 +10,7 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
+from trex_gui.aracna.link.messages import Play, Step
 from trex_gui.model.device import Link
 from trex_gui.protocol.flags import CHANNELS
 from trex_gui.views.theme import Scheme, theme
@@ -19,6 +20,8 @@ _SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simula
 _SETTLE_MS = 2500
 _STEP_MS = 200
 _PATIENCE_MS = 15_000
+_ROBOT_STEP = 2.5  # seconds; long enough that every picture shows it on its way
+_DEAD_SERVO = 3
 _HELD_STEPS = 6  # a stick that is held longer than a second is at an end
 _SCHEMES: tuple[Scheme, ...] = ("light", "dark")
 
@@ -30,7 +33,8 @@ class Tour(QObject):
     """Waits for the simulated board, drives its motors a little and writes one PNG a page.
 
     Then it learns the channels, moving the board's sticks itself, with a picture of each step;
-    what was learned is not taken.
+    what was learned is not taken. At last it looks at the pages of the simulated robot: at rest,
+    in motion, and waiting for a servo that has died.
 
     `folder` is made when it is missing. The program ends with exit code 0 when all pictures
     are written, with 1 when the board did not come up or the wizard did not go on.
@@ -84,16 +88,17 @@ class Tour(QObject):
         yield from self._learn()
         yield from self._look_at_robot()
 
-    def _look_at_pages(self) -> Iterator[Do]:
+    def _look_at_pages(self, state: str = "", *, first_only: bool = False) -> Iterator[Do]:
+        """Look at the pages, or at the first one; `state` goes into the names of the pictures."""
         window = self._program.window
         tabs = window.pages
         for scheme in _SCHEMES:
             yield partial(theme().set_scheme, scheme)
-            for index in range(tabs.count()):
+            for index in range(1 if first_only else tabs.count()):
                 yield partial(tabs.setCurrentIndex, index)
                 page = tabs.widget(index)
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
-                yield partial(self._write, window, f"{name}-{scheme}.png")
+                yield partial(self._write, window, f"{name}{state}-{scheme}.png")
 
     def _learn(self) -> Iterator[Do]:
         sticks = self._program.connector.demo_board
@@ -119,14 +124,28 @@ class Tour(QObject):
         yield partial(self._press, "learnCancelButton")
 
     def _look_at_robot(self) -> Iterator[Do]:
-        """Turn to the simulated Aracna, move it a little, and look at its pages."""
-        robot = self._program.robot
+        """Look at the simulated Aracna at rest, in motion, and waiting for a dead servo.
+
+        Its panel stands beside them, and shows what the robot does not tell.
+        """
+        robot, demo = self._program.robot, self._program.robot_way.demo_robot
+        pairs = robot.motors // 2
+        steps = tuple(
+            Step(goals * pairs, _ROBOT_STEP, name)
+            for name, goals in (("down", (300, 400)), ("up", (550, 150)))
+        )
         yield self._program.device.motors.stop
         yield partial(self._program.connect_to_demo, "aracna")
         yield lambda: robot.link is Link.UP
-        yield partial(robot.move, (300, 400) * (robot.motors // 2))
+        yield partial(robot.move, steps[0].goals)
         yield lambda: robot.known.moved is not None
         yield from self._look_at_pages()
+        yield partial(robot.play, Play(0, steps, rounds=0))
+        yield lambda: robot.known.moving is not None
+        yield from self._look_at_pages("-moving")
+        yield partial(demo.set_dead, _DEAD_SERVO, True)
+        yield lambda: robot.known.stuck is not None
+        yield from self._look_at_pages("-stuck", first_only=True)
 
     def _hold(self, microseconds: float) -> Iterator[Do]:
         """Hold all sticks for a while where they give pulses of this length."""

@@ -1,7 +1,6 @@
 """A person without hardware: the Demo TReX is handled on its panel, the program shows it."""
 
 from collections.abc import Callable
-from itertools import pairwise
 from typing import TypeVar
 
 import pytest
@@ -11,7 +10,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSlider,
-    QApplication,
     QCheckBox,
     QComboBox,
     QDockWidget,
@@ -24,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from tests.support.demo_panels import reached_by_tab, stand_in_order
 from tests.support.simulator import SimulatorProcess
 from trex_gui.model.demo_snapshot import DemoSnapshot
 from trex_gui.model.device import Link
@@ -387,16 +386,7 @@ def test_tab_reaches_every_control_in_the_order_of_the_panel(person: Person) -> 
     person.program.window.activateWindow()
     first.setFocus()
     person.wait(first.hasFocus)
-    reached = [first.objectName()]
-    while reached[-1] != "demoFactory" and len(reached) < 60:
-        focused = QApplication.focusWidget()
-        assert focused is not None
-        QTest.keyClick(focused, Qt.Key.Key_Tab)
-        focused = QApplication.focusWidget()
-        assert focused is not None
-        reached.append(focused.objectName())
+    reached = reached_by_tab("demoFactory")
     assert set(reached) == NAMES
     assert len(reached) == len(set(reached))
-    panel = person.find(QDockWidget, "demoPanel")
-    heights = [person.find(QWidget, name).mapTo(panel, QPoint()).y() for name in reached]
-    assert all(after - before > -12 for before, after in pairwise(heights))
+    assert stand_in_order(person.find(QDockWidget, "demoPanel"), reached)

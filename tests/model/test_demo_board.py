@@ -1,32 +1,17 @@
 """The toy board: what hands do to it reaches the simulator, and what it does is seen."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.demo_panels import Overheard
 from trex_gui.emulator.control import control
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
 from trex_gui.model.demo_board import DemoBoard
 from trex_gui.model.demo_snapshot import DemoChannel, DemoSnapshot, read_snapshot
-from trex_gui.model.simulator import Simulator
 from trex_gui.protocol.flags import CHANNELS, InputSource, Mode
-
-
-class Overheard(Simulator):
-    """A simulator whose control lines are written down."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.lines: list[str] = []
-
-    def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
-        self.lines.append(line)
-        super().send(line, then)
-
-    def orders(self) -> list[str]:
-        return [line for line in self.lines if line != "show"]
 
 
 @pytest.fixture

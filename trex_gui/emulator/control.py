@@ -4,14 +4,23 @@ One line in, one line out: `ok ...` or `error ...`. Nothing in here raises.
 """
 
 import json
-import math
 from collections.abc import Callable
+from functools import partial
 
+from trex_gui.emulator.control_words import (
+    SWITCH,
+    ControlError,
+    amount,
+    answer,
+    goodbye,
+    number_of,
+    real,
+    require_no_more,
+    wire,
+)
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
-from trex_gui.emulator.serving import GOODBYE
 from trex_gui.emulator.signals import Signal
-from trex_gui.protocol.errors import TrexError
 from trex_gui.protocol.flags import CHANNELS, UartError
 
 _HIGHEST_CURRENT = 1000.0
@@ -24,11 +33,6 @@ _UART_ERRORS = {
     "parity": UartError.PARITY,
     "overrun": UartError.DATA_OVERRUN,
 }
-_SWITCH = {"on": True, "off": False}
-
-
-class _ControlError(Exception):
-    """The control line cannot be obeyed; the sentence says why."""
 
 
 def control(line: Line, text: str) -> str:
@@ -36,13 +40,9 @@ def control(line: Line, text: str) -> str:
 
     With several boards the line begins with the device number that a board was started with,
     as in `@9 power cycle`; lines about the wire need none. `quit` only gets its answer,
-    `GOODBYE`.
+    `serving.GOODBYE`.
     """
-    try:
-        answer = _obey(line, text.split())
-    except (_ControlError, TrexError) as error:
-        return "error " + " ".join(str(error).split())
-    return f"ok {answer}".rstrip()
+    return answer(partial(_obey, line), text)
 
 
 def _obey(line: Line, words: list[str]) -> str:
@@ -51,18 +51,16 @@ def _obey(line: Line, words: list[str]) -> str:
         board = _named_board(line, words[0])
         words = words[1:]
     if not words:
-        raise _ControlError(f"nothing to do; {_usage()}")
+        raise ControlError(f"nothing to do; {_usage()}")
     word, rest = words[0].lower(), words[1:]
     if word in _LINE_COMMANDS:
         return _LINE_COMMANDS[word](line, rest)
     if word not in _BOARD_COMMANDS:
-        raise _ControlError(f"{words[0]!r} is unknown; {_usage()}")
+        raise ControlError(f"{words[0]!r} is unknown; {_usage()}")
     if board is None:
         board = _only_board(line)
-    answer = _BOARD_COMMANDS[word](board, rest)
-    if word == "show":
-        return _show(line, board)
-    return answer
+    done = _BOARD_COMMANDS[word](board, rest)
+    return _show(line, board) if word == "show" else done
 
 
 def _usage() -> str:
@@ -74,24 +72,24 @@ def _named_board(line: Line, name: str) -> Board:
         if name[1:] == str(number):
             return board
     names = ", ".join(f"@{number}" for number in line.numbers)
-    raise _ControlError(f"there is no board {name}, but {names}")
+    raise ControlError(f"there is no board {name}, but {names}")
 
 
 def _only_board(line: Line) -> Board:
     if len(line.boards) > 1:
         names = ", ".join(f"@{number}" for number in line.numbers)
-        raise _ControlError(f"say which board first: {names}")
+        raise ControlError(f"say which board first: {names}")
     return line.boards[0]
 
 
 def _channel(board: Board, words: list[str]) -> str:
     if len(words) < 2:
-        raise _ControlError("channel NUMBER then counts, 1500us, 2.5V, invalid, silent or rest")
-    number = _number_of(words[0], CHANNELS, "a channel")
+        raise ControlError("channel NUMBER then counts, 1500us, 2.5V, invalid, silent or rest")
+    number = number_of(words[0], CHANNELS, "a channel")
     try:
         signal = Signal.parse(" ".join(words[1:]), board.channels.source)
     except ValueError as error:
-        raise _ControlError(str(error)) from error
+        raise ControlError(str(error)) from error
     board.connect(number, signal)
     return f"channel {number} gets {signal.text}"
 
@@ -102,18 +100,16 @@ def _jumper(board: Board, words: list[str]) -> str:
             board.mode_jumper = mode
             return f"mode jumper {mode}; read at power-up"
         case ["mix", ("on" | "off") as state]:
-            board.mix = _SWITCH[state]
+            board.mix = SWITCH[state]
             return f"mix jumper {state}"
         case ["so-ground", ("on" | "off") as state]:
-            board.so_ground = _SWITCH[state]
+            board.so_ground = SWITCH[state]
             if board.so_ground:
                 return (
                     "so-ground jumper on; read at power-up, and no answer gets out until it is off"
                 )
             return "so-ground jumper off"
-    raise _ControlError(
-        "jumper mode serial|rc|analog, jumper mix on|off or jumper so-ground on|off"
-    )
+    raise ControlError("jumper mode serial|rc|analog, jumper mix on|off or jumper so-ground on|off")
 
 
 def _power(board: Board, words: list[str]) -> str:
@@ -125,7 +121,7 @@ def _power(board: Board, words: list[str]) -> str:
         case ["cycle"]:
             board.power_cycle()
         case _:
-            raise _ControlError("power on, power off or power cycle")
+            raise ControlError("power on, power off or power cycle")
     if board.is_starved:
         return "power on, but the battery is too low for the board to start"
     return "power on" if board.powered else "power off"
@@ -133,8 +129,8 @@ def _power(board: Board, words: list[str]) -> str:
 
 def _load(board: Board, words: list[str]) -> str:
     if len(words) != 2:
-        raise _ControlError("load MOTOR AMPS")
-    number = _number_of(words[0], (1, 2), "a motor")
+        raise ControlError("load MOTOR AMPS")
+    number = number_of(words[0], (1, 2), "a motor")
     amperes = _amperes(words[1])
     board.physics[number - 1].load = amperes
     return f"motor {number} draws {amperes:g} A at full speed"
@@ -142,8 +138,8 @@ def _load(board: Board, words: list[str]) -> str:
 
 def _current(board: Board, words: list[str]) -> str:
     if len(words) != 2:
-        raise _ControlError("current MOTOR AMPS or current MOTOR auto")
-    number = _number_of(words[0], (1, 2), "a motor")
+        raise ControlError("current MOTOR AMPS or current MOTOR auto")
+    number = number_of(words[0], (1, 2), "a motor")
     if words[1].lower() == "auto":
         board.force_current(number, None)
         return f"current {number} is measured"
@@ -153,20 +149,20 @@ def _current(board: Board, words: list[str]) -> str:
 
 
 def _fault(board: Board, words: list[str]) -> str:
-    if len(words) != 2 or words[1].lower() not in _SWITCH:
-        raise _ControlError("fault MOTOR on or fault MOTOR off")
-    number = _number_of(words[0], (1, 2), "a motor")
+    if len(words) != 2 or words[1].lower() not in SWITCH:
+        raise ControlError("fault MOTOR on or fault MOTOR off")
+    number = number_of(words[0], (1, 2), "a motor")
     state = words[1].lower()
-    board.set_fault(number, fault=_SWITCH[state])
+    board.set_fault(number, fault=SWITCH[state])
     return f"fault {number} {state}"
 
 
 def _battery(board: Board, words: list[str]) -> str:
     if len(words) not in {1, 2}:
-        raise _ControlError("battery VOLTS or battery VOLTS OHMS")
-    volts = _float(words[0].lower().removesuffix("v"), "a battery in V", _HIGHEST_VOLTAGE)
+        raise ControlError("battery VOLTS or battery VOLTS OHMS")
+    volts = real(words[0].lower().removesuffix("v"), "a battery in V", _HIGHEST_VOLTAGE)
     if len(words) == 2:
-        board.machine.resistance = _float(words[1], "a resistance in ohm", _HIGHEST_RESISTANCE)
+        board.machine.resistance = real(words[1], "a resistance in ohm", _HIGHEST_RESISTANCE)
     board.machine.battery = volts
     if not board.powered:
         board.machine.volts = volts  # nothing draws a current
@@ -176,21 +172,20 @@ def _battery(board: Board, words: list[str]) -> str:
 def _eeprom(board: Board, words: list[str]) -> str:
     """Write a cell past the firmware, as a programmer would; it acts at the next power-up."""
     if len(words) != 2:
-        raise _ControlError("eeprom KEY VALUE")
+        raise ControlError("eeprom KEY VALUE")
     key, text = words
     try:
         board.eeprom.write(key, int(text, 0))
     except KeyError:
-        raise _ControlError(f"there is no parameter {key!r}") from None
+        raise ControlError(f"there is no parameter {key!r}") from None
     except ValueError as error:
-        raise _ControlError(str(error)) from error
+        raise ControlError(str(error)) from error
     _require_saved(board)
     return f"{key} is {board.eeprom[key]}; power cycle to use it"
 
 
 def _factory(board: Board, words: list[str]) -> str:
-    if words:
-        raise _ControlError("factory takes nothing more")
+    require_no_more("factory", words)
     board.make_new()
     _require_saved(board)
     return "as new"
@@ -198,12 +193,11 @@ def _factory(board: Board, words: list[str]) -> str:
 
 def _require_saved(board: Board) -> None:
     if board.eeprom.unsaved is not None:
-        raise _ControlError(f"done, but not saved: {board.eeprom.unsaved}")
+        raise ControlError(f"done, but not saved: {board.eeprom.unsaved}")
 
 
 def _no_words(_board: Board, words: list[str]) -> str:
-    if words:
-        raise _ControlError("show takes nothing more")
+    require_no_more("show", words)
     return ""
 
 
@@ -216,15 +210,6 @@ def _show(line: Line, board: Board) -> str:
 
 def _wire(line: Line, words: list[str]) -> str:
     match [word.lower() for word in words]:
-        case ["mute", ("on" | "off") as state]:
-            line.mute = _SWITCH[state]
-            return f"line mute {state}"
-        case ["drop", number]:
-            line.to_drop = _amount(number)
-            return f"the next {line.to_drop} bytes to the host get lost"
-        case ["drop", number, "sent"]:
-            line.to_drop_sent = _amount(number)
-            return f"the next {line.to_drop_sent} bytes from the host get lost"
         case ["error", "off"]:
             line.to_spoil.clear()
             return "no byte has an error"
@@ -232,73 +217,18 @@ def _wire(line: Line, words: list[str]) -> str:
             line.to_spoil.append(_UART_ERRORS[name])
             return f"the next byte from the host has a {name} error{_NOTICED[name]}"
         case ["error", ("framing" | "parity" | "overrun") as name, number]:
-            amount = _amount(number, _MANY)
-            line.to_spoil.extend([_UART_ERRORS[name]] * amount)
-            return f"the next {amount} bytes from the host have a {name} error{_NOTICED[name]}"
-        case ["garbage", *digits] if digits:
-            data = _hex("".join(digits))
-            if len(data) > _MANY:
-                raise _ControlError(f"garbage is at most {_MANY} bytes, not {len(data)}")
-            line.inject(data)
-            return f"{len(data)} bytes on their way to the host"
-        case ["noise", probability]:
-            line.noise = _probability(probability)
-            return f"noise {line.noise:g}"
-        case ["unplug"]:
-            line.unplug()
-            return "unplugged"
-        case ["plug"]:
-            line.plug()
-            return "plugged"
-    raise _ControlError(
-        "line mute on|off, line drop N [sent], line error framing|parity|overrun [N], "
-        "line error off, "
-        "line garbage HEX, line noise P, line unplug or line plug"
-    )
+            count = amount(number, highest=_MANY)
+            line.to_spoil.extend([_UART_ERRORS[name]] * count)
+            return f"the next {count} bytes from the host have a {name} error{_NOTICED[name]}"
+    return wire(line, line, words, "line error framing|parity|overrun [N]", "line error off")
 
 
 def _quit(_line: Line, words: list[str]) -> str:
-    if words:
-        raise _ControlError("quit takes nothing more")
-    return GOODBYE.removeprefix("ok ")
-
-
-def _number_of(text: str, allowed: tuple[int, ...], what: str) -> int:
-    for number in allowed:
-        if text == str(number):
-            return number
-    raise _ControlError(f"{what} is {allowed[0]} to {allowed[-1]}, not {text!r}")
-
-
-def _float(text: str, what: str, highest: float) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not 0 <= value <= highest:
-        raise _ControlError(f"{what} is 0 to {highest:g}, not {text!r}")
-    return value
+    return goodbye(words)
 
 
 def _amperes(text: str) -> float:
-    return _float(text.lower().removesuffix("a"), "a current in A", _HIGHEST_CURRENT)
-
-
-def _probability(text: str) -> float:
-    return _float(text, "a probability", 1.0)
-
-
-def _amount(text: str, highest: int = 999_999_999) -> int:
-    if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
-        raise _ControlError(f"a number of bytes is 0 to {highest}, not {text!r}")
-    return int(text)
-
-
-def _hex(text: str) -> bytes:
-    try:
-        return bytes.fromhex(text)
-    except ValueError:
-        raise _ControlError(f"{text!r} is not a row of bytes such as FF80") from None
+    return real(text.lower().removesuffix("a"), "a current in A", _HIGHEST_CURRENT)
 
 
 _BOARD_COMMANDS: dict[str, Callable[[Board, list[str]], str]] = {

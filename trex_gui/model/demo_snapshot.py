@@ -5,6 +5,7 @@ import re
 from dataclasses import dataclass, fields
 from typing import Any
 
+from trex_gui.model.demo_device import DemoLine
 from trex_gui.protocol.flags import InputSource, Mode
 
 STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}
@@ -57,15 +58,6 @@ class DemoJumpers:
     mode: str
     mix: bool
     so_ground: bool
-
-
-@dataclass(frozen=True, slots=True)
-class DemoLine:
-    """The wire to this computer; `noise` is the probability that a byte is spoilt."""
-
-    plugged: bool
-    mute: bool
-    noise: float
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,6 +33,8 @@ OBEYED = [
     ("line mute on", "line mute on"),
     ("line drop 3", "the next 3 bytes to the host get lost"),
     ("line drop 3 sent", "the next 3 bytes from the host get lost"),
+    ("line cut 4", "of what comes after the next 4 bytes the rest of a line gets lost"),
+    ("line cut off", "no answer is cut"),
     ("line garbage FF 80", "2 bytes on their way to the host"),
     ("line garbage ff80", "2 bytes on their way to the host"),
     ("line noise 0.5", "noise 0.5"),
@@ -80,6 +82,8 @@ REFUSED = [
     ("line noise 1.1", "a probability is 0 to 1, not '1.1'"),
     ("line drop many", "a number of bytes is 0 to 999999999, not 'many'"),
     ("line drop 1 received", LINE),
+    ("line cut", LINE),
+    ("line cut -1", "a number of bytes is 0 to 999999999, not '-1'"),
 ]
 
 
@@ -129,6 +133,15 @@ def test_show_tells_of_board_servos_and_wire(stage: AracnaStage) -> None:
     )
     assert shown["line"] == {"plugged": True, "mute": False, "noise": 0.0}
     assert shown["counters"]["board"]["restarts"] == 0
+
+
+def test_show_tells_a_dead_servo_from_one_without_power(stage: AracnaStage) -> None:
+    assert (state(stage.line)["servo_power"], state(stage.line)["dead"]) == (True, [])
+    stage.do("servo 5 dead")
+    stage.do("servo power off")
+    shown = state(stage.line)
+    assert (shown["servo_power"], shown["dead"]) == (False, [5])
+    assert not any(servo["alive"] for servo in shown["servos"])
 
 
 def test_show_follows_what_happens(stage: AracnaStage) -> None:

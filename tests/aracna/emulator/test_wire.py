@@ -198,3 +198,30 @@ def test_whatever_it_is_sent_a_board_answers_after_a_reset(
         assert 0 <= servo.goal <= 1023
         assert 0 <= servo.speed <= 1023
         assert -1 < servo.position < 1024
+
+
+# --- An answer that is cut ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("passing", [0, 1, 6, 7])
+def test_of_an_answer_that_is_cut_the_first_bytes_come_and_the_next_answer_is_whole(
+    stage: AracnaStage, passing: int
+) -> None:
+    stage.do(f"line cut {passing}")
+    answer = stage.ask(GOALS)
+    assert answer == b".c512,512,"[:passing]
+    assert stage.ask(b".q\n") == VERSION
+    assert stage.line.faults.counters["dropped"] == 35 - passing
+
+
+def test_a_cut_that_comes_behind_a_short_answer_is_one_of_the_next(stage: AracnaStage) -> None:
+    stage.do("line cut 9")
+    assert stage.ask(b".q\n") == VERSION
+    assert stage.ask(b".q\n") == VERSION[:2]
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_a_cut_can_be_taken_back(stage: AracnaStage) -> None:
+    stage.do("line cut 2")
+    stage.do("line cut off")
+    assert stage.ask(b".q\n") == VERSION

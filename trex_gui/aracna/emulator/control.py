@@ -4,53 +4,52 @@ One line in, one line out: `ok ...` or `error ...`. Nothing in here raises.
 """
 
 import json
-import math
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from trex_gui.aracna.emulator.line import AracnaLine
 from trex_gui.aracna.emulator.servos import Register, Servo
-from trex_gui.emulator.serving import GOODBYE
+from trex_gui.emulator.control_words import (
+    SWITCH,
+    ControlError,
+    amount,
+    answer,
+    goodbye,
+    number_of,
+    real,
+    require_no_more,
+    wire,
+)
 
-_MANY = 10_000
-_SWITCH = {"on": True, "off": False}
 _SERVO_USAGE = (
     "servo N dead|alive|block|free, servo N load F, servo N lose moving|position|speed [TIMES] "
     "or servo power off|on"
 )
 
 
-class _ControlError(Exception):
-    """The control line cannot be obeyed; the sentence says why."""
-
-
 def control(line: AracnaLine, text: str) -> str:
     """Obey one control line and return the answer, without a line end.
 
-    `quit` only gets its answer, `GOODBYE`.
+    `quit` only gets its answer, `serving.GOODBYE`.
     """
-    words = text.split()
-    try:
-        answer = _obey(line, words)
-    except _ControlError as error:
-        return "error " + " ".join(str(error).split())
-    return f"ok {answer}".rstrip()
+    return answer(partial(_obey, line), text)
 
 
 def _obey(line: AracnaLine, words: list[str]) -> str:
     known = "known are " + ", ".join(_COMMANDS)
     if not words:
-        raise _ControlError(f"nothing to do; {known}")
+        raise ControlError(f"nothing to do; {known}")
     obey = _COMMANDS.get(words[0].lower())
     if obey is None:
-        raise _ControlError(f"{words[0]!r} is unknown; {known}")
+        raise ControlError(f"{words[0]!r} is unknown; {known}")
     return obey(line, [word.lower() for word in words[1:]])
 
 
 def _reset(line: AracnaLine, words: list[str]) -> str:
-    _require_no_more("reset", words)
+    require_no_more("reset", words)
     if not line.station.powered:
-        raise _ControlError("the board has no power; power on starts it")
+        raise ControlError("the board has no power; power on starts it")
     line.station.reset()
     return "the board starts anew; the servos go on"
 
@@ -66,7 +65,7 @@ def _power(line: AracnaLine, words: list[str]) -> str:
             _power_off(line)
             _power_on(line)
         case _:
-            raise _ControlError("power on, power off or power cycle")
+            raise ControlError("power on, power off or power cycle")
     return "power on" if line.station.powered else "power off"
 
 
@@ -88,12 +87,12 @@ def _servo_power(line: AracnaLine, *, on: bool) -> None:
 def _servo(line: AracnaLine, words: list[str]) -> str:
     match words:
         case ["power", ("on" | "off") as state]:
-            _servo_power(line, on=_SWITCH[state])
+            _servo_power(line, on=SWITCH[state])
             return f"servo power {state}"
         case [name, *rest] if name != "power" and rest:
             servo = line.servos[_motor(line, name)]
             return f"servo {name} {_one_servo(servo, rest)}"
-    raise _ControlError(_SERVO_USAGE)
+    raise ControlError(_SERVO_USAGE)
 
 
 def _one_servo(servo: Servo, words: list[str]) -> str:
@@ -105,13 +104,13 @@ def _one_servo(servo: Servo, words: list[str]) -> str:
             servo.blocked = state == "block"
             return "blocked" if servo.blocked else "free"
         case ["load", part]:
-            servo.load = _part(part, "a load")
+            servo.load = real(part, "a load", 1)
             return f"loses {servo.load:g} of its speed"
         case ["lose", ("moving" | "position" | "speed") as name]:
             return _lose(servo, Register(name), 1)
         case ["lose", ("moving" | "position" | "speed") as name, times]:
-            return _lose(servo, Register(name), _amount(times, "a number of readings"))
-    raise _ControlError(_SERVO_USAGE)
+            return _lose(servo, Register(name), amount(times, "a number of readings"))
+    raise ControlError(_SERVO_USAGE)
 
 
 def _lose(servo: Servo, register: Register, times: int) -> str:
@@ -120,44 +119,23 @@ def _lose(servo: Servo, register: Register, times: int) -> str:
 
 
 def _wire(line: AracnaLine, words: list[str]) -> str:
-    faults = line.faults
     match words:
-        case ["mute", ("on" | "off") as state]:
-            faults.mute = _SWITCH[state]
-            return f"line mute {state}"
-        case ["drop", number]:
-            faults.to_drop = _amount(number)
-            return f"the next {faults.to_drop} bytes to the host get lost"
-        case ["drop", number, "sent"]:
-            faults.to_drop_sent = _amount(number)
-            return f"the next {faults.to_drop_sent} bytes from the host get lost"
-        case ["garbage", *digits] if digits:
-            data = _hex("".join(digits))
-            line.inject(data)
-            return f"{len(data)} bytes on their way to the host"
-        case ["noise", probability]:
-            faults.noise = _part(probability, "a probability")
-            return f"noise {faults.noise:g}"
-        case ["unplug"]:
-            line.unplug()
-            return "unplugged"
-        case ["plug"]:
-            line.plug()
-            return "plugged"
-    raise _ControlError(
-        "line mute on|off, line drop N [sent], line garbage HEX, line noise P, line unplug "
-        "or line plug"
-    )
+        case ["cut", "off"]:
+            line.faults.to_cut = None
+            return "no answer is cut"
+        case ["cut", number]:
+            line.faults.to_cut = count = amount(number)
+            return f"of what comes after the next {count} bytes the rest of a line gets lost"
+    return wire(line, line.faults, words, "line cut N|off")
 
 
 def _show(line: AracnaLine, words: list[str]) -> str:
-    _require_no_more("show", words)
+    require_no_more("show", words)
     return json.dumps(state(line))
 
 
 def _quit(_line: AracnaLine, words: list[str]) -> str:
-    _require_no_more("quit", words)
-    return GOODBYE.removeprefix("ok ")
+    return goodbye(words)
 
 
 def state(line: AracnaLine) -> dict[str, Any]:
@@ -170,6 +148,8 @@ def state(line: AracnaLine) -> dict[str, Any]:
         "state": firmware.state.value,
         "boots": firmware.boots,
         "led": firmware.led,
+        "servo_power": all(servo.powered for servo in line.servos),
+        "dead": [number for number, servo in enumerate(line.servos) if not servo.alive],
         "servos": [_state_of(servo) for servo in line.servos],
         "counters": {
             "board": {**firmware.counters, "bytes_missed": line.station.holding.lost},
@@ -192,43 +172,8 @@ def _state_of(servo: Servo) -> dict[str, Any]:
     }
 
 
-def _require_no_more(name: str, words: list[str]) -> None:
-    if words:
-        raise _ControlError(f"{name} takes nothing more")
-
-
 def _motor(line: AracnaLine, text: str) -> int:
-    for number in range(len(line.servos)):
-        if text == str(number):
-            return number
-    raise _ControlError(f"a servo is 0 to {len(line.servos) - 1}, not {text!r}")
-
-
-def _part(text: str, what: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not 0 <= value <= 1:
-        raise _ControlError(f"{what} is 0 to 1, not {text!r}")
-    return value
-
-
-def _amount(text: str, what: str = "a number of bytes") -> int:
-    highest = 999_999_999
-    if not (text.isascii() and text.isdigit() and len(text) <= 9):
-        raise _ControlError(f"{what} is 0 to {highest}, not {text!r}")
-    return int(text)
-
-
-def _hex(text: str) -> bytes:
-    try:
-        data = bytes.fromhex(text)
-    except ValueError:
-        raise _ControlError(f"{text!r} is not a row of bytes such as FF80") from None
-    if len(data) > _MANY:
-        raise _ControlError(f"garbage is at most {_MANY} bytes, not {len(data)}")
-    return data
+    return number_of(text, range(len(line.servos)), "a servo")
 
 
 _COMMANDS: dict[str, Callable[[AracnaLine, list[str]], str]] = {

@@ -6,6 +6,8 @@ from collections import Counter
 
 from trex_gui.aracna.emulator.timeline import EPSILON
 
+_LINE_END = ord("\n")
+
 
 class Faults:
     """The faults of one wire.
@@ -16,6 +18,8 @@ class Faults:
         noise: probability that a byte is spoilt on its way.
         to_drop: how many of the next bytes to the host get lost.
         to_drop_sent: how many of the next bytes from the host get lost.
+        to_cut: how many of the next bytes to the host still pass before the rest of a line is
+            lost, its end too; `None` where no line is cut.
         counters: what the wire did.
     """
 
@@ -25,6 +29,7 @@ class Faults:
         self.noise = 0.0
         self.to_drop = 0
         self.to_drop_sent = 0
+        self.to_cut: int | None = None
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "spoilt", "garbled"), 0)
         )
@@ -56,6 +61,9 @@ class Faults:
             self.to_drop -= 1
             self.counters["dropped"] += 1
             return None
+        if self._is_cut_off(byte):
+            self.counters["dropped"] += 1
+            return None
         self.counters["received"] += 1
         return self._spoil(byte)
 
@@ -63,6 +71,17 @@ class Faults:
         """Return what somebody with another parity makes of a byte: never the byte itself."""
         self.counters["garbled"] += 1
         return byte ^ self._random.randrange(1, 256)
+
+    def _is_cut_off(self, byte: int) -> bool:
+        """Whether a byte belongs to the rest of a line that is cut; its end ends the cut."""
+        if self.to_cut is None:
+            return False
+        if self.to_cut:
+            self.to_cut -= 1
+            return False
+        if byte == _LINE_END:
+            self.to_cut = None
+        return True
 
     def _is_whole(self, begun: float) -> bool:
         """Whether the cable is in, and was when a byte began."""

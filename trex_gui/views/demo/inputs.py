@@ -8,7 +8,7 @@ from trex_gui.model.demo_board import DemoBoard
 from trex_gui.model.demo_snapshot import STICK_ENDS, DemoChannel, DemoSnapshot
 from trex_gui.protocol.flags import CHANNELS, InputSource
 from trex_gui.views.demo.rows import Rows, side_by_side
-from trex_gui.views.demo.words import input_roles
+from trex_gui.views.demo.words import columns, input_roles
 from trex_gui.views.widgets.stick_slider import StickSlider
 
 _STEPS = {InputSource.RC: 1, InputSource.ANALOG: 100}
@@ -20,7 +20,7 @@ _SINGLE_STEP = {InputSource.RC: 10, InputSource.ANALOG: 5}
 class InputRow(QObject):
     """One input: its stick, what that gives, and whether anything arrives at all."""
 
-    def __init__(self, channel: int, board: DemoBoard, rows: Rows) -> None:
+    def __init__(self, channel: int, board: DemoBoard, rows: Rows[DemoSnapshot]) -> None:
         super().__init__(rows)
         self._channel = channel
         self._board = board
@@ -48,7 +48,7 @@ class InputRow(QObject):
             )
         )
 
-        self._name = rows.add_row("", self.slider, self._value, self.silent)
+        self._name = rows.add_row("", self.slider, self._value, (self.silent,))
 
         self.slider.valueChanged.connect(self._on_moved)
         self.silent.clicked.connect(self._on_silent_clicked)
@@ -89,11 +89,11 @@ class InputRow(QObject):
         self._board.set_silent(self._channel, silent)
 
 
-class DemoInputs(Rows):
+class DemoInputs(Rows[DemoSnapshot]):
     """A row an input, and who moves the sticks."""
 
     def __init__(self, board: DemoBoard, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(columns(), parent)
         self.setTitle(self.tr("Inputs"))
         self._board = board
 

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QWidget
 from trex_gui.model.demo_board import DemoBoard
 from trex_gui.model.demo_snapshot import DemoMotor, DemoSnapshot
 from trex_gui.views.demo.rows import Rows
-from trex_gui.views.demo.words import motor_text
+from trex_gui.views.demo.words import columns, motor_text
 from trex_gui.views.widgets.stick_slider import StickSlider
 
 _STEPS = 10  # slider positions in an ampere
@@ -15,7 +15,7 @@ _STEPS = 10  # slider positions in an ampere
 class MotorRow(QObject):
     """One motor: how hard it has to work, whether its driver gave up, what it does."""
 
-    def __init__(self, number: int, board: DemoBoard, rows: Rows) -> None:
+    def __init__(self, number: int, board: DemoBoard, rows: Rows[DemoSnapshot]) -> None:
         super().__init__(rows)
         self._number = number
         self._board = board
@@ -42,7 +42,7 @@ class MotorRow(QObject):
         self._doing = QLabel(rows)
         self._doing.setObjectName(f"demoMotor{number}")
 
-        rows.add_row(self.tr("Motor {0}").format(number), self.load, self._value, self.fault)
+        rows.add_row(self.tr("Motor {0}").format(number), self.load, self._value, (self.fault,))
         rows.add_words(self._doing)
 
         self.load.valueChanged.connect(self._on_load_moved)
@@ -69,11 +69,11 @@ class MotorRow(QObject):
         self._board.set_fault(self._number, fault)
 
 
-class DemoMotors(Rows):
+class DemoMotors(Rows[DemoSnapshot]):
     """Two motors."""
 
     def __init__(self, board: DemoBoard, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(columns(), parent)
         self.setTitle(self.tr("Motors"))
         self.add_headings(self.tr("Load"), self.tr("Fault"))
         self._rows = [MotorRow(number, board, self) for number in (1, 2)]

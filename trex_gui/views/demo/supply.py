@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QWidget
 from trex_gui.model.demo_board import DemoBoard
 from trex_gui.model.demo_snapshot import DemoSnapshot
 from trex_gui.views.demo.rows import Rows, side_by_side
-from trex_gui.views.demo.words import jumper_hint
+from trex_gui.views.demo.words import columns, jumper_hint
 from trex_gui.views.icons import set_icon
 from trex_gui.views.widgets.calm_combo_box import CalmComboBox
 from trex_gui.views.widgets.note import Note
@@ -16,11 +16,11 @@ _STEPS = 10  # slider positions in a volt
 _LOWEST, _HIGHEST, _USUAL = 4.0, 16.0, 12.0  # V; below about 6 a TReX resets
 
 
-class DemoSupply(Rows):
+class DemoSupply(Rows[DemoSnapshot]):
     """The switch, the battery and the jumpers."""
 
     def __init__(self, board: DemoBoard, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(columns(), parent)
         self.setTitle(self.tr("Power and jumpers"))
         self._board = board
 
@@ -73,7 +73,7 @@ class DemoSupply(Rows):
         self._hint.setObjectName("demoHint")
 
         self.add_wide(side_by_side(self, (self._power, 1), (self._cycle, 0)))
-        self.add_row(self.tr("Battery"), self._battery, self._volts, None)
+        self.add_row(self.tr("Battery"), self._battery, self._volts)
         self.add_words(self._at_board)
         self.add_wide(side_by_side(self, (self._mode, 1), (self._mix, 0), (self._so_ground, 0)))
         self.add_wide(self._hint)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QCoreApplication
 
 from trex_gui.model.demo_snapshot import DemoMotor, DemoSnapshot
 from trex_gui.protocol.flags import Mode, channels_in
+from trex_gui.views.demo.rows import Columns
 
 PACKETS = "with packets"
 """What a LED shows that lights while a packet comes in; not a pattern of the simulator's."""
@@ -12,6 +13,11 @@ PACKETS = "with packets"
 def tr(text: str) -> str:
     """Translate a text of the panel."""
     return QCoreApplication.translate("demo", text)
+
+
+def columns() -> Columns:
+    """Return the longest texts in the columns of the panel."""
+    return Columns(tr("5 override"), "2100\u00a0µs", (tr("No signal"),))
 
 
 def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
