@@ -111,8 +111,8 @@ def test_a_board_at_unknown_settings_is_found_and_connected_to(
     person.look_on(quick_simulator.url)
     assert person.find(QAbstractButton, "findCancelButton").isEnabled()
     assert not person.find(QAbstractButton, "findStartButton").isEnabled()
-    person.wait(lambda: person.text("findProgressText").startswith("Trying 115200 8N1 on"))
-    assert person.find(QProgressBar, "findProgress").maximum() == 88
+    person.wait(lambda: person.text("findProgressText").startswith("Looking for TReX at 115200"))
+    assert person.find(QProgressBar, "findProgress").maximum() == 93
     person.wait(lambda: person.sees("connectFound0"))
     assert person.text("findText0").startswith(
         f"TReX 1.2 on {quick_simulator.url} at 57600 8N1, device 7."

@@ -168,15 +168,22 @@ def test_a_window_that_was_closed_is_forgotten(alone: Program, rover: Path, qtbo
     assert not alone.desk.files.editors
 
 
-def test_a_text_file_that_is_dropped_opens(alone: Program, rover: Path) -> None:
-    for name, opened in (("rover.txt", 1), ("rover.png", 0)):
+def test_a_text_file_that_is_dropped_opens(alone: Program, rover: Path, qtbot: QtBot) -> None:
+    for name, opened in (("rover.png", 0), ("rover.txt", 1)):
         data = QMimeData()
         data.setUrls([QUrl.fromLocalFile(str(rover.with_name(name)))])
         how = (Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton)
         key = Qt.KeyboardModifier.NoModifier
         QApplication.sendEvent(alone.window, QDragEnterEvent(QPoint(5, 5), *how, key))
         QApplication.sendEvent(alone.window, QDropEvent(QPointF(5, 5), *how, key))
-        assert len(alone.desk.files.editors) == opened
+        label = alone.window.findChild(QLabel, "bannerText")
+        assert label is not None
+        if opened:
+            qtbot.waitUntil(lambda: len(alone.desk.files.editors) == 1, timeout=15_000)
+        else:
+            qtbot.waitUntil(lambda label=label: bool(label.text()), timeout=15_000)  # type: ignore[misc]
+            assert label.text().startswith("rover.png was not opened")
+            assert alone.desk.files.editors == []
         alone.desk.files.close_all()
 
 

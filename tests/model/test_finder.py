@@ -68,8 +68,8 @@ def test_what_is_tried_is_told(
     quick_simulator.do("power on")
     texts = [text for _, _, text in seen]
     assert texts[0] == f"Opening {quick_simulator.url} …"
-    assert f"Trying 19200 8N1 on {quick_simulator.url} …" in texts
-    assert f"Trying 115200 8N1 on {quick_simulator.url} …" in texts
+    assert f"Looking for TReX at 19200 8N1 on {quick_simulator.url} …" in texts
+    assert f"Looking for TReX at 115200 8N1 on {quick_simulator.url} …" in texts
     assert (1, 176) in [(done, total) for done, total, _ in seen]
     assert finder.findings == ()
     assert finder.summary == "The search was broken off."

@@ -9,7 +9,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
-from trex_gui.link.discovery import Step, find
+from trex_gui.link.discovery import SEEK_TREX
+from trex_gui.link.seekers import Step
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.errors import PortUnavailable
 from trex_gui.protocol.line_settings import LineSettings
@@ -26,7 +27,7 @@ class Watched:
         self.steps: list[tuple[int, Step]] = []
         self.searched: list[Searched] = []
         self.threads: set[threading.Thread] = set()
-        self.worker = FindWorker([Errand(LinkSettings(url), (("trex", find),)) for url in urls])
+        self.worker = FindWorker([Errand(LinkSettings(url), {"trex": SEEK_TREX}) for url in urls])
         self.worker.stepped.connect(self._on_stepped)
         self.worker.searched.connect(self._on_searched)
 
@@ -48,10 +49,8 @@ def test_ports_are_searched_one_after_the_other(
     with qtbot.waitSignal(watched.worker.finished, timeout=15_000):
         watched.worker.start()
     first, second, third = watched.searched
-    assert first.search is not None
     assert first.search.found[0].name == "TReX 1.2"
-    assert isinstance(second.error, PortUnavailable)
-    assert third.search is not None
+    assert isinstance(second.search.error, PortUnavailable)
     assert third.search.found[0].name == "TReX Jr 1.2"
     assert {index for index, _ in watched.steps} == {0, 2}
     assert watched.threads == {threading.main_thread()}
@@ -69,7 +68,6 @@ def test_a_search_ends_soon_when_it_is_cancelled(
     assert time.monotonic() - begun < 1.0
     qtbot.waitUntil(lambda: bool(watched.searched))
     (searched,) = watched.searched
-    assert searched.search is not None
     assert searched.search.cancelled
     quick_simulator.do("power on")
 
@@ -89,6 +87,5 @@ def test_a_board_at_other_settings_is_found(
     watched = Watched(quick_simulator.url)
     with qtbot.waitSignal(watched.worker.finished, timeout=15_000):
         watched.worker.start()
-    assert watched.searched[0].search is not None
     (found,) = watched.searched[0].search.found
     assert found.settings.line.baud == 115200

@@ -18,12 +18,18 @@ from trex_gui.cli.common import (
 )
 from trex_gui.cli.talk import Interruption, ProgressLine, Refused, say
 from trex_gui.link.client import Client
-from trex_gui.link.discovery import Found, Search, Step, find
+from trex_gui.link.discovery import SEEK_TREX
 from trex_gui.link.reading import ask
+from trex_gui.link.seekers import Sighting, Step, Telling
+from trex_gui.link.seeking import search_port
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.sightings import Found
 from trex_gui.link.transport import SerialTransport
 from trex_gui.protocol.commands import GetSignature, Signature
 from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
+
+_SEEKS = {"trex": SEEK_TREX, "aracna": looking.SEEK_ARACNA}
+"""What is looked for, the commonest first; see `link.seeking` for the order of the questions."""
 
 
 def _ports(chosen: str | None) -> list[str]:
@@ -51,15 +57,17 @@ def list_command(as_json: bool, **options: Any) -> None:
         row: dict[str, Any] = {"port": url, "product": None, "firmware": None}
         try:
             answer = _what_answers(settings)
-            robot = None if isinstance(answer, Signature) else looking.look(url, settings.patience)
+            seen = None if isinstance(answer, Signature) else looking.look(url, settings.patience)
         except PortUnavailable as error:
             row["answer"], unreachable = str(error), True
         else:
             row["answer"] = str(answer)
             if isinstance(answer, Signature):
                 row |= {"product": answer.model.name, "firmware": answer.firmware}
-            elif robot is not None:
-                row |= looking.listed(robot)
+            elif seen is not None and seen.found:
+                row |= looking.listed(seen.found[0])
+            elif seen is not None and (verdict := seen.judged()).telling > Telling.ECHO:
+                row["answer"] += f"; {verdict.text}"
         rows.append(row)
         if not as_json:
             click.echo(f"{url}\t{row['answer']}")
@@ -100,10 +108,10 @@ def _what_answers(settings: LinkSettings) -> Signature | str:
 def find_command(port: str | None, full: bool, patience: float, as_json: bool) -> None:
     """Find a board whose serial settings are unknown.
 
-    Tries every baud rate with every parity and with CRC-7, the likely ones first, on one port
-    or on all; prints the options that reach the board. Never moves a motor, and changes
-    nothing; a board that hears bytes at a wrong rate latches UART errors, and stops its motors
-    where it is set to do so. Where no TReX answers, an Aracna is looked for.
+    Looks for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
+    rate with every parity and with CRC-7, on one port or on all; prints the options that reach
+    the board. Never moves a motor, and changes nothing; a TReX that hears bytes at a wrong rate
+    latches UART errors, and stops its motors where it is set to do so.
     """
     rows: list[dict[str, Any]] = []
     with Interruption() as interrupted:
@@ -112,29 +120,20 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
                 break
             say(f"Searching {url} ...")
             with ProgressLine(f"Searching {url}") as line:
-                try:
-                    search = find(
-                        LinkSettings(url, patience=patience),
-                        progress=partial(_show, line),
-                        cancelled=interrupted.__bool__,
-                        full=full,
-                    )
-                    is_over = bool(search.found) or search.cancelled
-                    robot = None if is_over else looking.look(url, patience, interrupted.__bool__)
-                except PortUnavailable as error:
-                    line.clear()
-                    say(error)
-                    continue
-            rows += [_row(found) for found in search.found]
-            if robot is None:
-                _report(search, as_json=as_json)
-                if not is_over:
-                    say("No Aracna answers there either.")
-                continue
-            rows.append(looking.row(robot))
-            say(f"{robot.name}, {robot.motors} motors, on {robot.settings.text()}.")
-            if not as_json:
-                click.echo(rows[-1]["options"])
+                search = search_port(
+                    LinkSettings(url, patience=patience),
+                    _SEEKS,
+                    full=full,
+                    progress=partial(_show, line),
+                    cancelled=interrupted.__bool__,
+                )
+            for found in search.found:
+                rows.append(_report(found))
+                if not as_json:
+                    click.echo(rows[-1]["options"])
+            if not search.found and not search.cancelled:
+                for text in search.lines:
+                    say(text)
     if as_json:
         click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
     if not rows:
@@ -142,21 +141,21 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
 
 
 def _show(line: ProgressLine, step: Step) -> None:
-    line(step.done, step.total, step.line.text())
+    line(step.done, step.total, f"{step.kind} at {step.line.text()}")
 
 
-def _report(search: Search, *, as_json: bool) -> None:
-    if not search.found and not search.cancelled:
-        say(search.verdict())
-    for found in search.found:
-        where = found.settings.text()
-        number = f", device number {found.device_number}" if found.device_number is not None else ""
-        side = " (RS-232 side)" if found.echo else ""
-        say(f"{found.signature} on {where}{number}{side}.")
-        if found.note:
-            say(found.note)
-        if not as_json:
-            click.echo(as_options(found.settings))
+def _report(found: Sighting) -> dict[str, Any]:
+    """Tell a person of a device; return what `find --json` says of it."""
+    if isinstance(found, looking.Found):
+        say(looking.told(found))
+        return looking.row(found)
+    assert isinstance(found, Found)  # noqa: S101 - there is no third kind
+    number = f", device number {found.device_number}" if found.device_number is not None else ""
+    side = " (RS-232 side)" if found.echo else ""
+    say(f"{found.signature} on {found.settings.text()}{number}{side}.")
+    if found.note:
+        say(found.note)
+    return _row(found)
 
 
 def _row(found: Found) -> dict[str, Any]:

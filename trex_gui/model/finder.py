@@ -5,12 +5,13 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.link.discovery import Step, find
+from trex_gui.link.discovery import SEEK_TREX
+from trex_gui.link.seekers import Seek, Sighting, Step
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.kinds import TREX
 from trex_gui.model.ports import Port, PortKind
 from trex_gui.model.simulator import Simulator
-from trex_gui.worker.find_worker import Errand, FindWorker, Searched, Seek, Sighting
+from trex_gui.worker.find_worker import Errand, FindWorker, Searched
 
 _ENDING: list[FindWorker] = []
 """Threads that did not end in time; Qt aborts when one is destroyed running."""
@@ -21,7 +22,7 @@ class Finding:
     """What came of one port: a board, or in a sentence what was there instead.
 
     Attributes:
-        text: for people; may be of several sentences.
+        text: for people: a paragraph, or one for each kind of device that was looked for.
         found: the device; `None` where there was none.
         device: the key of its kind.
     """
@@ -47,8 +48,10 @@ class Finder(QObject):
 
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._seekers: dict[str, Seek] = {TREX.key: find}
+        self._seeks: dict[str, Seek] = {TREX.key: SEEK_TREX}
         self._simulators = {TREX.key: simulator}
+        self._demo_names = {TREX.key: self.tr("the simulated board")}
+        self._said: dict[str, str] = {}
         self._worker: FindWorker | None = None
         self._ports: tuple[Port, ...] = ()
         self._findings: tuple[Finding, ...] = ()
@@ -59,13 +62,15 @@ class Finder(QObject):
         self._summary = ""
         self._cancelled = False
 
-    def also(self, device: str, seek: Seek, simulator: Simulator) -> None:
-        """Look for another kind of device, too: before those that are known by now.
+    def also(self, device: str, seek: Seek, simulator: Simulator, demo_name: str) -> None:
+        """Look for another kind of device, too; see `link.seeking` for the order.
 
-        What it asks must be harmless to the devices of every kind.
+        What it asks must be harmless to the devices of every kind. `demo_name` is what people
+        call the simulated one.
         """
-        self._seekers = {device: seek, **self._seekers}
+        self._seeks[device] = seek
         self._simulators[device] = simulator
+        self._demo_names[device] = demo_name
 
     def can_search(self, port: Port) -> bool:
         """Whether there is something to look on: a simulated device has to run."""
@@ -150,11 +155,13 @@ class Finder(QObject):
         return in_time
 
     def _errand(self, port: Port) -> Errand:
+        """Look for every kind of device, first for what the port is known to lead to."""
         if port.kind is not PortKind.DEMO:
-            return Errand(LinkSettings(port.url), tuple(self._seekers.items()))
+            first = self._said.get(port.url, port.device)
+            return Errand(LinkSettings(port.url), dict(self._seeks), first)
         url = self._simulators[port.device].url
-        settings = LinkSettings(url, name=self.tr("the simulated board"))
-        return Errand(settings, ((port.device, self._seekers[port.device]),))
+        settings = LinkSettings(url, name=self._demo_names[port.device])
+        return Errand(settings, {port.device: self._seeks[port.device]})
 
     @Slot(int, object)
     def _on_stepped(self, index: int, step: Step) -> None:
@@ -162,25 +169,24 @@ class Finder(QObject):
         self._done = index * step.total + step.done
         if not self._cancelled:
             how = replace(LinkSettings(""), line=step.line).short
+            what = step.kind
             if step.number is not None:
-                how = self.tr("device {0} at {1}").format(step.number, how)
-            where = _name(self._ports[index])
-            self._text = self.tr("Trying {0} on {1} …").format(how, where)
+                what = self.tr("{0} with device number {1}").format(what, step.number)
+            text = self.tr("Looking for {0} at {1} on {2} …")
+            self._text = text.format(what, how, _name(self._ports[index]))
         self.progressed.emit()
 
     @Slot(object)
     def _on_searched(self, searched: Searched) -> None:
         port, search = self._ports[searched.index], searched.search
         self._searched = searched.index + 1
-        if search is None:
-            self._findings += (Finding(port, str(searched.error)),)
-        elif search.found:
+        if search.found:
+            self._said[port.url] = search.device
             self._findings += tuple(
-                Finding(port, self._sentence(found), found, searched.device)
-                for found in search.found
+                Finding(port, self._sentence(found), found, search.device) for found in search.found
             )
         elif not search.cancelled:
-            self._findings += (Finding(port, search.verdict()),)
+            self._findings += (Finding(port, "\n\n".join(search.lines)),)
         self.changed.emit()
 
     def _sentence(self, found: Sighting) -> str:

@@ -152,8 +152,9 @@ class Ports(QObject):
         return next((port for port in self._entries if port.url == url and url), None)
 
     def note_used(self, port: Port) -> None:
-        """Remember the port of a connection that worked."""
-        self._settings.setValue(_LAST, port.url)
+        """Remember the port of a connection that worked; a simulated device is none."""
+        if port.url:
+            self._settings.setValue(_LAST, port.url)
 
     def _read_typed(self) -> tuple[str, ...]:
         text = str(self._settings.value(_REMEMBERED, ""))

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from trex_gui.model.connection import Link
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device
-from trex_gui.model.ports import Port, Ports
+from trex_gui.model.ports import Port, PortKind, Ports
 from trex_gui.model.switchboard import Switchboard
 from trex_gui.views.find_dialog import FindDialog
 from trex_gui.views.icons import set_icon
@@ -29,6 +29,9 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 class ConnectionBar(QWidget):
     """Choosing a port connects to it, as users of the maker's programs expect.
+
+    What the list shows is connected, or what Connect connects to: at first the port that was used
+    last or the only one, then whatever was connected or chosen last, a simulated device too.
 
     Signals:
         connecting: a person has chosen a port.
@@ -56,12 +59,12 @@ class ConnectionBar(QWidget):
 
         self._combo = QComboBox(self)
         self._combo.setObjectName("portCombo")
-        self._combo.setAccessibleName(self.tr("Connected to"))
+        self._combo.setAccessibleName(self.tr("Port"))
         self._combo.setMinimumContentsLength(20)
         self._combo.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
-        label = QLabel(self.tr("C&onnected to:"), self)
+        label = QLabel(self.tr("P&ort:"), self)
         label.setBuddy(self._combo)
         self._connect = QPushButton(self.tr("&Connect"), self)
         self._connect.setObjectName("connectButton")
@@ -79,7 +82,9 @@ class ConnectionBar(QWidget):
         self._find.setToolTip(self.tr("Find a board whose line settings are not known"))
         set_icon(self._find, "find")
         self._dialog: FindDialog | None = None
-        self._shown: Port | None = None
+        self._connected: Port | None = None
+        self._chosen: Port | None = None
+        self._wants_none = False
         self._status = QLabel(self)
         self._status.setObjectName("statusLabel")
         self._status.setWordWrap(True)
@@ -116,7 +121,7 @@ class ConnectionBar(QWidget):
     def toggle(self) -> None:
         """Connect, or disconnect."""
         if self._switchboard.is_idle:
-            self.connect_preferred()
+            self.connect_shown()
         else:
             self.leave()
 
@@ -131,16 +136,13 @@ class ConnectionBar(QWidget):
         else:
             then()
 
-    def connect_preferred(self) -> None:
-        """Connect to the port used last, or to the only one; else let a person choose."""
-        way = self._switchboard.current
-        if way.link is not Link.NONE:
+    def connect_shown(self) -> None:
+        """Connect to the port that the list shows; where it shows none let a person choose."""
+        if not self._switchboard.is_idle:
             return
-        # A line to a simulated device that broke is taken up again: nobody has left it.
-        demo = self._ports.demo_of(way.kind.key) if way.demo_in_use else None
-        port = demo or self._ports.preferred
-        if port is not None:
-            self._connect_to(port)
+        shown = self._combo.currentData()
+        if isinstance(shown, Port):
+            self._connect_to(shown)
         else:
             self._combo.setFocus()
             self._combo.showPopup()
@@ -176,7 +178,12 @@ class ConnectionBar(QWidget):
         elif choice == _OTHER:
             self._ask_for_address()
         elif choice == _NOT_CONNECTED:
-            self.leave()
+            self._when_nothing_is_cut_off(self._leave_for_good)
+
+    def _leave_for_good(self) -> None:
+        """Disconnect, and offer no port: somebody has chosen none."""
+        self._chosen, self._wants_none = None, True
+        self._switchboard.leave()
 
     def _ask_for_address(self) -> None:
         address, given = QInputDialog.getText(
@@ -194,6 +201,7 @@ class ConnectionBar(QWidget):
 
     def _connect_to(self, port: Port) -> None:
         def connect_to() -> None:
+            self._chosen, self._wants_none = port, False
             self.connecting.emit()
             self._switchboard.connect_to(port)
 
@@ -203,8 +211,8 @@ class ConnectionBar(QWidget):
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        """Show every port; the one that is connected, or none, is the current one."""
-        combo = self._combo
+        """Show every port; the current one is connected, or what Connect connects to."""
+        combo, shown = self._combo, self._port_to_show()
         with QSignalBlocker(combo):
             combo.clear()
             combo.addItem(self.tr("Not connected"), _NOT_CONNECTED)
@@ -212,19 +220,30 @@ class ConnectionBar(QWidget):
                 combo.addItem(port.label, port)
             combo.insertSeparator(combo.count())
             combo.addItem(self.tr("Other port or address…"), _OTHER)
-            current = self._switchboard.current.port
-            self._shown = current
             for index in range(combo.count()):
-                if current is not None and combo.itemData(index) == current:
+                if shown is not None and combo.itemData(index) == shown:
                     combo.setCurrentIndex(index)
                     break
+
+    def _port_to_show(self) -> Port | None:
+        connected, chosen = self._switchboard.current.port, self._chosen
+        if connected is not None:
+            return connected
+        if chosen is None:
+            return None if self._wants_none else self._ports.preferred
+        # As it is in the list now: what it leads to, and so its label, may be another.
+        is_demo = chosen.kind is PortKind.DEMO
+        return self._ports.demo_of(chosen.device) if is_demo else self._ports.find(chosen.url)
 
     @Slot()
     def _on_link_changed(self) -> None:
         way = self._switchboard.current
         link, starting, idle = way.link, way.starting, self._switchboard.is_idle
         opening = link is Link.OPENING or starting
-        if way.port != self._shown:
+        if way.port != self._connected:
+            self._connected = way.port
+            if way.port is not None:
+                self._chosen, self._wants_none = way.port, False
             self._on_ports_changed()
         self._line.setText(way.line_text)
         self._status.setText(

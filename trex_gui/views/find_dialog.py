@@ -51,10 +51,10 @@ class FindDialog(QDialog):
 
         intro = _text(
             self.tr(
-                "Asks on each port, at every baud rate, with every parity and with CRC, which "
-                "board is there. This never moves a motor and changes no setting. A board that "
-                "hears the questions of another rate notes UART errors, and stops its motors "
-                "where it is set to do so."
+                "Asks on each port which device is there: for each kind at its likely settings, "
+                "then at every baud rate, with every parity and with CRC. This never moves a "
+                "motor and changes no setting. A TReX that hears the questions of another rate "
+                "notes UART errors, and stops its motors where it is set to do so."
             ),
             self,
         )

@@ -1,102 +1,36 @@
 """One thread that looks for devices on one port after the other."""
 
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 from PySide6.QtCore import QObject, QThread, Signal
 
-from trex_gui.link.discovery import Step
+from trex_gui.link.seekers import Seek, Step
+from trex_gui.link.seeking import PortSearch, search_port
 from trex_gui.link.settings import LinkSettings
-from trex_gui.protocol.errors import TrexError
-
-
-class Sighting(Protocol):
-    """A device that was found, and how to reach it."""
-
-    @property
-    def settings(self) -> LinkSettings:
-        """What to connect with."""
-        ...
-
-    @property
-    def name(self) -> str:
-        """Which device it is."""
-        ...
-
-    @property
-    def device_number(self) -> int | None:
-        """The number that it answers to, where it has one."""
-        ...
-
-    @property
-    def echo(self) -> bool:
-        """Whether everything sent comes back."""
-        ...
-
-    @property
-    def note(self) -> str:
-        """What else to know of it, for people; may be empty."""
-        ...
-
-
-class Seen(Protocol):
-    """What a search of one port has seen."""
-
-    @property
-    def found(self) -> Sequence[Sighting]:
-        """The devices; more than one only where several share the line."""
-        ...
-
-    @property
-    def cancelled(self) -> bool:
-        """Whether it ended early because it was asked to."""
-        ...
-
-    def verdict(self) -> str:
-        """Say what was seen where no device was found, and what to look at."""
-        ...
-
-
-class Seek(Protocol):
-    """Looks for devices of one kind on a port, and moves nothing."""
-
-    def __call__(
-        self,
-        settings: LinkSettings,
-        *,
-        progress: Callable[[Step], None],
-        cancelled: Callable[[], bool],
-        full: bool,
-    ) -> Seen:
-        """Return what was seen.
-
-        Raises:
-            PortUnavailable: the port cannot be opened, or is gone.
-        """
-        ...
 
 
 @dataclass(frozen=True, slots=True)
 class Errand:
-    """One port, and what to look for there: seekers by the key of the kind of device, in order."""
+    """One port, and what to look for there.
+
+    Attributes:
+        seeks: how to look for each kind of device, by its key, the commonest first.
+        first: the key of the kind that the port is known to lead to.
+    """
 
     settings: LinkSettings
-    seekers: tuple[tuple[str, Seek], ...]
+    seeks: Mapping[str, Seek]
+    first: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Searched:
-    """How the search of one port ended: with what it saw, or with why it could not look.
-
-    `device` is the key of the kind of device that was looked for last: that was found, if any was.
-    """
+    """What the search of one port has come to."""
 
     index: int
-    device: str
-    search: Seen | None = None
-    error: TrexError | None = None
+    search: PortSearch
 
 
 class FindWorker(QThread):
@@ -130,26 +64,18 @@ class FindWorker(QThread):
             self.searched.emit(self._search(index, errand))
 
     def _search(self, index: int, errand: Errand) -> Searched:
-        """Look for one kind after the other, until one is found."""
-
         def tell(step: Step) -> None:
             self.stepped.emit(index, step)
 
-        search: Seen | None = None
-        device = ""
-        for device, seek in errand.seekers:
-            try:
-                search = seek(
-                    errand.settings,
-                    progress=tell,
-                    cancelled=self._cancelled.is_set,
-                    full=self._full,
-                )
-            except TrexError as error:
-                return Searched(index, device, error=error)
-            if search.found or self._cancelled.is_set():
-                break
-        return Searched(index, device, search)
+        search = search_port(
+            errand.settings,
+            errand.seeks,
+            first=errand.first,
+            full=self._full,
+            progress=tell,
+            cancelled=self._cancelled.is_set,
+        )
+        return Searched(index, search)
 
     def cancel(self) -> None:
         """End after the question that is on its way: half a second, more behind a network."""

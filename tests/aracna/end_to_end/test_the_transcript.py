@@ -50,7 +50,9 @@ def test_a_restart_voids_what_was_asked(person: Person) -> None:
 
 
 def test_a_servo_that_does_not_answer_is_a_fault(person: Person) -> None:
-    person.simulator.send("servo 3 dead")
+    done: list[str] = []
+    person.simulator.send("servo 3 dead", done.append)
+    person.wait(lambda: bool(done))
     person.robot.set_speeds((50,) * 8)
     waits_for(person, "no answer")
     assert "faults: 0" not in person.find(QLabel, "aracnaTranscriptSummary").text()

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from tests.support.aracna import AracnaStage
-from trex_gui.aracna.link.messages import Report, Request
+from trex_gui.aracna.link.messages import Counted, Report, Request
 from trex_gui.aracna.link.session import AracnaSession
 from trex_gui.link.messages import Close
 from trex_gui.link.settings import LinkSettings
@@ -69,8 +69,8 @@ class Scene:
 
     @property
     def kinds(self) -> list[str]:
-        """Return the names of all reports, in order."""
-        return [type(report).__name__ for report in self.reports]
+        """Return the names of all reports, in order; counts are told whenever it is time."""
+        return [type(report).__name__ for report in self.reports if not isinstance(report, Counted)]
 
     def get(self, seconds: float) -> Request | None:
         end = self.line.now + seconds

@@ -126,6 +126,22 @@ def test_an_echo_is_told() -> None:
     assert "comes back" in result.verdict()
 
 
+def test_behind_a_network_port_of_fixed_rate_nothing_is_asked() -> None:
+    stage = AracnaStage()
+    stage.transport.can_be_tuned = False
+    result = search(stage)
+    assert not stage.transport.sent
+    assert "was asked for" in result.verdict()
+    assert "--device aracna --port virtual" in result.verdict()
+
+
+def test_neither_silence_nor_noise_is_taken_for_an_echo() -> None:
+    stage = AracnaStage()
+    stage.do("power off")
+    stage.line.inject(b"\xff\x00\xff")
+    assert "not as an Aracna does: FF 00 FF" in search(stage).verdict()
+
+
 def test_progress_is_told_and_the_search_can_be_cancelled() -> None:
     stage = AracnaStage()
     stage.do("line mute on")
@@ -217,3 +233,15 @@ def test_the_same_question_without_the_byte_before_it_would_start_a_motor() -> N
     """The danger is real: else the tests above would say nothing."""
     own = LineSettings(28800)
     assert "c5 05" in _orders_obeyed([()], [QUESTION], own, crc=False, rinsed=False)
+
+
+def test_where_the_rate_is_fixed_the_question_would_start_a_motor() -> None:
+    """Which is why it is not asked there: FF at the same rate ends nothing at another."""
+    own, host = LineSettings(28800), LINE
+    begun: set[State] = {()}
+    obeyed: set[str] = set()
+    for question in (RINSE, QUESTION) * 2:
+        left, more = hear(begun, question, host, own, crc=False)
+        begun |= left
+        obeyed |= more
+    assert "c5 05" in obeyed

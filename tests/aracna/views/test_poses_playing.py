@@ -202,3 +202,56 @@ def test_the_library_may_go_before_the_panel(stage: Stage, qtbot: QtBot) -> None
     with qtbot.waitSignal(stage.library.destroyed):
         stage.library.deleteLater()
     assert stage.panel.isVisible()
+
+
+def test_what_a_menu_asks_for_is_played_only_where_the_button_could_be_pressed(
+    stage: Stage,
+) -> None:
+    stage.library.add_sequence("bob", [SequenceStep("stand", 500)])
+    stage.choose("aracnaMotions", "bob")
+    stage.panel.play()
+    assert stage.plays == [], "there is no robot"
+    stage.panel.show_link(True)
+    stage.panel.show_present((512,) * 8)
+    stage.panel.play()
+    assert len(stage.plays) == 1
+    stage.panel.show_playing(Playing(1, 1))
+    stage.panel.play()
+    assert len(stage.plays) == 1
+
+
+def test_what_a_menu_captures_is_a_pose_whose_name_can_be_typed(stage: Stage) -> None:
+    before = stage.pose_names()
+    stage.panel.capture()
+    assert stage.pose_names() == before
+    assert "where the robot is, is not known" in stage.said[-1]
+    stage.panel.show_present(EIGHT)
+    stage.panel.capture()
+    stage.type_name(stage.names("aracnaPoses"), "here")
+    assert stage.pose_names() == [*before, "here"]
+
+
+def test_what_is_typed_and_not_confirmed_is_played(stage: Stage, qtbot: QtBot) -> None:
+    stage.library.add_sequence("bob", [SequenceStep("stand", 500)])
+    stage.choose("aracnaMotions", "bob")
+    stage.panel.show_link(True)
+    stage.panel.show_present((512,) * 8)
+    stage.check("aracnaBlendIn", False)
+    stage.panel.activateWindow()
+    view = stage.steps
+    view.setCurrentIndex(view.model().index(0, 2))
+    view.edit(view.currentIndex())
+    time = stage.spin("aracnaStepTime")
+    qtbot.waitUntil(time.hasFocus, timeout=15_000)
+    time.selectAll()
+    QTest.keyClicks(time, "1200")
+    stage.panel.play()
+    assert stage.plays[-1].steps[0].seconds == 1.2
+
+    rounds = stage.spin("aracnaRounds")
+    rounds.setFocus()
+    qtbot.waitUntil(rounds.hasFocus, timeout=15_000)
+    rounds.selectAll()
+    QTest.keyClicks(rounds, "7")
+    stage.panel.play()
+    assert stage.plays[-1].rounds == 7

@@ -1,20 +1,20 @@
 """What `trexcmd list` and `trexcmd find` say of a port where no TReX answers."""
 
-from collections.abc import Callable
 from typing import Any
 
-from trex_gui.aracna.link.discovery import Found, find_aracna
+from trex_gui.aracna.link.discovery import SEEK_ARACNA, Found, Search, find_aracna
 from trex_gui.link.settings import LinkSettings
 
+__all__ = ["SEEK_ARACNA", "Found", "listed", "look", "row", "told"]
 
-def look(url: str, patience: float, cancelled: Callable[[], bool] = lambda: False) -> Found | None:
-    """Return the Aracna on a port, if one is there. Moves nothing, whatever is.
+
+def look(url: str, patience: float) -> Search:
+    """Return what asking for an Aracna on a port has seen. Moves nothing, whatever is there.
 
     Raises:
         PortUnavailable: the port cannot be opened, or is gone.
     """
-    search = find_aracna(LinkSettings(url, patience=patience), cancelled=cancelled)
-    return search.found[0] if search.found else None
+    return find_aracna(LinkSettings(url, patience=patience))
 
 
 def listed(found: Found) -> dict[str, Any]:
@@ -24,6 +24,12 @@ def listed(found: Found) -> dict[str, Any]:
         "product": "Aracna",
         "firmware": str(found.version.version),
     }
+
+
+def told(found: Found) -> str:
+    """Return what `find` says of it to a person."""
+    text = f"{found.name}, {found.motors} motors, on {found.settings.text()}."
+    return f"{text} {found.note}".strip()
 
 
 def row(found: Found) -> dict[str, Any]:

@@ -157,6 +157,7 @@ class Client:
         asked = self.asked
         if not isinstance(reply, Strange) and asked is not None:
             if self._answers(asked, reply):
+                self._count_answer(asked, now)
                 self.asked = self._behind(now)
                 return [Answered(asked, reply, now)]
             if isinstance(reply, Version) and self._free_by is not None:
@@ -189,6 +190,16 @@ class Client:
             return None
         self._free_by = None
         return Asked("q", (), now, ANSWER + self.slack)
+
+    def _count_answer(self, asked: Asked, now: float) -> None:
+        counters = self.counters
+        if not counters.answers:  # until now nobody knew whether it listens
+            self.counters = Counters(requests=1, answers=1)
+            return
+        took = 0.0 if asked.letter == "c" else now - asked.sent
+        self.counters = replace(
+            counters, answers=counters.answers + 1, slowest=max(counters.slowest, took)
+        )
 
     def _note_strange(self, reply: Reply) -> None:
         self.counters = replace(self.counters, strange=self.counters.strange + 1)
@@ -228,6 +239,7 @@ class Client:
         if self._free_by is None:
             self._free_by = by
             self.transport.write(lines.QUERY)
+            self.counters = replace(self.counters, requests=self.counters.requests + 1)
 
     def _why_lost(self) -> TrexError:
         if self._strange:
@@ -237,7 +249,9 @@ class Client:
     def _lose(self, error: TrexError, now: float, *, free: bool) -> Lost:
         assert self.asked is not None  # noqa: S101 - for the type checker
         lost, self.asked = self.asked, None
-        if not free:
+        if free or self._strange:  # the robot is there, or something came
+            self.counters = replace(self.counters, damaged=self.counters.damaged + 1)
+        else:
             self.counters = replace(self.counters, silences=self.counters.silences + 1)
         return Lost(lost, error, free, now)
 

@@ -3,34 +3,36 @@ r"""Finding an Aracna on a port where anything may be, without moving anything.
 Asked is `\n.q\n` at 38400 8N1: to an Aracna a line that is nothing and the one question that
 changes nothing. To a TReX at 38400 baud these are no commands; what one at another rate takes them
 for is ended before and after by FF at 1200 baud, as `trex_gui.link.looking` does it, so nothing
-that is asked hangs on what was asked before. The tests go through every TReX there can be.
+that is asked hangs on what was asked before. The tests go through every TReX there can be. Where
+somebody else sets the rate, as behind a plain network port, FF at that rate ends nothing at
+another, and the question is an order to some: there it is asked only where a person has said that
+the port leads to an Aracna.
 
 Opening a port may reset the board: it says `.h` and is deaf for a second, so it is asked several
 times.
 """
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from trex_gui.aracna.link.client import LINE
-from trex_gui.aracna.link.doctor import why_no_robot
+from trex_gui.aracna.link.doctor import is_echo, is_start, why_no_robot
 from trex_gui.aracna.link.presence import motors_of
 from trex_gui.aracna.protocol import lines
 from trex_gui.aracna.protocol.replies import Reader, Version
-from trex_gui.link.discovery import Step
 from trex_gui.link.looking import rinse
+from trex_gui.link.seekers import Seek, Step, Telling, Verdict, never, silent
+from trex_gui.link.seeking import ask_in_order, listen
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import SerialTransport, Transport
 from trex_gui.protocol.errors import BadReply, BadRequest, PortUnavailable
+from trex_gui.protocol.line_settings import LineSettings
 
 QUESTION = lines.NOTHING + lines.QUERY
 
 QUESTIONS = 5
-"""How often is asked; with the listening, 2.8 s on a local port."""
-
-_LISTEN = 0.3
-"""Seconds to hear a board that opening the port has reset."""
+"""How often is asked; with the listening, 3.2 s on a local port."""
 
 _WAIT = 0.45
 """Seconds until it is asked again."""
@@ -78,7 +80,8 @@ class Search:
         settings: the port, and how it was asked.
         found: the robot, if it is one.
         heard: the first bytes that came.
-        skipped: the port cannot be set so.
+            skipped: the port cannot be set so.
+        fixed: somebody else sets the rate, so that it was not asked.
         cancelled: whether it ended early because it was asked to.
     """
 
@@ -86,70 +89,92 @@ class Search:
     found: list[Found] = field(default_factory=list)
     heard: bytes = b""
     skipped: bool = False
+    fixed: bool = False
     cancelled: bool = False
 
     def verdict(self) -> str:
         """Say what was seen where no robot was found, and what to look at."""
+        return self.judged().text
+
+    def judged(self) -> Verdict:
+        """Say what was seen where no robot was found, what to look at, and how telling it is."""
+        where = self.settings.text()
         if self.skipped:
-            return f"{self.settings.name or self.settings.url} cannot be set to {LINE.text()}."
-        return str(why_no_robot(self.settings, self.heard))
+            port = self.settings.name or self.settings.url
+            text = f"No Aracna was asked for: {port} cannot be set to {LINE.text()}."
+            return Verdict(Telling.SILENCE, text)
+        if self.fixed:
+            return Verdict(
+                Telling.SILENCE,
+                f"No Aracna was asked for on {self.settings.name or self.settings.url}: its baud "
+                "rate is set at the other end of the network, and at another than its own a TReX "
+                "could take the question for an order. Where you know that it is an Aracna, say "
+                f"so once: trex-gui --device aracna --port {self.settings.url}",
+            )
+        if is_echo(self.heard):
+            return Verdict(
+                Telling.ECHO,
+                f"No Aracna answers on {where}: everything sent comes back, and nothing else. "
+                "The adapter's TX and RX are joined; nothing of an Aracna does that.",
+            )
+        text = str(why_no_robot(self.settings, self.heard))
+        if is_start(self.heard):
+            return Verdict(Telling.KNOWN, text)
+        return Verdict(Telling.STRANGE if self.heard.strip(b"\r\n") else Telling.SILENCE, text)
 
 
-def _silent(step: Step) -> None:
-    del step
+class AracnaSeeker:
+    """Looks for a robot on one line, and remembers in a search what came.
 
-
-def _never() -> bool:
-    return False
-
-
-def find_aracna(
-    settings: LinkSettings,
-    *,
-    progress: Callable[[Step], None] = _silent,
-    cancelled: Callable[[], bool] = _never,
-    full: bool = False,
-    open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
-) -> Search:
-    """Look for an Aracna on a port; end when it answers.
-
-    Args:
-        settings: the port, and how patient to be; the line does not matter.
-        progress: called before each question.
-        cancelled: asked before each question whether to end.
-        full: changes nothing; there is one setting only.
-        open_wire: opens the port.
-
-    Raises:
-        PortUnavailable: the port cannot be opened, or is gone.
+    Attributes:
+        search: what it has seen.
     """
-    del full
-    settings = replace(settings, line=LINE, device_number=None)
-    search = Search(settings)
-    wire = open_wire(settings)
-    try:
-        _Seeker(wire, search).run(progress, cancelled)
-    finally:
-        # What a board at another rate has taken for a beginning must not be left to others.
-        with contextlib.suppress(BadRequest, PortUnavailable):
-            rinse(wire, settings.patience)
-            wire.tune(LINE)
-        wire.close()
-    return search
 
+    parts = (QUESTIONS,)
 
-class _Seeker:
-    """Asks on one line, and remembers in a search what came."""
-
-    def __init__(self, wire: Transport, search: Search) -> None:
-        self._wire = wire
-        self._search = search
+    def __init__(self, settings: LinkSettings, *, full: bool = False, known: bool = False) -> None:
+        """Look on this port; there is one setting only, so `full` changes nothing."""
+        del full
+        self._known = known
+        self.search = Search(replace(settings, line=LINE, device_number=None))
         self._reader = Reader()
 
-    def run(self, progress: Callable[[Step], None], cancelled: Callable[[], bool]) -> None:
-        """Listen, then ask until it answers or has not for long enough."""
-        search, wire = self._search, self._wire
-        self._listen(_LISTEN)
+    @property
+    def found(self) -> Sequence[Found]:
+        """The robot, if it has answered."""
+        return self.search.found
+
+    @property
+    def is_over(self) -> bool:
+        """Whether it has answered."""
+        return bool(self.search.found)
+
+    def verdict(self) -> Verdict:
+        """Say what was tried and heard, where no robot was found."""
+        return self.search.judged()
+
+    def overhear(self, line: LineSettings, data: bytes) -> None:
+        """Notice a board that opening the port has reset."""
+        if line == LINE:
+            self._take(data)
+
+    def ask(
+        self,
+        wire: Transport,
+        part: int,
+        progress: Callable[[Step], None],
+        cancelled: Callable[[], bool],
+    ) -> None:
+        """Ask until it answers or has not for long enough.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        del part  # there is one
+        search = self.search
+        if not wire.can_be_tuned and not self._known:
+            search.fixed = True
+            return
         for done in range(QUESTIONS):
             if cancelled():
                 search.cancelled = True
@@ -161,13 +186,15 @@ class _Seeker:
             except BadRequest:
                 search.skipped = True
                 return
+            if done == 0:
+                with contextlib.suppress(BadReply):
+                    wire.discard()  # what others were answered
             wire.write(QUESTION)
-            if self._listen(_WAIT + wire.latency + search.settings.patience):
+            if self._listen(wire, _WAIT + wire.latency + search.settings.patience):
                 return
 
-    def _listen(self, seconds: float) -> bool:
+    def _listen(self, wire: Transport, seconds: float) -> bool:
         """Take what comes; return whether it was a robot's answer."""
-        wire, search = self._wire, self._search
         end = wire.clock() + seconds
         while (rest := end - wire.clock()) > 0:
             data = wire.read(1, min(rest, _SLICE))
@@ -175,10 +202,55 @@ class _Seeker:
                 data += wire.discard()
             except BadReply:  # bytes without end
                 data += wire.read(_KEPT, 0.0)
-            search.heard = (search.heard + data)[:_KEPT]
-            for reply in self._reader.feed(data):
-                if isinstance(reply, Version):
-                    note = _RESETS if _HELLO in search.heard else ""
-                    search.found.append(Found(search.settings, reply, note))
-                    return True
+            self._take(data)
+            if self.search.found:
+                return True
         return False
+
+    def _take(self, data: bytes) -> None:
+        search = self.search
+        search.heard = (search.heard + data)[:_KEPT]
+        for reply in self._reader.feed(data):
+            if isinstance(reply, Version):
+                note = _RESETS if _HELLO in search.heard else ""
+                search.found.append(Found(search.settings, reply, note))
+                return
+
+
+SEEK_ARACNA = Seek("Aracna", AracnaSeeker, talks_at=LINE)
+"""How to look for an Aracna; its board says `.h` when it starts."""
+
+
+def find_aracna(
+    settings: LinkSettings,
+    *,
+    progress: Callable[[Step], None] = silent,
+    cancelled: Callable[[], bool] = never,
+    open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
+) -> Search:
+    """Look for an Aracna alone on a port; end when it answers.
+
+    Args:
+        settings: the port, and how patient to be; the line does not matter.
+        progress: called before each question.
+        cancelled: asked before each question whether to end.
+        open_wire: opens the port.
+
+    Raises:
+        PortUnavailable: the port cannot be opened, or is gone.
+    """
+    seeker = AracnaSeeker(settings)
+    search = seeker.search
+    wire = open_wire(search.settings)
+    try:
+        seeker.overhear(LINE, listen(wire))
+        names = {"": SEEK_ARACNA.name}
+        ask_in_order(wire, {"": seeker}, names, progress=progress, cancelled=cancelled)
+    finally:
+        # What a board at another rate has taken for a beginning must not be left to others.
+        with contextlib.suppress(BadRequest, PortUnavailable):
+            if not search.found and wire.can_be_tuned:
+                rinse(wire, search.settings.patience)
+            wire.tune(LINE)
+        wire.close()
+    return search

@@ -19,18 +19,30 @@ def may_be_elsewhere(text: str) -> bool:
     return text.startswith((_NOBODY, _STRANGE))
 
 
+def is_echo(received: bytes) -> bool:
+    """Whether what came is nothing but the question that was sent."""
+    question = lines.QUERY.strip()
+    return question in received and not received.replace(question, b"").strip(b"\r\n\x00\xff")
+
+
+def is_start(received: bytes) -> bool:
+    """Whether a board has said that it starts, and nothing else."""
+    heard = received.strip(b"\r\n")
+    return bool(heard) and not heard.replace(b".h", b"").strip(b"\r\nh")
+
+
 def why_no_robot(settings: LinkSettings, received: bytes) -> TrexError:
     """Return an error that tells a person why no Aracna was found, from the first bytes heard."""
     where = settings.text()
     heard = received.strip(b"\r\n")
     if not heard:
         return NoReply(f"{_NOBODY}{where}. {_MOVING} {_CHECK}")
-    if not heard.replace(lines.QUERY.strip(), b"").strip(b"\r\n\x00\xff"):
+    if is_echo(received):
         return NoReply(
             f"Everything sent on {where} comes back, and nothing else: the adapter's TX and RX "
             "are joined."
         )
-    if not heard.replace(b".h", b"").strip(b"\r\nh"):
+    if is_start(received):
         return NoReply(
             f"An Aracna on {where} has said that it starts, but does not answer then. Perhaps it "
             "starts again and again: look at its power supply."

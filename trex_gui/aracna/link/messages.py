@@ -125,12 +125,32 @@ Request = (
 
 @dataclass(frozen=True, slots=True)
 class Counters:
-    """What the line has seen: requests, silences, strange lines, restarts, round trips."""
+    """What the line has seen since the robot has answered first.
+
+    Attributes:
+        requests: commands that were sent, one on its way included.
+        answers: those that were answered.
+        silences: those that were not, in time.
+        damaged: those whose answer got lost or was none.
+        strange: lines that nobody understands.
+        restarts: how often the board has said that it starts.
+        slowest: the longest round trip in seconds; motions, which last as they may, left out.
+    """
 
     requests: int = 0
+    answers: int = 0
     silences: int = 0
+    damaged: int = 0
     strange: int = 0
     restarts: int = 0
+    slowest: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Counted:
+    """How the line does; at most one a second, and only where something is new."""
+
+    counters: Counters
 
 
 @dataclass(frozen=True, slots=True)
@@ -264,7 +284,8 @@ class PlayEnded:
 
 
 Report = (
-    Connected
+    Counted
+    | Connected
     | Restarted
     | Moving
     | Passed

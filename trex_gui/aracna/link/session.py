@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import Protocol
 
 from trex_gui.aracna.link.client import LINE, Client
+from trex_gui.aracna.link.counting import Counting
 from trex_gui.aracna.link.fence import Fence
 from trex_gui.aracna.link.hearing import Hearing
 from trex_gui.aracna.link.messages import (
@@ -96,8 +97,10 @@ class AracnaSession:
             client = self._client = Client(self._open_transport(self._settings), self._settings)
             presence = self._presence = Presence(self._now())
             self._hearing = Hearing(client, presence, self._waiting, self._player, self._tell)
+            counting = Counting(client, self._tell)
             while True:
                 self._step()
+                counting.look(self._now())
         except _Closing:
             pass
         except TrexError as reason:

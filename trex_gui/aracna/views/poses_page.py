@@ -1,7 +1,7 @@
 """Poses, sequences and gaits beside the robot that plays them."""
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QAbstractButton, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.robot import Robot
@@ -43,12 +43,6 @@ class PosesPage(QWidget):
         robot.link_changed.connect(self._on_changed)
         robot.limits.changed.connect(self._on_changed)
         self._on_changed()
-
-    def press(self, name: str) -> None:
-        """Do what a button of the panel does; nothing where it cannot be pressed."""
-        button = self.panel.findChild(QAbstractButton, name)
-        if button is not None:
-            button.click()
 
     @Slot(object)
     def _on_go_to_requested(self, positions: tuple[int, ...]) -> None:

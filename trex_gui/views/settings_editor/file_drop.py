@@ -29,18 +29,44 @@ class FileDrop(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kinds = {QEvent.Type.DragEnter, QEvent.Type.Drop}
         if event.type() in kinds and isinstance(event, QDropEvent):
-            path = _one_file(event)
-            if path is not None and path.suffix.lower() in self._suffixes:
+            paths = _files(event)
+            if len(paths) == 1 and paths[0].suffix.lower() in self._suffixes:
                 event.acceptProposedAction()
                 if event.type() == QEvent.Type.Drop:
-                    self.dropped.emit(path)
+                    self.dropped.emit(paths[0])
                 return True
         return super().eventFilter(watched, event)
 
 
-def _one_file(event: QDropEvent) -> Path | None:
-    """Return the one file that is dragged, if it is that."""
+class AnyFileDrop(QObject):
+    """Takes every file that nobody else takes, so that none is lost without a word.
+
+    To be made before the others: what was installed last is asked first.
+
+    Signals:
+        dropped: a tuple of `Path`s, at least one.
+    """
+
+    dropped = Signal(object)
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        window.setAcceptDrops(True)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kinds = {QEvent.Type.DragEnter, QEvent.Type.Drop}
+        if event.type() in kinds and isinstance(event, QDropEvent) and (paths := _files(event)):
+            event.acceptProposedAction()
+            if event.type() == QEvent.Type.Drop:
+                self.dropped.emit(paths)
+            return True
+        return super().eventFilter(watched, event)
+
+
+def _files(event: QDropEvent) -> tuple[Path, ...]:
+    """Return the files that are dragged; none where anything else is among them."""
     urls = event.mimeData().urls()
-    if len(urls) != 1 or not urls[0].isLocalFile():
-        return None
-    return Path(urls[0].toLocalFile())
+    if not all(url.isLocalFile() for url in urls):
+        return ()
+    return tuple(Path(url.toLocalFile()) for url in urls)

@@ -15,6 +15,7 @@ from trex_gui.aracna.views.poses.parts import tool_button
 from trex_gui.aracna.views.poses.play_bar import PlayBar
 from trex_gui.aracna.views.poses.pose_box import PoseBox
 from trex_gui.aracna.views.poses.preview import Preview, preview
+from trex_gui.aracna.views.typed import take_typed
 from trex_gui.views.icons import set_icon
 from trex_gui.views.widgets.elided_label import ElidedLabel
 
@@ -90,7 +91,7 @@ class PosesPanel(QWidget):
         self._motions.shown.connect(self._renew)
         self._bar.choices_changed.connect(self._renew)
         self._bar.scale_changed.connect(self.scale_changed)
-        self._bar.play_clicked.connect(self._on_play_clicked)
+        self._bar.play_clicked.connect(self.play)
         self._undo_button.clicked.connect(library.undo.undo)
         self._redo_button.clicked.connect(library.undo.redo)
         library.undo.canUndoChanged.connect(self._undo_button.setEnabled)
@@ -212,9 +213,18 @@ class PosesPanel(QWidget):
     def _on_redo_text_changed(self, text: str) -> None:
         self._redo_button.setToolTip(self.tr("Redo {0}").format(text).strip())
 
+    # --- What a person does -------------------------------------------------------------
+
     @Slot()
-    def _on_play_clicked(self) -> None:
+    def play(self) -> None:
+        """Ask for what is chosen to be played; nothing while it cannot be."""
+        take_typed()
         self._renew()
-        if self._preview.play is not None:
+        if self._preview.play is not None and self._up and self._playing is None:
             self._played = self._motions.current
             self.play_requested.emit(self._preview.play)
+
+    @Slot()
+    def capture(self) -> None:
+        """Keep where the robot is as a new pose, and let its name be typed."""
+        self._poses.capture()

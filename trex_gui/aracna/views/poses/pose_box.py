@@ -11,6 +11,7 @@ from trex_gui.aracna.protocol.joints import Limits
 from trex_gui.aracna.views.poses.name_list import NameList
 from trex_gui.aracna.views.poses.parts import arrow_button, follow, tool_button
 from trex_gui.aracna.views.poses.position_fields import PositionFields
+from trex_gui.aracna.views.typed import take_typed
 from trex_gui.protocol.errors import BadRequest
 
 
@@ -86,7 +87,7 @@ class PoseBox(QGroupBox):
         self._list.delete_requested.connect(self._on_delete_requested)
         self._list.duplicate_requested.connect(self._on_duplicate_requested)
         self._list.move_requested.connect(self._on_move_requested)
-        self._capture.clicked.connect(self._on_capture_clicked)
+        self._capture.clicked.connect(self.capture)
         self._go_to.clicked.connect(self._on_go_to_clicked)
         self._take.clicked.connect(self._on_take_clicked)
         self._fields.positions_changed.connect(self._on_positions_changed)
@@ -137,7 +138,9 @@ class PoseBox(QGroupBox):
         self._allow()
 
     @Slot()
-    def _on_capture_clicked(self) -> None:
+    def capture(self) -> None:
+        """Keep where the robot is as a new pose, and let its name be typed."""
+        take_typed()
         try:
             name = self._library.capture(self._present)
         except BadRequest as error:
@@ -149,6 +152,7 @@ class PoseBox(QGroupBox):
 
     @Slot()
     def _on_go_to_clicked(self) -> None:
+        take_typed()
         if self.current is not None:
             self.go_to_requested.emit(self.current.positions)
 

@@ -1,0 +1,229 @@
+"""Looking for devices of any kind on one port: in which order, and what is told in the end."""
+
+from collections.abc import Callable
+
+import pytest
+
+from tests.emulator.ports import a_board
+from tests.link.test_discovery import Wire, wire_of
+from trex_gui.link.discovery import SEEK_TREX
+from trex_gui.link.looking import RINSE, RINSE_LINE
+from trex_gui.link.seekers import Seek, Step, Telling, Verdict
+from trex_gui.link.seeking import PortSearch, order, search_port
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import Transport
+from trex_gui.protocol.errors import PortUnavailable
+from trex_gui.protocol.line_settings import LineSettings
+
+VIRTUAL = LinkSettings("virtual", LineSettings(9600))
+
+
+class Deaf:
+    """Looks for a kind of device that is never there; notes what it is asked to do."""
+
+    parts = (2, 3)
+    found = ()
+    is_over = False
+
+    def __init__(self, noted: list[str], name: str, verdict: Verdict) -> None:
+        self._noted = noted
+        self._name = name
+        self._verdict = verdict
+
+    def overhear(self, line: LineSettings, data: bytes) -> None:
+        self._noted.append(f"{self._name} hears {data!r} at {line.baud}")
+
+    def ask(
+        self,
+        wire: Transport,
+        part: int,
+        progress: Callable[[Step], None],
+        cancelled: Callable[[], bool],
+    ) -> None:
+        for done in range(self.parts[part]):
+            if cancelled():
+                return
+            progress(Step(done, self.parts[part], LineSettings()))
+        self._noted.append(f"{self._name} {part}")
+
+    def verdict(self) -> Verdict:
+        return self._verdict
+
+
+def nobody(noted: list[str], name: str, telling: Telling = Telling.SILENCE) -> Seek:
+    verdict = Verdict(telling, f"No {name}.")
+    talks_at = LineSettings(38400) if name == "Talker" else None
+    return Seek(name, lambda _settings, *, full, known: Deaf(noted, name, verdict), talks_at)
+
+
+def search(wire: Wire, seeks: dict[str, Seek], first: str | None = None) -> PortSearch:
+    return search_port(VIRTUAL, seeks, first=first, open_wire=lambda _settings: wire)
+
+
+def test_the_probable_of_each_kind_comes_before_the_rest_of_any() -> None:
+    parts = {"common": (5, 83), "rare": (5,)}
+    assert order(parts, None) == [("common", 0), ("rare", 0), ("common", 1)]
+    assert order(parts, "common") == order(parts, None)
+
+
+def test_the_kind_that_a_port_leads_to_comes_first() -> None:
+    parts = {"common": (5, 83), "rare": (5, 9)}
+    assert order(parts, "rare") == [("rare", 0), ("common", 0), ("rare", 1), ("common", 1)]
+    assert order(parts, "forgotten") == order(parts, None)
+
+
+def test_the_search_goes_by_that_order_and_opens_the_port_once() -> None:
+    noted: list[str] = []
+    opened: list[LinkSettings] = []
+    wire = wire_of(a_board())
+    wire.line.mute = True
+
+    def open_wire(settings: LinkSettings) -> Wire:
+        opened.append(settings)
+        return wire
+
+    seeks = {"one": nobody(noted, "One"), "two": nobody(noted, "Two")}
+    search_port(VIRTUAL, seeks, first="two", open_wire=open_wire)
+    assert noted == ["Two 0", "One 0", "Two 1", "One 1"]
+    assert [settings.line for settings in opened] == [RINSE_LINE]
+    assert wire.closed
+
+
+def test_progress_counts_the_questions_of_all_kinds_and_names_who_is_asked_for() -> None:
+    steps: list[Step] = []
+    wire = wire_of(a_board())
+    seeks = {"one": nobody([], "One"), "two": nobody([], "Two")}
+    search_port(VIRTUAL, seeks, progress=steps.append, open_wire=lambda _settings: wire)
+    assert [step.done for step in steps] == list(range(10))
+    assert {step.total for step in steps} == {10}
+    assert [step.kind for step in steps] == ["One"] * 2 + ["Two"] * 2 + ["One"] * 3 + ["Two"] * 3
+
+
+def test_a_trex_at_a_likely_rate_is_found_before_anything_else_is_asked() -> None:
+    noted: list[str] = []
+    seeks = {"trex": SEEK_TREX, "other": nobody(noted, "Other")}
+    wire = wire_of(a_board(settings=LineSettings(57600).to_wire()))
+    result = search(wire, seeks)
+    assert (result.device, [found.name for found in result.found]) == ("trex", ["TReX 1.2"])
+    assert result.found[0].settings == LinkSettings("virtual", LineSettings(57600))
+    assert noted == []
+    assert wire.line.now < 2.5
+
+
+def test_a_trex_at_any_other_rate_is_found_after_the_others_were_asked_for() -> None:
+    noted: list[str] = []
+    seeks = {"trex": SEEK_TREX, "other": nobody(noted, "Other")}
+    result = search(wire_of(a_board(settings=LineSettings(4800).to_wire())), seeks)
+    assert result.found[0].settings.line == LineSettings(4800)
+    assert noted == ["Other 0"]
+
+
+def test_what_talks_by_itself_is_heard_at_the_rate_at_which_a_kind_says_that_it_starts() -> None:
+    noted: list[str] = []
+    seeks = {"trex": SEEK_TREX, "talker": nobody(noted, "Talker")}
+    board = a_board()
+    board.power_off()
+    wire = wire_of(board)
+    read = wire.read
+    wire.read = lambda size, seconds: b"$GPGGA" if seconds == 0.3 else read(size, seconds)  # type: ignore[method-assign]
+    result = search(wire, seeks)
+    assert noted[0] == "Talker hears b'$GPGGA' at 38400"
+    assert "24 47 50 47 47 41 came at 38400 baud" in result.lines[0]
+
+
+def test_the_most_telling_comes_first_and_nothing_is_hidden() -> None:
+    seeks = {
+        "silent": nobody([], "Silent"),
+        "known": nobody([], "Known", Telling.KNOWN),
+        "echo": nobody([], "Echo", Telling.ECHO),
+        "mute": nobody([], "Mute"),
+        "strange": nobody([], "Strange", Telling.STRANGE),
+    }
+    assert search(wire_of(a_board()), seeks).lines == [
+        "No Known.",
+        "No Strange.",
+        "No Echo.",
+        "No Silent.",
+        "No Mute.",
+    ]
+
+
+def test_a_search_that_is_cancelled_says_so() -> None:
+    steps: list[Step] = []
+    noted: list[str] = []
+    wire = wire_of(a_board())
+    result = search_port(
+        VIRTUAL,
+        {"one": nobody(noted, "One"), "two": nobody(noted, "Two")},
+        progress=steps.append,
+        cancelled=lambda: len(steps) == 3,
+        open_wire=lambda _settings: wire,
+    )
+    assert result.cancelled
+    assert noted == ["One 0"]
+    assert wire.closed
+
+
+def test_a_port_that_does_not_open_says_why_and_nothing_else() -> None:
+    def refuse(settings: LinkSettings) -> Wire:
+        raise PortUnavailable("It is in use by a terminal.")
+
+    result = search_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=refuse)
+    assert result.lines == ["It is in use by a terminal."]
+    assert not result.cancelled
+
+
+@pytest.mark.parametrize("telling", [Telling.SILENCE, Telling.STRANGE])
+def test_a_port_that_goes_away_says_so_first_and_then_what_was_heard(telling: Telling) -> None:
+    wire = wire_of(a_board())
+
+    class Puller(Deaf):
+        def ask(
+            self,
+            wire: Transport,
+            part: int,
+            progress: Callable[[Step], None],
+            cancelled: Callable[[], bool],
+        ) -> None:
+            raise PortUnavailable("It is gone.")
+
+    verdict = Verdict(telling, "No Two.")
+    pulled = Seek("Two", lambda _settings, *, full, known: Puller([], "Two", verdict))
+    result = search(wire, {"one": nobody([], "One", telling), "two": pulled})
+    heard = ["No One.", "No Two."] if telling else []
+    assert result.lines == ["It is gone.", *heard]
+    assert wire.closed
+
+
+def test_the_port_is_left_with_nothing_begun_and_not_at_the_rate_that_resets_some_boards() -> None:
+    wire = wire_of(a_board())
+    search(wire, {"one": nobody([], "One")})
+    assert bytes(wire.sent) == RINSE
+    assert wire.tuned[-1] == LineSettings()
+
+
+def test_a_board_that_was_found_hears_nothing_more() -> None:
+    """A byte at another rate would leave it with an error that it shows from then on."""
+    wire = wire_of(a_board())
+    search(wire, {"trex": SEEK_TREX})
+    assert not bytes(wire.sent).endswith(RINSE)
+
+
+def test_rates_that_a_port_cannot_have_are_told() -> None:
+    board = a_board()
+    board.power_off()
+    wire = wire_of(board)
+    wire.unable = frozenset({14400, 76800})
+    (line,) = search(wire, {"trex": SEEK_TREX}).lines
+    assert "cannot be set to 14400, 76800 baud" in line
+
+
+def test_of_all_that_came_it_is_told_how_often() -> None:
+    board = a_board()
+    board.power_off()
+    wire = wire_of(board)
+    read = wire.read
+    wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
+    (line,) = search(wire, {"trex": SEEK_TREX}).lines
+    assert "45 52 52 came at 1200 baud" in line
+    assert "something at 88 more" in line
