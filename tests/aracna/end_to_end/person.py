@@ -108,6 +108,6 @@ class Person:
 
     def move_and_wait(self) -> None:
         """Press Move and wait for the robot's answer."""
+        before = self.robot.known.moved
         self.click("aracnaMoveButton")
-        self.wait(lambda: self.robot.known.moved is None)
-        self.wait(lambda: self.robot.known.moved is not None)
+        self.wait(lambda: self.robot.known.moved not in (None, before))

@@ -133,7 +133,7 @@ def test_a_locked_screen_ends_what_is_played(person: Person, qapp: QApplication)
     person.wait(lambda: person.robot.playing is not None and person.robot.playing.step == 1)
     stopper = watching.findChild(Stopper)
     assert stopper is not None
-    stopper.stop("The screen was locked.")
+    stopper.stop("The screen was locked")
     person.wait(lambda: person.robot.playing is None)
     assert "The screen was locked." in person.text("bannerText")
     watching.close()

@@ -134,6 +134,29 @@ def test_speeds_are_set_together_and_one_by_one(person: Person) -> None:
     assert speeds.held == (*(300,) * 7, 0)
 
 
+def test_speeds_that_differ_are_shown_as_such_until_one_is_chosen_for_all(person: Person) -> None:
+    everyone = person.find(QSpinBox, "aracnaSpeedAll")
+    one = person.find(QSpinBox, "aracnaSpeed7")
+    one.setValue(0)
+    assert everyone.text() == "differ"
+    assert set(person.robot.speeds.wanted) == {0, 100}, "to show it chooses nothing"
+    QTest.keyClick(everyone, Qt.Key.Key_Down)
+    assert everyone.text() == "differ"
+    QTest.keyClick(everyone, Qt.Key.Key_Up)
+    assert person.robot.speeds.wanted == (10,) * 8
+    assert everyone.text() == "10 = 7 °/s"
+    one.setValue(20)
+    person.program.window.activateWindow()
+    everyone.setFocus()
+    person.wait(lambda: everyone.lineEdit().selectedText() == "differ")
+    QTest.keyClicks(everyone, "300")
+    QTest.keyClick(everyone, Qt.Key.Key_Return)
+    assert person.robot.speeds.wanted == (300,) * 8
+    assert everyone.text() == "300 = 201 °/s"
+    everyone.setValue(-1)
+    assert everyone.value() == 0, "that they differ cannot be chosen"
+
+
 def test_limits_are_changed_and_reset_on_the_page(person: Person) -> None:
     assert not person.find(QSpinBox, "aracnaLow3").isVisible()
     person.click("aracnaLimitsBox")

@@ -1,5 +1,6 @@
 """The window says no more of the robot than is known, and lets nothing be asked in vain."""
 
+import json
 import sys
 
 import pytest
@@ -16,6 +17,7 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-te
 
 UNSURE = "Not known: what was sent last goes on to its goal."
 AT_REST = "At rest: nothing is sent."
+UNSEEN = "Nothing is sent. Whether it moves is known after its first move."
 
 
 @pytest.fixture
@@ -31,6 +33,22 @@ def control(person: Person, line: str) -> None:
     person.simulator.send(line, answers.append)
     person.wait(lambda: bool(answers))
     assert answers[0].startswith("ok"), answers
+
+
+def moves(person: Person) -> bool:
+    """Whether a servo of the simulated robot turns."""
+    answers: list[str] = []
+    person.simulator.send("show", answers.append)
+    person.wait(lambda: bool(answers))
+    shown = json.loads(answers[0].removeprefix("ok "))
+    return any(servo["moving"] for servo in shown["servos"])
+
+
+def begin_long_motion(person: Person) -> None:
+    """Let every motor go far and slowly: for about 90 s."""
+    person.robot.set_speeds((5,) * 8)
+    person.robot.move((200,) * 8)
+    person.wait(lambda: person.robot.known.moving is not None and moves(person))
 
 
 def logged(person: Person) -> list[str]:
@@ -103,6 +121,44 @@ def test_who_disconnects_is_told_how_long_the_motion_goes_on(person: Person) -> 
     assert "The motion goes on for about" in person.text("aracnaMotionLabel")
     assert "by itself" in person.text("aracnaMotionLabel")
     person.wait(lambda: person.text("aracnaMotionLabel") == "No robot is connected.")
+
+
+def test_before_the_first_answer_of_a_motion_it_is_not_known_whether_the_robot_moves(
+    person: Person,
+) -> None:
+    assert person.text("aracnaMotionLabel") == UNSEEN
+    person.robot.set_speeds((300,) * 8)
+    person.wait(lambda: person.robot.known.speeds is not None)
+    assert person.text("aracnaMotionLabel") == UNSEEN, "speeds say nothing of positions"
+    person.move_and_wait()
+    assert person.text("aracnaMotionLabel") == AT_REST
+
+
+def test_a_motion_that_goes_on_while_the_port_is_opened_anew_is_told(person: Person) -> None:
+    begin_long_motion(person)
+    person.click("connectButton")
+    person.wait(lambda: person.robot.link is Link.NONE)
+    person.choose_port(DEMO_ARACNA)
+    control(person, "reset")  # as boards do when their port is opened; their servos go on
+    person.wait(lambda: person.robot.link is Link.UP)
+    assert moves(person)
+    assert person.text("aracnaMotionLabel").startswith("Not known: what was left running may go on")
+
+
+def test_a_motion_that_goes_on_after_a_restart_is_told_until_its_time_is_over(
+    person: Person,
+) -> None:
+    begin_long_motion(person)
+    control(person, "reset")
+    person.wait(lambda: person.robot.link is Link.SILENT)
+    assert person.text("aracnaMotionLabel").startswith("Not known: what was sent last may go on")
+    person.wait(lambda: person.robot.link is Link.UP)
+    assert moves(person)
+    assert person.text("aracnaMotionLabel").startswith("Not known: what was sent last may go on")
+    person.click("connectButton")
+    person.wait(lambda: person.robot.link is Link.NONE)
+    assert "The motion goes on for about" in person.text("aracnaMotionLabel")
+    assert person.robot.remaining() > 5
 
 
 def test_a_lost_answer_is_told_once(person: Person) -> None:

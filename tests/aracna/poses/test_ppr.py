@@ -87,6 +87,14 @@ def test_missing_positions_become_512_and_that_is_told() -> None:
     assert findings[0].severity is Severity.WARNING
 
 
+def test_a_pose_of_fewer_motors_than_the_robot_is_written_as_it_is_read() -> None:
+    text = write_ppr(Project(poses=(Pose("short", (1, 2)),)))
+    project, findings = read_ppr(text)
+    assert findings == ()
+    assert project.poses == (Pose("short", (1, 2, 512, 512, 512, 512, 512, 512)),)
+    assert write_ppr(project) == text
+
+
 def test_a_pose_without_any_position_is_in_the_centre() -> None:
     assert read_ppr(HEAD + "Pose=none:\n")[0].poses == (Pose("none", (512,) * 8),)
 
@@ -153,6 +161,27 @@ def test_of_two_poses_of_a_name_the_last_counts_and_the_first_is_kept_under_anot
     assert "line 3" in message
 
 
+def test_blanks_around_names_do_not_count_so_that_steps_find_their_poses() -> None:
+    project, findings = read_ppr(HEAD + f"Pose= sp :{EIGHT}\nSeq= s :  sp |500\n")
+    assert findings == ()
+    assert project.poses == (Pose("sp", (1, 2, 3, 4, 5, 6, 7, 8)),)
+    assert project.sequences == (Sequence("s", (SequenceStep("sp", 500),)),)
+    assert write_ppr(project) == HEAD + f"Pose=sp:{EIGHT}\nSeq=s: sp|500\n"
+
+
+@pytest.mark.parametrize("lines", [("Pose=a:1\n", "Pose= a :2\n"), ("Pose= a :2\n", "Pose=a:1\n")])
+def test_of_two_poses_told_apart_by_blanks_alone_the_one_that_steps_mean_keeps_its_name(
+    lines: tuple[str, str],
+) -> None:
+    project, findings = read_ppr(HEAD + "".join(lines) + "Seq=s: a|500\n")
+    assert {pose.name: pose.positions[0] for pose in project.poses} == {"a": 1, "a 2": 2}
+    [told] = [finding for finding in findings if "blanks" in finding.message]
+    assert told.severity is Severity.WARNING
+    assert told.line == 2 + [" a " in line for line in lines].index(True)
+    assert "called a 2 now" in told.message
+    assert missing_poses(project.sequences[0], project.poses) == ()
+
+
 @pytest.mark.parametrize("text", ["", "\n", "Pose=a:1\n", "Aracna", "Aracna:many:1", "Aracna:0"])
 def test_a_file_without_a_proper_first_line_is_read_and_that_is_told(text: str) -> None:
     project, findings = read_ppr(text)
@@ -167,7 +196,7 @@ def test_a_robot_with_other_servos_keeps_their_number() -> None:
 
 
 _NAMES = st.text(st.characters(exclude_characters=":\r\n", exclude_categories=["Cs"]), max_size=8)
-_ITEM_NAMES = _NAMES.filter(str.strip)
+_ITEM_NAMES = _NAMES.map(str.strip).filter(bool)
 _REFERENCES = st.text(
     st.characters(exclude_characters=",|\r\n", exclude_categories=["Cs"]), max_size=8
 ).map(str.strip)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFileDialog, QLabel, QMessageBox, QWidget
+from PySide6.QtWidgets import QComboBox, QFileDialog, QLabel, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.aracna.views.poses_stage import EIGHT, Stage
@@ -116,3 +116,39 @@ def test_save_as_adds_the_suffix_and_asks_before_it_replaces_what_is_there(
     monkeypatch.setattr(QMessageBox, "question", lambda *_: cancel)
     assert not stage.panel.files.ask_and_save()
     assert "more" not in (tmp_path / "mine.ppr").read_text(encoding="utf-8")
+
+
+def test_a_pose_that_no_step_can_name_is_offered_to_none_and_why_is_said(
+    stage: Stage, tmp_path: Path
+) -> None:
+    path = tmp_path / "comma.ppr"
+    path.write_text("Aracna:8\nPose=a, b:512\nPose=c:512\nSeq=s: c|500\n", encoding="utf-8")
+    stage.panel.files.open_file(path)
+    stage.choose("aracnaMotions", "s")
+    stage.choose("aracnaPoses", "a, b")
+    assert not stage.button("aracnaAddStep").isEnabled()
+    assert "without comma and bar" in stage.button("aracnaAddStep").toolTip()
+    view = stage.steps
+    view.edit(view.model().index(0, 1))
+    combo = view.findChild(QComboBox, "aracnaStepPose")
+    assert combo is not None
+    assert [combo.itemText(place) for place in range(combo.count())] == ["c"]
+    stage.library.rename_pose("a, b", "a b")
+    stage.choose("aracnaPoses", "a b")
+    stage.click("aracnaAddStep")
+    assert [step.pose_name for step in stage.library.sequences[0].steps] == ["c", "a b"]
+
+
+def test_a_pose_with_blanks_around_its_name_is_the_one_that_steps_name(
+    stage: Stage, tmp_path: Path
+) -> None:
+    path = tmp_path / "blanks.ppr"
+    path.write_text("Aracna:8\nPose= sp :512\nSeq=s: \n", encoding="utf-8")
+    stage.panel.files.open_file(path)
+    stage.choose("aracnaMotions", "s")
+    stage.choose("aracnaPoses", "sp")
+    stage.click("aracnaAddStep")
+    stage.panel.files.save()
+    stage.panel.files.open_file(path)
+    assert "not in the file" not in stage.said[-1]
+    assert stage.library.pose(stage.library.sequences[0].steps[0].pose_name) is not None

@@ -112,6 +112,8 @@ class Known:
         moved: the last complete answer.
         waited_for: the motor whose turn it is in the answer that is coming.
         unsure: whether what was sent last may still go on, unseen.
+        left_until: when a motion that nobody watches any more should end, on the session's clock;
+            `None` where there is none. It stays when it is over: only its time tells that.
         speeds: the last `.v` and what the servos hold; `None` where neither is known.
     """
 
@@ -123,6 +125,7 @@ class Known:
     waited_for: int = 0
     stuck: Stuck | None = None
     unsure: bool = False
+    left_until: float | None = None
     speeds: SpeedsHeld | None = None
     play: Play | None = None
     playing: Playing | None = None
@@ -137,16 +140,14 @@ class Known:
             case Moving(goals=goals):
                 self.moving, self.goals = report, goals
                 self.waited_for, self.stuck, self.moved = 0, None, None
-                self.unsure = False
+                self.unsure, self.left_until = False, None  # every motor has a new goal
             case Passed(present=present):
                 self._note(present)
                 self.waited_for = min(len(present), self.motors - 1)
                 if self.stuck is not None and self.stuck.motor != self.waited_for:
                     self.stuck = None  # it was late, and came after all
-            case Moved(goals=goals, present=present):
-                self._note(present)
-                self.moving, self.stuck = None, None
-                self.moved, self.goals, self.unsure = report, goals, False
+            case Moved():
+                self._arrive(report)
             case Stuck():
                 self.stuck = report
             case SpeedsHeld():
@@ -154,7 +155,9 @@ class Known:
             case Restarted() | Silent():
                 self._lose_sight()
             case Connected():
-                self.moving, self.stuck = None, None  # what answers `.q` waits for no motor
+                # What answers `.q` waits for no motor. Servos may move all the same: opening the
+                # port may have reset the board, which they do not notice.
+                self._leave_running()
             case StepBegun() if self.play is not None:
                 self.playing = _place(self.play, report)
             case PlayEnded():
@@ -165,8 +168,24 @@ class Known:
     def _lose_sight(self) -> None:
         """Know no position: nobody saw what the servos did meanwhile, nor who turned them."""
         self.present = [None] * self.motors
-        self.moving, self.moved, self.stuck, self.speeds = None, None, None, None
+        self._leave_running()
+        self.moved, self.speeds = None, None
         self.unsure = self.goals is not None
+
+    def _leave_running(self) -> None:
+        """Watch the motion no longer; that it was begun counts until its time is over."""
+        if self.moving is not None:
+            self.left_until, self.unsure = self.ends_at, True
+        self.moving, self.stuck = None, None
+
+    def _arrive(self, moved: Moved) -> None:
+        self._note(moved.present)
+        self.moved, self.goals = moved, moved.goals
+        if self.is_lost:  # the answer, or all servos: none of them says that it stands
+            self._leave_running()
+        else:
+            self.moving, self.stuck = None, None
+            self.unsure, self.left_until = False, None
 
     def _note(self, present: tuple[int, ...]) -> None:
         for motor, position in enumerate(present[: self.motors]):
@@ -214,6 +233,22 @@ class Known:
     def ends_at(self) -> float | None:
         """When the running motion should end, on the session's clock; `None`: none runs."""
         return None if self.moving is None else self.moving.time + self.moving.expected
+
+    @property
+    def goes_on_until(self) -> float | None:
+        """When what moves should end, watched or not, on the session's clock.
+
+        `None`: nothing that was sent moves any more.
+        """
+        return self.left_until if self.moving is None else self.ends_at
+
+    @property
+    def may_move_unseen(self) -> bool:
+        """Whether no motion runs that is watched, and no answer has said that all motors stand.
+
+        So it is before the first answer: whoever drove the robot before may have left it moving.
+        """
+        return self.moving is None and (self.moved is None or self.is_lost)
 
 
 def _place(play: Play, begun: StepBegun) -> Playing:

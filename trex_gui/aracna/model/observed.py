@@ -5,7 +5,15 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.aracna.link.messages import Connected, DragDropped, Moved, Moving, SetLimits
+from trex_gui.aracna.link.messages import (
+    Connected,
+    Counted,
+    Counters,
+    DragDropped,
+    Moved,
+    Moving,
+    SetLimits,
+)
 from trex_gui.aracna.model.connection import RobotConnection
 from trex_gui.aracna.model.known import Known, Playing, Rate
 from trex_gui.aracna.model.limits import JointLimits
@@ -50,12 +58,12 @@ class ObservedRobot(QObject):
         super().__init__(parent)
         self._clock = clock
         self._version: int | None = None
+        self._counters = Counters()
         self._known = Known(MOTORS)
         self._rate = Rate()
         self._moves_waiting = 0
         self._dragging = False
         self._holding = False
-        self._goes_on_until: float | None = None
         self._line = RobotConnection(self)
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
@@ -96,6 +104,11 @@ class ObservedRobot(QObject):
         return self._version
 
     @property
+    def counters(self) -> Counters:
+        """What the line has seen since the robot has answered first, as it was told last."""
+        return self._counters
+
+    @property
     def motors(self) -> int:
         """How many motors it has; eight before it has answered."""
         return self._known.motors
@@ -128,12 +141,11 @@ class ObservedRobot(QObject):
     def remaining(self) -> float:
         """Return the seconds until the running motion should end; 0 where none runs.
 
-        One that was left running when the line was closed goes on, and counts.
+        One that was left running, when the line was closed or the board restarted, goes on and
+        counts.
         """
-        ends_at = self._known.ends_at
-        if ends_at is None:
-            ends_at = self._goes_on_until
-        return 0.0 if ends_at is None else max(ends_at - self._clock(), 0.0)
+        until = self._known.goes_on_until
+        return 0.0 if until is None else max(until - self._clock(), 0.0)
 
     @Slot()
     def _send_limits(self) -> None:
@@ -172,6 +184,8 @@ class ObservedRobot(QObject):
         self._line.follow(report)
         self._known.take(report)
         match report:
+            case Counted(counters=counters):
+                self._counters = counters
             case Moving(goals=goals) if self._known.play is not None:
                 self.targets.set_all(goals)
             case Moved(time=moment):
@@ -191,7 +205,6 @@ class ObservedRobot(QObject):
     @Slot(object)
     def _on_answered(self, report: Connected) -> None:
         self._version = report.version
-        self._goes_on_until = None  # who answers does not move
         if report.motors != self.motors:
             self._begin_with(report.motors)
         self._send_limits()
@@ -204,13 +217,12 @@ class ObservedRobot(QObject):
     @Slot()
     def _on_left(self) -> None:
         self._version = None
-        if self._known.ends_at is not None:
-            self._goes_on_until = self._known.ends_at
+        self._counters = Counters()
         self._moves_waiting = 0
         self._begin_with(self.motors)
 
     def _begin_with(self, motors: int) -> None:
-        self._known = Known(motors)
+        self._known = Known(motors, left_until=self._known.goes_on_until)
         self._rate.forget()
         self._dragging = self._holding = False
         self.speeds.begin(motors)

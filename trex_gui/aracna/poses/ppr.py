@@ -9,6 +9,9 @@ Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. There the last of 
 name wins, missing positions are 512, wrong resolutions are 1024, and a line without prefix is a
 pose of an older version. `Nuke` belongs to code for legged robots that PyPose made; it is kept.
 
+Blanks around a name do not count, for those around the names in steps never did: PyPose takes them
+away there, and finds no pose whose name has some.
+
 A line that cannot be understood is kept as it stands, and written back.
 """
 
@@ -70,10 +73,15 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
 
 
 def write_ppr(project: Project) -> str:
-    """Return the text of a pose file, as PyPose would write it."""
+    """Return the text of a pose file, as PyPose would write it.
+
+    A pose of fewer motors than the robot has gets the positions that reading it would give it.
+    """
     head = [project.name, str(project.motors), *map(str, project.resolutions)]
     lines = [":".join(head)]
-    lines += [f"{_POSE}{pose.name}:{_listed(pose.positions)}" for pose in project.poses]
+    for pose in project.poses:
+        positions = pose.first(max(project.motors, len(pose.positions)))
+        lines.append(f"{_POSE}{pose.name}:{_listed(positions)}")
     for sequence in project.sequences:
         steps = (f"{step.pose_name}|{step.milliseconds}" for step in sequence.steps)
         lines.append(f"{_SEQUENCE}{sequence.name}: {_listed(steps)}")
@@ -91,6 +99,7 @@ class _Reader:
         self.poses: list[tuple[int, Pose]] = []
         self.sequences: list[tuple[int, Sequence]] = []
         self.rest: list[str] = []
+        self.padded: set[int] = set()  # lines whose name has blanks around it
         self.findings: list[Finding] = []
 
     def warn(self, line: int, message: str) -> None:
@@ -118,6 +127,7 @@ class _Reader:
         try:
             if line.startswith(_SEQUENCE):
                 self.sequences.append((number, _sequence(line.removeprefix(_SEQUENCE))))
+                self._look_for_blanks(number, line.removeprefix(_SEQUENCE))
                 return
             if line.startswith(_NUKE):
                 self.rest.append(line)
@@ -137,19 +147,32 @@ class _Reader:
             said = f"pose {pose.name} has {len(pose.positions)} positions for {motors} servos"
             self.warn(number, f"{said}; the last ones are kept, but not used")
         self.poses.append((number, pose))
+        self._look_for_blanks(number, line.removeprefix(_POSE))
+
+    def _look_for_blanks(self, number: int, line: str) -> None:
+        name = line.partition(":")[0]
+        if name != name.strip():
+            self.padded.add(number)
 
     def unique(
         self, items: list[tuple[int, ItemT]], named: Callable[[ItemT, str], ItemT], kind: str
     ) -> tuple[ItemT, ...]:
-        """Return items with a name each; the last of a name has it, earlier ones get another."""
+        """Return items with a name each; the last of a name has it, others get another.
+
+        One that is spelled as the name is goes before one with blanks around it: it is the one
+        that steps have meant.
+        """
         taken = {item.name for _, item in items}
-        last = {item.name: number for number, item in items}
+        spelled = sorted(items, key=lambda placed: (placed[0] not in self.padded, placed[0]))
+        last = {item.name: number for number, item in spelled}
         tried: dict[str, int] = {}
         for place, (number, item) in enumerate(items):
             if last[item.name] != number:
                 name, tried[item.name] = free_number(item.name, taken, tried.get(item.name, 2))
                 taken.add(name)
                 said = f"the {kind} {item.name} comes again in line {last[item.name]}"
+                if {number, last[item.name]} & self.padded:
+                    said = f"but for blanks around its name, {said}"
                 self.warn(number, f"{said}, which counts; this one is called {name} now")
                 items[place] = (number, named(item, name))
         return tuple(item for _, item in items)
@@ -165,9 +188,10 @@ def _named_sequence(sequence: Sequence, name: str) -> Sequence:
 
 def _pose(line: str) -> Pose:
     name, colon, values = line.partition(":")
+    name = name.strip()
     if not colon:
         raise _UnreadableError("neither a pose nor a sequence, for it has no colon")
-    if not name.strip():
+    if not name:
         raise _UnreadableError("a pose has a name before its colon")
     positions = []
     for motor, field in enumerate(_fields(values)):
@@ -181,9 +205,10 @@ def _pose(line: str) -> Pose:
 
 def _sequence(line: str) -> Sequence:
     name, colon, values = line.partition(":")
+    name = name.strip()
     if not colon:
         raise _UnreadableError("a sequence has a colon after its name")
-    if not name.strip():
+    if not name:
         raise _UnreadableError("a sequence has a name before its colon")
     steps = []
     for field in _fields(values):

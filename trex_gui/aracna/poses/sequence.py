@@ -10,6 +10,11 @@ USUAL_MS = 500
 """What PyPose proposes for a step."""
 
 
+def can_be_named(pose_name: str) -> bool:
+    """Whether a step can name a pose: a file parts steps by commas, and their times by bars."""
+    return not any(sign in pose_name for sign in ",|\r\n")
+
+
 @dataclass(frozen=True, slots=True)
 class SequenceStep:
     """Reach the pose of a name in so many milliseconds (1 to an hour)."""
@@ -23,7 +28,7 @@ class SequenceStep:
         Raises:
             ValueError: the time is out of range, or the name has a comma, a bar or a line end.
         """
-        if any(sign in self.pose_name for sign in ",|\r\n"):
+        if not can_be_named(self.pose_name):
             name = self.pose_name
             raise ValueError(f"a step names a pose without comma, bar or line end, unlike {name!r}")
         if not SHORTEST_MS <= self.milliseconds <= LONGEST_MS:

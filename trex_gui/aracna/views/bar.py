@@ -77,31 +77,44 @@ class RobotBar(QWidget):
 
     @Slot()
     def _show(self) -> None:
-        text, alarming = self._words()
+        left = self._robot.remaining()
+        text, alarming = self._words(left)
         self._state.show_note(text, alarming=alarming)
-        counts = self._robot.known.moving is not None or self._robot.remaining() > 0
+        counts = self._robot.known.moving is not None or left > 0
         if counts != self._timer.isActive():
             self._timer.start() if counts else self._timer.stop()
 
-    def _words(self) -> tuple[str, bool]:
-        """Say what is known of the motion; never more than that."""
+    def _words(self, left: float) -> tuple[str, bool]:
+        """Say what is known of the motion, which should last `left` seconds; never more."""
         robot, known = self._robot, self._robot.known
         if robot.link in {Link.NONE, Link.CLOSING, Link.OPENING}:
-            return self._unconnected_words()
+            return self._unconnected_words(left)
         if known.stuck is not None:
             return self._stuck_text(known.stuck.motor), True
-        wait = self._wait_text()
+        wait = self._wait_text(left)
         if robot.playing is not None:
             return f"{self._playing_text(robot.playing)} {wait}", True
         if wait:
             return wait, True
-        if robot.link is Link.SILENT or known.unsure:
-            return self.tr("Not known: what was sent last goes on to its goal."), True
+        if robot.link is Link.SILENT or known.may_move_unseen:
+            return self._unseen_words(left)
         return self.tr("At rest: nothing is sent."), False
 
-    def _unconnected_words(self) -> tuple[str, bool]:
+    def _unseen_words(self, left: float) -> tuple[str, bool]:
+        sent = self._robot.known.unsure
+        if left > 0 and sent:
+            text = self.tr("Not known: what was sent last may go on for about {0:.0f} s.")
+        elif left > 0:
+            text = self.tr("Not known: what was left running may go on for about {0:.0f} s.")
+        elif sent:
+            text = self.tr("Not known: what was sent last goes on to its goal.")
+        else:
+            text = self.tr("Nothing is sent. Whether it moves is known after its first move.")
+        return text.format(max(left, 1)), sent or left > 0
+
+    def _unconnected_words(self, left: float) -> tuple[str, bool]:
         text = self.tr("No robot is connected.")
-        if (left := self._robot.remaining()) <= 0:
+        if left <= 0:
             return text, False
         more = self.tr("The motion goes on for about {0:.0f} s by itself.").format(max(left, 1))
         return f"{text} {more}", True
@@ -111,11 +124,11 @@ class RobotBar(QWidget):
             return self.tr("The robot does not answer.")
         return self.tr("Stuck: the robot waits for motor {0} and listens to nothing.").format(motor)
 
-    def _wait_text(self) -> str:
-        robot, known = self._robot, self._robot.known
+    def _wait_text(self, left: float) -> str:
+        known = self._robot.known
         if known.moving is None:
             return ""
-        if (left := robot.remaining()) > 0:
+        if left > 0:
             return self.tr("The motion ends by itself in about {0:.1f} s.").format(left)
         return self.tr("Waiting for motor {0} to arrive …").format(known.waited_for)
 

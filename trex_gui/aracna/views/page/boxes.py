@@ -1,7 +1,9 @@
 """Spin boxes of a joint: a position in units or degrees, a speed, a limit."""
 
-from PySide6.QtCore import Slot
-from PySide6.QtGui import QWheelEvent
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSignalBlocker, QTimer, Slot
+from PySide6.QtGui import QFocusEvent, QWheelEvent
 from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QWidget
 
 from trex_gui.aracna.protocol.units import DEGREES_PER_UNIT, HIGHEST
@@ -70,6 +72,48 @@ class SpeedBox(QSpinBox):
         """Say what the value means; by itself it does so when a change is told."""
         value = self.value()
         self.setSuffix(f" = {speed_text(value)}" if value else self.tr(" = fastest"))
+
+
+class SpeedOfAllBox(SpeedBox):
+    """The speed that all motors share; where they differ it says so until one is chosen."""
+
+    _NONE = -1
+
+    def __init__(self, name: str, spoken: str, parent: QWidget | None = None) -> None:
+        """Be found by `name`, and read out as `spoken`."""
+        super().__init__(name, spoken, parent)
+        self.setMinimumWidth(self.sizeHint().width())  # it does not jump when they differ
+
+    @property
+    def differ(self) -> bool:
+        """Whether the motors have not all the same speed."""
+        return self.value() == self._NONE
+
+    def show_speeds(self, speeds: Sequence[int]) -> None:
+        """Show the speeds of all motors; nothing is told of it, and what is typed stays."""
+        shared = set(speeds)
+        value = shared.pop() if len(shared) == 1 else self._NONE
+        lowest = min(value, 0)  # that they differ is nothing to choose
+        if (value, lowest) == (self.value(), self.minimum()):
+            return
+        with QSignalBlocker(self):
+            self.setMinimum(lowest)
+            self.setSpecialValueText(self.tr("differ") if value == self._NONE else "")
+            self.setValue(value)
+        self.renew_meaning()
+
+    def stepBy(self, steps: int) -> None:
+        """Step from nothing where they differ."""
+        if not self.differ:
+            super().stepBy(steps)
+        elif steps > 0:
+            self.setValue(steps * self.singleStep())
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        """Let a speed be typed in place of the words, also by who has clicked into them."""
+        super().focusInEvent(event)
+        if self.differ:
+            QTimer.singleShot(0, self, self.selectAll)
 
 
 def _only_with_focus(box: QSpinBox | QDoubleSpinBox, event: QWheelEvent) -> None:

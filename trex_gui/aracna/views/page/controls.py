@@ -1,13 +1,14 @@
 """What is done with all joints at once: move, send while dragging, speeds, limits."""
 
-from PySide6.QtCore import QSignalBlocker, Signal, Slot
+from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.targets import CENTRE
 from trex_gui.aracna.poses.known import STAND
-from trex_gui.aracna.views.page.boxes import SpeedBox
+from trex_gui.aracna.views.page.boxes import SpeedOfAllBox
 from trex_gui.aracna.views.page.words import why_not_move
+from trex_gui.aracna.views.typed import take_typed
 from trex_gui.views.icons import set_icon
 from trex_gui.views.theme import tint
 
@@ -59,7 +60,7 @@ class Controls(QWidget):
             self.tr("Stand"),
             self.tr("Inner 512, outer 680 as its authors say, within the limits; no motion yet"),
         )
-        self._speed = SpeedBox("aracnaSpeedAll", self.tr("Speed of all motors"), self)
+        self._speed = SpeedOfAllBox("aracnaSpeedAll", self.tr("Speed of all motors"), self)
         speed_label = QLabel(self.tr("S&peed of all:"), self)
         speed_label.setBuddy(self._speed)
         self._limits = QCheckBox(self.tr("&Limits instead of speeds"), self)
@@ -116,6 +117,7 @@ class Controls(QWidget):
     @Slot()
     def take_present(self) -> None:
         """Set the sliders to where the motors are."""
+        take_typed()
         pairs = zip(self._robot.present, self._robot.targets.goals, strict=False)
         self._robot.targets.set_all(
             [goal if present is None else present for present, goal in pairs]
@@ -124,11 +126,13 @@ class Controls(QWidget):
     @Slot()
     def centre(self) -> None:
         """Set the sliders to the middle of the servos' travel."""
+        take_typed()
         self._robot.targets.set_all((CENTRE,) * self._robot.motors)
 
     @Slot()
     def stand(self) -> None:
         """Set the sliders to the authors' standing pose."""
+        take_typed()
         self._robot.targets.set_all(STAND.first(self._robot.motors))
 
     def _button(self, name: str, text: str, tip: str) -> QPushButton:
@@ -157,11 +161,7 @@ class Controls(QWidget):
         for button in (self._centre, self._stand):
             button.setEnabled(is_idle)
         self._factory.setEnabled(not robot.limits.are_factory)
-        speeds = set(robot.speeds.wanted)
-        if len(speeds) == 1 and self._speed.value() not in speeds:
-            with QSignalBlocker(self._speed):
-                self._speed.setValue(speeds.pop())
-            self._speed.renew_meaning()
+        self._speed.show_speeds(robot.speeds.wanted)
         rate = robot.rate
         self._rate.setText("" if rate is None else self._rate_text(rate))
 

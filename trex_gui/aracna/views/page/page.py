@@ -1,16 +1,17 @@
 """The robot: seen from above, and its joints in rows."""
 
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.views.page.controls import Controls
-from trex_gui.aracna.views.page.drawing import RobotDrawing
 from trex_gui.aracna.views.page.joint_table import JointTable
 from trex_gui.aracna.views.page.reports import Reports
-from trex_gui.aracna.views.page.words import assumed_text
+from trex_gui.aracna.views.page.sketch import Sketch
+from trex_gui.aracna.views.typed import take_typed
 
-_CAPTION_LINES = 6
+_GAP = 16
 
 
 class RobotPage(QWidget):
@@ -21,35 +22,21 @@ class RobotPage(QWidget):
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
 
-        self._drawing = RobotDrawing(robot, self)
-        caption = QLabel(
-            self.tr("Full lines: as last reported; dashed: goal. A sketch: angles are drawn flat.")
-            + f"\n* {assumed_text()}",
-            self,
-        )
-        caption.setObjectName("aracnaCaption")
-        caption.setWordWrap(True)
-        caption.setForegroundRole(caption.palette().ColorRole.PlaceholderText)
-        caption.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
-        caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        caption.setMinimumHeight(_CAPTION_LINES * caption.fontMetrics().lineSpacing())
+        self._sketch = Sketch(robot, self)
+        self._drawing = self._sketch.drawing
         self._table = JointTable(robot, self)
         self._reports = Reports(robot, self)
         self.controls = Controls(robot, self)
 
-        left = QVBoxLayout()
-        left.addWidget(self._drawing, 1)
-        left.addWidget(caption)
-        left.addStretch(0)
-        right = QVBoxLayout()
+        self._right = right = QVBoxLayout()
         right.setSpacing(10)
         right.addWidget(self._table)
         right.addWidget(self.controls)
         right.addWidget(self._reports)
         right.addStretch(1)
-        layout = QHBoxLayout(self)
-        layout.setSpacing(16)
-        layout.addLayout(left, 2)
+        self._sides = layout = QHBoxLayout(self)
+        layout.setSpacing(_GAP)
+        layout.addWidget(self._sketch, 2)
         layout.addLayout(right, 7)
         layout.setAlignment(right, Qt.AlignmentFlag.AlignTop)
 
@@ -62,9 +49,16 @@ class RobotPage(QWidget):
         self.controls.move_wanted.connect(self.move_now)
         self.controls.limits_toggled.connect(self._on_limits_toggled)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        margins = self._sides.contentsMargins()
+        taken = margins.left() + margins.right() + self._right.minimumSize().width() + _GAP
+        self._sketch.fit(self.width() - taken)
+
     @Slot()
     def move_now(self) -> None:
         """Send every motor to its goal."""
+        take_typed()
         self._robot.move(self._robot.targets.goals)
 
     @Slot(int)

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.poses.ppr import SUFFIX
+from trex_gui.aracna.views.typed import take_typed
 from trex_gui.settings.errors import SettingsError, Severity
 from trex_gui.views.settings_editor import questions
 
@@ -69,6 +70,7 @@ class PoseFiles(QObject):
     @Slot()
     def save(self) -> bool:
         """Write the file where it lies, after the question that is due; whether it was."""
+        take_typed()
         path = self._library.path
         if path is None:
             return self.ask_and_save()
@@ -79,6 +81,7 @@ class PoseFiles(QObject):
     @Slot()
     def ask_and_save(self) -> bool:
         """Let a person choose where to write the file; whether it was."""
+        take_typed()
         proposal = self._library.path or self.folder() / self._library.name
         chosen, _ = QFileDialog.getSaveFileName(
             self._window, self.tr("Save pose file"), str(proposal), self._filter()
@@ -106,6 +109,7 @@ class PoseFiles(QObject):
 
     def may_close(self) -> bool:
         """Ask before edits are lost; save them if a person wants that."""
+        take_typed()
         if not self._library.modified:
             return True
         match questions.before_closing(self._window, self._library.name):

@@ -7,10 +7,11 @@ from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.names import Motion, MotionNames, played_of
 from trex_gui.aracna.model.step_table import StepTable
 from trex_gui.aracna.poses.gaits import GAITS, Gait
-from trex_gui.aracna.poses.sequence import USUAL_MS, Sequence, SequenceStep
+from trex_gui.aracna.poses.sequence import USUAL_MS, Sequence, SequenceStep, can_be_named
 from trex_gui.aracna.views.poses.name_list import NameList
 from trex_gui.aracna.views.poses.parts import arrow_button, follow, tool_button
 from trex_gui.aracna.views.poses.step_view import StepView
+from trex_gui.aracna.views.typed import take_typed
 
 
 class MotionBox(QGroupBox):
@@ -125,16 +126,22 @@ class MotionBox(QGroupBox):
     def _allow(self) -> None:
         editable, row = self.table.editable, self._steps.row
         last = self.table.rowCount() - 1
-        self._add.setEnabled(editable and bool(self._pose_for_step()))
+        pose = self._pose_for_step()
+        self._add.setEnabled(editable and bool(pose) and can_be_named(pose))
+        self._add.setToolTip(self._about_adding(pose))
         self._remove.setEnabled(editable and row >= 0)
         self._step_up.setEnabled(editable and row > 0)
         self._step_down.setEnabled(editable and 0 <= row < last)
-        pose = self._pose_for_step()
-        self._add.setToolTip(
-            self.tr("Add a step to “{0}” after the one that is chosen").format(pose)
-            if editable and pose
-            else self.tr("Choose a sequence; gaits that are built in cannot be changed")
-        )
+
+    def _about_adding(self, pose: str) -> str:
+        if not self.table.editable:
+            return self.tr("Choose a sequence; gaits that are built in cannot be changed")
+        if not pose:
+            return self.tr("There is no pose that a step could go to")
+        if not can_be_named(pose):
+            text = self.tr("A step cannot name “{0}”: give the pose a name without comma and bar")
+            return text.format(pose)
+        return self.tr("Add a step to “{0}” after the one that is chosen").format(pose)
 
     def _pose_for_step(self) -> str:
         poses = self._library.poses
@@ -180,6 +187,7 @@ class MotionBox(QGroupBox):
 
     @Slot()
     def _on_add_clicked(self) -> None:
+        take_typed()
         row, steps = self._steps.row, self.table.steps
         after = row if row >= 0 else len(steps) - 1
         time = steps[after].milliseconds if steps else USUAL_MS

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.step_table import StepColumn, StepTable
-from trex_gui.aracna.poses.sequence import LONGEST_MS, SHORTEST_MS
+from trex_gui.aracna.poses.sequence import LONGEST_MS, SHORTEST_MS, can_be_named
 from trex_gui.aracna.views.poses.name_list import paint_empty
 from trex_gui.views.widgets.calm_combo_box import CalmComboBox
 from trex_gui.views.widgets.header_names import name_headers
@@ -39,7 +39,8 @@ class _Delegate(QStyledItemDelegate):
             combo = CalmComboBox(parent)
             combo.setObjectName("aracnaStepPose")
             combo.setAccessibleName(self.tr("Pose of step {0}").format(index.row() + 1))
-            combo.addItems([pose.name for pose in self._library.poses])
+            names = [pose.name for pose in self._library.poses]
+            combo.addItems([name for name in names if can_be_named(name)])
             if combo.findText(str(index.data())) < 0:  # one that is not defined stays possible
                 combo.insertItem(0, str(index.data()))
             combo.activated.connect(self._on_activated)

@@ -1,0 +1,71 @@
+"""What is known of a robot's motions, from one report to the next."""
+
+import pytest
+
+from trex_gui.aracna.link.messages import (
+    Connected,
+    Moved,
+    Moving,
+    Restarted,
+    Silent,
+    Stuck,
+)
+from trex_gui.aracna.model.known import Known
+from trex_gui.link.settings import LinkSettings
+
+GOALS = (300, 400)
+BEGUN = Moving(10.0, GOALS, (None, None), 4.0)
+THERE = Moved(13.0, GOALS, GOALS, 3.0)
+CONNECTED = Connected(1, 2, LinkSettings(""))
+
+
+def known(*reports: object) -> Known:
+    found = Known(2)
+    for report in reports:
+        found.take(report)
+    return found
+
+
+def test_before_its_first_answer_a_robot_may_move_and_nobody_knows_for_how_long() -> None:
+    found = known(CONNECTED)
+    assert found.may_move_unseen
+    assert found.goes_on_until is None
+    assert not found.unsure, "nothing was sent"
+
+
+def test_a_motion_that_is_watched_is_not_unseen_and_after_its_answer_nothing_moves() -> None:
+    assert not known(CONNECTED, BEGUN).may_move_unseen
+    assert known(CONNECTED, BEGUN).goes_on_until == 14.0
+    found = known(CONNECTED, BEGUN, THERE)
+    assert not found.may_move_unseen
+    assert found.goes_on_until is None
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        (Restarted(11.0, voided=True),),
+        (Restarted(11.0, voided=True), CONNECTED),
+        (Silent("gone"), CONNECTED),
+        (CONNECTED,),
+        (Moved(11.0, GOALS, (-1, -1), 1.0),),
+        (Stuck(11.0, 1), Restarted(12.0, voided=True), Silent("gone")),
+    ],
+    ids=["restart", "answers again", "silence", "answers", "answer lost", "stuck"],
+)
+def test_a_motion_that_is_not_watched_any_more_keeps_its_end(end: tuple[object, ...]) -> None:
+    found = known(CONNECTED, BEGUN, *end)
+    assert found.moving is None
+    assert found.stuck is None
+    assert found.goes_on_until == 14.0
+    assert found.may_move_unseen
+    assert found.unsure
+
+
+def test_the_next_motion_takes_the_place_of_one_that_was_left_running() -> None:
+    left = (CONNECTED, BEGUN, Restarted(11.0, voided=True), CONNECTED)
+    following = Moving(12.0, GOALS, (None, None), 7.0)
+    assert known(*left, following).goes_on_until == 19.0
+    found = known(*left, following, THERE)
+    assert found.goes_on_until is None
+    assert not found.may_move_unseen
