@@ -40,11 +40,11 @@ def test_the_program_itself_can_be_the_simulator() -> None:
     assert "trex-sim" in result.stdout
 
 
-@pytest.mark.timeout(120)  # it takes as long as a person who learns a channel
+@pytest.mark.timeout(180)  # it takes as long as a person who learns a channel
 def test_the_tour_writes_a_picture_of_every_page_and_of_the_wizard_light_and_dark(
     tmp_path: Path,
 ) -> None:
-    result = run("--tour", str(tmp_path), timeout=100)
+    result = run("--tour", str(tmp_path), timeout=160)
     assert result.returncode == 0, result.stderr
     names = {path.name for path in tmp_path.glob("*.png")}
     pages = ["status", "channels", "calibration", "motors", "currents", "parameters"]

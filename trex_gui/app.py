@@ -30,7 +30,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         metavar="FILE",
         type=Path,
         help="show what this settings file would change once a board is connected; with neither "
-        "--port nor --demo open the file itself",
+        "--port nor --demo open the file itself; poses (.ppr) open on the desk of the robot",
     )
     parser.add_argument(
         "--tour",
@@ -91,10 +91,10 @@ def main(argv: list[str] | None = None) -> int:
     elif arguments.port:
         QTimer.singleShot(0, lambda: program.connect_to_port(arguments.port, arguments.device))
     if arguments.settings is not None:
-        if arguments.demo or arguments.port or arguments.tour is not None:
-            program.open_when_connected(arguments.settings)
-        else:
-            QTimer.singleShot(0, lambda: program.desk.files.edit_file(arguments.settings))
+        is_connecting = bool(arguments.demo or arguments.port) or arguments.tour is not None
+        QTimer.singleShot(
+            0, lambda: program.open_named(arguments.settings, connecting=is_connecting)
+        )
     code = app.exec()
     # Hidden while Python is whole: Qt destroys what is still shown when half of it is gone.
     for window in app.topLevelWidgets():

@@ -19,7 +19,7 @@ from trex_gui.window import Program
 _SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simulated board
 _SETTLE_MS = 2500
 _STEP_MS = 200
-_PATIENCE_MS = 15_000
+_PATIENCE_MS = 30_000  # a machine may be busy, and a stop is proved on a quiet line only
 _ROBOT_STEP = 2.5  # seconds; long enough that every picture shows it on its way
 _DEAD_SERVO = 3
 _HELD_STEPS = 6  # a stick that is held longer than a second is at an end

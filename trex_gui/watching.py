@@ -1,4 +1,4 @@
-"""Everything outside the window that has to stop the motors, put together in one place."""
+"""Everything outside the window that has to stop what moves, put together in one place."""
 
 import logging
 import sys
@@ -19,19 +19,24 @@ log = logging.getLogger(__name__)
 
 
 class Watching(QObject):
-    """Lives as long as the program's event loop; to be made in the main thread."""
+    """Lives as long as the program's event loop; to be made in the main thread.
+
+    Why everything is stopped is all that is known here: what it means is for each device to say.
+    """
 
     def __init__(self, program: Program, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._program = program
         self._stopper = Stopper(program.stop_now, self)
+        self._stopper_at_mistakes = Stopper(program.stop_now, self)
         self._signals = SignalWatch(lambda: program.stop_now(ending=True), self)
-        self._exceptions = ExceptionWatch(self._stopper.stop)
+        self._exceptions = ExceptionWatch(self._stopper_at_mistakes.stop)
         self._wake = WakeWatch(parent=self)
         self._sleep_delay: SleepDelay | None = None
         self._session = self._session_events()
 
         self._stopper.stopped.connect(self._on_stopped)
+        self._stopper_at_mistakes.stopped.connect(self._on_mistake)
         self._signals.caught.connect(self._on_signal)
         self._wake.woke.connect(self._stopper.stop)
 
@@ -65,9 +70,12 @@ class Watching(QObject):
 
     @Slot(str)
     def _on_stopped(self, reason: str) -> None:
-        self._program.device.motors.stop(reason)
-        self._program.robot.halt()
-        self._program.device.failed.emit(reason)
+        self._program.switchboard.stop_because(reason)
+
+    @Slot(str)
+    def _on_mistake(self, reason: str) -> None:
+        """A person has to know of a mistake even where there was nothing to stop."""
+        self._program.switchboard.stop_because(reason, is_news=True)
 
     @Slot(int)
     def _on_signal(self, _number: int) -> None:

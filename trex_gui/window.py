@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, Qt
 
-from trex_gui.aracna.link.discovery import find_aracna
+from trex_gui.aracna.link.discovery import SEEK_ARACNA
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.way import ARACNA, AracnaWay
@@ -57,6 +57,24 @@ class Program:
 
         self.device.state_changed.connect(open_once)
 
+    def open_named(self, path: Path, *, connecting: bool) -> None:
+        """Open a file that was named at the start, where it belongs.
+
+        Settings wait for the board where one is being connected to; see `open_when_connected`.
+        """
+        current = self.switchboard.current.kind
+        if any(path.suffix.lower() in kind.suffixes for kind in self.aracna.file_kinds):
+            if connecting and current != ARACNA:  # its connecting takes messages away, once
+                self.desk.settled.connect(
+                    lambda: self.window.open_file(path), Qt.ConnectionType.SingleShotConnection
+                )
+            else:
+                self.window.open_file(path)
+        elif connecting and current == TREX:
+            self.open_when_connected(path)
+        else:
+            self.desk.files.edit_file(path)
+
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every device, from any thread; see `Device.stop_now` and `Robot.halt_now`."""
         self.device.stop_now(ending=ending)
@@ -70,7 +88,7 @@ class Program:
         ends = [
             self.switchboard.shut_down(),
             self.desk.recordings.shut_down(),
-            self.aracna.recordings.recorder.shut_down(),
+            self.aracna.recordings.shut_down(),
         ]
         return all(ends)
 
@@ -87,7 +105,7 @@ def build() -> Program:
     ports = Ports(kinds=(TREX, ARACNA))
     connector = Connector(device, ports)
     way = AracnaWay(robot, ports, connector.finder, robot)
-    connector.finder.also(ARACNA.key, find_aracna, way.simulator)
+    connector.finder.also(ARACNA.key, SEEK_ARACNA, way.simulator, way.demo_name)
     switchboard = Switchboard([TrexWay(device, connector, device), way])
     window = MainWindow(switchboard)
     desk = TrexDesk(device, connector, window.question, window)

@@ -15,6 +15,7 @@ class Road(QObject):
 
     changed = Signal()
     progressed = Signal(int, int, str)
+    stop_told = Signal(str)
 
     def __init__(self, key: str) -> None:
         super().__init__()
@@ -43,6 +44,10 @@ class Road(QObject):
 
     def press_stop(self) -> None:
         self.done.append("stop")
+
+    def stop_because(self, reason: str) -> str:
+        self.done.append(f"stop: {reason}")
+        return f"{reason}, so {self.kind.name} is told." if self.link is not Link.NONE else ""
 
     def shut_down(self) -> bool:
         self.done.append("shut down")
@@ -128,3 +133,38 @@ def test_every_line_is_shut_down_though_one_does_not_end(
 ) -> None:
     assert not board.shut_down()
     assert [road.done for road in roads] == [["shut down"], ["shut down"]]
+
+
+@pytest.fixture
+def told(board: Switchboard) -> list[str]:
+    """What was told of stops that nobody asked for."""
+    told: list[str] = []
+    board.stop_told.connect(told.append)
+    return told
+
+
+def test_a_stop_that_nobody_asked_for_reaches_all_and_is_told_in_the_words_of_the_one_in_use(
+    board: Switchboard, roads: tuple[Road, Road], told: list[str]
+) -> None:
+    board.connect_to(port("b", "second"))
+    board.stop_because("It rains")
+    assert [road.done[-1] for road in roads] == ["stop: It rains"] * 2
+    assert told == ["It rains, so Second is told."]
+
+
+def test_what_becomes_known_later_of_a_stop_is_told_for_the_device_in_use_only(
+    board: Switchboard, roads: tuple[Road, Road], told: list[str]
+) -> None:
+    roads[1].stop_told.emit("The second stands.")
+    assert told == []
+    roads[0].stop_told.emit("The first stands.")
+    assert told == ["The first stands."]
+
+
+def test_with_nothing_connected_a_reason_is_told_only_where_it_is_news_by_itself(
+    board: Switchboard, told: list[str]
+) -> None:
+    board.stop_because("It rains")
+    assert told == []
+    board.stop_because("The roof fell in", is_news=True)
+    assert told == ["The roof fell in."]

@@ -232,12 +232,12 @@ class Device(QObject):
         """
         return self._connection.shut_down()
 
-    def stop_motors(self, then: AfterStop) -> None:
+    def stop_motors(self, then: AfterStop, reason: str = "") -> None:
         """Stop everything and disarm; `then` is told whether the board has proved it, once.
 
         Where the line ends before that, `then` is not called; `link_changed` tells.
         """
-        self._driving.stop(then)
+        self._driving.stop(then, reason)
 
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every motor, from any thread and without telling anybody; see `Line.stop_now`."""

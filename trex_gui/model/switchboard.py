@@ -1,6 +1,7 @@
 """Which device the window is connected to: one at a time, whatever kind it is of."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
@@ -22,6 +23,11 @@ class Way(Protocol):
     @property
     def progressed(self) -> SignalInstance:
         """Steps done, steps in all, what comes next."""
+        ...
+
+    @property
+    def stop_told(self) -> SignalInstance:
+        """What `stop_because` has come to, in sentences, where more is known by now."""
         ...
 
     @property
@@ -85,6 +91,15 @@ class Way(Protocol):
         """Stop, because a person wants it."""
         ...
 
+    def stop_because(self, reason: str) -> str:
+        """Stop, as far as that can be done, because of something that nobody asked for.
+
+        `reason` is a clause without a full stop: "The screen was locked". Return what the stop
+        means for this device, no more than is known, in sentences that begin with the reason;
+        empty where there is nothing that could be stopped.
+        """
+        ...
+
     def shut_down(self) -> bool:
         """Close the line for the end of the program; return whether it ended in time."""
         ...
@@ -97,11 +112,14 @@ class Switchboard(QObject):
         changed: what is told of the device in use.
         progressed: steps done, steps in all, what comes next.
         current_changed: `current` is another kind of device.
+        stop_told: what a stop that nobody asked for means, in sentences, for people; again where
+            more is known of it.
     """
 
     changed = Signal()
     progressed = Signal(int, int, str)
     current_changed = Signal()
+    stop_told = Signal(str)
 
     def __init__(self, ways: Sequence[Way], parent: QObject | None = None) -> None:
         """Choose among `ways`; the first is in use until another one is asked for."""
@@ -112,6 +130,7 @@ class Switchboard(QObject):
         for way in ways:
             way.changed.connect(self._on_changed)
             way.progressed.connect(self.progressed)
+            way.stop_told.connect(partial(self._on_stop_told, way))
 
     @property
     def current(self) -> Way:
@@ -133,6 +152,16 @@ class Switchboard(QObject):
         way = self._ways[port.device]
         self._turn_to(way, lambda: way.connect_with(port, settings))
 
+    def turn_to(self, device: str) -> bool:
+        """Use another kind of device from now on, and connect to none.
+
+        Return whether it is in use: nothing that is connected is left for it.
+        """
+        way = self._ways[device]
+        if way is not self._current and self.is_idle:
+            self._turn_to(way, lambda: None)
+        return way is self._current
+
     def _turn_to(self, way: Way, then: Callable[[], None]) -> None:
         self._next = None
         if way is not self._current:
@@ -153,6 +182,21 @@ class Switchboard(QObject):
         """Stop every device that may listen."""
         for way in self._ways.values():
             way.press_stop()
+
+    def stop_because(self, reason: str, *, is_news: bool = False) -> None:
+        """Stop every device that may listen, because of something that nobody asked for.
+
+        What that means is for the device in use to say. Where it has nothing to say the reason
+        is told alone, but only where it `is_news` by itself.
+        """
+        texts = {way.kind.key: way.stop_because(reason) for way in self._ways.values()}
+        text = texts[self._current.kind.key] or (f"{reason}." if is_news else "")
+        if text:
+            self.stop_told.emit(text)
+
+    def _on_stop_told(self, way: Way, text: str) -> None:
+        if way is self._current:
+            self.stop_told.emit(text)
 
     def shut_down(self) -> bool:
         """Close every line; return whether all ended in time."""

@@ -8,6 +8,7 @@ from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device
 from trex_gui.model.kinds import TREX, Kind
 from trex_gui.model.ports import Port
+from trex_gui.model.unasked_stop import UnaskedStop
 
 
 class TrexWay(QObject):
@@ -15,11 +16,14 @@ class TrexWay(QObject):
 
     changed = Signal()
     progressed = Signal(int, int, str)
+    stop_told = Signal(str)
 
     def __init__(self, device: Device, connector: Connector, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
         self._connector = connector
+        self._unasked = UnaskedStop(device, self)
+        self._unasked.told.connect(self.stop_told)
         device.link_changed.connect(self.changed)
         device.progressed.connect(self.progressed)
         connector.port_changed.connect(self.changed)
@@ -87,6 +91,10 @@ class TrexWay(QObject):
     def press_stop(self) -> None:
         """Stop the motors, and lock them for a while."""
         self._device.motors.press_stop()
+
+    def stop_because(self, reason: str) -> str:
+        """Stop the motors; `stop_told` tells whether the board has confirmed it."""
+        return self._unasked.stop(reason)
 
     def shut_down(self) -> bool:
         """Close the line and end the simulator; return whether it ended in time."""

@@ -1,4 +1,4 @@
-"""A mistake of the program, in whatever thread, stops the motors before it is reported."""
+"""A mistake of the program, in whatever thread, stops what it can before it is reported."""
 
 import sys
 import threading
@@ -13,7 +13,8 @@ class ExceptionWatch:
     """Stands before Python's hooks for what nobody caught, in slots of Qt too.
 
     The program goes on where it can: a window that still answers is of more use to a person beside
-    a robot than none. `stop` gets the reason, for people, in the thread of the mistake.
+    a robot than none. `stop` gets the reason, for people, in the thread of the mistake: a clause
+    without a full stop, since what the stop comes to is for each device to add.
     """
 
     def __init__(self, stop: Callable[[str], None]) -> None:
@@ -49,7 +50,5 @@ class ExceptionWatch:
 
 
 def _reason(error: BaseException | None) -> str:
-    text = QCoreApplication.translate(
-        "ExceptionWatch", "The program made a mistake ({0}), so the motors were stopped."
-    )
+    text = QCoreApplication.translate("ExceptionWatch", "The program made a mistake ({0})")
     return text.format(type(error).__name__)

@@ -21,7 +21,8 @@ class SessionEvents(QObject):
     """Listens on the buses that are there.
 
     Signals:
-        leaving: nobody looks at the window any more, or soon; why to stop, for people.
+        leaving: nobody looks at the window any more, or soon; why to stop, for people: a clause
+            without a full stop.
         sleeping: the computer is about to sleep (after `leaving`), or has woken up.
     """
 
@@ -53,17 +54,17 @@ class SessionEvents(QObject):
     @Slot(bool)
     def _on_sleep(self, begins: bool) -> None:
         if begins:
-            self.leaving.emit(self.tr("The computer goes to sleep, so the motors were stopped."))
+            self.leaving.emit(self.tr("The computer goes to sleep"))
         self.sleeping.emit(begins)
 
     @Slot(bool)
     def _on_shut_down(self, begins: bool) -> None:
         if begins:
-            self.leaving.emit(self.tr("The computer shuts down, so the motors were stopped."))
+            self.leaving.emit(self.tr("The computer shuts down"))
 
     @Slot()
     def _on_locked(self) -> None:
-        self.leaving.emit(self.tr("The screen was locked, so the motors were stopped."))
+        self.leaving.emit(self.tr("The screen was locked"))
 
     @Slot(bool)
     def _on_saver(self, active: bool) -> None:

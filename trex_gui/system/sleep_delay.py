@@ -62,7 +62,7 @@ class SleepDelay(QObject):
         if self.holds or self._asked is not None or not self._bus.isConnected():
             return
         call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
-        why = self.tr("Motors are stopped before the computer sleeps")
+        why = self.tr("Motors that can be stopped are stopped before the computer sleeps")
         call.setArguments(["sleep", "TReX Studio", why, "delay"])
         call.setAutoStartService(False)
         self._asked = QDBusPendingCallWatcher(self._bus.asyncCall(call), self)

@@ -26,7 +26,7 @@ class Stopper(QObject):
         self._sent.connect(self._tell, Qt.ConnectionType.QueuedConnection)
 
     def stop(self, reason: str) -> None:
-        """Stop every motor; may be called from any thread."""
+        """Stop what can be stopped; may be called from any thread."""
         self._stop_now()
         if self._telling != threading.get_ident():
             self._sent.emit(reason)

@@ -25,7 +25,7 @@ class WakeWatch(QObject):
     """Looks twice a second.
 
     Signals:
-        woke: the computer was asleep; why to stop, for people.
+        woke: the computer was asleep; why to stop, for people: a clause without a full stop.
     """
 
     woke = Signal(str)
@@ -46,4 +46,4 @@ class WakeWatch(QObject):
         """Compare the clocks."""
         before, self._known = self._known, self._slept()
         if self._known - before >= _LEAST_S:
-            self.woke.emit(self.tr("The computer was asleep, so the motors were stopped."))
+            self.woke.emit(self.tr("The computer was asleep"))

@@ -17,17 +17,17 @@ _LEAVES = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 
 
 def why_to_stop(message: int, parameter: int) -> str | None:
-    """Return what a window message means for motors, for people; `None`: nothing."""
+    """Return why a window message is one to stop at, for people; `None`: it is none."""
 
     def tr(text: str) -> str:
         return QCoreApplication.translate("WindowsEvents", text)
 
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
-        return tr("The computer goes to sleep, so the motors were stopped.")
+        return tr("The computer goes to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LEAVES:
-        return tr("The screen was locked, so the motors were stopped.")
+        return tr("The screen was locked")
     if message == WM_QUERYENDSESSION:
-        return tr("The session ends, so the motors were stopped.")
+        return tr("The session ends")
     return None
 
 
@@ -49,7 +49,8 @@ class WindowsEvents(QObject):
     """Sees the messages of every window of the program.
 
     Signals:
-        leaving: nobody looks at the window any more, or soon; why to stop, for people.
+        leaving: nobody looks at the window any more, or soon; why to stop, for people: a clause
+            without a full stop.
     """
 
     leaving = Signal(str)

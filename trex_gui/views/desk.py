@@ -1,12 +1,29 @@
 """What the frame shows of one kind of device, and all that it has to know of it."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QTabWidget, QWidget
 
 from trex_gui.views.actions import ActionInfo
+
+
+@dataclass(frozen=True, slots=True)
+class FileKind:
+    """Files of one kind that belong to a desk.
+
+    Attributes:
+        suffixes: how their names end, in lower case.
+        name: what one is called, for people: "a settings file of a TReX".
+        open: opens one, on the desk that is shown.
+    """
+
+    suffixes: Collection[str]
+    name: str
+    open: Callable[[Path], object]
 
 
 class Desk(QWidget):
@@ -42,6 +59,26 @@ class Desk(QWidget):
     def stop_text(self) -> str:
         """What Esc does, as the menu names it."""
         return self.tr("&Stop motor")
+
+    @property
+    def help_title(self) -> str:
+        """What F1 shows, as the menu names it."""
+        return self.tr("Online &documentation…")
+
+    @property
+    def help_url(self) -> str:
+        """Where it is published; empty: `help_text` is shown."""
+        return ""
+
+    @property
+    def help_text(self) -> str:
+        """What the desk offers, as rich text."""
+        return ""
+
+    @property
+    def file_kinds(self) -> Sequence[FileKind]:
+        """The files that belong here, wherever they are dropped or named."""
+        return ()
 
     @property
     def docks(self) -> Sequence[QDockWidget]:

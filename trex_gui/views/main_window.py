@@ -1,6 +1,7 @@
 """The frame around the pages: connection above, what is told below it, menus."""
 
 from collections.abc import Callable, Sequence
+from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings, Qt, QUrl, Slot
 from PySide6.QtGui import QCloseEvent, QDesktopServices
@@ -22,12 +23,12 @@ from trex_gui.views.actions import build_menus
 from trex_gui.views.connection_bar import ConnectionBar
 from trex_gui.views.desk import Desk
 from trex_gui.views.escape import EscapeWatch
+from trex_gui.views.help_dialog import HelpDialog
 from trex_gui.views.icons import application_icon
+from trex_gui.views.settings_editor.file_drop import AnyFileDrop
 from trex_gui.views.theme import Scheme, theme
 from trex_gui.views.widgets.banner import Banner
 from trex_gui.views.widgets.question import Answer, Question
-
-GUIDE_URL = "https://www.pololu.com/docs/0J1"
 
 _SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
 
@@ -53,6 +54,10 @@ class MainWindow(QMainWindow):
         self._rows.addWidget(self._stack, 1)
         self.setCentralWidget(frame)
         self._desks: tuple[Desk, ...] = ()
+        self._help = HelpDialog(self)
+        # Behind the event: a question about what is dropped must not hold up who dropped it.
+        drop = AnyFileDrop(self)
+        drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
     @property
     def question(self) -> Question:
@@ -81,6 +86,10 @@ class MainWindow(QMainWindow):
         connection.interruption_wanted.connect(self._on_interruption_wanted)
         self._switchboard.changed.connect(self._on_possibilities_changed)
         self._switchboard.current_changed.connect(self._on_device_changed)
+        # Behind what the same report changes: a link that is up again clears the banner.
+        self._switchboard.stop_told.connect(
+            self._banner.show_problem, Qt.ConnectionType.QueuedConnection
+        )
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -103,15 +112,48 @@ class MainWindow(QMainWindow):
         """What each action of the frame does."""
         return {
             "quit": self.close,
-            "connect": self._connection.connect_preferred,
+            "connect": self._connection.connect_shown,
             "disconnect": self._connection.leave,
             "line": self._connection.edit_line,
             "find": self._connection.find_board,
             "stop": self._switchboard.press_stop,
             **{scheme: self._scheme_chooser(scheme) for scheme in _SCHEMES},
-            "guide": lambda: QDesktopServices.openUrl(QUrl(GUIDE_URL)),
+            "guide": self._show_help,
             "about": self._show_about,
         }
+
+    # --- Files --------------------------------------------------------------------------
+
+    @Slot(object)
+    def _on_dropped(self, paths: tuple[Path, ...]) -> None:
+        self.activateWindow()
+        if len(paths) == 1:
+            self.open_file(paths[0])
+        else:
+            text = self.tr("{0} files were dropped, and none was opened: drop one at a time.")
+            self._banner.show_problem(text.format(len(paths)))
+
+    def open_file(self, path: Path) -> None:
+        """Open a file on the desk that it belongs to, unless another device is connected."""
+        suffix = path.suffix.lower()
+        for desk in self._desks:
+            for kind in desk.file_kinds:
+                if suffix in kind.suffixes:
+                    if self._switchboard.turn_to(desk.key):
+                        kind.open(path)
+                    else:
+                        self._banner.show_problem(self._why_elsewhere(path, kind.name))
+                    return
+        kinds = [kind for desk in self._desks for kind in desk.file_kinds]
+        names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for kind in kinds)
+        text = self.tr("{0} was not opened: nothing here opens such files. What can be: {1}.")
+        self._banner.show_problem(text.format(path.name, names))
+
+    def _why_elsewhere(self, path: Path, what: str) -> str:
+        return self.tr(
+            "{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, "
+            "then drop the file again."
+        ).format(path.name, what, self._switchboard.current.kind.name)
 
     # --- What has changed ---------------------------------------------------------------
 
@@ -120,6 +162,8 @@ class MainWindow(QMainWindow):
         """Show the desk of the device in use, and what its menus offer."""
         self._stack.setCurrentWidget(self._desk)
         self._actions["stop"].setText(self._desk.stop_text)
+        self._actions["guide"].setText(self._desk.help_title)
+        self._help.close()
         for desk in self._desks:
             for key in desk.slots():
                 self._actions[key].setVisible(desk is self._desk)
@@ -170,6 +214,13 @@ class MainWindow(QMainWindow):
     def _on_theme_changed(self) -> None:
         self._actions[theme().choice].setChecked(True)
 
+    def _show_help(self) -> None:
+        desk = self._desk
+        if desk.help_url:
+            QDesktopServices.openUrl(QUrl(desk.help_url))
+        else:
+            self._help.show_text(desk.help_title, desk.help_text)
+
     def _show_about(self) -> None:
         QMessageBox.about(
             self,
@@ -203,6 +254,7 @@ class MainWindow(QMainWindow):
         for desk in self._desks:
             desk.prepare_to_close()
         self._connection.close_dialogs()
+        self._help.close()
         self._store.setValue("window/geometry", self.saveGeometry())
         self._switchboard.shut_down()
         for desk in self._desks:

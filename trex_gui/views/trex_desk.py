@@ -17,7 +17,7 @@ from trex_gui.protocol.errors import sentence
 from trex_gui.views.action_bar import ActionBar
 from trex_gui.views.bench.opener import BenchOpener
 from trex_gui.views.demo.panel import DemoPanel
-from trex_gui.views.desk import Desk
+from trex_gui.views.desk import Desk, FileKind
 from trex_gui.views.history.dialog import HistoryDialog
 from trex_gui.views.learning.dialog import LearnDialog
 from trex_gui.views.pages.calibration.page import CalibrationPage
@@ -30,11 +30,13 @@ from trex_gui.views.recording.recordings import SUFFIXES, Recordings
 from trex_gui.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.views.review.power_cycle_dialog import PowerCycleDialog
 from trex_gui.views.review.review_dialog import ReviewDialog
-from trex_gui.views.settings_editor.file_drop import FileDrop
+from trex_gui.views.settings_editor.file_drop import TEXT, FileDrop
 from trex_gui.views.settings_files import SettingsFiles
 from trex_gui.views.transcript.page import TranscriptPage
 from trex_gui.views.widgets.question import Answer, Question
 from trex_gui.views.widgets.scroll_box import ScrollBox
+
+GUIDE_URL = "https://www.pololu.com/docs/0J1"
 
 
 class TrexDesk(Desk):
@@ -83,7 +85,6 @@ class TrexDesk(Desk):
         layout.addWidget(self._bar)
         self._demo = DemoPanel(connector, frame)
         self._files = SettingsFiles(device, frame)
-        self._drop = FileDrop(frame)
         self._guided = PowerCycle(device, self)
         self._review = ReviewDialog(device, PowerCycle(device, self), frame)
         self._defaults = DefaultsDialog(device, frame)
@@ -96,7 +97,6 @@ class TrexDesk(Desk):
         self._files.told.connect(self.told)
         self._files.refused.connect(self.refused)
         self._files.staged.connect(lambda: tabs.setCurrentIndex(parameters_index))
-        self._drop.dropped.connect(self._files.open_file)
         FileDrop(frame, SUFFIXES).dropped.connect(self._recordings.open_file)
         self._recordings.told.connect(self.told)
         self._recordings.refused.connect(self.refused)
@@ -141,6 +141,16 @@ class TrexDesk(Desk):
     def recordings(self) -> Recordings:
         """What is recorded, and the recordings that are open."""
         return self._recordings
+
+    @property
+    def help_url(self) -> str:
+        """The maker's guide."""
+        return GUIDE_URL
+
+    @property
+    def file_kinds(self) -> Sequence[FileKind]:
+        """Settings files; recordings open in windows of their own."""
+        return (FileKind(TEXT, self.tr("a settings file of a TReX"), self._files.open_file),)
 
     @property
     def docks(self) -> Sequence[QDockWidget]:

@@ -4,7 +4,9 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.aracna.model.demo_robot import DemoRobot
 from trex_gui.aracna.model.robot import Robot
+from trex_gui.aracna.model.unasked_halt import halt_because
 from trex_gui.aracna.protocol.lines import BAUD
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Link
@@ -26,11 +28,13 @@ class AracnaWay(QObject):
     Signals:
         changed: anything of what stands below.
         progressed: never told: a robot answers at once or not at all.
+        stop_told: never told: no answer says more of a halt than is known at once.
         failed: why nothing was connected, for people.
     """
 
     changed = Signal()
     progressed = Signal(int, int, str)
+    stop_told = Signal(str)
     failed = Signal(str)
 
     def __init__(
@@ -45,6 +49,7 @@ class AracnaWay(QObject):
         self._demo_in_use = False
         self._after_search: Port | None = None
         self.simulator = Simulator(self, arguments=("--aracna",))
+        self.demo_robot = DemoRobot(self.simulator, self)
 
         self.simulator.ready.connect(self._on_simulator_ready)
         self.simulator.failed.connect(self._on_simulator_failed)
@@ -80,6 +85,11 @@ class AracnaWay(QObject):
     def demo_in_use(self) -> bool:
         """Whether the simulated robot was chosen last, and not given up since."""
         return self._demo_in_use
+
+    @property
+    def demo_name(self) -> str:
+        """What people call the simulated robot."""
+        return self.tr("the simulated robot")
 
     @property
     def has_line_settings(self) -> bool:
@@ -129,6 +139,10 @@ class AracnaWay(QObject):
         """End what is played and send nothing more; what moves goes on to its goal."""
         self._robot.halt()
 
+    def stop_because(self, reason: str) -> str:
+        """End what is played and send nothing more; say how long what moves goes on."""
+        return halt_because(self._robot, reason)
+
     def shut_down(self) -> bool:
         """Close the line and end the simulator; return whether it ended in time."""
         self._demo_wanted = False
@@ -145,19 +159,33 @@ class AracnaWay(QObject):
 
     @Slot(str)
     def _on_simulator_ready(self, url: str) -> None:
-        if self._demo_wanted:
+        if self._demo_wanted and not self.simulator.plugged:
+            self._give_demo_up(
+                self.tr(
+                    "The cable of the Demo Aracna is unplugged. Tick “Plugged in” on its panel, "
+                    "then connect again."
+                )
+            )
+        elif self._demo_wanted:
             self._demo_wanted = False
             settings = LinkSettings(url, line=LINE)
-            self._robot.connect_to(replace(settings, name=self.tr("the simulated robot")))
+            self._robot.connect_to(replace(settings, name=self.demo_name))
 
     @Slot(str)
     def _on_simulator_failed(self, reason: str) -> None:
         if self._demo_wanted:
-            self._demo_wanted = self._demo_in_use = False
-            if self._robot.link is Link.NONE:
-                self._port = None
-            self.changed.emit()
-            self.failed.emit(reason)
+            self._demo_in_use = False
+            self._give_demo_up(reason)
+
+    def _give_demo_up(self, reason: str) -> None:
+        """Connect nothing; a line that was to make room for the simulated robot closes too."""
+        self._demo_wanted = False
+        if self._robot.link is Link.NONE:
+            self._port = None
+        else:
+            self._robot.disconnect_line()
+        self.changed.emit()
+        self.failed.emit(reason)
 
     @Slot()
     def _on_link_changed(self) -> None:

@@ -1,16 +1,20 @@
 """The desk of an Aracna: its pages, the bar below them, and what its menus do."""
 
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMainWindow, QVBoxLayout
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
 
 from trex_gui.aracna.link.doctor import may_be_elsewhere
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.way import ARACNA, AracnaWay
+from trex_gui.aracna.poses.ppr import SUFFIX
 from trex_gui.aracna.views.bar import RobotBar
+from trex_gui.aracna.views.demo.panel import RobotPanel
+from trex_gui.aracna.views.help import help_text
 from trex_gui.aracna.views.log_page import LogPage
 from trex_gui.aracna.views.menu import menus
 from trex_gui.aracna.views.page.page import RobotPage
@@ -18,7 +22,7 @@ from trex_gui.aracna.views.poses_page import PosesPage
 from trex_gui.aracna.views.recordings import AracnaRecordings
 from trex_gui.model.connection import Link
 from trex_gui.views.actions import ActionInfo
-from trex_gui.views.desk import Desk
+from trex_gui.views.desk import Desk, FileKind
 from trex_gui.views.transcript.page import TranscriptPage
 from trex_gui.views.widgets.scroll_box import ScrollBox
 
@@ -47,13 +51,16 @@ class AracnaDesk(Desk):
         pages = {
             self.tr("Robot"): self._page,
             self.tr("Poses"): self._poses,
-            self.tr("Log"): LogPage(robot.events, self),
+            self.tr("Log"): LogPage(robot, self),
             self.tr("Transcript"): transcript,
         }
         for title, page in pages.items():
             tabs.addTab(ScrollBox(page, self), title)
         self.recordings = AracnaRecordings(robot, self)
+        self.recordings.take_drops(frame, self)
         bar = RobotBar(robot, self)
+        self._way = way
+        self._demo = RobotPanel(way, frame)
 
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -73,6 +80,9 @@ class AracnaDesk(Desk):
             refused.connect(self.refused)
         robot.failed.connect(self._on_robot_failed)
         way.failed.connect(self.refused)
+        way.demo_robot.refused.connect(self.refused)
+        way.changed.connect(self._on_changed)
+        self._demo.wanted_changed.connect(self._on_demo_wanted)
         robot.link_changed.connect(self._on_link_changed)
         robot.changed.connect(self._on_changed)
         robot.limits.changed.connect(self._on_changed)
@@ -83,6 +93,31 @@ class AracnaDesk(Desk):
     def stop_text(self) -> str:
         """Name what there is: this robot has no stop."""
         return self.tr("&Stop sequence")
+
+    @property
+    def help_title(self) -> str:
+        """Nothing of it is published where it could be linked to."""
+        return self.tr("&Help on the Aracna…")
+
+    @property
+    def help_text(self) -> str:
+        """What its pages and keys do, and what the robot cannot do."""
+        return help_text(self.menus())
+
+    @property
+    def file_kinds(self) -> Sequence[FileKind]:
+        """Pose files; recordings open in windows of their own."""
+        return (FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), self._open_poses),)
+
+    def _open_poses(self, path: Path) -> None:
+        """Open a pose file, after the question that is due, and show what is in it."""
+        if self._poses.panel.files.open_file(path):
+            self.pages.setCurrentIndex(_POSES)
+
+    @property
+    def docks(self) -> Sequence[QDockWidget]:
+        """The panel of the simulated robot."""
+        return (self._demo,)
 
     # --- What its menus do --------------------------------------------------------------
 
@@ -105,6 +140,7 @@ class AracnaDesk(Desk):
             "aracna_play": self._play,
             "aracna_end": self._robot.end_play,
             "aracna_record": self.recordings.toggle,
+            "aracna_open_recording": self.recordings.ask_and_open,
             "aracna_limits": self._robot.limits.reset,
             **{f"aracna_page{index}": page(index) for index in range(self.pages.count())},
             "aracna_new": files.new,
@@ -114,6 +150,7 @@ class AracnaDesk(Desk):
             "aracna_undo": undo.undo,
             "aracna_redo": undo.redo,
             "aracna_capture": self._capture,
+            "aracna_demo": self._demo.toggle,
         }
 
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
@@ -121,6 +158,8 @@ class AracnaDesk(Desk):
         self._actions = actions
         page = str(self._store.value(_PAGE, 0))
         self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
+        self._demo.show_if_wanted()
+        self._on_demo_wanted()
         self._on_changed()
 
     def possible(self) -> Mapping[str, bool]:
@@ -140,17 +179,18 @@ class AracnaDesk(Desk):
             "aracna_capture": None not in robot.present,
             "aracna_undo": undo.canUndo(),
             "aracna_redo": undo.canRedo(),
+            "aracna_demo": self._way.demo_in_use,
         }
 
     def _play(self) -> None:
         """Play what is chosen, and show which step runs."""
         self.pages.setCurrentIndex(_POSES)
-        self._poses.press("aracnaPlay")
+        self._poses.panel.play()
 
     def _capture(self) -> None:
         """Keep the present position, and let its name be typed."""
         self.pages.setCurrentIndex(_POSES)
-        self._poses.press("aracnaCapture")
+        self._poses.panel.capture()
 
     # --- What has changed ---------------------------------------------------------------
 
@@ -180,6 +220,11 @@ class AracnaDesk(Desk):
             self._told_possible = possible
             self.possibilities_changed.emit()
 
+    @Slot()
+    def _on_demo_wanted(self) -> None:
+        if self._actions:
+            self._actions["aracna_demo"].setChecked(self._demo.wanted)
+
     # --- The end ------------------------------------------------------------------------
 
     def may_close(self, leave: Callable[[], object]) -> bool:
@@ -190,8 +235,9 @@ class AracnaDesk(Desk):
     def prepare_to_close(self) -> None:
         """Remember the page that is shown."""
         QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
+        self._demo.leave()
         self._store.setValue(_PAGE, self.pages.currentIndex())
 
     def finish(self) -> None:
-        """End the recording."""
-        self.recordings.recorder.shut_down()
+        """Close the recordings."""
+        self.recordings.close_all()

@@ -27,6 +27,7 @@ def menus() -> Mapping[str, Sequence[ActionInfo | str]]:
             ActionInfo("aracna_end", tr("&End sequence after this step"), "Ctrl+E"),
             SEPARATOR,
             ActionInfo("aracna_record", tr("&Record…"), "Ctrl+Shift+R", "record"),
+            ActionInfo("aracna_open_recording", tr("Ope&n recording…"), "Ctrl+Shift+O", "plot"),
             SEPARATOR,
             ActionInfo("aracna_limits", tr("Reset the joints' &limits")),
             SEPARATOR,
@@ -34,6 +35,8 @@ def menus() -> Mapping[str, Sequence[ActionInfo | str]]:
             ActionInfo("aracna_page1", tr("Poses p&age"), "Ctrl+2"),
             ActionInfo("aracna_page2", tr("Lo&g page"), "Ctrl+3"),
             ActionInfo("aracna_page3", tr("&Transcript page"), "Ctrl+4"),
+            SEPARATOR,
+            ActionInfo("aracna_demo", tr("&Demo robot"), checkable=True),
         ),
         tr("P&oses"): (
             ActionInfo("aracna_new", tr("&New pose file"), QKeySequence.StandardKey.New, "new"),

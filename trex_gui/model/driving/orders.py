@@ -82,13 +82,13 @@ class Driving(QObject):
         """Stop every motor, from any thread; `Motors.stop` has to follow in that of the window."""
         self._connection.stop_now(ending=ending)
 
-    def stop(self, then: AfterStop) -> None:
+    def stop(self, then: AfterStop, reason: str = "") -> None:
         """Stop everything and disarm; `then` is told whether the board has proved it, once.
 
         Where the line ends before that, `then` is not called.
         """
         self._after_stop.append(then)
-        self._motors.stop()
+        self._motors.stop(reason)
 
     # --- Wishes and stops ---------------------------------------------------------------
 

@@ -1,0 +1,69 @@
+"""What makes the program stop everything by itself, brought about in a window of the test's own."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from PySide6.QtCore import QMetaObject, QTimer
+from PySide6.QtWidgets import QApplication, QLabel
+from pytestqt.qtbot import QtBot
+
+from trex_gui.system.session_events import SessionEvents
+from trex_gui.watching import Watching
+from trex_gui.window import Program
+
+
+class Causes:
+    """A window that is watched over, and what happens to it.
+
+    Attributes:
+        told: every text that was told of a stop, in order.
+    """
+
+    def __init__(
+        self, program: Program, watching: Watching, caught: Sequence[tuple[Any, ...]]
+    ) -> None:
+        self._program = program
+        self._watching = watching
+        self._caught = caught
+        self.told: list[str] = []
+        program.switchboard.stop_told.connect(self.told.append)
+
+    @property
+    def mistakes(self) -> list[type[BaseException]]:
+        """The kinds of the errors that nobody caught."""
+        return [kind for kind, *_ in self._caught]
+
+    @property
+    def banner(self) -> str:
+        """What the banner says; empty while none is shown."""
+        text = self._program.window.findChild(QLabel, "bannerText")
+        assert text is not None
+        return text.text() if text.isVisible() else ""
+
+    def make_a_mistake(self) -> None:
+        """Let a slot raise an error that nobody catches, a moment later."""
+
+        def fail() -> None:
+            raise ValueError("on purpose")
+
+        QTimer.singleShot(0, fail)
+
+    def lock_the_screen(self) -> None:
+        """Say what the desktop says, as it arrives from the bus."""
+        events = self._watching.findChild(SessionEvents)
+        assert events is not None
+        assert QMetaObject.invokeMethod(events, "_on_locked")
+
+
+@contextmanager
+def watched(program: Program, qtbot: QtBot, app: QApplication) -> Iterator[Causes]:
+    """Watch over a program as its start does; errors of slots are kept, and fail nothing."""
+    with qtbot.captureExceptions() as mistakes:
+        watching = Watching(program, app)
+        causes = Causes(program, watching, mistakes)
+        try:
+            yield causes
+        finally:
+            watching.close()
+            watching.deleteLater()

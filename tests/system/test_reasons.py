@@ -1,0 +1,82 @@
+"""Why everything is stopped, as it is handed on: what it means is for each device to say."""
+
+import sys
+
+import pytest
+from PySide6.QtDBus import QDBusConnection
+
+from trex_gui.system.exceptions import ExceptionWatch
+from trex_gui.system.session_events import SessionEvents
+from trex_gui.system.wake import WakeWatch
+from trex_gui.system.windows_events import (
+    PBT_APMSUSPEND,
+    WM_POWERBROADCAST,
+    WM_QUERYENDSESSION,
+    WM_WTSSESSION_CHANGE,
+    WTS_SESSION_LOCK,
+    why_to_stop,
+)
+
+pytestmark = pytest.mark.usefixtures("qapp")
+
+
+def said_by_the_desktop() -> list[str]:
+    """Everything that a Linux desktop may tell."""
+    nowhere = QDBusConnection("there is none")
+    events = SessionEvents(nowhere, nowhere)
+    told: list[str] = []
+    events.leaving.connect(told.append)
+    events._on_sleep(begins=True)
+    events._on_shut_down(begins=True)
+    events._on_locked()
+    return told
+
+
+def said_by_windows() -> list[str]:
+    """Everything that Windows may tell a window."""
+    messages = [
+        (WM_POWERBROADCAST, PBT_APMSUSPEND),
+        (WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK),
+        (WM_QUERYENDSESSION, 0),
+    ]
+    return [why_to_stop(*message) or "" for message in messages]
+
+
+def said_of_a_sleep_that_is_over() -> list[str]:
+    slept = 0.0
+    watch = WakeWatch(lambda: slept)
+    told: list[str] = []
+    watch.woke.connect(told.append)
+    slept = 60.0
+    watch.look()
+    return told
+
+
+def said_of_a_mistake(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    told: list[str] = []
+    monkeypatch.setattr(sys, "excepthook", lambda *_: None)
+    watch = ExceptionWatch(told.append)
+    try:
+        sys.excepthook(ValueError, ValueError("x"), None)
+    finally:
+        watch.close()
+    return told
+
+
+def test_a_reason_is_a_clause_that_claims_nothing_of_any_device(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    reasons = [
+        *said_by_the_desktop(),
+        *said_by_windows(),
+        *said_of_a_sleep_that_is_over(),
+        *said_of_a_mistake(monkeypatch),
+    ]
+    assert len(reasons) == 8
+    for reason in reasons:
+        assert reason, "each of them is one"
+        assert not reason.endswith("."), reason
+        assert "stop" not in reason, reason
+        assert "motor" not in reason, reason
+    assert reasons[-1] == "The program made a mistake (ValueError)"
+    assert reasons[2] == reasons[4] == "The screen was locked"
