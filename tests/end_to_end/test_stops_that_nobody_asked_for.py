@@ -166,3 +166,14 @@ def test_nothing_is_said_to_have_been_stopped_when_a_board_is_connected_later(
     scene.device.connect_to(LinkSettings(quick_simulator.url))
     scene.wait(lambda: scene.device.link is Link.UP and scene.device.motors.can_arm)
     assert scene.text("motorStateLabel") == "Not armed: nothing is sent before Run motor."
+
+
+def test_a_line_that_is_lost_with_the_stop_claims_nothing(
+    driving: Scene, causes: Causes, quick_simulator: SimulatorProcess
+) -> None:
+    quick_simulator.do("line unplug")
+    causes.lock_the_screen()  # before the window has seen that the cable is gone, or behind it
+    driving.wait(lambda: driving.device.link is Link.NONE and bool(causes.told))
+    driving.wait(lambda: not causes.told[-1].endswith("is not confirmed yet."))
+    assert not [text for text in causes.told if "were stopped" in text]
+    assert causes.told[-1].endswith("cut its power.") or causes.told[-1].endswith("their power.")
