@@ -105,7 +105,7 @@ class Tour(QObject):
         yield partial(sticks.set_automatic, False)
         yield sticks.centre_sticks
         yield partial(self._choose, "learnAction")
-        yield partial(self._is_seen, "learnRestPage")
+        yield self._is_at_rest
         yield from self._look_at_wizard("learn-rest")
         yield partial(self._press, "learnNextButton")
         yield partial(self._is_seen, "learnTravelPage")
@@ -178,6 +178,10 @@ class Tour(QObject):
             return False
         button.click()
         return True
+
+    def _is_at_rest(self) -> bool:
+        """Whether the motors are stopped; on a busy machine that may take more than one try."""
+        return self._is_seen("learnRestPage") or (self._press("learnAgainButton") and False)
 
     def _is_seen(self, name: str) -> bool:
         found = self._program.window.findChild(QWidget, name)

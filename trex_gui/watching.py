@@ -4,7 +4,7 @@ import logging
 import sys
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QElapsedTimer, QObject, Slot
 
 from trex_gui.system.exceptions import ExceptionWatch
 from trex_gui.system.signals import SignalWatch
@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 
+_AGAIN_MS = 1000
+"""Within which a mistake that is told again comes of its being told."""
+
+
 class Watching(QObject):
     """Lives as long as the program's event loop; to be made in the main thread.
 
@@ -29,6 +33,8 @@ class Watching(QObject):
         self._program = program
         self._stopper = Stopper(program.stop_now, self)
         self._stopper_at_mistakes = Stopper(program.stop_now, self)
+        self._mistake = ""
+        self._since_mistake = QElapsedTimer()
         self._signals = SignalWatch(lambda: program.stop_now(ending=True), self)
         self._exceptions = ExceptionWatch(self._stopper_at_mistakes.stop)
         self._wake = WakeWatch(parent=self)
@@ -74,8 +80,16 @@ class Watching(QObject):
 
     @Slot(str)
     def _on_mistake(self, reason: str) -> None:
-        """A person has to know of a mistake even where there was nothing to stop."""
-        self._program.switchboard.stop_because(reason, is_news=True)
+        """A person has to know of a mistake even where there was nothing to stop.
+
+        One that comes of telling it comes again at once: it is not told again, or there was no end
+        to it. Its stop has been sent.
+        """
+        is_again = reason == self._mistake and self._since_mistake.elapsed() < _AGAIN_MS
+        self._mistake = reason
+        self._since_mistake.start()
+        if not is_again:
+            self._program.switchboard.stop_because(reason, is_news=True)
 
     @Slot(int)
     def _on_signal(self, _number: int) -> None:

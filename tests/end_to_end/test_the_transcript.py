@@ -152,6 +152,9 @@ def test_what_is_held_still_stays_and_what_came_meanwhile_is_there_after(reader:
     reader.wait(lambda: reader.device.transcript.everything.count > seen + 50)
     assert reader.view.model().rowCount() == count
     assert "held still" in reader.summary
+    reader.tick("transcriptFaults")
+    reader.tick("transcriptFaults", on=False)
+    assert reader.view.model().rowCount() == count, "nor does a search bring in what is newer"
     reader.tick("transcriptPause", on=False)
     reader.wait(lambda: reader.view.model().rowCount() > count + 50)
 
@@ -165,9 +168,12 @@ def test_the_chosen_row_is_shown_in_full_and_stays_chosen(reader: Reader) -> Non
     assert "received  54 52 65 58 31 2E 32" in details.toPlainText()
     assert "at 19200 8N1" in details.toPlainText()
     assert "8 bytes need 4.2 ms on this wire" in details.toPlainText()
+    details.selectAll()
+    chosen = details.textCursor().selectedText()
     seen = reader.device.transcript.everything.count
     reader.wait(lambda: reader.device.transcript.everything.count > seen + 50)
     assert reader.view.currentIndex().row() == row
+    assert details.textCursor().selectedText() == chosen, "to be copied"
 
 
 def test_who_has_scrolled_up_is_left_there(reader: Reader) -> None:

@@ -125,3 +125,20 @@ def test_what_is_polled_is_told_from_what_is_asked() -> None:
 @given(STRANGE_TALK, st.integers(1, 24))
 def test_no_bytes_are_too_strange_for_words(talk: list[Said], cut: int) -> None:
     assert_sayable(TrexWording(), pieces_of(talk, cut))
+
+
+@pytest.mark.parametrize("sent", [b"\x84", b"\x85", b"\x8d"])
+def test_on_a_line_that_echoes_an_echo_is_no_answer(sent: bytes) -> None:
+    assembler = Assembler(TrexWording())
+    assembler.note_settings(LinkSettings("virtual"), echo=True)
+    (row,) = assembler.feed([Piece(1.0, Way.SENT, sent), Piece(1.1, Way.RECEIVED, sent)])
+    row.is_over = True
+    words = TrexWording().words_of(row)
+    assert words.is_fault
+    assert words.text.endswith("only its echo came back")
+    whole = [
+        Piece(2.0, Way.SENT, sent),
+        Piece(2.1, Way.RECEIVED, sent),
+        Piece(2.2, Way.RECEIVED, b"\0"),
+    ]
+    assert assembler.feed(whole)[-1].received == sent + b"\0"

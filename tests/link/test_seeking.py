@@ -12,7 +12,7 @@ from trex_gui.link.seekers import Seek, Step, Telling, Verdict
 from trex_gui.link.seeking import PortSearch, order, search_port
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import Transport
-from trex_gui.protocol.errors import PortUnavailable
+from trex_gui.protocol.errors import BadRequest, PortUnavailable
 from trex_gui.protocol.line_settings import LineSettings
 
 VIRTUAL = LinkSettings("virtual", LineSettings(9600))
@@ -227,3 +227,19 @@ def test_of_all_that_came_it_is_told_how_often() -> None:
     (line,) = search(wire, {"trex": SEEK_TREX}).lines
     assert "45 52 52 came at 1200 baud" in line
     assert "something at 88 more" in line
+
+
+def test_a_port_that_cannot_be_set_so_slowly_is_told_and_given_back() -> None:
+    wire = wire_of(a_board())
+    tune = wire.tune
+
+    def tune_fast(line: LineSettings) -> None:
+        if line == RINSE_LINE:
+            raise BadRequest("the port cannot be set to 1200 baud")
+        tune(line)
+
+    wire.tune = tune_fast  # type: ignore[method-assign]
+    result = search(wire, {"trex": SEEK_TREX})
+    assert not result.device
+    assert result.lines
+    assert wire.closed

@@ -132,8 +132,8 @@ class TrexSeeker:
 
     def _put(self, wire: Transport, attempt: Attempt) -> Heard | None:
         """Ask once; `None`: the port cannot be set so."""
-        rinse(wire, self._settings.patience)
         try:
+            rinse(wire, self._settings.patience)
             wire.tune(attempt.line)
         except BadRequest:
             self.search.skipped.append(attempt.line)

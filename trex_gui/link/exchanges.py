@@ -31,6 +31,7 @@ class Exchange:
         sent, received: the bytes; none of either where `note` says what happened to the line.
         ended: when the last byte had come, on the same clock; `None` while none has.
         settings: how the line was set.
+        echo: whether everything sent comes back; `None` where nobody knows yet.
         is_routine: whether it is one of the questions that the program repeats all the time.
         is_over: whether nothing more will come.
         words: what it means, once somebody asked; see `Wording.words_of`.
@@ -42,6 +43,7 @@ class Exchange:
     received: bytes = b""
     note: str = ""
     settings: LinkSettings | None = None
+    echo: bool | None = None
     is_routine: bool = False
     ended: float | None = None
     is_over: bool = False
@@ -68,6 +70,14 @@ class Wording(ABC):
     def is_whole(self, exchange: Exchange) -> bool:
         """Return whether the answer has come; what comes behind it belongs to nothing."""
 
+    def goes_with(self, exchange: Exchange, sent: bytes) -> bool:
+        """Return whether these bytes belong to the row that is open, though they were sent later.
+
+        Whatever comes may be the answer to either then.
+        """
+        del exchange, sent
+        return False
+
     @abstractmethod
     def read(self, exchange: Exchange) -> Words:
         """Return what an exchange means that has bytes."""
@@ -89,11 +99,16 @@ class Assembler:
         self._wording = wording
         self._count = 0
         self._settings: LinkSettings | None = None
+        self._echo: bool | None = None
         self._open: Exchange | None = None
 
-    def note_settings(self, settings: LinkSettings) -> None:
-        """Know better how the line is set than the line itself tells."""
-        self._settings = settings
+    def note_settings(self, settings: LinkSettings, *, echo: bool) -> None:
+        """Know better how the line is set than the line itself tells, and whether it echoes."""
+        self._settings, self._echo = settings, echo
+
+    def forget_echo(self) -> None:
+        """Another line is opened."""
+        self._echo = None
 
     def feed(self, pieces: Iterable[Piece]) -> list[Exchange]:
         """Take what has passed; return every row that is new or has changed, in order."""
@@ -111,6 +126,9 @@ class Assembler:
                     row = self._row(piece.time)
                     row.note, row.is_over = piece.text, True
                     touch(row)
+                case Way.SENT if self._open and self._wording.goes_with(self._open, piece.data):
+                    self._open.sent += piece.data
+                    touch(self._open)
                 case Way.SENT:
                     touch(self._end())
                     self._open = self._row(piece.time, piece.data)
@@ -137,4 +155,11 @@ class Assembler:
     def _row(self, time: float, sent: bytes = b"") -> Exchange:
         self._count += 1
         is_routine = bool(sent) and self._wording.is_routine(sent)
-        return Exchange(self._count, time, sent, settings=self._settings, is_routine=is_routine)
+        return Exchange(
+            self._count,
+            time,
+            sent,
+            settings=self._settings,
+            echo=self._echo,
+            is_routine=is_routine,
+        )

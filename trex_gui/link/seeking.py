@@ -31,7 +31,7 @@ from trex_gui.link.seekers import (
 )
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import SerialTransport, Transport
-from trex_gui.protocol.errors import BadRequest, PortUnavailable
+from trex_gui.protocol.errors import BadRequest, PortUnavailable, TrexError
 from trex_gui.protocol.line_settings import LineSettings
 
 _LISTEN = 0.3
@@ -49,14 +49,14 @@ class PortSearch:
         device: the key of the kind that was found; empty where none was.
         found: the devices, all of that kind.
         verdicts: what was heard where none was found, the most telling first.
-        error: the port could not be opened, or went away.
+        error: the port could not be opened, went away, or cannot do what a search needs.
         cancelled: whether it ended early because it was asked to.
     """
 
     device: str = ""
     found: Sequence[Sighting] = ()
     verdicts: list[Verdict] = field(default_factory=list)
-    error: PortUnavailable | None = None
+    error: TrexError | None = None
     cancelled: bool = False
 
     @property
@@ -115,7 +115,7 @@ def search_port(
         asked = ask_in_order(
             wire, seekers, names, first=first, progress=progress, cancelled=cancelled
         )
-    except PortUnavailable as error:
+    except TrexError as error:
         result.error = error
     finally:
         result.device = next((key for key, seeker in seekers.items() if seeker.found), "")

@@ -83,8 +83,10 @@ def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, .
 
 
 def _reply(packet: Packet, exchange: Exchange) -> Reply[object] | NeedData | Malformed:
-    """Judge what came; an echo is told from an answer by the length, which nothing else has."""
+    """Judge what came; where nobody knows of an echo, the length tells one from an answer."""
     framing = Framing(packet.device_number, _polynomial(exchange.settings))
+    if exchange.echo is not None:
+        return _parsed(packet.command, framing, exchange.received, echo=exchange.echo)
     plain = _parsed(packet.command, framing, exchange.received, echo=False)
     has_echo = exchange.received[: len(packet.raw)] == packet.raw[: len(exchange.received)]
     if isinstance(plain, Reply) or not has_echo:

@@ -207,7 +207,7 @@ class Connection(QObject):
         self._settings = report.settings
         self._echo = report.echo
         self._port_rates = report.port_rates
-        self.transcript.note_settings(report.settings)
+        self.transcript.note_settings(report.settings, echo=report.echo)
         if self._wording.board != report.state.signature:
             self._wording.board = report.state.signature
             self.transcript.forget_words()

@@ -186,11 +186,12 @@ class Switchboard(QObject):
     def stop_because(self, reason: str, *, is_news: bool = False) -> None:
         """Stop every device that may listen, because of something that nobody asked for.
 
-        What that means is for the device in use to say. Where it has nothing to say the reason
-        is told alone, but only where it `is_news` by itself.
+        What that means is for each device to say, the one in use first. Where none has anything to
+        say the reason is told alone, but only where it `is_news` by itself.
         """
         texts = {way.kind.key: way.stop_because(reason) for way in self._ways.values()}
-        text = texts[self._current.kind.key] or (f"{reason}." if is_news else "")
+        told = [texts.pop(self._current.kind.key), *texts.values()]
+        text = "\n".join(filter(None, told)) or (f"{reason}." if is_news else "")
         if text:
             self.stop_told.emit(text)
 

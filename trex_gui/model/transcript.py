@@ -90,10 +90,10 @@ class Transcript(QObject):
         """Pieces that were never read, because the window stood still for too long."""
         return self._tape.lost
 
-    def note_settings(self, settings: LinkSettings) -> None:
+    def note_settings(self, settings: LinkSettings, *, echo: bool) -> None:
         """Know how the line is set, where the device has said more than the port knows."""
         self.pull()
-        self._assembler.note_settings(settings)
+        self._assembler.note_settings(settings, echo=echo)
 
     def forget_words(self) -> None:
         """Say everything anew: more is known of the device."""
@@ -145,6 +145,7 @@ class Transcript(QObject):
     @Slot()
     def _on_started(self) -> None:
         self._epoch = time.time() - time.monotonic()
+        self._assembler.forget_echo()
         self._timer.start()
 
     @Slot()

@@ -22,6 +22,10 @@ _AT_ONCE = 100
 _PATIENCE_MS = 3000
 
 
+_abandoned: list[FileWorker] = []
+"""Threads that a disk holds up at the end: a `QThread` must outlive its run."""
+
+
 class TranscriptSaver(QObject):
     """Writes one file at a time; a file that cannot be written whole is not written at all.
 
@@ -60,9 +64,11 @@ class TranscriptSaver(QObject):
 
     @Slot()
     def finish(self) -> None:
-        """Wait for what is being written; for the end."""
-        if self._worker is not None:
-            self._worker.wait(_PATIENCE_MS)
+        """Wait for what is being written; for the end. A disk that hangs is not waited for."""
+        worker, self._worker = self._worker, None
+        if worker is not None and not worker.wait(_PATIENCE_MS) and not worker.close():
+            worker.setParent(None)
+            _abandoned.append(worker)
 
     @Slot(object)
     def _on_done(self, done: Done) -> None:

@@ -6,7 +6,17 @@ A servo that was without power is as fast as it can be; nothing on the link tell
 import pytest
 
 from tests.aracna.link.scene import Scene
-from trex_gui.aracna.link.messages import Ending, Move, Moving, Play, PlayEnded, SpeedsHeld, Step
+from trex_gui.aracna.link.messages import (
+    Drag,
+    Ending,
+    Move,
+    Moving,
+    Play,
+    PlayEnded,
+    SpeedsHeld,
+    Step,
+)
+from trex_gui.aracna.link.servos import TRUST
 from trex_gui.link.messages import Outcome
 
 SLOW = (30,) * 8
@@ -45,13 +55,39 @@ def test_a_move_after_a_cut_in_mid_motion_is_as_slow_as_was_asked(cut: float) ->
 
 def test_after_a_long_motion_speeds_are_told_anew_and_after_a_short_one_not() -> None:
     scene = Scene(positions=[500] * 8)
-    scene.at(0.5, Move(1, (520,) * 8, SLOW)).at(1.5, Move(2, (540,) * 8, SLOW))
-    scene.at(2.5, Move(3, (800,) * 8, SLOW)).at(7.0, Move(4, (810,) * 8, SLOW)).until(9.0)
+    scene.at(0.5, Move(1, (520,) * 8, SLOW)).at(1.0, Drag((540,) * 8, SLOW))
+    scene.at(1.5, Drag((800,) * 8, SLOW)).at(6.0, Drag((810,) * 8, SLOW)).until(8.0)
     scene.run()
     assert len(scene.of(Moving)) == 4
     held = scene.when(SpeedsHeld)
     assert len(held) == 2
     assert held[1] > scene.when(Moving)[2]
+
+
+@pytest.mark.parametrize(("cut", "seconds"), [(5.75, 0.3), (5.85, 0.1), (5.9, 0.05)])
+def test_a_cut_near_the_goal_runs_off_for_no_longer_than_speeds_are_trusted(
+    cut: float, seconds: float
+) -> None:
+    scene = Scene(positions=[300] * 8)
+    steps = (Step((300,) * 8, 1.5), Step((500,) * 8, 1.5))
+    scene.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
+    scene.at(cut, lambda: scene.stage.do("servo power off"))
+    scene.at(cut + seconds, lambda: scene.stage.do("servo power on"))
+    seen = watched(scene, cut + seconds + TRUST, 5.0)
+    scene.until(14.0).run()
+    assert 0 < max(seen) < 300, "200 units in 1.4 s"
+
+
+@pytest.mark.parametrize("cut", [1.5, 1.8, 2.3])
+def test_a_move_after_a_cut_at_rest_or_near_the_goal_is_as_slow_as_was_asked(cut: float) -> None:
+    scene = Scene(positions=[300] * 8)
+    scene.at(0.5, Move(1, (390,) * 8, SLOW))
+    scene.at(cut, lambda: scene.stage.do("servo power off"))
+    scene.at(cut + 0.3, lambda: scene.stage.do("servo power on"))
+    scene.at(cut + 0.8, Move(2, (900,) * 8, SLOW))
+    seen = watched(scene, cut + 0.82, 1.5)
+    scene.until(14.0).run()
+    assert 0 < max(seen) < FASTEST
 
 
 def test_a_sequence_does_not_go_on_by_itself_when_power_is_back() -> None:

@@ -80,7 +80,7 @@ def test_speeds_that_are_known_to_be_held_are_not_sent_again() -> None:
     scene = Scene().at(0.2, Move(1, THERE, FAST)).at(1.5, Move(2, HERE, FAST))
     scene.at(3.0, Drag(THERE, FAST)).until(5.0)
     scene.run()
-    assert lines(scene, "v") == ["700"]
+    assert lines(scene, "v") == ["700", "700"], "before a move, and not again for a drag behind it"
     assert lines(scene, "c") == ["600", "512", "600"]
 
 
@@ -99,8 +99,9 @@ def test_after_a_fault_speeds_are_sent_anew(fault: str) -> None:
 
 
 def test_after_a_servo_was_waited_for_speeds_are_sent_anew() -> None:
-    scene = Scene().at(0.2, Move(1, HERE, FAST)).at(1.0, lambda: scene.stage.do("servo 3 dead"))
-    scene.at(1.1, Move(2, THERE, FAST)).at(8.0, lambda: scene.stage.do("servo 3 alive"))
+    scene = Scene().at(0.2, Move(1, HERE, FAST)).at(1.1, Move(2, THERE, FAST))
+    scene.at(1.18, lambda: scene.stage.do("servo 3 dead"))
+    scene.at(8.0, lambda: scene.stage.do("servo 3 alive"))
     scene.at(9.0, Move(3, HERE, FAST)).until(11.0)
     scene.run()
     assert len(scene.of(Stuck)) == 1

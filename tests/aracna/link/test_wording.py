@@ -6,6 +6,7 @@ from hypothesis import strategies as st
 
 from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, told
 from trex_gui.aracna.link.wording import AracnaWording
+from trex_gui.link.transcript import Piece, Way
 
 ARACNA: list[tuple[Said, str, bool]] = [
     ((b".q\n", b".q1,8\r\n"), "ask for version and motors → firmware 1, 8 motors", False),
@@ -57,3 +58,34 @@ def test_only_the_question_whether_it_is_there_is_polled() -> None:
 @given(STRANGE_TALK, st.integers(1, 24))
 def test_no_bytes_are_too_strange_for_words(talk: list[Said], cut: int) -> None:
     assert_sayable(AracnaWording(), pieces_of(talk, cut))
+
+
+def test_a_late_answer_stands_behind_its_command_though_something_was_asked_since() -> None:
+    wording = AracnaWording()
+    pieces = [
+        Piece(1.0, Way.SENT, b".c5,6\n"),
+        Piece(2.0, Way.RECEIVED, b".c5,"),
+        Piece(4.0, Way.SENT, b".q\n"),
+        Piece(9.0, Way.SENT, b".q\n"),
+        Piece(9.5, Way.RECEIVED, b"6\r\n"),
+        Piece(9.6, Way.RECEIVED, b".q1,2\r\n"),
+        Piece(11.0, Way.SENT, b".q\n"),
+    ]
+    first, second = told(wording, pieces)
+    assert first == (
+        "go to 5, 6, then ask whether it is free → at 5, 6; firmware 1, 2 motors",
+        False,
+    )
+    assert second[0].startswith("ask for version")
+
+
+def test_a_command_that_only_the_question_behind_it_ends_is_a_fault() -> None:
+    pieces = [
+        Piece(1.0, Way.SENT, b".c5,6\n"),
+        Piece(4.0, Way.SENT, b".q\n"),
+        Piece(4.1, Way.RECEIVED, b".q1,2\r\n"),
+        Piece(5.0, Way.LINE, text="Closed."),
+    ]
+    ((text, is_fault),) = told(AracnaWording(), pieces)
+    assert is_fault
+    assert text.endswith("firmware 1, 2 motors; no answer to the command itself")

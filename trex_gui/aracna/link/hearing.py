@@ -24,7 +24,7 @@ from trex_gui.aracna.link.refusals import (
     why_not_confirmed,
     why_not_taken,
 )
-from trex_gui.aracna.link.servos import Servos, far_off
+from trex_gui.aracna.link.servos import Servos, missed
 from trex_gui.aracna.link.waiting import Waiting
 from trex_gui.aracna.protocol.replies import Led, Positions, Speeds, Version
 from trex_gui.protocol.errors import NoReply, TrexError
@@ -105,7 +105,7 @@ class Hearing:
                 moved = Moved(now, asked.values, present, now - asked.sent)
                 self._tell(moved)
                 self._player.arrive()
-                if off := far_off(asked.values, present):
+                if off := missed(asked.values, present):
                     self._player.stop(now, Ending.MISSED, why_missed(off))
                 self._waiting.answer(moved)
             case Led(on=on):

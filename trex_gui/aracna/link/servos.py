@@ -15,11 +15,18 @@ SETTING = 0.055
 """Seconds that a `.v` takes at most: 25 ms of pause, and each servo's register read back."""
 
 TRUST = 2.0
-"""Seconds after the last answer of the servos for which their speeds count as known.
+"""Seconds after the answer to a `.v` for which the speeds count as known.
 
-A servo that was without power is as fast as it can be, and nothing on the link tells of it while
-nothing is asked, nor while a motion runs: one that lasts longer leaves speeds that nobody knows.
+A servo that was without power is as fast as it can be, and no answer but that to a `.v` tells of
+it: a short cut near the goal looks like a motion that went well. So they are told anew this often
+while something is played or dragged, which takes `SETTING`.
 """
+
+FRESH = 0.5
+"""The same for a motion that a person asks for by itself: its speeds are told right before it."""
+
+OFF = 12
+"""Units off its goal beyond which a motor may have been without power on its way."""
 
 FAR = 50
 """Units off its goal at which a motor has failed to go there: what the firmware's authors take in
@@ -46,7 +53,7 @@ class Servos:
     def __init__(self, motors: int) -> None:
         self.present: tuple[int | None, ...] = (None,) * motors
         self.speeds: tuple[int | None, ...] = (None,) * motors
-        self._heard_at = 0.0
+        self._held_at = 0.0
 
     def forget_positions(self) -> None:
         """A motion has begun, and where it ends nobody knows yet."""
@@ -61,26 +68,25 @@ class Servos:
         """A servo may have been without power, or have been given a speed that nobody confirms."""
         self.speeds = (None,) * len(self.speeds)
 
-    def doubt(self, now: float) -> None:
-        """Forget the speeds where the servos have said nothing for too long."""
-        if now - self._heard_at > TRUST:
+    def doubt(self, now: float, trust: float = TRUST) -> None:
+        """Forget the speeds where the servos have not told them for `trust` seconds."""
+        if now - self._held_at > trust:
             self.forget_speeds()
 
     def arrive(self, goals: Sequence[int], present: Sequence[int], now: float) -> None:
         """Take the answer to a `.c`.
 
-        A motor that cannot be read, or is far from its goal, makes all speeds doubtful: it may
-        have been without power on its way. So does a motion that was long enough for that.
+        A motor that cannot be read, or is off its goal, makes all speeds doubtful: it may have
+        been without power on its way. So does a motion that was long enough for that.
         """
         self.doubt(now)
-        self._heard_at = now
-        if any(value < 0 for value in present) or far_off(goals, present):
+        if any(value < 0 for value in present) or missed(goals, present, OFF):
             self.forget_speeds()
         self.present = tuple(None if value < 0 else value for value in present)
 
     def hold(self, speeds: Sequence[int], now: float) -> None:
         """Take the answer to a `.v`."""
-        self._heard_at = now
+        self._held_at = now
         self.speeds = tuple(None if value < 0 else value for value in speeds)
 
     def seconds_to(self, goals: Sequence[int]) -> float:
@@ -119,12 +125,12 @@ class Servos:
         return None if fits else tuple(wanted)
 
 
-def far_off(goals: Sequence[int], present: Sequence[int]) -> dict[int, int]:
-    """Return by how many units each motor misses its goal that has failed to go there."""
+def missed(goals: Sequence[int], present: Sequence[int], by: int = FAR) -> dict[int, int]:
+    """Return how far each motor is off its goal that misses it by more units than `by`."""
     return {
         motor: place - goal
         for motor, (goal, place) in enumerate(zip(goals, present, strict=True))
-        if place >= 0 and abs(place - goal) > FAR
+        if place >= 0 and abs(place - goal) > by
     }
 
 

@@ -33,7 +33,7 @@ from trex_gui.aracna.link.messages import (
 from trex_gui.aracna.link.player import Player
 from trex_gui.aracna.link.presence import RETRY, Presence, Why
 from trex_gui.aracna.link.refusals import STUCK
-from trex_gui.aracna.link.servos import deadline
+from trex_gui.aracna.link.servos import FRESH, TRUST, deadline
 from trex_gui.aracna.link.waiting import Job, Waiting
 from trex_gui.aracna.protocol import lines
 from trex_gui.link.messages import Close, Closed
@@ -248,7 +248,8 @@ class AracnaSession:
         """
         match job:
             case Move(goals=goals, speeds=speeds) | Drag(goals=goals, speeds=speeds):
-                self._hearing.servos.doubt(self._now())
+                trust = FRESH if isinstance(job, Move) else TRUST
+                self._hearing.servos.doubt(self._now(), trust)
                 if speeds is not None and speeds != self._hearing.servos.speeds:
                     lines.positions(self._fence.crop(goals), self._client.motors)  # refused first
                     self._client.set_speeds(speeds)

@@ -19,6 +19,7 @@ _ASKED = {
     b"": "end what may stand in the robot's line buffer",
 }
 _UNREAD = -1
+_ANSWERED_LATE = frozenset({b".c", b".v", b".l"})
 
 
 class AracnaWording(Wording):
@@ -37,8 +38,16 @@ class AracnaWording(Wording):
         lines = exchange.received.split(b"\n")[:-1]
         if not exchange.sent:
             return bool(lines)
-        letter = exchange.sent[:2]
-        return any(line.startswith((letter, b".h")) for line in lines)
+        last = exchange.sent.rstrip(b"\n").rpartition(b"\n")[2][:2]
+        return any(line.startswith((last, b".h")) for line in lines)
+
+    def goes_with(self, exchange: Exchange, sent: bytes) -> bool:
+        """Whether it asks if the robot is free again, behind a command that it has not answered.
+
+        A late answer to that command comes before the one to the question.
+        """
+        is_late = exchange.sent[:2] in _ANSWERED_LATE and not self.is_whole(exchange)
+        return sent == b".q\n" and is_late
 
     def read(self, exchange: Exchange) -> Words:
         """Say the command, and each line that came."""
@@ -54,6 +63,9 @@ class AracnaWording(Wording):
             if not exchange.is_over:
                 return Words(" → ".join([asked, *said]))
             said.append("the answer broke off" if rest else "no answer")
+            is_fault = True
+        elif exchange.sent.strip() and not any(_is_of(one, exchange.sent[:2]) for one in replies):
+            said.append("no answer to the command itself")
             is_fault = True
         elif rest:
             said.append(f"and behind it {self.shown(rest)}")
@@ -76,8 +88,17 @@ def _shown(data: bytes) -> str:
     return data.decode("latin-1").encode("unicode_escape").decode("ascii")
 
 
+def _is_of(reply: Reply, letter: bytes) -> bool:
+    """Whether a reply is one to a command of this letter, or voids it; an empty line has none."""
+    kinds: dict[bytes, type[Reply]] = {b".q": Version, b".c": Positions, b".v": Speeds, b".l": Led}
+    kind = kinds.get(letter)
+    return kind is None or isinstance(reply, kind | Hello)
+
+
 def _asked(sent: bytes) -> str:
-    line = sent.removesuffix(b"\n")
+    line, _, behind = sent.partition(b"\n")
+    if behind:
+        return f"{_asked(line)}, then ask whether it is free"
     if (text := _ASKED.get(line)) is not None:
         return text
     values = line[2:].decode("latin-1").replace(",", ", ")

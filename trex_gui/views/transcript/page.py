@@ -109,7 +109,7 @@ class TranscriptPage(QWidget):
         self._typing.timeout.connect(self._choose)
         self._polling.toggled.connect(self._choose)
         self._faults.toggled.connect(self._choose)
-        self._paused.toggled.connect(self._refresh)
+        self._paused.toggled.connect(self._on_paused)
         self._view.selectionModel().currentRowChanged.connect(self._on_current_changed)
         self._table.modelReset.connect(self._on_reset)
         self._saver.saved.connect(self._on_saved)
@@ -147,8 +147,14 @@ class TranscriptPage(QWidget):
             faults=self._faults.isChecked(),
             text=self._words.text(),
         )
-        self._view.scrollToBottom()
+        if not self._paused.isChecked():
+            self._view.scrollToBottom()
         self._summarize()
+
+    @Slot(bool)
+    def _on_paused(self, paused: bool) -> None:
+        self._table.hold(still=paused)
+        self._refresh()
 
     @Slot()
     @only_when_visible

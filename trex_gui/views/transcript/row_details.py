@@ -30,7 +30,9 @@ class RowDetails(QPlainTextEdit):
 
     def show_row(self, row: Exchange | None) -> None:
         """Show a row, or that none is chosen."""
-        self.setPlainText("" if row is None else "\n".join(self._lines(row)))
+        text = "" if row is None else "\n".join(self._lines(row))
+        if text != self.toPlainText():  # what somebody has selected in it stays so
+            self.setPlainText(text)
 
     def _lines(self, row: Exchange) -> list[str]:
         shown = self._transcript.shown

@@ -35,6 +35,7 @@ class TranscriptTable(QAbstractTableModel):
         self._polling = False
         self._faults = False
         self._text = ""
+        self._held_at: int | None = None
         self.mono = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
         transcript.cleared.connect(self.begin)
         theme().changed.connect(self._repaint)
@@ -57,11 +58,18 @@ class TranscriptTable(QAbstractTableModel):
         self._polling, self._faults, self._text = polling, faults, text.strip().casefold()
         self.begin()
 
+    def hold(self, *, still: bool) -> None:
+        """List no row that comes from now on, or everything again with the next `refresh`."""
+        rows = self._transcript.everything.rows
+        self._held_at = (rows[-1].number if rows else 0) if still else None
+
     def begin(self) -> None:
-        """List everything anew."""
+        """List everything anew, but for what came since it was held."""
         self.beginResetModel()
-        self._rows = [row for row in self.shelf.rows if self._is_wanted(row)]
-        self._note_seen()
+        last = self._held_at
+        known = [row for row in self.shelf.rows if last is None or row.number <= last]
+        self._rows = [row for row in known if self._is_wanted(row)]
+        self._note_seen(self.shelf.count - len(self.shelf.rows) + len(known), known)
         self.endResetModel()
 
     def refresh(self) -> None:
@@ -75,11 +83,10 @@ class TranscriptTable(QAbstractTableModel):
             self.beginInsertRows(QModelIndex(), first, first + len(new) - 1)
             self._rows += new
             self.endInsertRows()
-        self._note_seen()
+        self._note_seen(self.shelf.count, self.shelf.rows)
 
-    def _note_seen(self) -> None:
-        rows = self.shelf.rows
-        self._seen = self.shelf.count
+    def _note_seen(self, count: int, rows: Sequence[Exchange]) -> None:
+        self._seen = count
         self._last = rows[-1] if rows and not rows[-1].is_over else None
 
     def _drop_old(self) -> None:
