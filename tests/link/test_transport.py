@@ -161,6 +161,17 @@ def test_what_is_discarded_is_returned_and_gone(terminal: tuple[int, str], opene
     assert transport.read(3, 1.0) == b"new"
 
 
+def test_a_computer_that_stood_still_loses_nothing_of_what_came_meanwhile(
+    terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    master, path = terminal
+    transport = opened(path)
+    os.write(master, b"xlate")
+    assert transport.read(1, 1.0) == b"x"
+    monkeypatch.setattr("trex_gui.link.transport._LONGEST_STALE", -1.0)  # it is over already
+    assert transport.discard() == b"late"
+
+
 # --- Ports that do not open -------------------------------------------------------------
 
 
