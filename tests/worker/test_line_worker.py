@@ -25,7 +25,7 @@ from trex_gui.link.session import Session
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.commands import Drive, GetParameter
 from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
-from trex_gui.worker.line_worker import LineWorker, QueueInbox
+from trex_gui.worker.line_worker import LineWorker
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -290,24 +290,3 @@ def test_a_plug_that_joins_both_wires_is_no_board(stranger: Make, watch: Watch) 
     watched.wait(Closed)
     assert isinstance(watched.end.error, NoReply)
     assert "TX and RX are joined" in str(watched.end.error)
-
-
-# --- The inbox --------------------------------------------------------------------------
-
-
-def test_an_empty_inbox_waits_as_long_as_it_was_told() -> None:
-    inbox = QueueInbox()
-    begun = time.monotonic()
-    assert inbox.get(0.0) is None
-    assert inbox.get(0.05) is None
-    assert 0.05 <= time.monotonic() - begun < 0.5
-
-
-def test_a_request_wakes_who_waits() -> None:
-    inbox = QueueInbox()
-    timer = threading.Timer(0.05, inbox.put, [Stop(1)])
-    begun = time.monotonic()
-    timer.start()
-    assert inbox.get(5.0) == Stop(1)
-    assert time.monotonic() - begun < 1.0
-    timer.join()

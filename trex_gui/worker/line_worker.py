@@ -1,32 +1,12 @@
 """One thread a line."""
 
-import queue
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Protocol
 
 from PySide6.QtCore import QObject, QThread, Signal
 
+from trex_gui.link.inbox import QueueInbox
 from trex_gui.link.messages import Close
-
-
-class QueueInbox:
-    """An inbox that any thread may put requests into, of whatever kind its session takes."""
-
-    def __init__(self) -> None:
-        self._queue: queue.SimpleQueue[Any] = queue.SimpleQueue()
-
-    def put(self, request: object) -> None:
-        """Leave a request for the session."""
-        self._queue.put(request)
-
-    def get(self, seconds: float) -> Any:
-        """Return the next request, waiting up to `seconds` for one; else `None`."""
-        try:
-            if seconds <= 0:
-                return self._queue.get_nowait()
-            return self._queue.get(timeout=seconds)
-        except queue.Empty:
-            return None
 
 
 class Runs(Protocol):

@@ -1,7 +1,6 @@
 """A session in a thread of its own, driven from a plain program line by line."""
 
 import itertools
-import queue
 import threading
 from collections.abc import Callable, Iterator
 from types import TracebackType
@@ -11,6 +10,7 @@ from trex_gui.aracna.link.client import LINE
 from trex_gui.aracna.link.messages import Connected, Report, Request, Silent, Stuck
 from trex_gui.aracna.link.session import AracnaSession
 from trex_gui.cli.talk import Refused, Usage
+from trex_gui.link.inbox import QueueInbox
 from trex_gui.link.messages import Close, Closed, Outcome
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.errors import TrexError
@@ -28,18 +28,6 @@ def settings_of(port: str | None, patience: float) -> LinkSettings:
     if not port:
         raise Usage("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
     return LinkSettings(port, LINE, patience=patience)
-
-
-class _Inbox:
-    def __init__(self) -> None:
-        self._queue: queue.SimpleQueue[Request] = queue.SimpleQueue()
-        self.put = self._queue.put
-
-    def get(self, seconds: float) -> Request | None:
-        try:
-            return self._queue.get(timeout=seconds) if seconds > 0 else self._queue.get_nowait()
-        except queue.Empty:
-            return None
 
 
 class Talk:
@@ -64,8 +52,8 @@ class Talk:
             hear: is given every report.
             interrupted: whether not to go on, where nothing was sent yet.
         """
-        self._inbox = _Inbox()
-        self._reports: queue.SimpleQueue[Report] = queue.SimpleQueue()
+        self._inbox = QueueInbox()
+        self._reports = QueueInbox()
         self._ids = itertools.count(1)
         self._hear = hear
         self._interrupted = interrupted
@@ -144,9 +132,8 @@ class Talk:
     def _heard(self, look: Callable[[], None] = lambda: None) -> Iterator[Report]:
         while True:
             look()
-            try:
-                report = self._reports.get(timeout=_LOOK)
-            except queue.Empty:
+            report = self._reports.get(_LOOK)
+            if report is None:
                 continue
             if isinstance(report, Closed):
                 error = report.error or TrexError("The line was closed.")

@@ -1,0 +1,55 @@
+"""The inbox of a session, between two threads."""
+
+import threading
+import time
+
+import pytest
+
+from trex_gui.link.inbox import QueueInbox
+from trex_gui.link.messages import Stop
+
+
+def test_an_empty_inbox_waits_as_long_as_it_was_told() -> None:
+    inbox = QueueInbox()
+    begun = time.monotonic()
+    assert inbox.get(0.0) is None
+    assert inbox.get(0.05) is None
+    assert 0.05 <= time.monotonic() - begun < 0.5
+
+
+def test_a_request_wakes_who_waits() -> None:
+    inbox = QueueInbox()
+    timer = threading.Timer(0.05, inbox.put, [Stop(1)])
+    begun = time.monotonic()
+    timer.start()
+    assert inbox.get(5.0) == Stop(1)
+    assert time.monotonic() - begun < 1.0
+    timer.join()
+
+
+def test_what_was_put_first_is_taken_first() -> None:
+    inbox = QueueInbox()
+    for number in range(3):
+        inbox.put(Stop(number))
+    assert [inbox.get(0.0), inbox.get(0.01), inbox.get(1e-6)] == [Stop(0), Stop(1), Stop(2)]
+
+
+@pytest.mark.parametrize("seconds", [1e-9, 1e-6, 1e-5])
+def test_the_shortest_wait_ends(seconds: float) -> None:
+    """A new one, and one that a request has come through, which is what a session waits at."""
+    rounds = 4000
+    ended: list[int] = []
+
+    def wait() -> None:
+        for number in range(rounds):
+            inbox = QueueInbox()
+            assert inbox.get(seconds) is None
+            inbox.put(Stop(number))
+            assert inbox.get(seconds) == Stop(number)
+            assert inbox.get(seconds) is None
+            ended.append(number)
+
+    thread = threading.Thread(target=wait, daemon=True)
+    thread.start()
+    thread.join(30.0)
+    assert len(ended) == rounds
