@@ -181,9 +181,11 @@ def test_the_result_names_what_did_not_stick(desk: Desk) -> None:
 def test_a_plug_that_is_pulled_while_writing_is_told_and_the_rest_stays_an_edit(
     program: Program, simulator: SimulatorProcess, qtbot: QtBot
 ) -> None:
+    for line in ("eeprom uart_settings 1", "power cycle"):  # slow: the window must see the first
+        simulator.do(line)
     desk = Desk(program, simulator, qtbot)
-    desk.device.connect_to(LinkSettings(simulator.url))
-    desk.wait(lambda: desk.device.link is Link.UP)
+    desk.device.connect_to(LinkSettings(simulator.url, LineSettings(2400)))
+    desk.wait(lambda: desk.device.link is Link.UP, timeout=30_000)
     keys = [key for key in desk.device.parameters.all_stored if key.startswith("motor")][:12]
     for key in keys:
         desk.device.parameters.edit(key, 1 - min(1, desk.device.parameters.all_stored[key]))

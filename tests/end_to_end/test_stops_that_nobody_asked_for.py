@@ -107,11 +107,11 @@ def test_of_a_board_that_is_silent_no_stop_is_claimed_before_it_answers_again(
 ) -> None:
     quick_simulator.do("line mute on")
     causes.lock_the_screen()
-    driving.wait(lambda: "does not confirm it" in causes.banner)
-    assert causes.banner == (
+    said = (
         f"{LOCKED}. The stop was sent, but the board does not confirm it. If a motor still turns, "
         "cut its power."
     )
+    driving.wait(lambda: causes.banner == said)
     assert not [text for text in causes.told if "were stopped" in text]
     assert driving.device.may_move
     quick_simulator.do("line mute off")

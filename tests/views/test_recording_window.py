@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
 from tests.recording.samples import HEADER, an_hour, read, write, write_an_hour_of_csv
 from trex_gui.model.device import Device
@@ -202,10 +203,12 @@ def test_while_it_is_read_it_says_how_far_and_can_be_cancelled(
     assert bar.text().startswith("Reading, ")
     assert not window.playback.is_loaded
     (thread,) = window.playback.findChildren(QThread)
-    with qtbot.waitSignals([window.closed, thread.finished]):
+    with qtbot.waitSignal(window.closed):
         QTest.mouseClick(
             find(window, QPushButton, "cancelRecordingButton"), Qt.MouseButton.LeftButton
         )
+    qtbot.waitUntil(lambda: not isValid(thread) or thread.isFinished(), timeout=20_000)
+    assert not window.playback.is_loaded
 
 
 def test_when_it_is_read_nothing_of_the_reading_is_left(window: PlaybackWindow) -> None:
