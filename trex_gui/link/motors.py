@@ -52,9 +52,7 @@ _DAMAGED = (
     "the line is quiet. If a motor still turns, cut its power."
 )
 
-_ABANDONED = (
-    "The window did not respond for a second, so the motors were stopped. Press Run motor to go on."
-)
+_ABANDONED = "The window did not respond for a second."
 
 _OVERTAKEN = "A stop came before it; nothing was sent."
 

@@ -1,15 +1,23 @@
 """Wishes and stops between the window and a board that runs in a process of its own."""
 
 import threading
+import time
 from collections.abc import Callable
 
 import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
+from trex_gui.link.guard import PATIENCE
+from trex_gui.link.messages import Halted
 from trex_gui.link.settings import LinkSettings
+from trex_gui.model.connection import Connection
 from trex_gui.model.device import Device, Link
+from trex_gui.model.driving.motors import Motors
+from trex_gui.model.driving.orders import Driving
 from trex_gui.window import Program
+
+STOOD_STILL = "The window did not respond for a second."
 
 
 @pytest.fixture
@@ -62,3 +70,24 @@ def test_a_board_that_was_restarted_finds_nothing_armed(
     assert "restarted" in driven.motors.stop_reason
     qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
     assert not driven.motors.armed
+
+
+def test_a_window_that_stood_still_says_what_became_of_the_stop(
+    driven: Device, simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    said: list[str] = []
+    driven.failed.connect(said.append)
+    time.sleep(PATIENCE + 0.5)
+    assert is_braked(simulator)
+    qtbot.waitUntil(lambda: not driven.may_move, timeout=10_000)
+    assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to go on."]
+    assert driven.motors.stop_reason == STOOD_STILL
+
+
+def test_a_stop_that_is_not_proved_is_not_said_to_have_stopped_anything(qtbot: QtBot) -> None:
+    connection, motors = Connection(), Motors()
+    driving = Driving(motors, connection)
+    with qtbot.waitSignal(driving.failed) as said:
+        connection.halted.emit(Halted(STOOD_STILL, proved=False))
+    assert said.args == [f"{STOOD_STILL} A stop was sent, and is not confirmed yet."]
+    assert motors.stop_reason == STOOD_STILL

@@ -30,7 +30,7 @@ class Driving(QObject):
 
     Signals:
         proved: a stop was; `may_move` tells whether a wish was let through meanwhile.
-        failed: why a stop is not proved, for people.
+        failed: why a stop is not proved, or why nobody asked for one, for people.
     """
 
     proved = Signal()
@@ -138,8 +138,12 @@ class Driving(QObject):
     @Slot(object)
     def _on_halted(self, report: Halted) -> None:
         if report.reason:
+            if report.proved:
+                text = self.tr("{0} The motors were stopped. Press Run motor to go on.")
+            else:
+                text = self.tr("{0} A stop was sent, and is not confirmed yet.")
+            self.failed.emit(text.format(report.reason))
             self._motors.stop(report.reason)
-            self.failed.emit(report.reason)
         if report.proved:
             self._may_move = self._motors.armed
             self.proved.emit()

@@ -246,10 +246,9 @@ def _of_the_arming(now: Situation) -> Reason:
     if not now.can_arm:
         return Reason(Kind.NOT_ALLOWED, "The motors cannot be armed at this moment.")
     if now.stop_reason:
-        remedy = "Run motor arms the motors again."
-        if "Run motor" in now.stop_reason:
-            remedy = ""  # it says so itself
-        return Reason(Kind.NOT_ARMED, f"Stopped. {now.stop_reason}", remedy)
+        return Reason(
+            Kind.NOT_ARMED, f"Stopped. {now.stop_reason}", "Run motor arms the motors again."
+        )
     return Reason(
         Kind.NOT_ARMED,
         "Not armed: nothing is sent yet." + _notes(now),
