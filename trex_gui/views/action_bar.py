@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 from trex_gui.model.device import Device, Link
 from trex_gui.views.icons import set_icon
 from trex_gui.views.theme import theme, tint
+from trex_gui.views.widgets.stop_button import StopButton
 from trex_gui.views.widgets.timeout_notice import TimeoutNotice
 
 
@@ -24,18 +25,15 @@ class ActionBar(QWidget):
         super().__init__(parent)
         self._device = device
 
-        self._stop = QPushButton(self.tr("Stop motor"), self)
-        self._stop.setObjectName("stopButton")
-        self._stop.setToolTip(self.tr("Brake both motors, now (Esc, anywhere)"))
+        self._stop = StopButton(device, "stopButton", self)
         self._run = QPushButton(self.tr("Run motor"), self)
         self._run.setObjectName("runButton")
         self._run.setToolTip(self.tr("Let the sliders of the Motors page move the motors"))
-        for button, name in ((self._stop, "stop"), (self._run, "run")):
-            font = button.font()
-            font.setBold(True)
-            button.setFont(font)
-            tint(button, name)
-            set_icon(button, name, f"{name}_text")
+        font = self._run.font()
+        font.setBold(True)
+        self._run.setFont(font)
+        tint(self._run, "run")
+        set_icon(self._run, "run", "run_text")
         self._state = QLabel(self)
         self._state.setObjectName("motorStateLabel")
         self._state.setWordWrap(True)
@@ -63,8 +61,6 @@ class ActionBar(QWidget):
         rows.addWidget(self._notice)
         rows.addLayout(layout)
 
-        # At the press, not when it is let go; a finger that slips off it does not take it back.
-        self._stop.pressed.connect(device.motors.press_stop)
         self._run.clicked.connect(device.motors.arm)
         self._apply.clicked.connect(self.apply_requested)
         device.link_changed.connect(self._on_changed)
@@ -77,7 +73,6 @@ class ActionBar(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         motors, link = self._device.motors, self._device.link
-        self._stop.setEnabled(link in {Link.OPENING, Link.UP, Link.SILENT})
         self._run.setEnabled(motors.can_arm and not motors.armed and not motors.locked_for)
         self._state.setText(self._state_text())
         is_beyond_reach = link is Link.UP and not motors.can_arm and motors.locked_for > 0

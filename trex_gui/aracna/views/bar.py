@@ -5,9 +5,8 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from trex_gui.aracna.model.known import Playing
 from trex_gui.aracna.model.robot import Robot
+from trex_gui.aracna.views.stop_button import StopSequenceButton
 from trex_gui.model.connection import Link
-from trex_gui.views.icons import set_icon
-from trex_gui.views.theme import tint
 from trex_gui.views.widgets.note import Note
 
 _LOOK_MS = 100
@@ -22,16 +21,7 @@ class RobotBar(QWidget):
         self._timer = QTimer(self)
         self._timer.setInterval(_LOOK_MS)
 
-        self._stop = QPushButton(self.tr("Stop sequence"), self)
-        self._stop.setObjectName("aracnaStopButton")
-        self._stop.setToolTip(
-            self.tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)")
-        )
-        font = self._stop.font()
-        font.setBold(True)
-        self._stop.setFont(font)
-        tint(self._stop, "stop")
-        set_icon(self._stop, "stop", "stop_text")
+        self._stop = StopSequenceButton(robot, "aracnaStopButton", self)
         height = 2 * self.fontMetrics().height() + 4
         self._stop.setMinimumSize(4 * height, height)
         self._end = QPushButton(self.tr("End after this step"), self)
@@ -60,8 +50,6 @@ class RobotBar(QWidget):
         layout.addWidget(self._end, 0, 2, 2, 1)
         layout.setColumnStretch(1, 1)
 
-        # At the press, not when it is let go; a finger that slips off it does not take it back.
-        self._stop.pressed.connect(robot.halt)
         self._end.clicked.connect(robot.end_play)
         self._timer.timeout.connect(self._show)
         robot.changed.connect(self._on_changed)
@@ -71,7 +59,6 @@ class RobotBar(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         robot = self._robot
-        self._stop.setEnabled(robot.link in {Link.OPENING, Link.UP, Link.SILENT})
         self._end.setEnabled(robot.playing is not None and robot.link is Link.UP)
         self._show()
 

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from trex_gui.bench.figures import BAND
 from trex_gui.bench.run import End, Run
 from trex_gui.model.bench import Bench, Phase
-from trex_gui.model.device import Device, Link
+from trex_gui.model.device import Device
 from trex_gui.views.bench.figures_table import FiguresTable
 from trex_gui.views.bench.files import BenchFiles
 from trex_gui.views.bench.hold_button import HoldButton
@@ -30,6 +30,7 @@ from trex_gui.views.icons import set_icon
 from trex_gui.views.theme import tint
 from trex_gui.views.widgets.note import Note
 from trex_gui.views.widgets.scroll_box import ScrollBox
+from trex_gui.views.widgets.stop_button import StopButton
 from trex_gui.views.widgets.visible import only_when_visible
 
 if TYPE_CHECKING:
@@ -92,14 +93,12 @@ class BenchDialog(QDialog):
         band_name.setBuddy(self._band)
         self._figures = FiguresTable(self)
         self._tuning = Tuning(device, bench, self)
-        self._stop = self._button("benchStopButton", self.tr("Stop motor"), "stop")
-        self._stop.setToolTip(self.tr("Brake both motors, now (Esc, anywhere)"))
+        self._stop = StopButton(device, "benchStopButton", self)
         self._run = self._button("benchRunButton", self.tr("Run motor"), "run")
         self._run.setToolTip(self.tr("Let tests move the motors"))
-        for button, name in ((self._stop, "stop"), (self._run, "run")):
-            button.setFont(font)
-            tint(button, name)
-            set_icon(button, name, f"{name}_text")
+        self._run.setFont(font)
+        tint(self._run, "run")
+        set_icon(self._run, "run", "run_text")
         tint(self._hold, "run")
         self._save = self._button("benchSaveButton", self.tr("Sa&ve…"), "save")
         self._save.setToolTip(self.tr("Save this test to compare with later, or a picture of it"))
@@ -144,7 +143,6 @@ class BenchDialog(QDialog):
 
         self._hold.held.connect(bench.begin)
         self._hold.let_go.connect(bench.let_go)
-        self._stop.pressed.connect(device.motors.press_stop)
         self._run.clicked.connect(device.motors.arm)
         self._save.clicked.connect(self._on_save_clicked)
         self._open.clicked.connect(self._files.ask_and_open)
@@ -211,7 +209,6 @@ class BenchDialog(QDialog):
     @Slot()
     def _on_changed(self) -> None:
         bench, motors = self._bench, self._device.motors
-        self._stop.setEnabled(self._device.link in {Link.OPENING, Link.UP, Link.SILENT})
         self._run.setEnabled(motors.can_arm and not motors.armed and not motors.locked_for)
         self._save.setEnabled(bool(bench.runs) and bench.phase is Phase.IDLE)
         self._open.setEnabled(bench.phase is Phase.IDLE)

@@ -1,7 +1,7 @@
 """The window that shows the recording of a robot: how it stood at any time, and what happened."""
 
 from PySide6.QtCore import QCoreApplication, Slot
-from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from trex_gui.aracna.model.playback import RobotPlayback
 from trex_gui.aracna.model.robot import Robot
@@ -11,10 +11,8 @@ from trex_gui.aracna.views.page.words import assumed_text
 from trex_gui.aracna.views.recording.shown import RecordedRobot
 from trex_gui.aracna.views.recording.values import JointValues
 from trex_gui.aracna.views.recording.words import doing_text
-from trex_gui.model.connection import Link
-from trex_gui.views.icons import set_icon
+from trex_gui.aracna.views.stop_button import StopSequenceButton
 from trex_gui.views.recording.frame import RecordingWindow
-from trex_gui.views.theme import tint
 from trex_gui.views.widgets.note import Note
 from trex_gui.views.widgets.scroll_box import ScrollBox
 
@@ -57,7 +55,7 @@ class RobotPlaybackWindow(RecordingWindow):
         self._robot_drawing.chosen.connect(self._joints.focus)
         self._joints.toggled.connect(self._on_toggled)
         self.arrange(
-            _StopSequence(robot, self),
+            StopSequenceButton(robot, "aracnaPlaybackStopButton", self),
             [],
             below_plot=ScrollBox(self._joints, self) if more else self._joints,
             above_events=beside,
@@ -99,30 +97,3 @@ class RobotPlaybackWindow(RecordingWindow):
 def _plot_name() -> str:
     words = "Plot of the motors' positions against time"
     return QCoreApplication.translate("RobotPlaybackWindow", words)
-
-
-class _StopSequence(QPushButton):
-    """The red button of the robot's row, for a window that may cover it."""
-
-    def __init__(self, robot: Robot, parent: QWidget) -> None:
-        super().__init__(self.tr("Stop sequence"), parent)
-        self._robot = robot
-        self.setObjectName("aracnaPlaybackStopButton")
-        self.setToolTip(
-            self.tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)")
-        )
-        self.setAutoDefault(False)
-        font = self.font()
-        font.setBold(True)
-        self.setFont(font)
-        tint(self, "stop")
-        set_icon(self, "stop", "stop_text")
-
-        # At the press, not when it is let go; a finger that slips off it does not take it back.
-        self.pressed.connect(robot.halt)
-        robot.link_changed.connect(self._on_link_changed)
-        self._on_link_changed()
-
-    @Slot()
-    def _on_link_changed(self) -> None:
-        self.setEnabled(self._robot.link in {Link.OPENING, Link.UP, Link.SILENT})
