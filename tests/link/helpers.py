@@ -7,6 +7,7 @@ from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
+from trex_gui.emulator.motors import Direction
 from trex_gui.link.messages import Close, Outcome, Report
 from trex_gui.link.session import Session
 from trex_gui.link.settings import LinkSettings
@@ -68,6 +69,13 @@ def commands(sent: bytes | bytearray, polynomial: int | None = None) -> list[Com
 def moving(sent: bytes | bytearray, polynomial: int | None = None) -> list[Command[object]]:
     """Return the motor commands among what was sent."""
     return [command for command in commands(sent, polynomial) if command.moves]
+
+
+def is_stopped(board: Board) -> bool:
+    """Whether both motors are braked fully and the auxiliary one is off."""
+    return board.aux.speed == 0 and all(
+        motor.direction is Direction.BRAKE and motor.speed == 127 for motor in board.motors
+    )
 
 
 def run_for(stage: Stage, seconds: float, settings: LinkSettings | None = None) -> list[Report]:

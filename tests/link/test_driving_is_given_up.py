@@ -1,7 +1,6 @@
 """A board that was without power while somebody drove: it stands until it is armed anew."""
 
-from tests.link.helpers import among, moving, run_for, seen_at, staged
-from tests.link.test_guard import is_stopped
+from tests.link.helpers import among, is_stopped, moving, run_for, seen_at, staged
 from trex_gui.link.messages import Arm, Connected, Occasion, SetDrive
 from trex_gui.protocol.commands import Drive, DriveMotor
 

@@ -4,10 +4,8 @@ import math
 
 import pytest
 
-from tests.link.helpers import among, moving, outcomes, run_for, seen_at, staged
+from tests.link.helpers import among, is_stopped, moving, outcomes, run_for, seen_at, staged
 from tests.support.virtual import Stage
-from trex_gui.emulator.firmware import Board
-from trex_gui.emulator.motors import Direction
 from trex_gui.link.guard import PATIENCE, PULSE_INTERVAL, Guard
 from trex_gui.link.messages import (
     Arm,
@@ -29,13 +27,6 @@ from trex_gui.protocol.commands import STOP, Drive, DriveMotor, GetMode
 from trex_gui.protocol.errors import BadRequest, NoReply
 
 STOP_BYTES = bytes.fromhex("D0 7F 7F")
-
-
-def is_stopped(board: Board) -> bool:
-    """Whether both motors are braked fully and the auxiliary one is off."""
-    return board.aux.speed == 0 and all(
-        motor.direction is Direction.BRAKE and motor.speed == 127 for motor in board.motors
-    )
 
 
 def pulses(stage: Stage, start: float, end: float) -> None:

@@ -7,6 +7,7 @@ import pytest
 from tests.link.helpers import (
     among,
     commands,
+    is_stopped,
     moving,
     outcomes,
     run_after_another,
@@ -48,13 +49,6 @@ from trex_gui.protocol.errors import NoReply
 from trex_gui.protocol.line_settings import Detection
 
 STOP_PACKETS = bytes.fromhex("D0 7F 7F F0 00")
-
-
-def is_stopped(board: Board) -> bool:
-    """Whether both motors are braked fully and the auxiliary one is off."""
-    return board.aux.speed == 0 and all(
-        motor.direction is Direction.BRAKE and motor.speed == 127 for motor in board.motors
-    )
 
 
 # --- Driving ----------------------------------------------------------------------------

@@ -4,8 +4,17 @@ from functools import partial
 
 import pytest
 
-from tests.link.helpers import among, commands, moving, outcomes, run_for, seen_at, staged
-from tests.link.test_guard import is_stopped, pulses
+from tests.link.helpers import (
+    among,
+    commands,
+    is_stopped,
+    moving,
+    outcomes,
+    run_for,
+    seen_at,
+    staged,
+)
+from tests.link.test_guard import pulses
 from tests.support.virtual import Stage
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board

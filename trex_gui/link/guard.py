@@ -77,11 +77,17 @@ class Guard:
         self.armed = True
         self._awaits_arm = False
         self._locked_until = -math.inf
-        self.note_life()
-
-    def note_life(self) -> None:
-        """Somebody is there."""
         self._heard_at = self.clock()
+
+    def note_life(self, sent: float | None = None) -> None:
+        """Somebody is there, or was when that was `sent`; now, where it does not tell.
+
+        Whoever has been silent for too long stays lost: where window and line stood still together,
+        what the window says first when both go on must not hide it.
+        """
+        at = self.clock() if sent is None else sent
+        if at - self._heard_at <= PATIENCE:
+            self._heard_at = max(self._heard_at, at)
 
     def stop(self, lockout: float) -> None:
         """Drop every wish until somebody arms the motors again.

@@ -72,8 +72,8 @@ class Mailbox:
                 case Arm():
                     if not self.closing:
                         self.guard.arm()
-                case Pulse():
-                    self.guard.note_life()
+                case Pulse(sent=sent):
+                    self.guard.note_life(sent)
                 case SetDrive() | SetDrives() | SetAuxiliary():
                     self.guard.note_life()
                     if not self.closing and not self.guard.drops_wishes:

@@ -73,7 +73,13 @@ class Arm:
 
 @dataclass(frozen=True, slots=True)
 class Pulse:
-    """Whoever has armed the motors is still there; due every `guard.PULSE_INTERVAL` seconds."""
+    """Whoever has armed the motors is still there; due every `guard.PULSE_INTERVAL` seconds.
+
+    Attributes:
+        sent: when, on the line's clock; `None`: when it is read.
+    """
+
+    sent: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

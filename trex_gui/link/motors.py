@@ -171,7 +171,7 @@ class Motors:
         try:
             stopped = self._stop(client, status, ATTEMPTS, careful=False, hurries=self._is_to_close)
         except Exception:
-            self._mail.stops = stops
+            self._mail.stops = stops + self._mail.stops  # others may have come meanwhile
             raise
         if not stopped and self._mail.closing:
             self._mail.stops += stops  # the end of the session has its own way to stop
@@ -196,7 +196,7 @@ class Motors:
         try:
             proved = self.stop_and_prove(client, status, attempts, lambda: clock() >= end)
         except Exception:
-            self._mail.stops = stops
+            self._mail.stops = stops + self._mail.stops  # others may have come meanwhile
             raise
         self._tell(stops, None if proved else NoReply(_UNPROVED))
 

@@ -290,8 +290,11 @@ class Session:
                 case Ask(command=command):
                     self._mail.guard.check(command)
                     if command.moves:
+                        # At once: behind a stop that comes now it would start what was stopped.
                         self._motors.leave()
-                    value = self._request(command)
+                        value = self._client.request(command)
+                    else:
+                        value = self._request(command)
                 case Write():
                     value = self._write(job)
                 case Reload():

@@ -8,6 +8,7 @@ import contextlib
 import errno
 import logging
 import os
+import select
 import sys
 import time
 from pathlib import Path
@@ -32,6 +33,9 @@ _LONGEST_STALE = 0.05
 
 _MANY_READS = 10
 """And this often there was more: a computer that stood still finds all of it in one or two."""
+
+_NO_ROOM = 1.0
+"""Seconds after which a port that takes no byte is given up."""
 
 _LOCAL_LATENCY = 0.06
 """Allowance for a local port: two latency timers of a common adapter (16 ms) and the system."""
@@ -162,9 +166,24 @@ class SerialTransport:
 
     def write(self, data: bytes) -> None:
         try:
-            self._port.write(data)
+            if self._port.write_timeout == 0:
+                self._write_as_there_is_room(data)
+            else:
+                self._port.write(data)
         except PORT_ERRORS as error:
             raise self._gone(error) from error
+
+    def _write_as_there_is_room(self, data: bytes) -> None:
+        """Write all; a time limit of pyserial's is over where this thread was late behind it, too.
+
+        Raises:
+            SerialTimeoutException: the port has taken nothing for `_NO_ROOM`.
+        """
+        while data:
+            _, ready, _ = select.select([], [self._port.fileno()], [], _NO_ROOM)
+            if not ready:
+                raise serial.SerialTimeoutException("the port takes nothing")
+            data = data[self._port.write(data) :]
 
     def read(self, size: int, seconds: float) -> bytes:
         received = bytearray()
@@ -173,6 +192,9 @@ class SerialTransport:
             while len(received) < size:
                 received += self._port.read(size - len(received))
                 if time.monotonic() >= deadline:
+                    # Whoever comes late finds here what came in time.
+                    there = min(self._port.in_waiting, size - len(received))
+                    received += self._port.read(there) if there > 0 else b""
                     break
         except PORT_ERRORS as error:
             raise self._gone(error) from error
@@ -244,6 +266,11 @@ def _parity(url: str, line: LineSettings) -> str:
     return PARITIES.get(line.detection, serial.PARITY_NONE)
 
 
+def _is_file(url: str) -> bool:
+    """Whether a port is a device of a POSIX system, with a file descriptor."""
+    return "://" not in url and sys.platform != "win32"
+
+
 def _open(settings: LinkSettings) -> serial.Serial:
     line = settings.line
     try:
@@ -253,9 +280,11 @@ def _open(settings: LinkSettings) -> serial.Serial:
         port.parity = _parity(settings.url, line)
         port.stopbits = serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE
         port.timeout = _SLICE
-        if not settings.url.startswith("rfc2217://"):  # which cannot do it
-            port.write_timeout = 1
-        if "://" not in settings.url and sys.platform != "win32":
+        if settings.url.startswith("socket://") or _is_file(settings.url):
+            port.write_timeout = 0  # see `_write_as_there_is_room`
+        elif not settings.url.startswith("rfc2217://"):  # which cannot do it
+            port.write_timeout = _NO_ROOM
+        if _is_file(settings.url):
             port.exclusive = True
         _open_when_free(port, settings.url)
     except PORT_ERRORS as error:

@@ -136,6 +136,7 @@ class Client:
             PortUnavailable: the line is gone.
         """
         data = self.transport.read(1, seconds) if seconds > 0 else b""
+        looked = self.transport.clock()  # what had not come by then was late, whenever this is read
         try:
             data += self.transport.discard()
         except BadReply:  # bytes without end are no answer; some of them show what it is
@@ -146,7 +147,7 @@ class Client:
         for reply in self._reader.feed(data):
             news += self._take(reply, now)
         news += self._look_at_the_rest(now)
-        news += self._look_at_the_clock(now)
+        news += self._look_at_the_clock(looked)
         return news
 
     def _take(self, reply: Reply, now: float) -> list[News]:

@@ -1,5 +1,6 @@
 """When the motors may be driven, wishes on their way to the line, and stops with their proof."""
 
+import time
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QTimer, Signal, Slot
@@ -17,6 +18,7 @@ from trex_gui.link.messages import (
     Pulse,
     Stop,
 )
+from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Connection, Link
 from trex_gui.model.driving.motors import Motors
 from trex_gui.protocol.errors import NoReply, TrexError
@@ -45,6 +47,7 @@ class Driving(QObject):
         self._may_move = False
         self._was_armed = False
         self._by_serial = True
+        self._lost_with: LinkSettings | None = None  # the line behind which motors may turn
         self._after_stop: list[AfterStop] = []
         self._pulse = QTimer(self)
         self._pulse.setInterval(round(PULSE_INTERVAL * 1000))
@@ -57,6 +60,7 @@ class Driving(QObject):
         connection.closing.connect(self._on_out_of_reach)
         connection.silenced.connect(self._on_out_of_reach)
         connection.left.connect(self._on_left)
+        connection.settled.connect(self._tell_of_the_lost)
         connection.halted.connect(self._on_halted)
 
     @property
@@ -109,7 +113,7 @@ class Driving(QObject):
 
     @Slot()
     def _on_pulse_due(self) -> None:
-        self._connection.submit(Pulse())
+        self._connection.submit(Pulse(time.monotonic()))
 
     @Slot()
     def _on_stop_requested(self) -> None:
@@ -130,6 +134,7 @@ class Driving(QObject):
             # A wish that was let through meanwhile is a motor that moves again.
             self._may_move = self._motors.armed
             self.proved.emit()
+            self._tell_of_the_lost()
             if self._connection.link is Link.UP and not self._by_serial:
                 self.failed.emit(BEYOND_A_STOP)
         elif self._connection.link is not Link.CLOSING:
@@ -147,6 +152,7 @@ class Driving(QObject):
         if report.proved:
             self._may_move = self._motors.armed
             self.proved.emit()
+            self._tell_of_the_lost()
 
     # --- The board comes and goes -------------------------------------------------------
 
@@ -168,4 +174,20 @@ class Driving(QObject):
     def _on_left(self, last: Closed | None) -> None:
         if last is not None:
             self._may_move = last.may_move
+            if last.may_move and self._lost_with is None:
+                self._lost_with = self._connection.settings
         self._motors.allow(False)
+
+    @Slot()
+    def _tell_of_the_lost(self) -> None:
+        """A board that stands now need not be the one whose line was lost with turning motors."""
+        lost, now = self._lost_with, self._connection.settings
+        if lost is None or self._may_move or self._connection.link is not Link.UP:
+            return
+        self._lost_with = None
+        if now is not None and now.url != lost.url:
+            text = self.tr(
+                "The line to {0} was lost before a stop was confirmed. The board at this port has "
+                "confirmed one; if it is another board, cut the power of the first."
+            )
+            self.failed.emit(text.format(lost.name or lost.url))
