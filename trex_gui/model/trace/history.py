@@ -2,7 +2,9 @@
 
 import itertools
 import math
+from bisect import bisect_right
 from collections.abc import Sequence
+from operator import itemgetter
 
 import numpy as np
 
@@ -210,7 +212,9 @@ class History:
         if first >= stop:
             return []
         low, high = float(self._times[first]), float(self._times[stop - 1])
-        gaps = [gap for gap in self._gaps if gap[1] > longest and low < gap[0] <= high]
+        ended = itemgetter(0)  # they stand in the order of time
+        from_, to = (bisect_right(self._gaps, time, key=ended) for time in (low, high))
+        gaps = [gap for gap in self._gaps[from_:to] if gap[1] > longest]
         if len(gaps) > _GAPS_AT_ONCE:
             gaps = sorted(gaps, key=lambda gap: gap[1])[-_GAPS_AT_ONCE:]
         ends = sorted(int(self._times[: self._size].searchsorted(at)) for at, _ in gaps)
