@@ -35,7 +35,10 @@ class Watching(QObject):
         self._stopper_at_mistakes = Stopper(program.stop_now, self)
         self._mistake = ""
         self._since_mistake = QElapsedTimer()
-        self._signals = SignalWatch(lambda: program.stop_now(ending=True), self)
+        suspended = self.tr("The program was suspended (Ctrl-Z)")
+        self._signals = SignalWatch(
+            lambda: program.stop_now(ending=True), lambda: self._stopper.stop(suspended), self
+        )
         self._exceptions = ExceptionWatch(self._stopper_at_mistakes.stop)
         self._wake = WakeWatch(parent=self)
         self._sleep_delay: SleepDelay | None = None

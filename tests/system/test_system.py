@@ -7,6 +7,7 @@ import threading
 from collections.abc import Iterator
 
 import pytest
+from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from trex_gui.system.exceptions import ExceptionWatch
@@ -92,7 +93,18 @@ class Ending:
         self.fails = False
         self.ended_with: list[int] = []
         self.ended = threading.Event()
-        self.watch = SignalWatch(self._act, grace=grace, end=self._end)
+        self.rests: list[str] = []
+        self.stood_still = threading.Event()
+        self.watch = SignalWatch(
+            self._act, self._rest, grace=grace, end=self._end, stand_still=self._stand_still
+        )
+
+    def _rest(self) -> None:
+        self.rests.append("rest")
+
+    def _stand_still(self) -> None:
+        self.rests.append("stand still")
+        self.stood_still.set()
 
     def _act(self) -> None:
         self.acts += 1
@@ -106,7 +118,7 @@ class Ending:
 
 
 @pytest.fixture
-def ending() -> Iterator[Ending]:
+def ending(signals_as_usual: None) -> Iterator[Ending]:
     ending = Ending()
     yield ending
     ending.watch.close()
@@ -115,16 +127,17 @@ def ending() -> Iterator[Ending]:
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_a_signal_acts_while_the_thread_of_the_window_is_busy(ending: Ending) -> None:
     os.kill(os.getpid(), signal.SIGTERM)
-    assert ending.acted.wait(5), "this thread waits and returns to no event loop"
+    assert ending.acted.wait(15), "this thread waits and returns to no event loop"
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_a_window_that_does_not_end_is_ended(ending: Ending) -> None:
     os.kill(os.getpid(), signal.SIGTERM)
-    assert ending.ended.wait(5)
+    assert ending.ended.wait(15)
     assert ending.ended_with == [128 + signal.SIGTERM]
 
 
+@pytest.mark.usefixtures("signals_as_usual")
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_the_window_is_told_which_signal_it_was(ending: Ending, qtbot: QtBot) -> None:
     with qtbot.waitSignal(ending.watch.caught) as told:
@@ -142,7 +155,7 @@ def test_a_mistake_while_acting_keeps_neither_this_signal_nor_the_next_from_endi
         with qtbot.waitSignal(ending.watch.caught) as told:
             os.kill(os.getpid(), number)
         assert told.args == [number]
-        assert ending.ended.wait(5)
+        assert ending.ended.wait(15)
     assert ending.ended_with == [128 + signal.SIGTERM, 128 + signal.SIGHUP]
 
 
@@ -151,16 +164,20 @@ def test_a_second_ctrl_c_ends_a_window_that_is_still_ending_after_one_more_stop(
     qtbot: QtBot,
 ) -> None:
     ending = Ending(grace=60)
+
+    def pass_one_on(_: int) -> None:  # in the watching thread: what comes at once is the same wish
+        os.kill(os.getpid(), signal.SIGINT)
+
+    ending.watch.caught.connect(pass_one_on, Qt.ConnectionType.DirectConnection)
     try:
         with qtbot.waitSignal(ending.watch.caught):
             os.kill(os.getpid(), signal.SIGTERM)
-        os.kill(os.getpid(), signal.SIGINT)  # what comes at once is the same wish
         assert not ending.ended.wait(0.4)
         assert ending.acts == 1
         os.kill(os.getpid(), signal.SIGTERM)  # and this is none of a person's who waits
         assert not ending.ended.wait(0.4)
         os.kill(os.getpid(), signal.SIGINT)
-        assert ending.ended.wait(5)
+        assert ending.ended.wait(15)
         assert (ending.acts, ending.ended_with) == (2, [128 + signal.SIGINT])
     finally:
         ending.watch.close()
@@ -169,7 +186,30 @@ def test_a_second_ctrl_c_ends_a_window_that_is_still_ending_after_one_more_stop(
 def test_the_signals_are_given_back(ending: Ending) -> None:
     ending.watch.close()
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    ending.watch = SignalWatch(lambda: None)
+    ending.watch = SignalWatch(lambda: None, lambda: None)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_ctrl_z_brings_motors_to_rest_before_it_suspends(ending: Ending) -> None:
+    for _ in range(2):  # and again, when it has gone on
+        ending.rests.clear()
+        ending.stood_still.clear()
+        os.kill(os.getpid(), signal.SIGTSTP)
+        assert ending.stood_still.wait(15)
+        assert ending.rests == ["rest", "stand still"]
+    assert ending.acts == 0, "it does not end"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_a_signal_that_is_ignored_from_the_beginning_stays_so() -> None:
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        watch = SignalWatch(lambda: None, lambda: None)
+        assert signal.getsignal(signal.SIGHUP) is signal.SIG_IGN
+        watch.close()
+        assert signal.getsignal(signal.SIGHUP) is signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGHUP, before)
 
 
 # --- Mistakes ---------------------------------------------------------------------------

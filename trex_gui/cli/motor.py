@@ -109,7 +109,7 @@ def stop(**options: Any) -> None:
 def _stop_at(settings: LinkSettings) -> None:
     with open_line(settings) as client:
         reader = StatusReader(client.transport.clock)
-        if not stop_and_prove(client, reader).proved:
+        if not stop_and_prove(client, reader, careful=True).proved:
             identify(client)  # says why nothing answers
             raise NoReply(
                 "The stop was sent, but the board reports errors on the line each time. "
@@ -221,7 +221,7 @@ def _stop(client: Client, reader: StatusReader, timeout: float) -> None:
         Refused: the board does not prove it.
     """
     try:
-        proved = stop_and_prove(client, reader).proved
+        proved = stop_and_prove(client, reader, careful=True).proved
     except PortUnavailable as error:
         raise PortUnavailable(f"{error} {_what_now(timeout)}") from error
     if not proved:

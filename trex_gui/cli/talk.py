@@ -7,6 +7,11 @@ from typing import Any, NoReturn, Self
 
 import click
 
+_ENDING = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGBREAK")
+_SUSPENDING = ("SIGTSTP",)
+"""Signals by which a person, a terminal or the system ends or suspends a program; not every system
+has each of them."""
+
 
 class Refused(click.ClickException):
     """The device, the line or a file said no: exit code 1."""
@@ -69,7 +74,8 @@ class Interruption:
     """Notes that the program was asked to end (Ctrl-C, SIGTERM, a closed terminal).
 
     It is only noted, so that no transaction breaks off in the middle. Unless the work is too
-    `precious` for that, a second request ends the program as usual.
+    `precious` for that, a second request ends the program as usual. What is precious is not
+    suspended either: Ctrl-Z ends it. What was to be ignored from the beginning (`nohup`) is.
     """
 
     def __init__(self, *, precious: bool = False) -> None:
@@ -81,8 +87,9 @@ class Interruption:
         return self._asked
 
     def __enter__(self) -> Self:
-        for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
-            if (number := getattr(signal, name, None)) is not None:
+        for name in (*_ENDING, *(_SUSPENDING if self._precious else ())):
+            number = getattr(signal, name, None)
+            if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
                 self._before[number] = signal.signal(number, self._note)
         return self
 

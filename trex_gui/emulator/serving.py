@@ -309,7 +309,11 @@ class Server:
         """Let signals end the loop; return what handled them before."""
         names = ("SIGINT", "SIGTERM", "SIGHUP")
         numbers = [getattr(signal, name) for name in names if hasattr(signal, name)]
-        previous = {number: signal.signal(number, self._end) for number in numbers}
+        previous = {
+            number: signal.signal(number, self._end)
+            for number in numbers
+            if signal.getsignal(number) is not signal.SIG_IGN  # as behind nohup
+        }
         if hasattr(signal, "SIGTTIN"):
             # In the background of a terminal reading it is refused rather than stops all.
             previous[signal.SIGTTIN] = signal.signal(signal.SIGTTIN, signal.SIG_IGN)

@@ -1,4 +1,4 @@
-"""SIGTERM, SIGINT and SIGHUP stop the motors even while the window's thread is busy.
+"""SIGTERM, SIGINT, SIGHUP … stop the motors even while the window's thread is busy.
 
 Python runs its handlers in the main thread only, and only between two steps of Python: a window
 that waits for something never gets there. But the interpreter writes each signal's number into a
@@ -21,15 +21,19 @@ from PySide6.QtCore import QObject, Signal
 
 log = logging.getLogger(__name__)
 
-_NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
+_NAMES = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGBREAK")
 """Those that ask a program to end; not every system has each of them."""
+
+_SUSPENDING = "SIGTSTP"
+"""Ctrl-Z: the program stands still until somebody lets it go on, and motors must not turn until
+then."""
 
 _GRACE_S = 7.0
 """Seconds that the window has to end by itself. Closing a line while settings are written may take
 three, and a disk that is recorded to three more; whoever sends signals to end a system waits longer
 than that before SIGKILL."""
 
-_HURRYING = {"SIGINT", "SIGBREAK"}
+_HURRYING = {"SIGINT", "SIGQUIT", "SIGBREAK"}
 """Those that a person sends with a key: once more means not to wait."""
 
 _SAME_S = 0.3
@@ -38,6 +42,10 @@ may both pass on one Ctrl-C."""
 
 _LAST_WORD_S = 0.3
 """Seconds for a last stop to leave: at 1200 baud the transaction in flight takes a quarter."""
+
+
+def _stand_still() -> None:
+    os.kill(os.getpid(), signal.SIGSTOP)
 
 
 def _nothing(_number: int, _frame: FrameType | None) -> None:
@@ -53,7 +61,10 @@ class SignalWatch(QObject):
     Whoever presses Ctrl-C while it is ending does not want to wait: `act` is called once more,
     and the process is ended at once.
 
-    `act` is called in a thread of its own, before anything else. It must not block.
+    Before Ctrl-Z suspends it `rest` is called, which has a moment to take effect.
+
+    `act` and `rest` are called in a thread of its own, before anything else. They must not block.
+    A signal that was to be ignored from the beginning (`nohup`) is.
 
     Signals:
         caught: the number of the signal; in the thread of the receiver.
@@ -64,17 +75,26 @@ class SignalWatch(QObject):
     def __init__(
         self,
         act: Callable[[], None],
+        rest: Callable[[], None],
         parent: QObject | None = None,
         *,
         grace: float = _GRACE_S,
         end: Callable[[int], Any] = os._exit,
+        stand_still: Callable[[], Any] = _stand_still,
     ) -> None:
         super().__init__(parent)
         self._act = act
+        self._rest = rest
+        self._stand_still = stand_still
         self._grace = grace
         self._end = end
         self._closed = threading.Event()
-        self._numbers = [getattr(signal, name) for name in _NAMES if hasattr(signal, name)]
+        self._numbers = [
+            number
+            for name in (*_NAMES, _SUSPENDING)
+            if (number := getattr(signal, name, None)) is not None
+            and signal.getsignal(number) is not signal.SIG_IGN
+        ]
         self._hurrying = {int(one) for one in self._numbers if one.name in _HURRYING}
         self._ours, self._signals = socket.socketpair()
         self._signals.setblocking(False)
@@ -98,8 +118,15 @@ class SignalWatch(QObject):
         with contextlib.suppress(OSError):
             while data := self._ours.recv(16):
                 for number in data:
-                    if number in self._numbers:
+                    if number == getattr(signal, _SUSPENDING, None):
+                        self._suspend()
+                    elif number in self._numbers:
                         self._leave(number)
+
+    def _suspend(self) -> None:
+        self._do(self._rest)
+        self._closed.wait(_LAST_WORD_S)
+        self._stand_still()  # here it goes on when it is let
 
     def _leave(self, number: int) -> None:
         self._do(self._act)
