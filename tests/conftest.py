@@ -3,6 +3,7 @@
 import gc
 import itertools
 import os
+import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -19,6 +20,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.patient import PatientQtBot
 from tests.support.simulator import SimulatorProcess
 from tests.support.virtual import Stage
 from trex_gui.emulator.firmware import Board
@@ -29,6 +31,28 @@ from trex_gui.window import Program, build
 # Several processes may share the computer: how long an example takes says nothing.
 hypothesis.settings.register_profile("shared", hypothesis.settings.default, deadline=None)
 hypothesis.settings.load_profile("shared")
+
+
+@pytest.fixture
+def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
+    """Wait longer than pytest-qt does by itself."""
+    del qapp
+    return PatientQtBot(request)
+
+
+@pytest.fixture
+def signals_as_usual() -> Iterator[None]:
+    """Let hang-ups be heard here and in processes that are started, though pytest ignores them.
+
+    It does behind `nohup`, which is for the program to respect.
+    """
+    hangup = getattr(signal, "SIGHUP", None)
+    if hangup is None or signal.getsignal(hangup) is not signal.SIG_IGN:
+        yield
+        return
+    signal.signal(hangup, signal.SIG_DFL)
+    yield
+    signal.signal(hangup, signal.SIG_IGN)
 
 
 @pytest.fixture
@@ -98,7 +122,7 @@ def _leaves_nothing_behind() -> Iterator[None]:
     """Fail a test after which a thread or a window of its own lives on."""
     threads = _threads()
     yield
-    deadline = time.monotonic() + 5
+    deadline = time.monotonic() + 20
     while (_threads() - threads or _windows()) and time.monotonic() < deadline:
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         QCoreApplication.processEvents()

@@ -1,10 +1,13 @@
 """Recordings of a robot to write and read: any that can be, and a session that could have been."""
 
-from collections.abc import Iterator, Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from random import Random
+from typing import Any
 
 import pytest
 from hypothesis import strategies as st
@@ -20,9 +23,12 @@ from trex_gui.aracna.link.messages import (
     StepBegun,
     Stuck,
 )
+from trex_gui.aracna.model.playback import RobotPlayback
 from trex_gui.aracna.recording import CsvWriter, FellSilent, Header, Row
 from trex_gui.aracna.recording.csv_reader import RobotCsvFile
+from trex_gui.model.gathering import Gathered
 from trex_gui.recording.recording import Marker
+from trex_gui.worker.file_worker import Tell
 
 MOTORS = 8
 HEADER = Header(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 1234.5, version=1, motors=MOTORS)
@@ -99,6 +105,28 @@ def write(path: Path, what: list[Row], header: Header = HEADER) -> int:
             writer.write(what[at : at + 7])
         writer.finish()
         return writer.size
+
+
+def hang(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let reading hang where a recording was looked through, until nobody wants it any more.
+
+    However large a file is: a window that stands still may find that it was read meanwhile.
+    """
+    gatherer = RobotPlayback.gatherer
+    moment = threading.Event()
+
+    def hanging(playback: RobotPlayback) -> Callable[[Tell], Gathered[Any]]:
+        gather = gatherer(playback)
+
+        def tell_and_hang(tell: Tell, share: float) -> None:
+            tell(share)
+            while share > 0.1:
+                moment.wait(0.01)
+                tell(share)  # which raises once it was cancelled
+
+        return lambda tell: gather(partial(tell_and_hang, tell))
+
+    monkeypatch.setattr(RobotPlayback, "gatherer", hanging)
 
 
 def read(file: RobotCsvFile) -> list[Row]:

@@ -12,20 +12,50 @@ from click.testing import CliRunner, Result
 
 from tests.support.simulator import SimulatorProcess
 from trex_gui.cli import main
+from trex_gui.cli.program import COMMANDS
+from trex_gui.link import client
 
 Run = Callable[..., Result]
 Start = Callable[..., "subprocess.Popen[str]"]
 
+PATIENCE = 15.0
+"""Seconds for which an answer is waited for: a simulator may stand still on a busy computer."""
+
+_LINE = {"patience": PATIENCE}
+_PATIENT = {
+    **dict.fromkeys(COMMANDS.keys() - {"find"}, _LINE),
+    "calibration": {"get": _LINE, "set": _LINE},
+    "history": {"diff": _LINE},
+}
+"""What the commands take in place of their own defaults; for `find` silence is the rule."""
+
+_WITHOUT_AN_ECHO = """
+from trex_gui.link import client
+client._ECHO_PROBES = 0
+from trex_gui.cli import main
+main(prog_name="trexcmd")
+"""
+
 
 @pytest.fixture
-def trexcmd(quick_simulator: SimulatorProcess) -> Iterator[Run]:
-    """Run the program to its end, on a simulated board as it comes from the factory."""
+def trexcmd(quick_simulator: SimulatorProcess, monkeypatch: pytest.MonkeyPatch) -> Iterator[Run]:
+    """Run the program to its end, on a simulated board as it comes from the factory.
+
+    It is patient, unless `--timeout` says otherwise. No echo is looked for then: none comes, and
+    it would be waited for in vain before each command.
+    """
 
     def run(*words: str, stdin: str | None = None, **environment: str) -> Result:
         variables = {"TREX_PORT": quick_simulator.url, **environment}
-        return CliRunner().invoke(main, list(words), env=variables, input=stdin)
+        with monkeypatch.context() as patched:
+            if words[0] != "find" and not any(word.startswith("--timeout") for word in words):
+                patched.setattr(client, "_ECHO_PROBES", 0)
+            return CliRunner().invoke(
+                main, list(words), env=variables, input=stdin, default_map=_PATIENT
+            )
 
     quick_simulator.do("factory")
+    assert becomes(lambda: None in measured(quick_simulator), False)
     yield run
     with contextlib.suppress(AssertionError, OSError):
         quick_simulator.do("factory")  # calibrations too, which nobody looks at otherwise
@@ -33,12 +63,18 @@ def trexcmd(quick_simulator: SimulatorProcess) -> Iterator[Run]:
 
 @pytest.fixture
 def start(quick_simulator: SimulatorProcess) -> Iterator[Start]:
-    """Start the program as a process; whatever still runs in the end is killed."""
+    """Start the program as a process; whatever still runs in the end is killed.
+
+    It is patient, and looks for no echo then, as with `trexcmd`.
+    """
     running: list[subprocess.Popen[str]] = []
 
-    def begin(*words: str, url: str | None = None, patience: float = 0.5) -> subprocess.Popen[str]:
+    def begin(
+        *words: str, url: str | None = None, patience: float = PATIENCE
+    ) -> subprocess.Popen[str]:
+        program = ("-c", _WITHOUT_AN_ECHO) if patience > 1 else ("-m", "trex_gui.cli")
         process = subprocess.Popen(
-            [sys.executable, "-m", "trex_gui.cli", *words, f"--timeout={patience}"],
+            [sys.executable, *program, *words, f"--timeout={patience:g}"],
             env={**os.environ, "TREX_PORT": url or quick_simulator.url},
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -64,6 +100,11 @@ def becomes(look: Callable[[], object], wanted: object, seconds: float = 30) -> 
             return False
         time.sleep(0.02)
     return True
+
+
+def measured(simulator: SimulatorProcess) -> list[int | None]:
+    """Return what the board has measured on each channel; `None` where there was no signal yet."""
+    return [channel["raw"] for channel in simulator.show()["channels"]]
 
 
 def outputs(simulator: SimulatorProcess) -> list[int]:

@@ -14,8 +14,11 @@ from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
 from trex_gui.emulator.uart import SerialPort
 
-PATIENCE = 2.0
+PATIENCE = 15.0
 """Seconds after which what should have happened will not, however loaded the machine."""
+
+_ON_ITS_WAY = 0.05
+"""Seconds that a byte takes at most from one end of a pseudo-terminal to the other."""
 
 
 class End(Protocol):
@@ -38,6 +41,9 @@ class End(Protocol):
 
     def come(self) -> bytes:
         """Return what has come, without waiting."""
+
+    def late(self) -> bytes:
+        """Return a byte that is due by now, if there is one, though the other end stood still."""
 
     def do(self, text: str) -> str:
         """Send a control line, return the answer."""
@@ -97,6 +103,9 @@ class ParserEnd:
         self._come.clear()
         return data
 
+    def late(self) -> bytes:
+        return b""  # everything here happens in its time
+
     def do(self, text: str) -> str:
         return control(self._line, text)
 
@@ -151,6 +160,13 @@ class TerminalEnd:
 
     def come(self) -> bytes:
         return self._host.read(self._host.in_waiting)
+
+    def late(self) -> bytes:
+        # It catches up with the clock before the first answer, and has written what came of that
+        # before the second.
+        for _ in range(2):
+            self.simulator.show()
+        return self.read(1, _ON_ITS_WAY)
 
     def do(self, text: str) -> str:
         return f"ok {self.simulator.do(text)}"

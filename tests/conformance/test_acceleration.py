@@ -23,7 +23,7 @@ def test_motor_speed_is_updated_100_times_per_second(
     trex.tell(f"{forward} 7F")
     for state in trex.watch(0.1):
         speed = state["motors"][motor - 1]["speed"]
-        assert trex.fewest_updates <= speed <= trex.most_updates
+        assert min(127, trex.fewest_updates) <= speed <= trex.most_updates
 
 
 @pytest.mark.parametrize("acceleration", [25, 127])
@@ -46,7 +46,7 @@ def test_tenths_of_a_count_add_up(trex: Trex) -> None:
     trex.tell("C6 7F")
     trex.wait(0.1)
     speed = trex.motor(1)[1]
-    assert trex.fewest_updates // 2 <= speed <= trex.most_updates / 2
+    assert min(127, trex.fewest_updates // 2) <= speed <= trex.most_updates / 2
 
 
 def test_the_acceleration_ends_at_the_target_speed(trex: Trex) -> None:
@@ -74,18 +74,21 @@ def test_before_the_other_direction_it_brakes_fully_for_the_brake_duration(
 ) -> None:
     """CMD10 0xC4: "brake the motor at 100% duty cycle"; in 10 ms (forum thread 624)."""
     trex.set_up(**{f"motor{motor}_brake_duration": 8})
-    trex.tell(f"{set_} 40")
-    trex.tell(f"{reverse} 30")
-    seen = set()
-    for state in trex.watch(0.13):
-        output = state["motors"][motor - 1]["direction"], state["motors"][motor - 1]["speed"]
-        if trex.fewest_updates >= 1 and trex.most_updates <= 8:
-            assert output == ("brake", 127)
-        elif trex.fewest_updates >= 10:
-            assert output == ("reverse", 0x30)
-        else:
-            assert output in {("forward", 0x40), ("brake", 127), ("reverse", 0x30)}
-        seen.add(output)
+    for _ in range(20):  # a busy computer may look away while it brakes
+        trex.tell(f"{set_} 40")
+        trex.tell(f"{reverse} 30")
+        seen = set()
+        for state in trex.watch(0.13):
+            output = state["motors"][motor - 1]["direction"], state["motors"][motor - 1]["speed"]
+            if trex.fewest_updates >= 1 and trex.most_updates <= 8:
+                assert output == ("brake", 127)
+            elif trex.fewest_updates >= 10:
+                assert output == ("reverse", 0x30)
+            else:
+                assert output in {("forward", 0x40), ("brake", 127), ("reverse", 0x30)}
+            seen.add(output)
+        if ("brake", 127) in seen:
+            break
     assert ("brake", 127) in seen
     assert output == ("reverse", 0x30)
 
@@ -98,7 +101,7 @@ def test_after_the_brake_the_speed_is_zero_and_accelerates_from_there(trex: Trex
     for state in trex.watch(0.12):
         motor = state["motors"][0]
         if motor["direction"] == "reverse":
-            assert 2 * (trex.fewest_updates - 4) <= motor["speed"]
+            assert min(127, 2 * (trex.fewest_updates - 4)) <= motor["speed"]
             assert motor["speed"] <= 2 * max(1, trex.most_updates - 3 + 1)
     assert motor["direction"] == "reverse"
 
@@ -111,7 +114,7 @@ def test_without_brake_duration_the_other_direction_begins_at_zero_at_once(trex:
     trex.wait(0.025)
     direction, speed = trex.motor(1)
     assert direction == "reverse"
-    assert trex.fewest_updates - 1 <= speed <= trex.most_updates
+    assert min(127, trex.fewest_updates - 1) <= speed <= trex.most_updates
 
 
 def test_acceleration_commands_take_part_in_current_limiting(trex: Trex) -> None:
@@ -131,8 +134,11 @@ def test_set_commands_override_current_limiting_at_least_temporarily(trex: Trex)
     trex.tell("C6 7F")
     trex.wait(0.15)
     limited = trex.motor(1)[1]
-    trex.tell("C2 7F")
-    assert trex.motor(1)[1] > limited
+    for _ in range(20):  # a busy computer may look only when it is limited again
+        trex.tell("C2 7F")
+        if (speed := trex.motor(1)[1]) > limited:
+            break
+    assert speed > limited
     trex.wait(0.1)
     assert trex.motor(1)[1] < 127
 
@@ -171,9 +177,13 @@ def test_acceleration_does_not_apply_to_a_decrease_without_change_of_direction(t
 def test_the_directions_of_both_motors_are_independent(trex: Trex) -> None:
     """CMD10 0xE0: each has a target direction of its own, and its own parameters."""
     trex.set_up(motor1_acceleration=20, motor2_acceleration=0)
-    trex.tell("E6 40 40")
-    trex.wait(0.03)
-    (first, speed), second = trex.motor(1), trex.motor(2)
+    for _ in range(20):  # a busy computer may look only when motor 1 is there too
+        trex.tell("D0 00 00")
+        trex.tell("E6 40 40")
+        trex.wait(0.03)
+        (first, speed), second = trex.motor(1), trex.motor(2)
+        if trex.most_updates < 0x40 // 2:
+            break
     assert first == "forward"
     assert speed < 0x40
     assert second == ("reverse", 0x40)

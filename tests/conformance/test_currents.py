@@ -62,18 +62,25 @@ def test_the_current_is_updated_80_times_a_second_with_rc_and_50_times_with_anal
     trex: Trex, source: int, period: float
 ) -> None:
     """CMD10 0x8D; while the motors gain speed no two readings are alike."""
-    trex.set_up(channel_input_source=source, motor1_acceleration=40, motor2_acceleration=40)
     trex.do("load 1 10")
     trex.do("load 2 10")
-    trex.tell("EA 7F 7F")
-    trex.wait(0.03)
-    begun = trex.now()
-    readings = [trex.ask("8F")]
-    while trex.now() < begun + 0.1:
-        if (reading := trex.ask("8F")) != readings[-1]:
-            readings.append(reading)
-        trex.wait(0.002)
-    renewed = (trex.now() - begun) / period
+    for _ in range(50):  # a busy computer may not read often enough
+        trex.set_up(channel_input_source=source, motor1_acceleration=40, motor2_acceleration=40)
+        trex.tell("EA 7F 7F")
+        trex.wait(0.03)
+        asked = begun = trex.now()
+        readings = [trex.ask("8F")]
+        longest = 0.0
+        while trex.now() < begun + 0.1:
+            before, asked = asked, trex.now()
+            if (reading := trex.ask("8F")) != readings[-1]:
+                readings.append(reading)
+            longest = max(longest, trex.now() - before)
+            trex.wait(0.002)
+        ended = trex.now()
+        renewed = (ended - begun) / period
+        if max(longest, ended - asked) < period:
+            break
     assert renewed * 0.75 <= len(readings) <= renewed + 2
 
 

@@ -52,9 +52,12 @@ def test_a_host_that_does_not_wait_overruns_read_and_send_buffer(trex: Trex) -> 
     Inferred: that it takes no more than 400 bytes, and answers to them, during a write.
     """
     flood = trex.packet("81") * (400 // len(trex.packet("81")))
-    trex.everything(trex.packet(CALIBRATION) + flood)
-    trex.everything(b"\xff")  # ends what may have been cut
-    assert trex.number("85") & 0x03 == 0x03
+    for _ in range(20):  # a busy computer may not send all of it during the write
+        trex.everything(trex.packet(CALIBRATION) + flood)
+        trex.everything(b"\xff")  # ends what may have been cut
+        if (errors := trex.number("85")) & 0x03 == 0x03:
+            break
+    assert errors & 0x03 == 0x03
 
 
 @pytest.mark.parametrize(
@@ -177,13 +180,24 @@ def test_the_timeout_bit_is_set_when_silence_shuts_the_motors_down(trex: Trex) -
 
 def test_the_timeout_waits_for_too_much_time_between_receptions(trex: Trex) -> None:
     """CMD10 0x85: "too much time goes by between TReX serial receptions"."""
-    assert trex.ask("AF 07 02 55 2A") == "00"
-    trex.tell("DA 20 20")
-    for _ in range(3):
-        trex.wait(0.08)
-        trex.ask("82")
-    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x20), ("forward", 0x20))
-    assert trex.ask("85") == "00"
+    for _ in range(50):  # a busy computer may itself let too much time go by
+        assert trex.ask("AF 07 02 55 2A") == "00"
+        receptions = [trex.now()]
+        trex.ask("85")
+        trex.tell("DA 20 20")
+        gaps = []
+        for _ in range(3):
+            trex.wait(0.08)
+            receptions.append(trex.now())
+            trex.ask("82")
+            gaps.append(trex.now() - receptions[-2])
+        motors = trex.motor(1), trex.motor(2)
+        found = trex.ask("85")
+        gaps.append(trex.now() - receptions[-1])
+        if max(gaps) < 0.2:
+            break
+    assert motors == (("forward", 0x20), ("forward", 0x20))
+    assert found == "00"
 
 
 def test_the_timeout_is_only_active_when_its_parameter_is_not_zero(trex: Trex) -> None:

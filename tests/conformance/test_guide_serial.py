@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.conformance.ends import TerminalEnd
+from tests.conformance.ends import PATIENCE, TerminalEnd
 from tests.conformance.trex import RATES, Trex, Variant, only
 
 _SOME, _MANY = 20, 1000
@@ -281,7 +281,7 @@ def test_of_several_boards_only_the_one_with_the_number_accepts_the_command(
     At the terminal alone: in the parser there is one board. CRC has no part in it.
     """
     chain.write(packet)
-    assert chain.read(len(answer) + 1, 0.1) == answer
+    assert chain.read(len(answer), PATIENCE) + chain.read(1, 0.1) == answer
 
 
 def test_several_boards_do_not_confuse_each_other(chain: TerminalEnd) -> None:
@@ -291,4 +291,4 @@ def test_several_boards_do_not_confuse_each_other(chain: TerminalEnd) -> None:
         chain.write(bytes([0x80, 0x09, 0x42, motor_speed]))
     for number in (0x07, 0x09, 0x7F):
         chain.write(bytes([0x80, number, 0x04]))
-        assert chain.read(1, 1.0) == b"\x00"
+        assert chain.read(1, PATIENCE) == b"\x00"

@@ -182,7 +182,7 @@ class Trex:
         """Send packets, return all that comes until it is quiet."""
         self.tell(*packets)
         data = b""
-        while more := self._end.read(1, QUIET):
+        while more := self._end.read(1, QUIET) or self._end.late():
             data += more
         return data
 
@@ -278,11 +278,12 @@ class Trex:
         self._end.wait(seconds)
 
     def watch(self, seconds: float, every: float = 0.008) -> Iterator[dict[str, Any]]:
-        """Show the board again and again."""
+        """Show the board again and again, and once when the time is over."""
         end = self.now() + seconds
         while self.now() < end:
             yield self.show()
             self.wait(every)
+        yield self.show()
 
     @property
     def fewest_updates(self) -> int:

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-PATIENCE = 10.0
+PATIENCE = 20.0
 """Seconds after which something that should have happened will not."""
 
 

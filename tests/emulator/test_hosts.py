@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 import serial
 
+from tests.emulator.patience import PATIENCE
 from tests.support.simulator import SimulatorProcess
 
 Start = Callable[..., SimulatorProcess]
@@ -21,7 +22,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarn
 
 
 def asked(url: str, **settings: Any) -> bytes:
-    with serial.serial_for_url(url, timeout=2, **{"baudrate": 19200, **settings}) as port:
+    with serial.serial_for_url(url, timeout=PATIENCE, **{"baudrate": 19200, **settings}) as port:
         port.write(b"\x81")
         answer: bytes = port.read(7)
         return answer
@@ -60,7 +61,7 @@ def test_a_memory_that_cannot_be_saved_is_used_all_the_same(
     folder.mkdir()
     simulator = start_simulator("--eeprom", str(folder / "board.json"))
     shutil.rmtree(folder)
-    with serial.Serial(simulator.url, 19200, timeout=2) as port:
+    with serial.Serial(simulator.url, 19200, timeout=PATIENCE) as port:
         port.write(bytes.fromhex("AF 07 03 55 2A"))
         assert port.read(1) == b"\0"
         port.write(bytes.fromhex("9F 07"))

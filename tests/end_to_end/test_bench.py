@@ -54,7 +54,7 @@ class Person:
         return widget
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        self._qtbot.waitUntil(condition, timeout=8000)
+        self._qtbot.waitUntil(condition, timeout=20_000)
 
     def click(self, name: str) -> None:
         button = self.find(QAbstractButton, name)

@@ -29,7 +29,7 @@ class Scene:
         self.simulator = simulator
         self.qtbot = qtbot
         self.device.connect_to(LinkSettings(simulator.url))
-        qtbot.waitUntil(lambda: self.device.link is Link.UP, timeout=10_000)
+        qtbot.waitUntil(lambda: self.device.link is Link.UP, timeout=20_000)
         tabs = program.window.pages
         page = program.window.findChild(CurrentsPage)
         assert page is not None
@@ -46,14 +46,14 @@ class Scene:
             lambda: any(
                 event.kind is kind and text in event.text for event in self.device.events.all
             ),
-            timeout=10_000,
+            timeout=20_000,
         )
 
     def until_cell(self, row: int, column: int, text: str) -> None:
         view = self.panel.findChild(QTableView, "traceTable")
         assert view is not None
         self.qtbot.waitUntil(
-            lambda: str(view.model().index(row, column).data()) == text, timeout=10_000
+            lambda: str(view.model().index(row, column).data()) == text, timeout=20_000
         )
 
 
@@ -82,8 +82,8 @@ def test_stop_apply_and_fault_become_marks(scene: Scene) -> None:
     scene.simulator.do("fault 1 off")
     listed = scene.panel.findChild(QListView, "eventList")
     assert listed is not None
-    scene.qtbot.waitUntil(lambda: listed.model().rowCount() >= 3, timeout=10_000)
-    scene.qtbot.waitUntil(lambda: len(scene.panel.plot._strip.marks) >= 3, timeout=10_000)
+    scene.qtbot.waitUntil(lambda: listed.model().rowCount() >= 3, timeout=20_000)
+    scene.qtbot.waitUntil(lambda: len(scene.panel.plot._strip.marks) >= 3, timeout=20_000)
     newest = scene.device.telemetry.latest
     for event in scene.device.events.all:
         assert newest - 60 < event.time < newest + 5  # the clock of the samples
@@ -91,13 +91,13 @@ def test_stop_apply_and_fault_become_marks(scene: Scene) -> None:
 
 def test_a_board_that_falls_silent_leaves_a_gap_and_two_events(scene: Scene) -> None:
     history = scene.device.telemetry.currents
-    scene.qtbot.waitUntil(lambda: len(history) > 20, timeout=10_000)
+    scene.qtbot.waitUntil(lambda: len(history) > 20, timeout=20_000)
     scene.simulator.do("line mute on")
     scene.until_event(EventKind.LINK, "stopped answering")
     scene.simulator.do("line mute off")
     scene.until_event(EventKind.LINK, "answers again")
     before = len(history)
-    scene.qtbot.waitUntil(lambda: len(history) > before + 20, timeout=10_000)
+    scene.qtbot.waitUntil(lambda: len(history) > before + 20, timeout=20_000)
     start, end = history.span or (0.0, 0.0)
     assert history.statistics(0, start, end).seconds < end - start - 0.5
 
@@ -108,14 +108,14 @@ def test_the_limit_that_the_board_stores_is_the_line(scene: Scene) -> None:
     source = scene.panel.plot.source
     assert source is not None
     scene.qtbot.waitUntil(
-        lambda: source.limit("motor1_current") == pytest.approx(20 * 0.3), timeout=10_000
+        lambda: source.limit("motor1_current") == pytest.approx(20 * 0.3), timeout=20_000
     )
 
 
 def test_what_was_seen_is_exported(scene: Scene, tmp_path: Path) -> None:
     scene.simulator.do("current 1 6")
     scene.until_cell(0, 1, "6.00 A")
-    with scene.qtbot.waitSignal(scene.panel.export.told, timeout=10_000):
+    with scene.qtbot.waitSignal(scene.panel.export.told, timeout=20_000):
         scene.panel.export.save_table(tmp_path / "all.csv", float("-inf"), float("inf"))
     scene.simulator.do("current 1 auto")
     with (tmp_path / "all.csv").open(newline="") as file:

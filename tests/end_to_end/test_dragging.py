@@ -22,7 +22,10 @@ from trex_gui.protocol.commands import Drive, DriveMotor
 from trex_gui.views.widgets.speed_slider import SpeedSlider
 from trex_gui.window import Program
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+pytestmark = [
+    pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals"),
+    pytest.mark.timeout(240),  # ten thousand moves, on a computer that is slower than the hand
+]
 
 _SECONDS, _RATE, _CYCLE = 10.0, 1000, 127
 _AT_A_TURN = 50

@@ -40,7 +40,7 @@ class Driver:
         self.wait(lambda: self.panel.gamepad.pad is not None)
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=8000)
+        self.qtbot.waitUntil(condition, timeout=20_000)
 
     def wait_for(self, words: str) -> None:
         self.wait(lambda: words in self.find(QLabel, "gamepadState").text())

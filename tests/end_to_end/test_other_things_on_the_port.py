@@ -55,7 +55,7 @@ def test_a_board_behind_a_network_connects_and_its_loss_is_noticed(
 ) -> None:
     simulator = start_simulator(kind, "127.0.0.1:0")
     program.device.connect_to(LinkSettings(simulator.url))
-    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=15_000)
+    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=30_000)
     simulator.do("line unplug")
     qtbot.waitUntil(lambda: program.device.link is Link.NONE)
     assert "gone" in banner(program)
@@ -65,7 +65,7 @@ def test_something_that_talks_by_itself_is_a_sentence(
     program: Program, qtbot: QtBot, chatterer: str
 ) -> None:
     program.device.connect_to(LinkSettings(chatterer))
-    qtbot.waitUntil(lambda: program.device.link is Link.NONE, timeout=10_000)
+    qtbot.waitUntil(lambda: program.device.link is Link.NONE, timeout=30_000)
     assert "not as a TReX does" in banner(program)
     assert program.device.shut_down()
 
@@ -75,7 +75,7 @@ def test_a_port_with_nothing_behind_it_is_a_sentence(program: Program, qtbot: Qt
     master, slave = os.openpty()
     try:
         program.device.connect_to(LinkSettings(os.ttyname(slave)))
-        qtbot.waitUntil(lambda: program.device.link is Link.NONE, timeout=10_000)
+        qtbot.waitUntil(lambda: program.device.link is Link.NONE, timeout=30_000)
         assert "No TReX answers" in banner(program)
         assert "power" in banner(program)
     finally:
@@ -87,7 +87,7 @@ def test_another_baud_rate_is_a_sentence_that_names_it(
     program: Program, qtbot: QtBot, simulator: SimulatorProcess
 ) -> None:
     program.device.connect_to(LinkSettings(simulator.url, LineSettings(9600)))
-    qtbot.waitUntil(lambda: program.device.link is Link.NONE, timeout=10_000)
+    qtbot.waitUntil(lambda: program.device.link is Link.NONE, timeout=30_000)
     assert "9600 baud" in banner(program)
 
 

@@ -1,7 +1,8 @@
 """On a low screen, and whatever is asked, the red button is in sight and does what it says."""
 
 import sys
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from tests.support.held_line import before_storing
 from tests.support.simulator import SimulatorProcess
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
@@ -36,11 +38,12 @@ class Desk:
     def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
         self.program, self.device = program, program.device
         self.window, self.simulator, self.qtbot = program.window, simulator, qtbot
+        self.goes_on = threading.Event()
         self.device.connect_to(LinkSettings(simulator.url))
         self.wait(lambda: self.device.link is Link.UP)
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=10_000)
+        self.qtbot.waitUntil(condition, timeout=20_000)
 
     def button(self, name: str) -> QAbstractButton:
         found = self.window.findChild(QAbstractButton, name)
@@ -73,7 +76,7 @@ class Desk:
         return True
 
     def begin_to_write(self) -> int:
-        """Begin to write a dozen settings, which takes the board a while."""
+        """Begin to write a dozen settings."""
         keys = [key for key in self.device.parameters.all_stored if key.startswith("motor")][:12]
         for key in keys:
             stored = self.device.parameters.all_stored[key]
@@ -90,9 +93,11 @@ def desk(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> D
 
 
 @pytest.fixture
-def slow(program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> Desk:
-    """A board whose bytes take their time, so that writing can be cut off."""
-    return Desk(program, simulator, qtbot)
+def slow(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> Iterator[Desk]:
+    """A line that stores the third setting only when it `goes_on`, so that it can be cut off."""
+    before_storing(monkeypatch, 3, lambda: desk.goes_on.wait(40))
+    yield desk
+    desk.goes_on.set()
 
 
 # --- Low screens ------------------------------------------------------------------------
@@ -206,6 +211,7 @@ def test_disconnecting_while_settings_are_written_asks_first(slow: Desk, how: st
     assert "Settings are being written. Disconnect all the same?" in slow.question.text
     assert slow.device.link is Link.UP
     slow.press("disconnectYes")
+    slow.goes_on.set()
     slow.wait(lambda: slow.device.link is Link.NONE)
     assert 0 < slow.device.pending <= count
 
@@ -214,6 +220,7 @@ def test_a_disconnect_that_was_taken_back_lets_writing_end(slow: Desk) -> None:
     slow.begin_to_write()
     slow.press("connectButton")
     slow.press("questionCancel")
+    slow.goes_on.set()
     slow.wait(lambda: not slow.device.applying)
     assert slow.device.pending == 0
     assert slow.device.link is Link.UP
@@ -222,6 +229,7 @@ def test_a_disconnect_that_was_taken_back_lets_writing_end(slow: Desk) -> None:
 def test_the_question_goes_when_everything_is_written(slow: Desk) -> None:
     slow.begin_to_write()
     slow.press("connectButton")
+    slow.goes_on.set()
     slow.wait(lambda: not slow.device.applying)
     slow.wait(lambda: not slow.question.isVisible())
     assert slow.device.link is Link.UP
@@ -232,6 +240,7 @@ def test_closing_while_settings_are_written_asks_first(slow: Desk) -> None:
     assert not slow.window.close()
     assert "Settings are being written. Close all the same?" in slow.question.text
     assert slow.window.isVisible()
+    slow.goes_on.set()  # closing waits for what is being stored
     slow.press("closeYes")
     assert not slow.window.isVisible()
 

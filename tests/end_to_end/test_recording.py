@@ -29,7 +29,7 @@ from trex_gui.window import Program
 @pytest.fixture
 def connected(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Program:
     program.device.connect_to(LinkSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=10_000)
+    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=20_000)
     return program
 
 
@@ -56,10 +56,10 @@ def record(program: Program, path: Path, qtbot: QtBot) -> None:
     program.desk.recordings.record(path)
     qtbot.waitUntil(lambda: indicator(program).isVisible())
     samples = program.device.telemetry.samples
-    qtbot.waitUntil(lambda: program.device.telemetry.samples > samples + 300, timeout=10_000)
+    qtbot.waitUntil(lambda: program.device.telemetry.samples > samples + 300, timeout=30_000)
     button = indicator(program).findChild(QPushButton, "stopRecordingButton")
     assert button is not None
-    with qtbot.waitSignal(program.desk.recordings.recorder.ended, timeout=10_000):
+    with qtbot.waitSignal(program.desk.recordings.recorder.ended, timeout=20_000):
         QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
@@ -68,14 +68,14 @@ def test_recording_is_seen_on_every_page_with_time_and_size(
 ) -> None:
     assert not indicator(connected).isVisible()
     connected.desk.recordings.record(tmp_path / "a.trexrec")
-    qtbot.waitUntil(lambda: "Recording  0:00:00" in text(connected.window, "recordText"))
-    qtbot.waitUntil(lambda: " kB" in text(connected.window, "recordText"), timeout=10_000)
+    qtbot.waitUntil(lambda: "Recording  0:00:" in text(connected.window, "recordText"))
+    qtbot.waitUntil(lambda: " kB" in text(connected.window, "recordText"), timeout=20_000)
     for page in range(connected.window.pages.count()):
         connected.window.pages.setCurrentIndex(page)
         assert indicator(connected).isVisible()
         assert "Recording" in indicator(connected).accessibleName()
     assert action(connected, "record").text() == "Stop &recording"
-    with qtbot.waitSignal(connected.desk.recordings.recorder.ended, timeout=10_000):
+    with qtbot.waitSignal(connected.desk.recordings.recorder.ended, timeout=20_000):
         action(connected, "record").trigger()
     assert not indicator(connected).isVisible()
     assert action(connected, "record").text() == "&Record…"
@@ -89,7 +89,7 @@ def test_a_recording_is_opened_again_without_a_board(
     path = tmp_path / f"session{suffix}"
     record(connected, path, qtbot)
     connected.device.disconnect_line()
-    qtbot.waitUntil(lambda: connected.device.link is Link.NONE, timeout=10_000)
+    qtbot.waitUntil(lambda: connected.device.link is Link.NONE, timeout=20_000)
     connected.desk.recordings.open_file(path)
     (window,) = connected.desk.recordings.windows
     qtbot.waitUntil(lambda: window.playback.is_loaded)
@@ -146,7 +146,7 @@ def test_a_recording_that_runs_is_whole_after_the_window_is_closed(
     path = tmp_path / "a.trexrec"
     connected.desk.recordings.record(path)
     samples = connected.device.telemetry.samples
-    qtbot.waitUntil(lambda: connected.device.telemetry.samples > samples + 100, timeout=10_000)
+    qtbot.waitUntil(lambda: connected.device.telemetry.samples > samples + 100, timeout=20_000)
     connected.window.close()
     make_sure(path)
 
@@ -166,6 +166,7 @@ def make_sure() -> Callable[[Path], None]:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+@pytest.mark.timeout(120)
 @pytest.mark.parametrize("disk", ["0.2", "never"])
 def test_a_signal_while_it_is_recorded_ends_the_program_in_good_order(
     disk: str,
@@ -189,7 +190,7 @@ def test_a_signal_while_it_is_recorded_ends_the_program_in_good_order(
             assert ready, "it never recorded"
             assert process.stdout.readline() == "recording\n"
             process.send_signal(signal.SIGTERM)
-            _, errors = process.communicate(timeout=15)
+            _, errors = process.communicate(timeout=40)  # the disk hangs for 60 s
         finally:
             process.kill()
     assert process.returncode == 0
@@ -240,11 +241,11 @@ def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(
     device.motors.accelerate = False
     device.motors.set_speed(1, 60)
     qtbot.waitUntil(
-        lambda: quick_simulator.show()["motors"][0]["target_speed"] == 60, timeout=10_000
+        lambda: quick_simulator.show()["motors"][0]["target_speed"] == 60, timeout=20_000
     )
     device.motors.press_stop()
     qtbot.waitUntil(
-        lambda: quick_simulator.show()["motors"][0]["direction"] == "brake", timeout=10_000
+        lambda: quick_simulator.show()["motors"][0]["direction"] == "brake", timeout=20_000
     )
     qtbot.waitUntil(
         lambda: "cannot be written: No space left" in text(connected.window, "bannerText"),
@@ -253,6 +254,8 @@ def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(
     assert not indicator(connected).isVisible()
 
 
+@pytest.mark.timeout(240)
+@pytest.mark.usefixtures("usual_patience")
 def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
     connected: Program, quick_simulator: SimulatorProcess, tmp_path: Path, qtbot: QtBot
 ) -> None:
@@ -274,10 +277,11 @@ def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
         (window,) = connected.desk.recordings.windows
         # Longer than the silence of a window that stops armed motors.
         qtbot.waitUntil(lambda: time.monotonic() > begin + 2 * PATIENCE, timeout=20_000)
-        assert not window.playback.is_loaded
+        was_opened_meanwhile = not window.playback.is_loaded
         window.close()
         motor = quick_simulator.show()["motors"][0]
-        return motors.armed and motor["target_speed"] == 60 and motor["direction"] != "brake"
+        goes_on = motor["target_speed"] == 60 and motor["direction"] != "brake"
+        return was_opened_meanwhile and motors.armed and goes_on
 
     # A computer with far too much to do may stop them by itself, but hardly each time.
     assert any(turns_while_it_is_opened() for _ in range(4))
@@ -285,7 +289,7 @@ def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
     device = connected.device
     device.motors.press_stop()
     qtbot.waitUntil(
-        lambda: quick_simulator.show()["motors"][0]["direction"] == "brake", timeout=10_000
+        lambda: quick_simulator.show()["motors"][0]["direction"] == "brake", timeout=20_000
     )
 
 

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from tests.support.held_line import before_storing
 from tests.support.simulator import SimulatorProcess
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.comparison_table import ComparisonColumn
@@ -40,7 +41,7 @@ class Desk:
         self.simulator = simulator
         self.qtbot = qtbot
 
-    def wait(self, condition: Callable[[], bool], timeout: int = 10_000) -> None:
+    def wait(self, condition: Callable[[], bool], timeout: int = 20_000) -> None:
         self.qtbot.waitUntil(condition, timeout=timeout)
 
     def dialog(self, name: str) -> QDialog:
@@ -179,25 +180,14 @@ def test_the_result_names_what_did_not_stick(desk: Desk) -> None:
 
 
 def test_a_plug_that_is_pulled_while_writing_is_told_and_the_rest_stays_an_edit(
-    program: Program, simulator: SimulatorProcess, qtbot: QtBot
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for line in ("eeprom uart_settings 1", "power cycle"):  # slow: the window must see the first
-        simulator.do(line)
-    desk = Desk(program, simulator, qtbot)
-    desk.device.connect_to(LinkSettings(simulator.url, LineSettings(2400)))
-    desk.wait(lambda: desk.device.link is Link.UP, timeout=30_000)
     keys = [key for key in desk.device.parameters.all_stored if key.startswith("motor")][:12]
     for key in keys:
         desk.device.parameters.edit(key, 1 - min(1, desk.device.parameters.all_stored[key]))
     count = desk.device.pending
     desk.press("applyButton")
-
-    def pull(done: int, total: int, what: str) -> None:
-        del total, what
-        if done == 1:
-            desk.simulator.do("line unplug")
-
-    desk.device.progressed.connect(pull)
+    before_storing(monkeypatch, 3, lambda: desk.simulator.do("line unplug"))
     desk.press("writeButton")
     desk.wait(lambda: desk.device.link is Link.NONE)
     desk.wait(lambda: desk.button("reviewCloseButton").text() == "Close")
@@ -399,16 +389,18 @@ def test_a_line_that_closes_meanwhile_is_no_power_cycle(desk: Desk) -> None:
 
 
 def test_who_waits_long_is_told_what_to_look_at(desk: Desk) -> None:
+    said: list[str] = []
     for cycle in desk.program.window.findChildren(PowerCycle):
         patience = cycle.findChild(QTimer)
         assert patience is not None
         patience.setInterval(300)
+        cycle.changed.connect(lambda: said.append(cycle_text(desk)))
     desk.device.parameters.edit("motor_mode", 1)
     write(desk)
     desk.wait(lambda: "A short break is not seen" in cycle_text(desk))
     desk.simulator.do("power off")
-    desk.wait(lambda: "has fallen silent" in cycle_text(desk))
     desk.wait(lambda: "Is its power on" in cycle_text(desk))
+    assert any("has fallen silent" in text for text in said)
     desk.simulator.do("power on")
     desk.wait(lambda: "active" in cycle_text(desk))
     assert desk.text("powerCycleTitle", "reviewDialog") == "The power cycle is over."

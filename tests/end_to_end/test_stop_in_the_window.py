@@ -69,7 +69,7 @@ class Desk:
         return found
 
     def expect_stop(self) -> None:
-        self.qtbot.waitUntil(lambda: is_stopped(self.simulator), timeout=2000)
+        self.qtbot.waitUntil(lambda: is_stopped(self.simulator))
         assert not self.motors.armed
         assert self.motors.drive(1) is None
         assert self.slider().value() == 0
@@ -159,7 +159,7 @@ def test_escape_stops_while_a_slider_is_dragged_and_dragging_on_drives_nothing(d
     press_escape()
     for step in range(20):
         QTest.mouseMove(slider, start + QPoint(20 + step, 0))
-    desk.qtbot.waitUntil(lambda: is_stopped(desk.simulator), timeout=2000)
+    desk.qtbot.waitUntil(lambda: is_stopped(desk.simulator))
     desk.qtbot.wait(200)
     assert is_stopped(desk.simulator), "a drag that goes on comes too late"
     QTest.mouseRelease(slider, Qt.MouseButton.LeftButton)
@@ -184,7 +184,7 @@ def test_a_held_control_that_is_lost_stops(desk: Desk) -> None:
 )
 def test_leaving_stops(desk: Desk, leave: Callable[[Desk], object]) -> None:
     leave(desk)
-    desk.qtbot.waitUntil(lambda: is_stopped(desk.simulator), timeout=2000)
+    desk.qtbot.waitUntil(lambda: is_stopped(desk.simulator))
 
 
 def test_a_stop_that_is_pressed_while_the_board_is_still_read_is_sent(
@@ -208,17 +208,15 @@ def test_a_stop_that_is_pressed_while_the_board_is_still_read_is_sent(
 def test_after_a_stop_nothing_can_be_armed_for_a_while_and_the_bar_counts_down(
     desk: Desk,
 ) -> None:
-    desk.motors.lockout = 1.5
-    QTest.mouseClick(desk.button("stopButton"), Qt.MouseButton.LeftButton)
-    desk.expect_stop()
+    desk.motors.lockout = 6.0
     run = desk.button("runButton")
+    QTest.mouseClick(desk.button("stopButton"), Qt.MouseButton.LeftButton)
     assert not run.isEnabled()
     desk.motors.arm()
     assert not desk.motors.armed
-    desk.qtbot.waitUntil(
-        lambda: "Motors are locked for" in desk.text("motorStateLabel"), timeout=1400
-    )
-    desk.qtbot.waitUntil(run.isEnabled, timeout=3000)
+    desk.qtbot.waitUntil(lambda: "Motors are locked for" in desk.text("motorStateLabel"))
+    desk.expect_stop()
+    desk.qtbot.waitUntil(run.isEnabled)
     desk.arm()
 
 
@@ -253,7 +251,8 @@ def test_a_stop_that_channels_drive_through_is_not_called_one(
     device = program.device
     device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: device.link is Link.UP)
-    quick_simulator.do("channel 1 1900us")  # after the power-up: safe-start has seen it at rest
+    qtbot.waitUntil(lambda: not quick_simulator.show()["safe_start"])  # it has seen it at rest
+    quick_simulator.do("channel 1 1900us")
     qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] > 50)
     press_escape()
     banner = program.window.findChild(QLabel, "bannerText")
@@ -262,5 +261,5 @@ def test_a_stop_that_channels_drive_through_is_not_called_one(
     assert state is not None
     qtbot.waitUntil(lambda: "Let go of the sticks, or cut the power." in banner.text())
     assert quick_simulator.show()["motors"][0]["speed"] > 50
-    assert "Stop does not reach what they drive" in state.text()
+    qtbot.waitUntil(lambda: "Stop does not reach what they drive" in state.text())
     assert "Stopped" not in state.text()

@@ -66,7 +66,7 @@ class Person:
     def text(self, name: str) -> str:
         return self.find(QLabel, name).text()
 
-    def wait(self, condition: Callable[[], bool], timeout: int = 5000) -> None:
+    def wait(self, condition: Callable[[], bool], timeout: int = 20_000) -> None:
         self.qtbot.waitUntil(condition, timeout=timeout)
 
     def connect(self, simulator: SimulatorProcess) -> "Person":
@@ -375,7 +375,7 @@ def test_the_live_dot_follows_the_stick_along_the_curve(
     quick_simulator.do("channel 1 invalid")
     person.wait(lambda: "no signal" in person.row(1))
     person.wait(lambda: person.plot.dot is None)
-    assert "no signal" in person.live
+    person.wait(lambda: "no signal" in person.live)
 
 
 def test_the_mix_jumper_is_told_as_soon_as_a_stick_shows_it(

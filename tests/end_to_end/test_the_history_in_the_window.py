@@ -208,13 +208,13 @@ def test_the_plug_is_pulled_and_put_back_while_it_is_open(
     person.until(lambda: person.program.device.link is not Link.UP)
     person.program.connector.disconnect_port()
     person.until(lambda: "No board is connected" in person.text("restoreNote"))
-    assert box.currentText().startswith("snapshot of")
-    assert person.compared == {"serial_timeout": ("off", "0.5 s")}
+    person.until(lambda: box.currentText().startswith("snapshot of"))
+    person.until(lambda: person.compared == {"serial_timeout": ("off", "0.5 s")})
     quick_simulator.do("line plug")
     person.program.device.connect_to(LinkSettings(quick_simulator.url))
     person.until(lambda: person.program.device.link is Link.UP)
     person.until(lambda: person.button("restoreButton").isEnabled())
-    assert person.compared == {"serial_timeout": ("0.7 s", "0.5 s")}
+    person.until(lambda: person.compared == {"serial_timeout": ("0.7 s", "0.5 s")})
 
 
 def test_a_board_that_falls_silent_takes_nothing(

@@ -1,5 +1,6 @@
 """What goes over the line, as a person sees it: of a board, and of nothing else."""
 
+import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -62,6 +63,11 @@ class Reader:
         model = self.view.model()
         return [str(model.index(row, column).data()) for row in range(model.rowCount())]
 
+    def row_of_the_signature(self) -> int:
+        """Where it was asked for; where an answer was late, the last time."""
+        sent = self.column(SENT)
+        return max(row for row in range(len(sent)) if sent[row] == "81")
+
     def waits_for(self, text: str) -> None:
         """Wait until a row says this."""
         self.wait(lambda: any(text in words for words in self.column(WORDS)))
@@ -81,6 +87,13 @@ class Reader:
     def summary(self) -> str:
         return self.find(QLabel, "transcriptSummary").text()
 
+    @property
+    def faults(self) -> int:
+        """How many the summary counts."""
+        found = re.search(r"faults: ([\d,]+)", self.summary)
+        assert found is not None
+        return int(found[1].replace(",", ""))
+
 
 @pytest.fixture
 def reader(program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> Reader:
@@ -92,7 +105,7 @@ def test_all_that_was_read_at_the_beginning_stands_there_in_words(reader: Reader
     reader.connect()
     reader.waits_for("get Serial Timeout → off (0)")
     assert "Opened" in reader.column(WORDS)[0]
-    row = reader.column(SENT).index("81")
+    row = reader.row_of_the_signature()
     assert reader.column(RECEIVED)[row] == "54 52 65 58 31 2E 32"
     assert reader.column(WORDS)[row] == "get signature → TReX 1.2"
     assert not any("get currents" in text for text in reader.column(WORDS)), "polling is hidden"
@@ -118,9 +131,10 @@ def test_what_is_stored_and_what_is_refused_is_seen(reader: Reader) -> None:
 
 def test_answers_that_are_lost_are_faults_and_can_be_listed_alone(reader: Reader) -> None:
     reader.connect()
-    reader.wait(lambda: "faults: 0" in reader.summary)
+    reader.wait(lambda: "faults: " in reader.summary)
+    before = reader.faults
     reader.simulator.do("line drop 4")
-    reader.wait(lambda: "faults: 0" not in reader.summary)
+    reader.wait(lambda: reader.faults > before)
     reader.tick("transcriptFaults")
     reader.wait(lambda: reader.view.model().rowCount() > 0)
     for row in range(reader.view.model().rowCount()):
@@ -134,9 +148,10 @@ def test_words_and_bytes_are_searched(reader: Reader) -> None:
     QTest.keyClick(reader.page, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
     search = reader.find(QLineEdit, "transcriptSearch")
     QTest.keyClicks(search, "serial timeout")
-    reader.wait(lambda: reader.view.model().rowCount() == 1)
+    # Once, or again where an answer was late.
+    reader.wait(lambda: len(set(reader.column(SENT))) == 1)
     search.setText("9f 07")
-    reader.wait(lambda: reader.column(SENT) == ["9F 07"])
+    reader.wait(lambda: set(reader.column(SENT)) == {"9F 07"})
     search.setText("no board says this")
     reader.wait(lambda: reader.view.model().rowCount() == 0)
     search.clear()
@@ -162,7 +177,7 @@ def test_what_is_held_still_stays_and_what_came_meanwhile_is_there_after(reader:
 def test_the_chosen_row_is_shown_in_full_and_stays_chosen(reader: Reader) -> None:
     reader.connect()
     reader.waits_for("get Serial Timeout")
-    row = reader.column(SENT).index("81")
+    row = reader.row_of_the_signature()
     reader.view.selectRow(row)
     details = reader.find(QPlainTextEdit, "transcriptDetails")
     assert "received  54 52 65 58 31 2E 32" in details.toPlainText()
@@ -191,7 +206,7 @@ def test_who_has_scrolled_up_is_left_there(reader: Reader) -> None:
 def test_rows_are_copied_with_what_they_mean(reader: Reader) -> None:
     reader.connect()
     reader.waits_for("get signature")
-    row = reader.column(SENT).index("81")
+    row = reader.row_of_the_signature()
     reader.view.selectRow(row)
     reader.view.setFocus()
     reader.press("transcriptCopyButton")
@@ -233,4 +248,4 @@ def test_the_end_of_a_line_stands_there_and_the_rows_before_it_stay(reader: Read
     reader.waits_for("Closed.")
     assert any("get Serial Timeout" in text for text in reader.column(WORDS))
     reader.connect()
-    assert sum("Opened" in text for text in reader.column(WORDS)) == 2
+    reader.wait(lambda: sum("Opened" in text for text in reader.column(WORDS)) == 2)

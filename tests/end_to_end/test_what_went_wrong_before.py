@@ -151,7 +151,7 @@ def test_apply_without_a_board_does_not_lock_apply(
         assert not device.applying
         device.connect_to(LinkSettings(simulator.url))
         qtbot.waitUntil(lambda: device.link is Link.UP)
-        with qtbot.waitSignal(device.applied, timeout=2000):
+        with qtbot.waitSignal(device.applied):
             device.apply()
     finally:
         device.shut_down()

@@ -1,6 +1,7 @@
 """Exported programs made ready to run, and simulated boards for them."""
 
 import functools
+import re
 import shutil
 import subprocess
 import sys
@@ -25,8 +26,12 @@ from trex_gui.settings.document import Settings
 HERE = Path(__file__).parent
 LANGUAGES = tuple(Language)
 LANGUAGE_NAMES = [language.value for language in LANGUAGES]
-SECONDS = 30
+SECONDS = 50
 """How long a program may take on a busy machine."""
+
+PATIENCE = 10
+"""Seconds for which a program that is made ready here waits for an answer: a simulator may stand
+still for longer than the second that a board never needs."""
 
 WARNINGS = ("-Wall", "-Wextra", "-Werror")
 C = ("gcc", "-std=c99", "-pedantic", *WARNINGS)
@@ -37,7 +42,7 @@ DEVICE = 11
 POLYNOMIAL = 0x91
 WANTED = {
     "required_channels": 3,
-    "serial_timeout": 20,
+    "serial_timeout": 120,
     "motor1_acceleration": 127,
     "motor2_acceleration": 100,
     "motor1_current_limit": 60,
@@ -226,12 +231,21 @@ def made_ready(
     language: Language,
     *,
     drive: bool = False,
+    patience: int = PATIENCE,
 ) -> Program:
     """Export settings, compile them where the language wants that, and say how to run them.
 
-    An Arduino sketch drives because its text is changed, as a person would do it.
+    An Arduino sketch drives because its text is changed, as a person would do it; so is the time
+    for which any program waits for an answer.
     """
     path = exported(folder, settings, link, language)
+    text, number = re.subn(
+        r"(?m)^(TIMEOUT = |#define TREX_TIMEOUT_MS )1(\.0|000) ",
+        rf"\g<1>{patience}\g<2> ",
+        path.read_text(encoding="ascii"),
+    )
+    assert number == 1
+    path.write_text(text, encoding="ascii")
     some = ["-DWITH_SETTINGS"] if settings.parameters and settings.calibrations else []
     match language:
         case Language.PYTHON:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.emulator.patience import becomes
 from tests.export.programs import (
     CALIBRATIONS,
     CPP,
@@ -51,15 +52,21 @@ def boards(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Boards]:
 
 
 def watched(program: Program, board: Board) -> tuple[set[tuple[int, int]], str]:
-    """Let a program drive; return the speeds that the motors had meanwhile, and what it said."""
+    """Let a program drive; return the speeds that the motors had meanwhile, and what it said.
+
+    A busy computer may look away while a motor turns for half a second: it looks again then.
+    """
     seen = set()
-    with program.start(board.url) as process:
-        while process.poll() is None:
-            seen.add(board.motors)
-            time.sleep(0.03)
-        assert process.stdout is not None
-        said = process.stdout.read()
-    assert process.returncode == 0, said
+    for _ in range(10):
+        with program.start(board.url) as process:
+            while process.poll() is None:
+                seen.add(board.motors)
+                time.sleep(0.03)
+            assert process.stdout is not None
+            said = process.stdout.read()
+        assert process.returncode == 0, said
+        if {(20, 0), (0, 20)} <= seen:
+            break
     return seen, said
 
 
@@ -107,7 +114,7 @@ def test_the_demonstration_turns_each_motor_slowly_and_ends_with_a_stop(
     assert board.has(settings)
     assert {(20, 0), (0, 20)} <= seen
     assert all(abs(speed) <= 20 for both in seen for speed in both)
-    assert board.braking == (127, 127)
+    assert becomes(lambda: board.braking, (127, 127))
     assert board.show()["aux"]["speed"] == 0
     assert board.errors == 0
     assert "status is 0" in said
@@ -175,7 +182,7 @@ def test_currents_and_faults_can_be_read(
     board.do("current 2 9.92")
     board.do("fault 1 on")
     with obedient(program, board.url) as trex:
-        deadline = time.monotonic() + 5
+        deadline = time.monotonic() + 30
         while trex.do("currents") != ["2400 9920"]:  # they are an average
             assert time.monotonic() < deadline
         assert trex.do("status") == ["16"]
@@ -229,7 +236,7 @@ def test_a_board_that_does_not_answer_is_reported_with_the_line_in_force(
     )
     if why == "silent":
         board.do("line mute on")
-    program = made_ready(tmp_path, settings_for(line), line, language, drive=True)
+    program = made_ready(tmp_path, settings_for(line), line, language, drive=True, patience=1)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     assert "No board answers" in process.stdout
@@ -242,7 +249,8 @@ def test_a_parameter_that_the_board_lacks_is_named(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link(), "trex", "--unpaced", "--firmware", "1.0")
-    program = made_ready(tmp_path, settings_for(link()), link(), language, drive=True)
+    settings = settings_for(link())
+    program = made_ready(tmp_path, settings, link(), language, drive=True, patience=3)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     named = "0x17" if language is Language.ARDUINO else "Enable UART Response Delay"
@@ -257,7 +265,7 @@ def test_a_new_device_number_is_followed(
 ) -> None:
     line = link(expanded=True)
     settings = settings_for(line, device_number=42)
-    program = made_ready(tmp_path, settings, line, language)
+    program = made_ready(tmp_path, settings, line, language, patience=3)
     board = boards.board(line)
     for writes in (True, False):
         process = program.run(board.url)
@@ -286,7 +294,7 @@ def test_a_board_that_falls_silent_is_no_success(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link())
-    program = made_ready(tmp_path, settings_for(link()), link(), language)
+    program = made_ready(tmp_path, settings_for(link()), link(), language, patience=3)
     with obedient(program, board.url) as trex:
         assert "serial mode" in trex.do("check")[0]
         board.do("line mute on")
@@ -307,20 +315,23 @@ def test_what_the_rs232_connector_sends_back_is_no_answer(
     seen, _ = watched(made_ready(tmp_path, settings, line, language), board)
     assert board.has(settings)
     assert {(20, 0), (0, 20)} <= seen
-    assert board.braking == (127, 127)
+    assert becomes(lambda: board.braking, (127, 127))
 
 
 @on_a_computer
 def test_ctrl_c_stops_the_motors(language: Language, boards: Boards, tmp_path: Path) -> None:
     board = boards.board(link())
     program = made_ready(tmp_path, settings_for(link()), link(), language)
-    with program.start(board.url) as process:
-        while board.motors != (20, 0):
-            assert process.poll() is None
-            time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=10)
-    assert board.braking == (127, 127)
+    for _ in range(10):  # a busy computer may look away while it drives
+        with program.start(board.url) as process:
+            while not (drives := board.motors == (20, 0)) and process.poll() is None:
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=30)
+        if drives:
+            break
+    assert drives
+    assert becomes(lambda: board.braking, (127, 127))  # it may hear of it behind the end
 
 
 @every_language

@@ -11,10 +11,15 @@ from trex_gui.link.messages import Stop
 
 def test_an_empty_inbox_waits_as_long_as_it_was_told() -> None:
     inbox = QueueInbox()
-    begun = time.monotonic()
-    assert inbox.get(0.0) is None
-    assert inbox.get(0.05) is None
-    assert 0.05 <= time.monotonic() - begun < 0.5
+    for _ in range(20):  # a busy computer adds to some
+        begun = time.monotonic()
+        assert inbox.get(0.0) is None
+        assert inbox.get(0.05) is None
+        took = time.monotonic() - begun
+        assert took >= 0.05
+        if took < 0.5:
+            break
+    assert took < 0.5
 
 
 def test_a_request_wakes_who_waits() -> None:
@@ -22,8 +27,8 @@ def test_a_request_wakes_who_waits() -> None:
     timer = threading.Timer(0.05, inbox.put, [Stop(1)])
     begun = time.monotonic()
     timer.start()
-    assert inbox.get(5.0) == Stop(1)
-    assert time.monotonic() - begun < 1.0
+    assert inbox.get(40.0) == Stop(1)
+    assert time.monotonic() - begun < 30.0
     timer.join()
 
 

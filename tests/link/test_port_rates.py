@@ -6,6 +6,7 @@ import os
 import sys
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 import serial
@@ -35,15 +36,24 @@ def terminal() -> Iterator[tuple[int, str]]:
         os.close(end)
 
 
+@pytest.fixture
+def whatever_time_it_takes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no question be given up because the computer is busy."""
+    monkeypatch.setattr(port_rates, "_LONGEST", 30.0)
+
+
 @linux
 def test_a_pseudo_terminal_can_do_every_rate_and_nothing_is_sent(
-    terminal: tuple[int, str],
+    terminal: tuple[int, str], whatever_time_it_takes: None
 ) -> None:
     master, url = terminal
     transport = SerialTransport(LinkSettings(url, LineSettings(14400)))
-    begun = time.monotonic()
-    assert transport.rates() == frozenset(baud_rates())
-    assert time.monotonic() - begun < 0.1
+    for _ in range(20):  # a busy computer adds to some
+        begun = time.monotonic()
+        assert transport.rates() == frozenset(baud_rates())
+        if (took := time.monotonic() - begun) < 0.1:
+            break
+    assert took < 0.1
     os.set_blocking(master, False)
     with pytest.raises(BlockingIOError):
         os.read(master, 1)
@@ -57,7 +67,8 @@ def test_the_port_is_afterwards_as_it_was(quick_simulator: SimulatorProcess) -> 
     before = port_rates._get(transport._port.fileno())
     transport.rates()
     assert port_rates._get(transport._port.fileno()) == before
-    assert str(Client(transport, settings).request(GetSignature())) == "TReX 1.2"
+    client = Client(transport, replace(settings, patience=15))
+    assert str(client.request(GetSignature())) == "TReX 1.2"
     transport.close()
 
 
@@ -100,7 +111,9 @@ class Adapter:
 
 
 @linux
-def test_a_rate_that_the_driver_rounds_cannot_be_done(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_rate_that_the_driver_rounds_cannot_be_done(
+    monkeypatch: pytest.MonkeyPatch, whatever_time_it_takes: None
+) -> None:
     adapter = Adapter(monkeypatch, 9600, 19200, 57143, 75000)
     assert rates_of(adapter, [9600, 38400, 57600, 76800]) == frozenset({9600, 57600, 76800})
     adapter.possible = (19200, 57600, 115200)

@@ -13,11 +13,14 @@ from trex_gui.model.demo_board import DemoBoard
 from trex_gui.model.demo_snapshot import DemoChannel, DemoSnapshot, read_snapshot
 from trex_gui.protocol.flags import CHANNELS, InputSource, Mode
 
+TRIES = 4
+"""How often is tried what a computer that stands still for a moment spoils."""
+
 
 @pytest.fixture
 def simulator(qtbot: QtBot) -> Iterator[Overheard]:
     simulator = Overheard()
-    with qtbot.waitSignal(simulator.ready, timeout=10_000):
+    with qtbot.waitSignal(simulator.ready):
         simulator.start()
     yield simulator
     simulator.stop()
@@ -59,7 +62,8 @@ def test_nothing_is_asked_while_nobody_looks(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
     board.watch(False)
-    simulator.send("show", lambda _answer: None)
+    board.watch(True)  # asks at once
+    board.watch(False)
     simulator.lines.clear()
     board.set_mix(True)
     answers: list[str] = []
@@ -129,12 +133,21 @@ def test_power_goes_and_comes(board: DemoBoard, qtbot: QtBot) -> None:
 def test_a_power_cycle_is_long_enough_to_be_noticed(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
-    simulator.lines.clear()
-    board.power_cycle()
-    qtbot.waitUntil(lambda: not seen(board).power)
-    board.power_cycle()  # is under way
-    qtbot.waitUntil(lambda: seen(board).power)
-    assert simulator.orders() == ["power off", "power on"]
+    off: list[bool] = []
+
+    def note() -> None:
+        off.append(board.snapshot is not None and not board.snapshot.power)
+
+    board.changed.connect(note)
+    for _ in range(TRIES):
+        simulator.lines.clear()
+        board.power_cycle()
+        board.power_cycle()  # is under way
+        qtbot.waitUntil(lambda: "power on" in simulator.lines and seen(board).power)
+        assert simulator.orders() == ["power off", "power on"]
+        if any(off):
+            break
+    assert any(off)
 
 
 def test_the_mode_jumper_acts_at_the_next_power_up(board: DemoBoard, qtbot: QtBot) -> None:

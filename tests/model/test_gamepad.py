@@ -41,14 +41,19 @@ class Hands:
         self.wait_for("Hold")
 
     def wait_for(self, words: str) -> None:
-        self.qtbot.waitUntil(lambda: words in self.gamepad.text, timeout=2000)
+        self.qtbot.waitUntil(lambda: words in self.gamepad.text)
 
     def speeds(self) -> tuple[int | None, int | None]:
         first, second = self.motors.drive(1), self.motors.drive(2)
         return (first.signed if first else None, second.signed if second else None)
 
     def wait_for_speeds(self, left: int | None, right: int | None) -> None:
-        self.qtbot.waitUntil(lambda: self.speeds() == (left, right), timeout=2000)
+        self.qtbot.waitUntil(lambda: self.speeds() == (left, right))
+
+    def seen(self, axis: int) -> float | None:
+        """Where the gamepad was read to have this axis."""
+        state = self.gamepad.state
+        return None if state is None else state.axes[axis]
 
     def go(self) -> None:
         """Drive forward as fast as it goes."""
@@ -111,7 +116,7 @@ def test_a_ceiling_raised_under_a_stick_that_is_held_makes_nothing_faster(hands:
     hands.pads.release(HOLD)
     hands.qtbot.waitUntil(lambda: brakes(hands))
     hands.pads.move(Y, 0.0)
-    hands.qtbot.wait(50)
+    hands.qtbot.waitUntil(lambda: hands.seen(Y) == 0.0)
     hands.pads.press(HOLD)
     hands.pads.move(Y, 1.0)
     hands.wait_for_speeds(-FULL_SCALE, -FULL_SCALE)

@@ -121,7 +121,7 @@ class Applied:
 def applied(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Applied]:
     watched = Watched(qtbot)
     yield Applied(watched, quick_simulator)
-    assert watched.device.shut_down(), "the thread lives on"
+    qtbot.waitUntil(watched.device.shut_down)  # no thread lives on
 
 
 def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -> None:
@@ -247,7 +247,7 @@ def addressed(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Watch
     watched.device.connect_to(LinkSettings(quick_simulator.url, device_number=7))
     watched.until_link(Link.UP)
     yield watched
-    assert watched.device.shut_down(), "the thread lives on"
+    qtbot.waitUntil(watched.device.shut_down)  # no thread lives on
 
 
 def test_a_board_that_gets_another_number_is_called_by_it_at_once(

@@ -12,6 +12,7 @@ from tests.support.simulator import SimulatorProcess
 from trex_gui.learning.problems import Kind
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import Written
+from trex_gui.model import standing
 from trex_gui.model.device import Device, Link
 from trex_gui.model.learning import Learning, Step
 from trex_gui.protocol.errors import NoReply, TrexError
@@ -94,7 +95,7 @@ def bench(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Bench]:
     bench = Bench(quick_simulator, qtbot)
     yield bench
     bench.learning.cancel()
-    assert bench.device.shut_down()
+    qtbot.waitUntil(bench.device.shut_down)
 
 
 def test_two_channels_are_learned_at_once_as_one_step_to_undo(bench: Bench) -> None:
@@ -199,6 +200,13 @@ def test_a_current_that_goes_on_after_the_stop_has_to_be_looked_at(bench: Bench)
     bench.until_step(Step.NEUTRAL)
 
 
+@pytest.fixture
+def slow_to_doubt(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Wait longer for a current to end than a computer stands still."""
+    monkeypatch.setattr(standing, "_PATIENCE_MS", 20_000)
+
+
+@pytest.mark.usefixtures("slow_to_doubt")
 def test_a_current_that_ends_a_moment_after_the_stop_holds_nothing_up(bench: Bench) -> None:
     bench.simulator.do("current 1 2.0")
     bench.learning.begin_test((1,))
@@ -290,7 +298,7 @@ def test_a_channel_without_rest_is_left_behind(bench: Bench) -> None:
     bench.learning.begin((1, 2))
     bench.until_step(Step.NEUTRAL)
     first, second = bench.learning.channels
-    bench.until(lambda: [p.kind for p in second.rest_problems] == [Kind.NO_SIGNAL], timeout=1500)
+    bench.until(lambda: [p.kind for p in second.rest_problems] == [Kind.NO_SIGNAL])
     bench.learning.next()
     bench.until(lambda: bench.learning.has_sampled)
     bench.until_step(Step.NEUTRAL)
@@ -355,7 +363,7 @@ def test_a_gap_in_the_measurements_is_said_and_is_no_rest(bench: Bench) -> None:
     bench.until_step(Step.NEUTRAL)
     bench.device.telemetry.blockSignals(True)
     bench.learning.next()
-    bench.until(lambda: bench.learning.stalled, timeout=2000)
+    bench.until(lambda: bench.learning.stalled)
     assert not bench.learning.can_go_on
     bench.device.telemetry.blockSignals(False)
     bench.until_step(Step.TRAVEL)

@@ -17,7 +17,7 @@ def test_a_session_that_dies_of_a_fault_closes_the_line_and_remembers_what_was_d
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, drives: bool
 ) -> None:
     told = threading.Event()
-    monkeypatch.setattr(Session, "run", lambda _: told.wait(5))
+    monkeypatch.setattr(Session, "run", lambda _: told.wait(30))
     line = Line()
     line.open(LinkSettings("nowhere"), may_move=False)
     if drives:

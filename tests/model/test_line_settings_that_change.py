@@ -24,7 +24,7 @@ Until = Callable[[Callable[[], bool]], None]
 
 @pytest.fixture
 def until(qtbot: QtBot) -> Until:
-    return lambda condition: qtbot.waitUntil(condition, timeout=15_000)
+    return lambda condition: qtbot.waitUntil(condition, timeout=20_000)
 
 
 @pytest.fixture
@@ -52,6 +52,19 @@ def store(device: Device, until: Until, **wires: int) -> None:
         device.parameters.edit(key, wire)
     device.apply()
     until(lambda: not device.applying and device.pending == 0)
+
+
+def restart(device: Device, until: Until, act: Callable[[], None]) -> None:
+    """Let a board be without power for a moment, and wait until it was missed and is back."""
+    seen: list[Link] = []
+
+    def note() -> None:
+        seen.append(device.link)
+
+    device.link_changed.connect(note)
+    act()
+    until(lambda: Link.SILENT in seen and device.link is Link.UP)
+    device.link_changed.disconnect(note)
 
 
 def line_of(device: Device) -> LineSettings:
@@ -114,9 +127,7 @@ def test_the_simulated_board_is_reached_again_where_it_was_left(
     until(lambda: device.link is Link.UP)
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((LinkSettings("", NEW),))
-    connector.demo_board.power_cycle()
-    until(lambda: device.link is Link.SILENT)
-    until(lambda: device.link is Link.UP)
+    restart(device, until, connector.demo_board.power_cycle)
     assert line_of(device) == NEW
     assert connector.settings == LinkSettings("")  # which are for real boards
     connector.disconnect_port()
@@ -133,12 +144,8 @@ def test_a_new_simulated_board_has_the_factorys_settings(
     until(lambda: device.link is Link.UP)
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((LinkSettings("", NEW),))
-    connector.demo_board.power_cycle()
-    until(lambda: device.link is Link.SILENT)
-    until(lambda: device.link is Link.UP)
-    connector.demo_board.restore_factory()
-    until(lambda: device.link is Link.SILENT)
-    until(lambda: device.link is Link.UP)
+    restart(device, until, connector.demo_board.power_cycle)
+    restart(device, until, connector.demo_board.restore_factory)
     assert line_of(device) == LineSettings()
     connector.simulator.stop()
     until(lambda: device.link is Link.NONE)

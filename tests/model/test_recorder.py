@@ -40,10 +40,10 @@ class Session:
         self.wait(lambda: self.device.link is Link.UP)
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=10_000)
+        self.qtbot.waitUntil(condition, timeout=20_000)
 
     def end_recording(self) -> None:
-        with self.qtbot.waitSignal(self.recorder.ended, timeout=10_000):
+        with self.qtbot.waitSignal(self.recorder.ended, timeout=20_000):
             self.recorder.stop()
 
     def end(self) -> None:
@@ -110,7 +110,7 @@ def test_wishes_events_and_new_settings_are_recorded_where_they_happened(
     device.motors.press_stop()
     session.wait(lambda: not device.may_move)
     device.parameters.edit("serial_timeout", 9)
-    with session.qtbot.waitSignal(device.applied, timeout=10_000):
+    with session.qtbot.waitSignal(device.applied, timeout=20_000):
         device.apply()
     session.end_recording()
     records = everything(path)
@@ -154,7 +154,7 @@ def test_a_recording_ends_when_the_board_comes_back_with_other_inputs(
 ) -> None:
     session.recorder.start(tmp_path / "a.trexrec")
     session.simulator.do("jumper mode analog")
-    with session.qtbot.waitSignal(session.recorder.ended, timeout=10_000):
+    with session.qtbot.waitSignal(session.recorder.ended, timeout=20_000):
         session.simulator.do("power cycle")
     assert everything(tmp_path / "a.trexrec")
 
@@ -174,7 +174,7 @@ def test_a_full_disk_is_told_and_stops_neither_line_nor_window(
 
 
 def test_a_folder_that_is_not_there_is_told(session: Session, tmp_path: Path) -> None:
-    with session.qtbot.waitSignal(session.recorder.failed, timeout=10_000) as failed:
+    with session.qtbot.waitSignal(session.recorder.failed, timeout=20_000) as failed:
         session.recorder.start(tmp_path / "none" / "a.trexrec")
     assert "No such file" in failed.args[0]
     session.wait(lambda: session.recorder.can_record)

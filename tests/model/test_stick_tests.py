@@ -68,7 +68,7 @@ def connect(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Callabl
         return device
 
     yield connect
-    device.shut_down()
+    qtbot.waitUntil(device.shut_down)
 
 
 @pytest.fixture

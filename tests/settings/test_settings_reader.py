@@ -364,9 +364,9 @@ def test_a_file_of_the_largest_size_is_read() -> None:
 def test_a_file_full_of_mistakes_is_answered_soon_and_not_at_any_length() -> None:
     count = 900
     text = "product: TReX\n" + "".join(f"serial_timeot_{n}: 1\n" for n in range(count))
-    begun = time.perf_counter()
+    begun = time.process_time()  # what others do with the computer does not count
     error = refused(text)
-    assert time.perf_counter() - begun < 5
+    assert time.process_time() - begun < 5
     assert len(error.findings) <= MOST_FINDINGS + 2
     assert str(error.findings[-1]) == f"{count - MOST_FINDINGS} more errors are not listed"
 

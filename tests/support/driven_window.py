@@ -1,7 +1,9 @@
 """The whole program in a process of its own, driving motors until something goes wrong.
 
 Run as `python -m tests.support.driven_window URL`; prints `driving` once everything turns, then
-takes lines on stdin, each the name of something that goes wrong.
+takes lines on stdin, each the name of something that goes wrong. Until the first of them it drives
+again whenever it was stopped. With `usual` behind the URL it waits no longer for its own window
+than the program does by itself. What hangs prints `hanging` before.
 """
 
 import os
@@ -12,6 +14,7 @@ import time
 from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtGui import QAction
 
+from tests.support.standing_still import be_patient
 from trex_gui import app, window
 from trex_gui.link import session
 from trex_gui.model.device import Link
@@ -20,6 +23,7 @@ from trex_gui.window import Program
 
 SPEEDS = {1: 60, 2: -60}
 AUXILIARY = 50
+HANGING = 30.0  # seconds
 
 
 class Driver(QObject):
@@ -29,6 +33,7 @@ class Driver(QObject):
         super().__init__(program.window)
         self._program = program
         self._motors = program.device.motors
+        self._has_driven = False
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._drive_as_soon_as_possible)
         self._timer.start(20)
@@ -41,18 +46,28 @@ class Driver(QObject):
     def _drive_as_soon_as_possible(self) -> None:
         if self._program.device.link is not Link.UP or not self._motors.can_arm:
             return
-        self._timer.stop()
+        if self._motors.armed:
+            return
         self._motors.accelerate = False
         self._motors.arm()
         for motor, speed in SPEEDS.items():
             self._motors.set_speed(motor, speed)
         self._motors.set_auxiliary(AUXILIARY)
-        sys.stdout.write("driving\n")
+        if not self._has_driven:
+            self._has_driven = True
+            self._say("driving")
+
+    def _say(self, word: str) -> None:
+        sys.stdout.write(f"{word}\n")
         sys.stdout.flush()
 
     def _on_order(self) -> None:
+        self._timer.stop()
         for order in os.read(0, 4096).decode().split():
             getattr(self, order)()
+
+    def only_watch(self) -> None:
+        self._say("watching")
 
     def _make_a_mistake(self) -> None:
         raise ZeroDivisionError("on purpose")
@@ -83,13 +98,12 @@ class Driver(QObject):
         setattr(session.Session, "_step", step)  # noqa: B010 - on purpose
 
     def hang(self) -> None:
-        time.sleep(3)
-
-    def hang_for_long(self) -> None:
-        time.sleep(20)
+        self._say("hanging")
+        time.sleep(HANGING)
 
     def hang_computing(self) -> None:
-        end = time.monotonic() + 3
+        self._say("hanging")
+        end = time.monotonic() + HANGING
         while time.monotonic() < end:
             pass
 
@@ -115,8 +129,10 @@ class Driver(QObject):
 WATCHES: list[QObject] = []
 
 
-def main(url: str) -> int:
+def main(url: str, patience: str = "") -> int:
     """Run the program until it is ended."""
+    if patience != "usual":
+        be_patient()
     build = window.build
 
     def build_and_drive() -> Program:
@@ -134,4 +150,4 @@ def main(url: str) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main(*sys.argv[1:]))

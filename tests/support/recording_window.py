@@ -12,6 +12,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer
 
+from tests.support.standing_still import be_patient
 from trex_gui import app, window
 from trex_gui.model.device import Link
 from trex_gui.window import Program
@@ -57,6 +58,7 @@ def main(url: str, path: str, disk: str) -> int:
         Recording(program, Path(path))
         return program
 
+    be_patient()
     os.fsync = slow_sync
     window.build = build_and_record
     return app.main(["--port", url])

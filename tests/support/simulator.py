@@ -45,7 +45,7 @@ class SimulatorProcess:
 
     def end(self) -> None:
         self._process.terminate()
-        self._process.wait(5)
+        self._process.wait(30)
         self._folder.cleanup()
         for stream in (self._process.stdin, self._process.stdout):
             if stream is not None:

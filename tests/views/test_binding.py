@@ -2,6 +2,7 @@
 
 import sys
 
+import pytest
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
@@ -9,6 +10,7 @@ from trex_gui.model.device import Link
 from trex_gui.window import Program
 
 
+@pytest.mark.timeout(300)  # paints every widget 60 times, on a computer with much else to do
 def test_repainting_every_page_loses_no_references_to_none(program: Program, qtbot: QtBot) -> None:
     program.connector.connect_to(program.ports.demo)
     qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=20_000)

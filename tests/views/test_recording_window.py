@@ -187,18 +187,31 @@ def test_what_the_plot_shows_is_saved_as_a_picture(
     assert "<svg" in (tmp_path / "minute.svg").read_text(encoding="utf-8")
 
 
+def half_read(path: Path, qtbot: QtBot) -> tuple[PlaybackWindow, QProgressBar]:
+    """Open a recording; return its window, and its bar, when some of it was read and not all.
+
+    A computer that stands still for a moment has read it all then; so it is tried again.
+    """
+    for _ in range(4):
+        window = PlaybackWindow(Playback.open(path), Device())
+        window.show()
+        bar = find(window, QProgressBar, "recordingProgress")
+        assert isinstance(bar, QProgressBar)
+        assert not find(window, QPushButton, "exportSpanButton").isEnabled()
+        assert not find(window, QToolButton, "pictureButton").isEnabled()
+        qtbot.waitUntil(lambda: bar.value() > 0 or window.playback.is_loaded)  # noqa: B023
+        if not window.playback.is_loaded:
+            return window, bar
+        window.close()
+    raise AssertionError(path)
+
+
 def test_while_it_is_read_it_says_how_far_and_can_be_cancelled(
     tmp_path: Path, qtbot: QtBot
 ) -> None:
     path = tmp_path / "long.csv"
     write_an_hour_of_csv(path, 10)
-    window = PlaybackWindow(Playback.open(path), Device())
-    window.show()
-    bar = find(window, QProgressBar, "recordingProgress")
-    assert isinstance(bar, QProgressBar)
-    assert not find(window, QPushButton, "exportSpanButton").isEnabled()
-    assert not find(window, QToolButton, "pictureButton").isEnabled()
-    qtbot.waitUntil(lambda: bar.value() > 0, timeout=20_000)
+    window, bar = half_read(path, qtbot)
     assert bar.isVisible()
     assert bar.text().startswith("Reading, ")
     assert not window.playback.is_loaded

@@ -20,6 +20,10 @@ if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
 
+TRIES = 4
+"""How often is tried what a computer that stands still for a moment spoils."""
+
+
 class Watched:
     """A worker and everything that it told."""
 
@@ -31,6 +35,11 @@ class Watched:
         self.worker.stepped.connect(self._on_stepped)
         self.worker.searched.connect(self._on_searched)
 
+    @property
+    def found(self) -> list[bool]:
+        """Whether something was found, for each port."""
+        return [bool(one.search.found) for one in self.searched]
+
     def _on_stepped(self, index: int, step: Step) -> None:
         self.threads.add(threading.current_thread())
         self.steps.append((index, step))
@@ -39,15 +48,26 @@ class Watched:
         self.searched.append(searched)
 
 
+def search(qtbot: QtBot, *urls: str, found: list[bool]) -> Watched:
+    """Search until something is found where it should be; return the last search."""
+    for _ in range(TRIES):
+        watched = Watched(*urls)
+        with qtbot.waitSignal(watched.worker.finished, timeout=30_000):
+            watched.worker.start()
+        assert watched.worker.wait(15_000)
+        if watched.found == found:
+            break
+    return watched
+
+
 def test_ports_are_searched_one_after_the_other(
     quick_simulator: SimulatorProcess,
     start_simulator: Callable[..., SimulatorProcess],
     qtbot: QtBot,
 ) -> None:
     other = start_simulator("--unpaced", "--model", "trexjr")
-    watched = Watched(quick_simulator.url, "/dev/ttyNothing9", other.url)
-    with qtbot.waitSignal(watched.worker.finished, timeout=15_000):
-        watched.worker.start()
+    urls = quick_simulator.url, "/dev/ttyNothing9", other.url
+    watched = search(qtbot, *urls, found=[True, False, True])
     first, second, third = watched.searched
     assert first.search.found[0].name == "TReX 1.2"
     assert isinstance(second.search.error, PortUnavailable)
@@ -60,15 +80,20 @@ def test_a_search_ends_soon_when_it_is_cancelled(
     quick_simulator: SimulatorProcess, qtbot: QtBot
 ) -> None:
     quick_simulator.do("power off")
-    watched = Watched(quick_simulator.url, quick_simulator.url)
-    watched.worker.start()
-    qtbot.waitUntil(lambda: len(watched.steps) >= 2)
-    begun = time.monotonic()
-    assert watched.worker.close()
-    assert time.monotonic() - begun < 1.0
-    qtbot.waitUntil(lambda: bool(watched.searched))
-    (searched,) = watched.searched
-    assert searched.search.cancelled
+
+    def take() -> float:
+        watched = Watched(quick_simulator.url, quick_simulator.url)
+        watched.worker.start()
+        qtbot.waitUntil(lambda: len(watched.steps) >= 2)
+        begun = time.monotonic()
+        assert watched.worker.close(15_000)
+        took = time.monotonic() - begun
+        qtbot.waitUntil(lambda: bool(watched.searched))
+        (searched,) = watched.searched
+        assert searched.search.cancelled
+        return took
+
+    assert any(take() < 1.0 for _ in range(TRIES))
     quick_simulator.do("power on")
 
 
@@ -79,13 +104,11 @@ def test_a_board_at_other_settings_is_found(
     from trex_gui.link.transport import SerialTransport
     from trex_gui.protocol.commands import SetParameter
 
-    settings = LinkSettings(quick_simulator.url)
+    settings = LinkSettings(quick_simulator.url, patience=5.0)
     client = Client(SerialTransport(settings), settings)
     client.request(SetParameter(0x7E, LineSettings(115200).to_wire()))
     client.close()
     quick_simulator.do("power cycle")
-    watched = Watched(quick_simulator.url)
-    with qtbot.waitSignal(watched.worker.finished, timeout=15_000):
-        watched.worker.start()
+    watched = search(qtbot, quick_simulator.url, found=[True])
     (found,) = watched.searched[0].search.found
     assert found.settings.line.baud == 115200

@@ -148,7 +148,8 @@ class DemoDevice(QObject, Generic[SnapshotT]):
     def _take_show(self, answer: str, orders: int) -> None:
         self._looking = False
         if orders != self._orders:
-            self._look()  # something was asked for since: this is how things were before
+            if self._timer.isActive():
+                self._look()  # something was asked for since: this is how things were before
         elif answer.startswith("ok "):
             self._take(self._read(answer.removeprefix("ok ")))
 

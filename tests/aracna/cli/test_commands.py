@@ -160,7 +160,7 @@ def test_a_position_that_could_not_be_read_is_told(trexcmd: Run, robot: AracnaPr
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 def test_ctrl_c_says_that_nothing_stops_a_running_motion(robot: AracnaProcess) -> None:
     process = subprocess.Popen(
-        [sys.executable, "-m", "trex_gui.cli", "aracna", "pose", *["550"] * 8, "--speed", "20"],
+        [sys.executable, "-m", "trex_gui.cli", "aracna", "pose", *["300"] * 8, "--speed", "20"],
         env={**os.environ, "TREX_PORT": robot.url},
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
@@ -170,7 +170,7 @@ def test_ctrl_c_says_that_nothing_stops_a_running_motion(robot: AracnaProcess) -
         while not robot.show()["servos"][7]["moving"]:
             pass
         process.send_signal(signal.SIGINT)
-        out, errors = process.communicate(timeout=20)
+        out, errors = process.communicate(timeout=30)
     finally:
         process.kill()
         process.communicate()
@@ -263,7 +263,7 @@ def test_ctrl_c_ends_a_loop_after_the_running_step(robot: AracnaProcess, file: s
             if line.startswith("round 2"):
                 break
         process.send_signal(signal.SIGINT)
-        out, errors = process.communicate(timeout=20)
+        out, errors = process.communicate(timeout=30)
     finally:
         process.kill()
         process.communicate()

@@ -34,6 +34,12 @@ class Person:
         self.robot = program.robot
         self.simulator = program.robot_way.simulator
         self.qtbot = qtbot
+        self.silences = 0
+        self.robot.link_changed.connect(self._count_silences)
+
+    def _count_silences(self) -> None:
+        if self.robot.link is Link.SILENT:
+            self.silences += 1
 
     def find(self, kind: type[WidgetT], name: str) -> WidgetT:
         widget = self.program.window.findChild(kind, name)
@@ -44,7 +50,13 @@ class Person:
         return self.find(QLabel, name).text()
 
     def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=15_000)
+        self.qtbot.waitUntil(condition, timeout=30_000)
+
+    def see_silence(self, act: Callable[[], object]) -> None:
+        """Do something and wait until the robot was silent: after a restart it is so for 1 s."""
+        before = self.silences
+        act()
+        self.wait(lambda: self.silences > before)
 
     def click(self, name: str) -> None:
         button = self.find(QAbstractButton, name)

@@ -45,7 +45,7 @@ def test_a_port_goes_on_leading_to_what_was_found_there(program: Program, qtbot:
     program.connect_to_port(url)
     assert program.switchboard.current.kind.key == "aracna"
     program.connect_to_port(url, "trex")
-    qtbot.waitUntil(lambda: program.switchboard.current.kind.key == "trex")
+    qtbot.waitUntil(lambda: program.switchboard.current.kind.key == "trex", timeout=15_000)
     found = ports.find(url)
     assert found is not None
     assert found.device == "trex"

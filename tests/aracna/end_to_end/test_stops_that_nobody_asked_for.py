@@ -50,7 +50,7 @@ def test_a_motion_that_runs_is_said_to_go_on_and_for_how_long(
     creep(person)
     longest = person.robot.remaining()
     getattr(causes, cause)()
-    person.wait(lambda: bool(causes.banner))
+    person.wait(lambda: causes.banner.startswith(reason))
     said = re.fullmatch(
         rf"{re.escape(reason)}\. Nothing more is sent; the motion that runs goes on to its goal "
         r"\(about (\d+) s\)\.",

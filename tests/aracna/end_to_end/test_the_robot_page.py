@@ -92,11 +92,13 @@ def test_goals_are_sent_while_they_are_dragged(person: Person, sent: list[tuple[
     slider = person.drag("aracnaSlider6", 400, release=False)
     person.wait(lambda: bool(sent) and sent[-1][6] == slider.value())
     assert person.robot.dragging
-    for goal in (410, 405, 410, 405):
+    for goal in (410, 405) * 25:  # after a pause of a second the rate is reckoned anew
         count = len(sent)
         QTest.mouseMove(slider, person._handle_at(slider, goal))
         QTest.mouseMove(slider, person._handle_at(slider, goal + 20))
         person.wait_for_motion(count, sent)
+        if "commands a second" in person.text("aracnaRateLabel"):
+            break
     assert "commands a second" in person.text("aracnaRateLabel")
     QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=person.handle(slider))
     assert not person.robot.dragging
@@ -216,9 +218,12 @@ def test_a_sequence_ends_after_its_step(person: Person) -> None:
 
 def test_a_servo_that_dies_is_named_with_what_to_do(person: Person) -> None:
     person.move_and_wait()
-    control(person, "servo 3 dead")
-    person.drag("aracnaSlider0", 480)
+    control(person, "servo 3 block")  # on its way until it dies: a dead one takes no speed either
+    person.drag("aracnaSlider3", 480)
     person.click("aracnaMoveButton")
+    person.wait(lambda: person.robot.known.moving is not None)
+    control(person, "servo 3 dead")
+    control(person, "servo 3 free")
     person.wait(lambda: "waits for motor 3" in person.text("aracnaReport"))
     assert "servo power" in person.text("aracnaReport")
     assert "does not stop the servos" in person.text("aracnaReport")
@@ -230,8 +235,15 @@ def test_a_servo_that_dies_is_named_with_what_to_do(person: Person) -> None:
 
 def test_a_board_that_restarts_is_told_and_goes_on(person: Person) -> None:
     person.move_and_wait()
+    said: list[str] = []
+
+    def note() -> None:
+        said.append(person.text("statusLabel"))
+
+    person.robot.changed.connect(note)
     control(person, "reset")
-    person.wait(lambda: "restarted" in person.text("statusLabel"))
+    person.wait(lambda: any("restarted" in text for text in said))
+    person.robot.changed.disconnect(note)
     person.wait(lambda: "Connected to Aracna" in person.text("statusLabel"))
     person.move_and_wait()
 

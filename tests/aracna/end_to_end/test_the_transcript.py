@@ -66,6 +66,7 @@ def test_neither_device_stands_in_the_transcript_of_the_other(person: Person) ->
     person.wait(lambda: person.program.device.link is Link.UP)
     board.pull()
     assert any(row.sent == b"\x81" for row in board.everything.rows)
+    person.robot.transcript.pull()
     rows = person.robot.transcript.everything.rows
     assert rows[-1].note == "Closed."
     assert {row.sent for row in rows} <= {b"", b".q\n", b"\n"}

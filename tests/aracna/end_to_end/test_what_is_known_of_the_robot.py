@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QListWidget, QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.aracna.end_to_end.person import DEMO_ARACNA, DEMO_TREX, Person
+from trex_gui.aracna.link import session
 from trex_gui.model.connection import Link
 from trex_gui.window import Program
 
@@ -44,6 +45,17 @@ def moves(person: Person) -> bool:
     return any(servo["moving"] for servo in shown["servos"])
 
 
+def lose_motor_3(person: Person) -> None:
+    """Let a motor die on its way: one that is dead before does not even take its speed."""
+    control(person, "servo 3 block")  # it is on its way for as long as that
+    person.drag("aracnaSlider3", 480)
+    person.click("aracnaMoveButton")
+    person.wait(lambda: person.robot.known.moving is not None)
+    control(person, "servo 3 dead")
+    control(person, "servo 3 free")
+    person.wait(lambda: person.robot.known.stuck is not None)
+
+
 def begin_long_motion(person: Person) -> None:
     """Let every motor go far and slowly: for about 90 s."""
     person.robot.set_speeds((5,) * 8)
@@ -70,8 +82,7 @@ def test_after_a_restart_or_a_silence_positions_are_not_known_until_the_next_ans
     person.move_and_wait()
     assert button(person, "aracnaCapture").isEnabled()
     assert person.text("aracnaMotionLabel") == AT_REST
-    control(person, before)
-    person.wait(lambda: person.robot.link is Link.SILENT)
+    person.see_silence(lambda: control(person, before))
     if after:
         control(person, after)
     person.wait(lambda: person.robot.link is Link.UP)
@@ -90,10 +101,7 @@ def test_while_the_robot_waits_for_a_motor_nothing_can_be_sent_and_why_is_said(
     person: Person,
 ) -> None:
     person.move_and_wait()
-    control(person, "servo 3 dead")
-    person.drag("aracnaSlider0", 480)
-    person.click("aracnaMoveButton")
-    person.wait(lambda: person.robot.known.stuck is not None)
+    lose_motor_3(person)
     person.program.window.pages.setCurrentIndex(1)
     for name in ("aracnaMoveButton", "aracnaPlay", "aracnaGoTo"):
         assert not button(person, name).isEnabled(), name
@@ -113,6 +121,7 @@ def test_while_the_robot_waits_for_a_motor_nothing_can_be_sent_and_why_is_said(
 
 def test_who_disconnects_is_told_how_long_the_motion_goes_on(person: Person) -> None:
     person.move_and_wait()
+    person.robot.set_speeds((25,) * 8)  # 7 s: long enough to be seen, whatever else goes on
     person.drag("aracnaSlider0", 100)
     person.click("aracnaMoveButton")
     person.wait(lambda: person.robot.remaining() > 1)
@@ -149,10 +158,17 @@ def test_a_motion_that_goes_on_after_a_restart_is_told_until_its_time_is_over(
     person: Person,
 ) -> None:
     begin_long_motion(person)
-    control(person, "reset")
-    person.wait(lambda: person.robot.link is Link.SILENT)
-    assert person.text("aracnaMotionLabel").startswith("Not known: what was sent last may go on")
+    said: list[tuple[Link, str]] = []
+
+    def note() -> None:
+        said.append((person.robot.link, person.text("aracnaMotionLabel")))
+
+    person.robot.changed.connect(note)
+    person.see_silence(lambda: control(person, "reset"))
     person.wait(lambda: person.robot.link is Link.UP)
+    person.robot.changed.disconnect(note)
+    *_, last = [text for link, text in said if link is Link.SILENT]
+    assert last.startswith("Not known: what was sent last may go on")
     assert moves(person)
     assert person.text("aracnaMotionLabel").startswith("Not known: what was sent last may go on")
     person.click("connectButton")
@@ -161,7 +177,8 @@ def test_a_motion_that_goes_on_after_a_restart_is_told_until_its_time_is_over(
     assert person.robot.remaining() > 5
 
 
-def test_a_lost_answer_is_told_once(person: Person) -> None:
+def test_a_lost_answer_is_told_once(person: Person, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(session, "FRESH", 60.0)  # else the answer of its speeds may be lost first
     person.move_and_wait()
     control(person, "line mute on")
     person.drag("aracnaSlider0", 500)
@@ -217,10 +234,7 @@ def test_the_menu_names_what_escape_does(person: Person) -> None:
 
 def test_what_connecting_in_vain_may_come_from_is_said_with_a_way_out(person: Person) -> None:
     person.move_and_wait()
-    control(person, "servo 3 dead")
-    person.drag("aracnaSlider0", 480)
-    person.click("aracnaMoveButton")
-    person.wait(lambda: person.robot.known.stuck is not None)
+    lose_motor_3(person)
     person.click("connectButton")
     person.wait(lambda: person.robot.link is Link.NONE)
     person.choose_port(DEMO_ARACNA)

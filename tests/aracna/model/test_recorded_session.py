@@ -51,8 +51,10 @@ class Session:
         self.robot = Robot()
         self.recorder = AracnaRecorder(self.robot)
         self.reported: list[Row] = []
+        self.links: list[Link] = []
+        self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
         self.robot.reported.connect(self._on_reported)
-        self.robot.connect_to(LinkSettings(self.simulator.url))
+        self.robot.connect_to(LinkSettings(self.simulator.url, patience=2.0))
         self.wait_for(Link.UP)
 
     def _on_reported(self, report: object) -> None:
@@ -63,9 +65,9 @@ class Session:
         self.qtbot.waitUntil(lambda: self.robot.link is link, timeout=PATIENCE)
 
     def move(self, *goals: int) -> None:
+        before = self.robot.known.moved
         assert self.robot.move(goals)
-        self.qtbot.waitUntil(lambda: self.robot.known.moving is not None, timeout=PATIENCE)
-        self.qtbot.waitUntil(lambda: self.robot.known.moved is not None, timeout=PATIENCE)
+        self.qtbot.waitUntil(lambda: self.robot.known.moved not in {None, before}, timeout=PATIENCE)
 
     def stop(self) -> list[Row]:
         """End the recording and return what is in it."""
@@ -79,6 +81,8 @@ class Session:
 
     def end(self) -> None:
         assert self.recorder.shut_down()
+        self.robot.disconnect_line()
+        self.wait_for(Link.NONE)
         assert self.robot.shut_down()
         self.simulator.end()
 
@@ -119,14 +123,18 @@ def test_every_report_comes_back_equal(session: Session) -> None:
 def test_a_restart_a_silence_a_dead_servo_and_a_refusal_are_in_it(session: Session) -> None:
     session.recorder.start(session.path)
     session.move(*(500,) * 8)
-    session.simulator.do("servo 3 dead")
+    session.simulator.do("servo 3 block")  # dead before it is on its way, it would take no speed
     assert session.robot.move((400,) * 8)
+    session.qtbot.waitUntil(lambda: session.robot.known.moving is not None, timeout=PATIENCE)
+    session.simulator.do("servo 3 dead")
+    session.simulator.do("servo 3 free")
     session.qtbot.waitUntil(lambda: session.robot.known.stuck is not None, timeout=PATIENCE)
     assert not session.robot.move((300,) * 8)
     session.simulator.do("servo 3 alive")
     session.qtbot.waitUntil(lambda: session.robot.known.moving is None, timeout=PATIENCE)
+    session.links.clear()
     session.simulator.do("reset")
-    session.wait_for(Link.SILENT)
+    session.qtbot.waitUntil(lambda: Link.SILENT in session.links, timeout=PATIENCE)  # for a second
     session.wait_for(Link.UP)
     session.simulator.do("line mute on")
     session.wait_for(Link.SILENT)
@@ -148,7 +156,8 @@ def test_a_restart_a_silence_a_dead_servo_and_a_refusal_are_in_it(session: Sessi
 
 def test_a_recording_that_begins_late_begins_with_all_that_is_known(session: Session) -> None:
     session.move(*(500,) * 8)
-    assert session.robot.move((100,) * 8)
+    session.robot.set_speeds((40,) * 8)
+    assert session.robot.move((100,) * 8)  # 4.4 s, in which the recording has to begin
     session.qtbot.waitUntil(lambda: session.robot.known.moving is not None, timeout=PATIENCE)
     moving, speeds = session.robot.known.moving, session.robot.known.speeds
     assert moving is not None

@@ -26,9 +26,11 @@ def rows(path: Path) -> list[dict[str, str]]:
 def robot(qtbot: QtBot) -> Iterator[Robot]:
     simulator = AracnaProcess("--unpaced")
     robot = Robot()
-    robot.connect_to(LinkSettings(simulator.url))
+    robot.connect_to(LinkSettings(simulator.url, patience=2.0))
     qtbot.waitUntil(lambda: robot.link is Link.UP, timeout=15_000)
     yield robot
+    robot.disconnect_line()
+    qtbot.waitUntil(lambda: robot.link is Link.NONE, timeout=15_000)
     assert robot.shut_down()
     simulator.end()
 
@@ -49,7 +51,7 @@ def test_goals_places_speeds_and_events_of_a_move_are_in_the_file(
     assert not recorder.can_record
     assert robot.move((500,) * 8)
     qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
-    with qtbot.waitSignal(recorder.ended, timeout=5000) as ended:
+    with qtbot.waitSignal(recorder.ended, timeout=15_000) as ended:
         recorder.stop()
     assert ended.args == [path]
     assert recorder.size == path.stat().st_size
@@ -70,7 +72,7 @@ def test_it_begins_with_what_is_known_already(
     robot.move((500,) * 8)
     qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
     recorder.start(tmp_path / "later.csv")
-    with qtbot.waitSignal(recorder.ended, timeout=5000):
+    with qtbot.waitSignal(recorder.ended, timeout=15_000):
         recorder.stop()
     assert [row["record"] for row in rows(tmp_path / "later.csv")[:3]] == [
         *("header", "present", "speeds")
@@ -81,7 +83,7 @@ def test_it_ends_with_the_connection_and_says_so(
     robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
     recorder.start(tmp_path / "cut.csv")
-    with qtbot.waitSignals([recorder.told, recorder.ended], timeout=5000):
+    with qtbot.waitSignals([recorder.told, recorder.ended], timeout=15_000):
         robot.disconnect_line()
     assert not recorder.recording
     assert rows(tmp_path / "cut.csv")[0]["record"] == "header"
@@ -90,10 +92,10 @@ def test_it_ends_with_the_connection_and_says_so(
 def test_a_file_that_cannot_be_written_is_told(
     recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
-    with qtbot.waitSignal(recorder.failed, timeout=5000) as failed:
+    with qtbot.waitSignal(recorder.failed, timeout=15_000) as failed:
         recorder.start(tmp_path / "gone" / "a.csv")
     assert "cannot be written" in failed.args[0]
-    qtbot.waitUntil(lambda: recorder.can_record)
+    qtbot.waitUntil(lambda: recorder.can_record, timeout=15_000)
 
 
 def test_nothing_is_recorded_without_a_robot(tmp_path: Path, qtbot: QtBot) -> None:

@@ -25,7 +25,7 @@ def simulator() -> Iterator[AracnaProcess]:
 def watched(simulator: AracnaProcess, qtbot: QtBot) -> Iterator[Watched]:
     watched = Watched(simulator, qtbot)
     yield watched
-    assert watched.robot.shut_down()
+    watched.end()
 
 
 @pytest.fixture
@@ -56,12 +56,13 @@ def test_the_speed_that_was_chosen_last_while_a_motion_runs_holds_for_the_next(
     robot: Robot, watched: Watched
 ) -> None:
     watched.move((512,) * 8)
-    robot.move((400,) * 8)
+    robot.set_speeds((40,) * 8)
+    robot.move((200,) * 8)  # 3.4 s, in which all of this has to be asked for
     watched.wait(lambda: robot.known.moving is not None)
     robot.set_speeds((700,) * 8)
     robot.set_speeds((20,) * 8)
-    robot.move((410,) * 8)
-    watched.wait(lambda: (410,) * 8 in watched.sent and robot.known.moving is None)
+    robot.move((210,) * 8)
+    watched.wait(lambda: (210,) * 8 in watched.sent and robot.known.moving is None)
     assert watched.speeds == [20] * 8
     held = [report.held for report in watched.reports if isinstance(report, SpeedsHeld)]
     assert held[-1] == (20,) * 8
@@ -87,9 +88,7 @@ def test_what_is_asked_for_while_a_motor_is_waited_for_is_refused_and_never_begi
     robot: Robot, watched: Watched
 ) -> None:
     watched.move((512,) * 8)
-    watched.simulator.do("servo 3 dead")
-    robot.move((500,) * 8)
-    watched.wait(lambda: robot.known.moving is not None)
+    watched.lose_motor_3((500,) * 8)
     robot.move((300,) * 8)  # waits, and is dropped
     watched.wait(lambda: robot.known.stuck is not None)
     assert not robot.move((350,) * 8)

@@ -52,7 +52,7 @@ def wired(qtbot: QtBot) -> Iterator[Wired]:
     simulator = AracnaProcess("--unpaced")
     robot = Robot()
     wired = Wired(qtbot, robot)
-    robot.connect_to(LinkSettings(simulator.url))
+    robot.connect_to(LinkSettings(simulator.url, patience=2.0))
     qtbot.waitUntil(lambda: robot.link is Link.UP, timeout=15_000)
     robot.set_speeds((800,) * 8)
     yield wired
@@ -60,6 +60,8 @@ def wired(qtbot: QtBot) -> Iterator[Wired]:
     robot.link_changed.disconnect(wired.follow)
     wired.panel.close()
     wired.panel.deleteLater()
+    robot.disconnect_line()
+    qtbot.waitUntil(lambda: robot.link is Link.NONE, timeout=15_000)
     assert robot.shut_down()
     simulator.end()
 
@@ -83,7 +85,7 @@ def test_go_to_capture_and_play_work_together_at_a_robot(wired: Wired, qtbot: Qt
     qtbot.waitUntil(lambda: wired.endings == [Ending.DONE], timeout=15_000)
     stand = (512, 550) * 4
     assert wired.sent[-4:] == [stand, here.positions] * 2
-    qtbot.waitUntil(wired.button("aracnaPlay").isEnabled)
+    qtbot.waitUntil(wired.button("aracnaPlay").isEnabled, timeout=15_000)
     assert wired.said == []
 
 

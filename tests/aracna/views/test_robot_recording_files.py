@@ -6,8 +6,9 @@ import pytest
 from PySide6.QtCore import QThread
 from PySide6.QtWidgets import QCheckBox, QLabel, QListView, QProgressBar, QPushButton
 from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
-from tests.aracna.recordings import HEADER, MOTORS, T0, session, write
+from tests.aracna.recordings import HEADER, MOTORS, T0, hang, session, write
 from tests.aracna.views.recording_stage import PATIENCE, STORY, click, find, opened, text
 from trex_gui.aracna.link.messages import Moved
 from trex_gui.aracna.model.playback import RobotPlayback
@@ -37,10 +38,11 @@ def test_a_damaged_recording_says_which_line_and_shows_the_rest(
 
 
 def test_while_it_is_read_it_says_how_far_and_can_be_cancelled(
-    tmp_path: Path, qtbot: QtBot
+    tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    hang(monkeypatch)
     path = tmp_path / "long.csv"
-    write(path, list(session(8000)))
+    write(path, list(session(60)))
     window = RobotPlaybackWindow(RobotPlayback.open(path), Robot())
     window.show()
     bar = find(window, QProgressBar, "recordingProgress")
@@ -49,8 +51,10 @@ def test_while_it_is_read_it_says_how_far_and_can_be_cancelled(
     assert bar.text().startswith("Reading, ")
     assert not window.playback.is_loaded
     (thread,) = window.playback.findChildren(QThread)
-    with qtbot.waitSignals([window.closed, thread.finished], timeout=PATIENCE):
+    with qtbot.waitSignal(window.closed, timeout=PATIENCE):
         click(window, qtbot, "cancelRecordingButton")
+    qtbot.waitUntil(lambda: not isValid(thread) or thread.isFinished(), timeout=PATIENCE)
+    assert not window.playback.is_loaded
 
 
 def test_a_curve_that_was_taken_away_while_it_is_read_stays_away(

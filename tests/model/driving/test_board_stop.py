@@ -44,10 +44,10 @@ def test_after_an_error_on_the_line_the_window_wishes_nothing_any_more(
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 90)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=10_000)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=20_000)
     simulator.do("line error framing 1")
-    qtbot.waitUntil(lambda: not device.motors.armed, timeout=10_000)
+    qtbot.waitUntil(lambda: not device.motors.armed, timeout=20_000)
     assert "framing error" in device.motors.stop_reason
     assert device.motors.text == ""
-    qtbot.waitUntil(lambda: not device.may_move, timeout=10_000)
+    qtbot.waitUntil(lambda: not device.may_move, timeout=20_000)
     assert simulator.show()["motors"][0]["direction"] == "brake"

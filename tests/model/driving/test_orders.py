@@ -8,6 +8,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatorProcess
+from trex_gui.link import guard
 from trex_gui.link.guard import PATIENCE
 from trex_gui.link.messages import Halted
 from trex_gui.link.settings import LinkSettings
@@ -34,7 +35,7 @@ def driven(program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> Devic
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 90)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=10_000)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=20_000)
     return device
 
 
@@ -50,14 +51,14 @@ def test_a_stop_from_another_thread_arrives_and_wishes_that_pass_it_are_dropped(
     thread.join()
     # The window has not heard of it yet, and goes on wishing.
     driven.motors.set_speed(1, 70)
-    qtbot.waitUntil(lambda: is_braked(simulator), timeout=10_000)
+    qtbot.waitUntil(lambda: is_braked(simulator), timeout=20_000)
     driven.motors.set_speed(1, 80)
     driven.motors.stop()
-    qtbot.waitUntil(lambda: not driven.may_move, timeout=10_000)
+    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
     assert is_braked(simulator)
     driven.motors.arm()
     driven.motors.set_speed(1, 40)
-    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40, timeout=10_000)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40, timeout=20_000)
 
 
 def test_a_board_that_was_restarted_finds_nothing_armed(
@@ -73,13 +74,16 @@ def test_a_board_that_was_restarted_finds_nothing_armed(
 
 
 def test_a_window_that_stood_still_says_what_became_of_the_stop(
-    driven: Device, simulator: SimulatorProcess, qtbot: QtBot
+    driven: Device, simulator: SimulatorProcess, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(guard, "PATIENCE", PATIENCE)
     said: list[str] = []
     driven.failed.connect(said.append)
-    time.sleep(PATIENCE + 0.5)
-    assert is_braked(simulator)
-    qtbot.waitUntil(lambda: not driven.may_move, timeout=10_000)
+    deadline = time.monotonic() + 15 * PATIENCE
+    while not is_braked(simulator):  # and no event of the window is served meanwhile
+        assert time.monotonic() < deadline, "nobody stopped the motor"
+        time.sleep(0.05)
+    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
     assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to go on."]
     assert driven.motors.stop_reason == STOOD_STILL
 

@@ -1,0 +1,32 @@
+"""A bot that knows how long the computer may be busy with something else."""
+
+from collections.abc import Callable
+from typing import Any
+
+from pytestqt.qtbot import QtBot
+from pytestqt.wait_signal import MultiSignalBlocker, SignalBlocker
+
+PATIENCE_MS = 20_000
+"""How long anything is waited for that does not say how long. What comes is not waited for longer.
+
+Other tests run at the same time, and the host may take the processor away for a second or two.
+"""
+
+
+class PatientQtBot(QtBot):
+    """Waits for conditions and signals for so long."""
+
+    def waitUntil(  # noqa: N802 - the name is Qt's
+        self, callback: Callable[[], bool | None], *, timeout: int = PATIENCE_MS
+    ) -> None:
+        super().waitUntil(callback, timeout=timeout)
+
+    def waitSignal(  # noqa: N802
+        self, signal: Any, *, timeout: int = PATIENCE_MS, **options: Any
+    ) -> SignalBlocker:
+        return super().waitSignal(signal, timeout=timeout, **options)
+
+    def waitSignals(  # noqa: N802
+        self, signals: list[Any], *, timeout: int = PATIENCE_MS, **options: Any
+    ) -> MultiSignalBlocker:
+        return super().waitSignals(signals, timeout=timeout, **options)
