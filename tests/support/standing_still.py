@@ -7,6 +7,8 @@ simulator, for as long, it notices what nobody means to show.
 
 from types import ModuleType
 
+import pytest
+
 from trex_gui.link import guard, motors, presence, reading
 from trex_gui.model import bench
 from trex_gui.system import sleep_delay
@@ -27,3 +29,16 @@ def be_patient() -> None:
     """Wait for so long in this process, until it ends."""
     for module, name, value in LONG_PATIENCE:
         setattr(module, name, value)
+
+
+@pytest.fixture
+def usual_patience() -> None:
+    """Wait no longer for window and board than the program does by itself."""
+
+
+@pytest.fixture(autouse=True)
+def long_patience(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Wait as long as `LONG_PATIENCE` says, in every test of a folder whose conftest has this."""
+    if "usual_patience" not in request.fixturenames:
+        for module, name, value in LONG_PATIENCE:
+            monkeypatch.setattr(module, name, value)
