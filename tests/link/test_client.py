@@ -11,6 +11,7 @@ from tests.link.helpers import staged
 from tests.support.virtual import Stage
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
+from trex_gui.link.client import Client
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import (
@@ -177,6 +178,38 @@ def test_an_answer_that_comes_while_the_next_question_is_on_its_way_is_not_taken
     stage.line.at(stage.line.now + 0.03, lambda: stage.line.inject(b"\x05"))
     assert client.request(GetParameter(0)) == 7
     assert client.counters.stale == 1
+
+
+def silenced(stage: Stage, questions: int) -> Client:
+    """A client that has asked so many questions in vain."""
+    stage.transport.latency = REAL_TIME
+    client = stage.client()
+    stage.line.mute = True
+    for _ in range(questions):
+        with pytest.raises(NoReply):
+            client.request(GetParameter(0x7E))
+    stage.line.mute = False
+    return client
+
+
+def test_of_answers_that_were_held_up_and_come_together_none_is_taken_for_the_last_ones(
+    stage: Stage,
+) -> None:
+    client = silenced(stage, 3)
+    # An adapter that stood still gives all of it back while the next question waits.
+    stage.line.at(stage.line.now + REAL_TIME + 0.0005, lambda: stage.line.inject(b"\x05\x05\x05"))
+    with pytest.raises(BadReply, match="held up"):
+        client.request(GetParameter(0))
+    assert client.request(GetParameter(0)) == 7
+    assert client.counters.stale >= 3
+
+
+def test_an_answer_behind_answers_that_were_lost_is_taken(stage: Stage) -> None:
+    client = silenced(stage, 3)
+    assert client.request(GetParameter(0)) == 7
+    begun = stage.line.now
+    assert client.request(GetParameter(0)) == 7
+    assert stage.line.now - begun < REAL_TIME, "whose the answers are is known again"
 
 
 def test_what_awaits_no_answer_does_not_wait_for_a_late_one(stage: Stage) -> None:

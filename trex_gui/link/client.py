@@ -78,6 +78,7 @@ class Client:
         self._framing = settings.framing
         self._free_at = transport.clock()
         self._is_owed = False
+        self._owed = 0  # answers that never came, since one was known to be what it seemed
 
     @property
     def settings(self) -> LinkSettings:
@@ -136,6 +137,7 @@ class Client:
             if isinstance(state, NeedData) and len(chunk) < wanted:
                 self.counters.silences += 1
                 self._is_owed = True
+                self._owed += 1
                 raise NoReply(self._silence(packet, received))
         match state:
             case Malformed(raw, reason):
@@ -144,10 +146,12 @@ class Client:
                 self._transport.wait(line.seconds(16))
                 message = f"The reply {raw.hex(' ').upper()} is damaged: {reason}."
                 raise BadReply(message)
-            case Reply(_, value):
+            case Reply(raw, value):
+                took = self._transport.clock() - begun
+                if self._owed and command.reply_size():
+                    self._check_whose(raw)
                 self.counters.answers += bool(command.reply_size())
                 if command.reply_size() or self.echo:
-                    took = self._transport.clock() - begun
                     self.counters.slowest = max(self.counters.slowest, took)
                     self._free_at = min(self._free_at, self._transport.clock())
                 return value
@@ -203,7 +207,32 @@ class Client:
         # The rest of it is on its way; what goes on after that is no answer.
         rest = self._settings.line.seconds(_LONGEST_REPLY) if late else 0.0
         late += self._transport.read(_LONGEST_REPLY - len(late), rest)
+        if late and self._owed == 1:
+            self._owed = 0
         return late.removesuffix(_NULL) if self.echo and self.feeds_timeout else late
+
+    def _check_whose(self, answer: bytes) -> None:
+        """Take an answer for that of the last question only if no other one follows it.
+
+        Where answers never came, an adapter or the system may have held them up, and now all of
+        them come: this one would be that of a question of long ago.
+
+        Raises:
+            BadReply: more came.
+            PortUnavailable: the line is gone.
+        """
+        more = self._transport.read(1, self._transport.latency)
+        if more:
+            # Until it is quiet; what goes on for longer is no answer.
+            more += self._transport.read(
+                self._owed * _LONGEST_REPLY,
+                self._owed * self._settings.line.seconds(_LONGEST_REPLY),
+            )
+            more += self._transport.discard()
+        self._owed = 0
+        if more:
+            self.counters.stale += len(answer) + len(more)
+            raise BadReply("Answers were held up and came late: nobody knows which is whose.")
 
     def _read_echo(self, packet: bytes) -> bytes:
         seconds = self._settings.line.seconds(len(packet)) + self._allowance
