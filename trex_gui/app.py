@@ -8,6 +8,9 @@ from pathlib import Path
 
 from trex_gui import __version__
 
+UNSTOPPED = 1
+"""The exit code where motors may still turn: they were driven, and no stop is proved."""
+
 _LOAD_PLOTS_MS = 100
 """Milliseconds in which the window is painted for the first time."""
 
@@ -99,7 +102,14 @@ def main(argv: list[str] | None = None) -> int:
     # Hidden while Python is whole: Qt destroys what is still shown when half of it is gone.
     for window in app.topLevelWidgets():
         window.hide()
-    if not program.shut_down():
+    have_ended = program.shut_down()
+    if unstopped := program.switchboard.unstopped:
+        # There may have been no window any more to say it in.
+        if sys.stderr is not None:  # as on Windows, where a program with a window has none
+            sys.stderr.write(f"{unstopped}\n")
+            sys.stderr.flush()
+        code = code or UNSTOPPED
+    if not have_ended:
         # A thread hangs in a port or a disk. Qt would abort on destroying it; the rest is saved.
         os._exit(code)
     watching.close()

@@ -19,6 +19,7 @@ from trex_gui.model.trex_way import TrexWay
 from trex_gui.views.connection_bar import ConnectionBar
 from trex_gui.views.main_window import MainWindow
 from trex_gui.views.trex_desk import TrexDesk
+from trex_gui.worker import abandoned
 
 
 @dataclass(slots=True)
@@ -83,14 +84,15 @@ class Program:
     def shut_down(self) -> bool:
         """Stop the motors, close the line, then end what is recorded; for the end of the program.
 
-        Return whether every thread has ended; Qt aborts on destroying one that runs.
+        Return whether every thread has ended, of whatever was going on; Qt aborts on destroying one
+        that runs.
         """
         ends = [
             self.switchboard.shut_down(),
             self.desk.recordings.shut_down(),
             self.aracna.recordings.shut_down(),
         ]
-        return all(ends)
+        return all(ends) and not abandoned.any_running()
 
     def end(self) -> None:
         """Stop the motors, close the line and leave, without asking anything."""

@@ -25,7 +25,7 @@ class Road(QObject):
         self.port: Port | None = None
         self.done: list[str] = []
 
-    status = line_text = ""
+    status = line_text = unstopped = ""
     demo_in_use = has_line_settings = is_busy = False
 
     def connect_to(self, port: Port) -> None:
@@ -48,6 +48,9 @@ class Road(QObject):
     def stop_because(self, reason: str) -> str:
         self.done.append(f"stop: {reason}")
         return f"{reason}, so {self.kind.name} is told." if self.link is not Link.NONE else ""
+
+    def begin_to_shut_down(self) -> None:
+        self.done.append("begin to shut down")
 
     def shut_down(self) -> bool:
         self.done.append("shut down")
@@ -132,7 +135,32 @@ def test_every_line_is_shut_down_though_one_does_not_end(
     board: Switchboard, roads: tuple[Road, Road]
 ) -> None:
     assert not board.shut_down()
-    assert [road.done for road in roads] == [["shut down"], ["shut down"]]
+    assert [road.done[-1] for road in roads] == ["shut down", "shut down"]
+
+
+def test_no_line_waits_for_another_before_it_is_told_to_end(
+    board: Switchboard, roads: tuple[Road, Road], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second = roads
+    told: list[list[str]] = []
+
+    def shut_down() -> bool:
+        told.append(list(second.done))
+        return True
+
+    monkeypatch.setattr(first, "shut_down", shut_down)
+    assert board.shut_down()
+    assert told == [["begin to shut down"]]
+
+
+def test_what_every_device_has_left_turning_is_told(
+    board: Switchboard, roads: tuple[Road, Road]
+) -> None:
+    assert board.unstopped == ""
+    roads[1].unstopped = "The second may turn."
+    assert board.unstopped == "The second may turn."
+    roads[0].unstopped = "The first may turn."
+    assert board.unstopped == "The first may turn.\nThe second may turn."
 
 
 @pytest.fixture

@@ -84,8 +84,8 @@ class Wording(ABC):
 
     def words_of(self, exchange: Exchange) -> Words:
         """Return what an exchange means; remembers it once the exchange is over."""
-        if exchange.words is not None:
-            return exchange.words
+        if (known := exchange.words) is not None:  # once: `forget` may come from another thread
+            return known
         words = Words(exchange.note) if exchange.note else self.read(exchange)
         if exchange.is_over:
             exchange.words = words

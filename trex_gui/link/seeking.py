@@ -15,6 +15,7 @@ all of them.
 """
 
 import contextlib
+import logging
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -34,6 +35,8 @@ from trex_gui.link.transport import SerialTransport, Transport
 from trex_gui.protocol.errors import BadRequest, PortUnavailable, TrexError
 from trex_gui.protocol.line_settings import LineSettings
 
+log = logging.getLogger(__name__)
+
 _LISTEN = 0.3
 """Seconds to listen for something that talks by itself."""
 
@@ -51,6 +54,7 @@ class PortSearch:
         verdicts: what was heard where none was found, the most telling first.
         error: the port could not be opened, went away, or cannot do what a search needs.
         cancelled: whether it ended early because it was asked to.
+        is_fault: whether a fault of the program ended it: then `error` says so.
     """
 
     device: str = ""
@@ -58,6 +62,7 @@ class PortSearch:
     verdicts: list[Verdict] = field(default_factory=list)
     error: TrexError | None = None
     cancelled: bool = False
+    is_fault: bool = False
 
     @property
     def lines(self) -> list[str]:
@@ -87,6 +92,8 @@ def search_port(
 ) -> PortSearch:
     """Look for devices of every kind on a port; end with the first that answers.
 
+    Never raises: whatever goes wrong on one port, the next can still be searched.
+
     Args:
         settings: the port, and how patient to be; line and framing do not matter.
         seeks: how to look for each kind, by its key, the commonest first.
@@ -97,18 +104,49 @@ def search_port(
         open_wire: opens the port.
     """
     result = PortSearch()
+    try:
+        _search(
+            result,
+            settings,
+            seeks,
+            first=first,
+            full=full,
+            progress=progress,
+            cancelled=cancelled,
+            open_wire=open_wire,
+        )
+    except Exception as error:
+        log.exception("the search of %s", settings.url)
+        text = f"The search of {settings.name or settings.url} was ended by a fault of the program"
+        result = PortSearch(error=TrexError(f"{text} ({type(error).__name__}: {error})."))
+        result.is_fault = True
+    return result
+
+
+def _search(
+    result: PortSearch,
+    settings: LinkSettings,
+    seeks: Mapping[str, Seek],
+    *,
+    first: str | None,
+    full: bool,
+    progress: Callable[[Step], None],
+    cancelled: Callable[[], bool],
+    open_wire: Callable[[LinkSettings], Transport],
+) -> None:
+    """Fill in what `search_port` returns."""
     opened = next((seek.talks_at for seek in seeks.values() if seek.talks_at), RINSE_LINE)
     try:
         wire = open_wire(replace(settings, line=opened, device_number=None))
     except PortUnavailable as error:
         result.error = error
-        return result
-    seekers = {
-        key: seek.begin(settings, full=full, known=key == first) for key, seek in seeks.items()
-    }
+        return
+    seekers: dict[str, Seeker] = {}
     names = {key: seek.name for key, seek in seeks.items()}
-    asked = list(seekers)
+    asked = list(seeks)
     try:
+        for key, seek in seeks.items():
+            seekers[key] = seek.begin(settings, full=full, known=key == first)
         if heard := listen(wire):
             for seeker in seekers.values():
                 seeker.overhear(opened, heard)
@@ -122,13 +160,12 @@ def search_port(
         _give_back(wire, settings.patience, answered=bool(result.device))
     if result.device:
         result.found = seekers[result.device].found
-        return result
+        return
     result.cancelled = result.error is None and cancelled()
-    verdicts = [seekers[key].verdict() for key in asked]
+    verdicts = [seekers[key].verdict() for key in asked if key in seekers]
     if result.error is not None:  # a search that was cut short says nothing by its silence
         verdicts = [one for one in verdicts if one.telling > Telling.SILENCE]
     result.verdicts = sorted(verdicts, key=lambda verdict: -verdict.telling)
-    return result
 
 
 def ask_in_order(
@@ -175,8 +212,10 @@ def _give_back(wire: Transport, patience: float, *, answered: bool) -> None:
 
     Some boards with USB start their loader when a port is closed at that rate.
     """
-    with contextlib.suppress(BadRequest, PortUnavailable):
-        if not answered and wire.can_be_tuned:
-            rinse(wire, patience)
-        wire.tune(LineSettings())
-    wire.close()
+    try:
+        with contextlib.suppress(BadRequest, PortUnavailable):
+            if not answered and wire.can_be_tuned:
+                rinse(wire, patience)
+            wire.tune(LineSettings())
+    finally:
+        wire.close()

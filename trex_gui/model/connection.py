@@ -56,7 +56,7 @@ class Connection(QObject):
         closing: the line is about to be closed, as was asked.
         silenced: the board has stopped answering.
         left: the line is closed, and nothing of the board counts any more: the `Closed`; `None`
-            at the end of the program.
+            at the end of the program, where the session does not end in time.
         halted: the line session has stopped the motors by itself: the `Halted`.
         sampled: a `Batch`.
         progressed: steps done, steps in all, what comes next.
@@ -160,7 +160,7 @@ class Connection(QObject):
         was_open = self._line.is_open
         in_time = self._line.shut_down()
         if was_open:
-            self.left.emit(None)
+            self.left.emit(self._line.last)
             self._stand(Link.NONE, self.tr("Not connected."))
         return in_time
 

@@ -120,17 +120,22 @@ class Connector(QObject):
             self._set_port(None)
         self._device.disconnect_line()
 
+    def begin_to_shut_down(self) -> None:
+        """Let line and search end, for the end of the program; waits for neither."""
+        self._demo_wanted = False
+        self._after_search = None
+        self._device.disconnect_line()
+        self.finder.cancel()
+
     def shut_down(self) -> bool:
         """Close the line and end the simulator, for the end of the program.
 
-        Return whether the line's thread ended in time; see `Device.shut_down`.
+        Return whether the threads of line and search ended in time; see `Device.shut_down`.
         """
-        self._demo_wanted = False
-        self._after_search = None
-        is_searched = self.finder.shut_down()
-        in_time = self._device.shut_down() and is_searched
+        self.begin_to_shut_down()
+        ends = [self._device.shut_down(), self.finder.shut_down()]
         self.simulator.stop()
-        return in_time
+        return all(ends)
 
     def _set_port(self, port: Port | None) -> None:
         if port != self._port:

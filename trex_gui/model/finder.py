@@ -11,10 +11,8 @@ from trex_gui.link.settings import LinkSettings
 from trex_gui.model.kinds import TREX
 from trex_gui.model.ports import Port, PortKind
 from trex_gui.model.simulator import Simulator
+from trex_gui.worker import abandoned
 from trex_gui.worker.find_worker import Errand, FindWorker, Searched
-
-_ENDING: list[FindWorker] = []
-"""Threads that did not end in time; Qt aborts when one is destroyed running."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +59,7 @@ class Finder(QObject):
         self._text = ""
         self._summary = ""
         self._cancelled = False
+        self._faults = 0
 
     def also(self, device: str, seek: Seek, simulator: Simulator, demo_name: str) -> None:
         """Look for another kind of device, too; see `link.seeking` for the order.
@@ -116,7 +115,7 @@ class Finder(QObject):
             return
         self._ports = tuple(ports)
         self._findings = ()
-        self._searched = self._done = 0
+        self._searched = self._done = self._faults = 0
         self._total = 1
         self._summary = ""
         self._cancelled = False
@@ -151,7 +150,7 @@ class Finder(QObject):
         worker.finished.disconnect(self._on_worker_finished)
         in_time = worker.close()
         if not in_time:
-            _ENDING.append(worker)
+            abandoned.keep(worker)
         return in_time
 
     def _errand(self, port: Port) -> Errand:
@@ -180,6 +179,7 @@ class Finder(QObject):
     def _on_searched(self, searched: Searched) -> None:
         port, search = self._ports[searched.index], searched.search
         self._searched = searched.index + 1
+        self._faults += search.is_fault
         if search.found:
             self._said[port.url] = search.device
             self._findings += tuple(
@@ -208,20 +208,27 @@ class Finder(QObject):
         self._worker = None
         self._text = ""
         self._done = self._total
-        boards = sum(finding.found is not None for finding in self._findings)
-        if self._cancelled:
-            self._summary = self.tr("The search was broken off.")
-        elif boards:
-            self._summary = (
-                self.tr("1 board found.")
-                if boards == 1
-                else (self.tr("{0} boards found.").format(boards))
-            )
-        else:
-            self._summary = self.tr("No board was found.")
+        self._summary = self._sum_up()
         self.changed.emit()
         self.progressed.emit()
         self.finished.emit()
+
+    def _sum_up(self) -> str:
+        if self._cancelled:
+            return self.tr("The search was broken off.")
+        boards = sum(finding.found is not None for finding in self._findings)
+        if boards == 0:
+            text = self.tr("No board was found.")
+        elif boards == 1:
+            text = self.tr("1 board found.")
+        else:
+            text = self.tr("{0} boards found.").format(boards)
+        missed = self._faults + len(self._ports) - self._searched
+        if missed == 1:
+            text += self.tr(" 1 port was not searched: a fault of the program.")
+        elif missed:
+            text += self.tr(" {0} ports were not searched: a fault of the program.").format(missed)
+        return text
 
 
 def _name(port: Port) -> str:

@@ -34,7 +34,5 @@ class Line(SessionThread):
         by what follows from it. Wishes that pass it on their way are dropped until motors are
         armed anew.
         """
-        if (worker := self._worker) is not None:
-            worker.submit(Stop(NOBODY, lockout=math.inf))
-            if ending:
-                worker.submit(Close())
+        stop = Stop(NOBODY, lockout=math.inf)
+        self.submit_now(*((stop, Close()) if ending else (stop,)))

@@ -14,14 +14,12 @@ from trex_gui.model.trace.traces import Traces
 from trex_gui.recording.block_replay import BlockReplay, LatestT
 from trex_gui.recording.blocks import BlockFile, HeaderT, RecordT
 from trex_gui.recording.errors import RecordingError
+from trex_gui.worker import abandoned
 from trex_gui.worker.file_worker import Done, FileWorker, Tell
 
 _PATIENCE_MS = 500
 """How long closing waits for a disk; armed motors are stopped when a window is silent for twice
 as long."""
-
-_abandoned: list[FileWorker] = []
-"""Threads that a disk holds up: a `QThread` must outlive its run."""
 
 
 class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
@@ -60,6 +58,7 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
         self._history = History(columns, capacity=4096)
         self._progress = 0.0
         self._worker: FileWorker | None = None
+        self._given_up: FileWorker | None = None  # a disk held it up when this was closed
         self._traces: Traces | None = None
 
     # --- What the recordings of a device are -------------------------------------------
@@ -88,12 +87,14 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
         worker, self._worker = self._worker, None
         if worker is not None:
             if not worker.close(_PATIENCE_MS):
-                worker.setParent(None)
-                _abandoned.append(worker)
+                abandoned.keep(worker)
+                self._given_up = worker
+            else:
+                worker.deleteLater()
+        if self._given_up is not None:
+            if not self._given_up.wait(0):
                 return False  # the file is still that thread's
-            worker.deleteLater()
-        if any(not worker.isFinished() for worker in _abandoned):
-            return False
+            self._given_up = None
         self._blocks.close()
         return True
 
@@ -205,7 +206,7 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
     @Slot()
     def _on_finished(self) -> None:
         """It was cancelled: else it told what came of it, and was let go then."""
-        if self._worker is not None and self._worker.isFinished():
+        if self._worker is not None and self.sender() is self._worker:
             self._let_go()
             self.end_with(None)
             self.progressed.emit()

@@ -10,13 +10,11 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.recording.backlog import Backlog
 from trex_gui.recording.blocks import RecordT
 from trex_gui.recording.recording import Marker
+from trex_gui.worker import abandoned
 from trex_gui.worker.record_worker import RecordWorker, Writer
 
 _PATIENCE_MS = 3000
 """How long the end of the program waits for a disk."""
-
-_abandoned: list[QObject] = []
-"""Threads that a disk holds up at the end of the program: a `QThread` must outlive its run."""
 
 
 class RecordThread(QObject, Generic[RecordT]):
@@ -51,6 +49,7 @@ class RecordThread(QObject, Generic[RecordT]):
         self._lost = 0
         self._closing = False
         self._refused = False
+        self._given_up = False  # at the end of the program, which waits once
 
     # --- What is known ------------------------------------------------------------------
 
@@ -109,7 +108,7 @@ class RecordThread(QObject, Generic[RecordT]):
         """
         self._path, self._begun = path, begun
         self._size = self._lost = 0
-        self._closing = self._refused = False
+        self._closing = self._refused = self._given_up = False
         self._backlog = Backlog()
         worker = RecordWorker(path, begun, self._backlog, writer_of, self)
         worker.progressed.connect(self._on_progressed)
@@ -151,12 +150,10 @@ class RecordThread(QObject, Generic[RecordT]):
         worker = self._worker
         if worker is None:
             return True
-        if worker in _abandoned:
-            return worker.isFinished()
-        if worker.wait(_PATIENCE_MS):
+        if worker.wait(0 if self._given_up else _PATIENCE_MS):
             return True
-        worker.setParent(None)
-        _abandoned.append(worker)
+        self._given_up = True
+        abandoned.keep(worker)
         return False
 
     # --- The thread that writes ---------------------------------------------------------
@@ -176,6 +173,7 @@ class RecordThread(QObject, Generic[RecordT]):
     def _on_finished(self) -> None:
         worker, self._worker = self._worker, None
         if worker is not None:
+            abandoned.forget(worker)
             worker.deleteLater()
         self.changed.emit()
         if not self._refused:

@@ -8,10 +8,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal, Slot
 from trex_gui.link.messages import Close, Closed, Outcome
 from trex_gui.link.transcript import Tape
 from trex_gui.protocol.errors import TrexError
+from trex_gui.worker import abandoned
 from trex_gui.worker.line_worker import LineWorker, MakeSession
-
-_ENDING: list[LineWorker] = []
-"""Threads between their last report and their end; Qt aborts when one is destroyed running."""
 
 NOBODY = 0
 """The number of a request of which nobody waits for the outcome."""
@@ -31,7 +29,8 @@ class SessionThread(QObject):
         started: a session begins.
         reported: a report that is neither an outcome nor the last one.
         closed: the port is given back; the `messages.Closed` of the session. A fault of the
-            program leaves none: then motors that were driven at all may move.
+            program leaves none: then motors that were driven at all may move. Not told of a
+            session that `shut_down` has seen end.
     """
 
     started = Signal()
@@ -42,6 +41,9 @@ class SessionThread(QObject):
         super().__init__(parent)
         self.tape = Tape()
         self._worker: LineWorker | None = None
+        self._late: LineWorker | None = None  # it was shut down; its last word still counts
+        self._ending: list[LineWorker] = []  # each is given up, or between last report and end
+        self._last: Closed | None = None
         self._may_move = False
         self._ids = itertools.count(1)
         self._waiting: dict[int, Callable[[Outcome], None]] = {}
@@ -62,9 +64,15 @@ class SessionThread(QObject):
         """Whether a session owns the port, or is about to."""
         return self._worker is not None
 
+    @property
+    def last(self) -> Closed | None:
+        """How the last session ended; `None` while it has not said so, or before any."""
+        return self._last
+
     def start(self, make_session: MakeSession, *, may_move: bool) -> None:
         """Start a session; `may_move` says that motors may be turning from an earlier one."""
         self._may_move = may_move
+        self._late = self._last = None
         self._worker = LineWorker(make_session)
         self._worker.reported.connect(self._on_reported)
         self._worker.finished.connect(self._on_worker_finished)
@@ -73,18 +81,27 @@ class SessionThread(QObject):
 
     def submit(self, request: object) -> bool:
         """Hand a request to the session; return whether there is one."""
-        if self._worker is None:
+        if (worker := self._worker) is None:
             return False
         self._may_move = self._may_move or self.moves(request)
-        self._worker.submit(request)
+        worker.submit(request)
         return True
+
+    def submit_now(self, *requests: object) -> None:
+        """Hand requests that move nothing to one and the same session, if there is one.
+
+        For emergencies, from any thread: the session may end, and another begin, meanwhile.
+        """
+        if (worker := self._worker) is not None:
+            for request in requests:
+                worker.submit(request)
 
     def ask(self, make: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
         """Hand over a request that `make` gives a number; `then` gets its outcome.
 
         Return whether there is a session; where there is none, `then` is not called.
         """
-        if self._worker is None:
+        if (worker := self._worker) is None:
             return False
         number = next(self._ids)
         request = make(number)
@@ -92,7 +109,7 @@ class SessionThread(QObject):
         if self.writes(request):
             self._writes.add(number)
         self._may_move = self._may_move or self.moves(request)
-        self._worker.submit(request)
+        worker.submit(request)
         return True
 
     def close(self) -> None:
@@ -103,31 +120,51 @@ class SessionThread(QObject):
         """Close and wait for it, at most a second; return whether it ended in time.
 
         While something is written it is waited for up to three seconds, and what was asked to
-        be written has its outcome before this returns, if it came in time. Nothing else is told
-        any more. A thread that does not end in time is kept, and the process must end without
-        destroying it.
+        be written has its outcome before this returns, if it came in time. Of the session that
+        has ended `last` tells how; nothing else is told any more. A thread that does not end in
+        time is kept, and the process must end without destroying it: `closed` follows if it ends
+        after all, and asking again waits for it again.
         """
         worker, self._worker = self._worker, None
         if worker is None:
-            return all(ending.wait(_PATIENCE_MS) for ending in _ENDING)
-        worker.finished.disconnect(self._on_worker_finished)
+            in_time = all(ending.wait(_PATIENCE_MS) for ending in self._ending)
+            self._take_reports()
+            return in_time
         self._waiting = {number: self._waiting[number] for number in self._writes}
         in_time = worker.close(_PATIENCE_WHILE_WRITING_MS if self._writes else _PATIENCE_MS)
-        # Reports come as events of this object; no event loop may run any more to bring them.
-        QCoreApplication.sendPostedEvents(self, QEvent.Type.MetaCall)
-        worker.reported.disconnect(self._on_reported)
+        self._late = worker
+        if in_time:
+            worker.finished.disconnect(self._on_worker_finished)
+        else:
+            self._keep(worker)
+        self._take_reports()
         self._forget_requests()
-        if not in_time:
-            _ENDING.append(worker)
+        if in_time:
+            worker.reported.disconnect(self._on_reported)
+            self._late = None
+            self._last = self._last or self._fault()
         return in_time
+
+    def _keep(self, worker: LineWorker) -> None:
+        self._ending.append(worker)
+        abandoned.keep(worker)
+
+    def _take_reports(self) -> None:
+        """Take what comes as events of this object; no event loop may run any more to bring it."""
+        QCoreApplication.sendPostedEvents(self, QEvent.Type.MetaCall)
 
     @Slot(object)
     def _on_reported(self, report: object) -> None:
+        worker = self.sender()
+        if worker is None or worker not in {self._worker, self._late}:
+            return  # of a session that was given up; another may have begun
         match report:
             case Outcome(id=number):
                 self._writes.discard(number)
                 if then := self._waiting.pop(number, None):
                     then(report)
+            case Closed() if self._worker is None:
+                self._last = report
             case _ if self._worker is None:
                 pass  # it was on its way when the line was shut down
             case Closed():
@@ -139,20 +176,30 @@ class SessionThread(QObject):
         self._waiting.clear()
         self._writes.clear()
 
+    def _fault(self) -> Closed:
+        """Return what to make of a session whose last report never came."""
+        error = TrexError(self.tr("The line was closed by a fault of the program."))
+        return Closed(error, self._may_move)
+
     def _leave(self, last: Closed) -> None:
         if self._worker is not None:
-            _ENDING.append(self._worker)
+            self._keep(self._worker)
             self._worker = None
+        self._last = last
         self._forget_requests()
         self.closed.emit(last)
 
     @Slot()
     def _on_worker_finished(self) -> None:
         worker = self.sender()
+        if not isinstance(worker, LineWorker):
+            return
         if worker is self._worker:
-            # Its last report never came: a fault of the program, and yet the line is closed.
-            error = TrexError(self.tr("The line was closed by a fault of the program."))
-            self._leave(Closed(error, self._may_move))
-        if isinstance(worker, LineWorker) and worker in _ENDING:
-            _ENDING.remove(worker)
+            self._leave(self._fault())  # and yet the line is closed
+        elif worker is self._late and worker in self._ending:
+            self._late = None
+            self.closed.emit(self._last or self._fault())
+        if worker in self._ending:
+            self._ending.remove(worker)
+            abandoned.forget(worker)
             worker.deleteLater()

@@ -100,6 +100,21 @@ class Way(Protocol):
         """
         ...
 
+    @property
+    def unstopped(self) -> str:
+        """What people have to know of motors that may turn though the line is closed.
+
+        In sentences; empty where every stop that was asked for is proved.
+        """
+        ...
+
+    def begin_to_shut_down(self) -> None:
+        """Stop what can be stopped, and let the line end, for the end of the program.
+
+        Waits for nobody.
+        """
+        ...
+
     def shut_down(self) -> bool:
         """Close the line for the end of the program; return whether it ended in time."""
         ...
@@ -199,9 +214,22 @@ class Switchboard(QObject):
         if way is self._current:
             self.stop_told.emit(text)
 
+    @property
+    def unstopped(self) -> str:
+        """What people have to know of motors that may turn though every line is closed.
+
+        In sentences; empty where there is nothing to know.
+        """
+        return "\n".join(filter(None, (way.unstopped for way in self._ways.values())))
+
     def shut_down(self) -> bool:
-        """Close every line; return whether all ended in time."""
+        """Close every line; return whether all ended in time.
+
+        None waits for another: each is told before the first is waited for.
+        """
         self._next = None
+        for way in self._ways.values():
+            way.begin_to_shut_down()
         ends = [way.shut_down() for way in self._ways.values()]  # each, whatever the others do
         return all(ends)
 

@@ -96,6 +96,17 @@ class TrexWay(QObject):
         """Stop the motors; `stop_told` tells whether the board has confirmed it."""
         return self._unasked.stop(reason)
 
+    @property
+    def unstopped(self) -> str:
+        """A stop that no board has confirmed, where the line is closed."""
+        if self._device.link is not Link.NONE or not self._device.may_move:
+            return ""
+        return self.tr("The stop is not confirmed. If a motor still turns, cut its power.")
+
+    def begin_to_shut_down(self) -> None:
+        """Stop the motors if they were driven, and let line and search end."""
+        self._connector.begin_to_shut_down()
+
     def shut_down(self) -> bool:
         """Close the line and end the simulator; return whether it ended in time."""
         return self._connector.shut_down()

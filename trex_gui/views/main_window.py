@@ -25,6 +25,7 @@ from trex_gui.views.desk import Desk
 from trex_gui.views.escape import EscapeWatch
 from trex_gui.views.help_dialog import HelpDialog
 from trex_gui.views.icons import application_icon
+from trex_gui.views.last_warning import LastWarning
 from trex_gui.views.settings_editor.file_drop import AnyFileDrop
 from trex_gui.views.theme import Scheme, theme
 from trex_gui.views.widgets.banner import Banner
@@ -55,6 +56,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(frame)
         self._desks: tuple[Desk, ...] = ()
         self._help = HelpDialog(self)
+        self._warning = LastWarning(switchboard, self._question, self)
         # Behind the event: a question about what is dropped must not hold up who dropped it.
         drop = AnyFileDrop(self)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
@@ -188,6 +190,7 @@ class MainWindow(QMainWindow):
         }
         for key, is_possible in possible.items():
             self._actions[key].setEnabled(is_possible)
+        self._question.reconsider()
 
     @Slot(object)
     def _on_interruption_wanted(self, then: Callable[[], object]) -> None:
@@ -247,16 +250,21 @@ class MainWindow(QMainWindow):
                 theme().set_scheme(scheme)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not all(desk.may_close(self.close) for desk in self._desks):
+        if not self._warning.given and not all(desk.may_close(self.close) for desk in self._desks):
             event.ignore()
             return
-        self._store.setValue("window/state", self.saveState())
+        state = self.saveState()
+        self._switchboard.shut_down()
+        if self._warning.is_due:
+            event.ignore()
+            self._warning.give()
+            return
+        self._store.setValue("window/state", state)
         for desk in self._desks:
             desk.prepare_to_close()
         self._connection.close_dialogs()
         self._help.close()
         self._store.setValue("window/geometry", self.saveGeometry())
-        self._switchboard.shut_down()
         for desk in self._desks:
             desk.finish()
         super().closeEvent(event)

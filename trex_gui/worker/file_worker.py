@@ -1,5 +1,6 @@
 """A thread for one long piece of work on a file, so that the window lives on meanwhile."""
 
+import logging
 import threading
 import time
 from collections.abc import Callable
@@ -8,6 +9,8 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, QThread, Signal
 
 from trex_gui.protocol.errors import TrexError
+
+log = logging.getLogger(__name__)
 
 _TELL = 0.05
 """Seconds between two reports of how far it is."""
@@ -41,7 +44,7 @@ class FileWorker(QThread):
 
     Signals:
         progressed: the share that is done, 0 to 1.
-        done: a `Done`, once, unless it was cancelled.
+        done: a `Done`, once, unless it was cancelled. A fault of the work is an error, too.
     """
 
     progressed = Signal(float)
@@ -63,6 +66,10 @@ class FileWorker(QThread):
             return
         except TrexError as error:
             self.done.emit(Done(error=error))
+        except Exception as error:
+            log.exception("work on a file")
+            text = self.tr("A fault of the program has ended the work on this file ({0}).")
+            self.done.emit(Done(error=TrexError(text.format(type(error).__name__))))
         else:
             if not self._cancelled.is_set():
                 self.done.emit(Done(result))

@@ -1,6 +1,7 @@
 """The thread that writes a recording, so that a slow disk holds up neither line nor window."""
 
 import contextlib
+import logging
 import os
 import time
 from collections.abc import Callable, Sequence
@@ -12,6 +13,8 @@ from PySide6.QtCore import QObject, QThread, Signal
 from trex_gui.recording.backlog import Backlog
 from trex_gui.recording.blocks import RecordT
 from trex_gui.recording.recording import Marker
+
+log = logging.getLogger(__name__)
 
 _LOOK = 0.5
 """Seconds after which the size is told again."""
@@ -74,9 +77,14 @@ class RecordWorker(QThread, Generic[RecordT]):
             with self._path.open("wb") as file:
                 self._write(file)
         except (OSError, ValueError) as error:
-            self._backlog.close(self._begun)
-            reason = getattr(error, "strerror", None) or error
-            self.failed.emit(self.tr("{0} cannot be written: {1}.").format(self._path, reason))
+            self._fail(getattr(error, "strerror", None) or error)
+        except Exception as error:
+            log.exception("a recording")
+            self._fail(self.tr("a fault of the program ({0})").format(type(error).__name__))
+
+    def _fail(self, reason: object) -> None:
+        self._backlog.close(self._begun)
+        self.failed.emit(self.tr("{0} cannot be written: {1}.").format(self._path, reason))
 
     def _write(self, file: BinaryIO) -> None:
         writer = self._writer_of(file)

@@ -125,9 +125,7 @@ class Robot(ObservedRobot):
         For emergencies, from any thread: it waits for nobody. `halt` is to follow in the GUI
         thread, where there still is one.
         """
-        self._line.submit(Halt())
-        if ending:
-            self._line.submit(Close())
+        self._line.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
 
     def _may_move(self) -> bool:
         if self.link is not Link.UP:

@@ -143,10 +143,20 @@ class AracnaWay(QObject):
         """End what is played and send nothing more; say how long what moves goes on."""
         return halt_because(self._robot, reason)
 
-    def shut_down(self) -> bool:
-        """Close the line and end the simulator; return whether it ended in time."""
+    @property
+    def unstopped(self) -> str:
+        """Nothing: no stop can be asked of this robot, which is told wherever one is pressed."""
+        return ""
+
+    def begin_to_shut_down(self) -> None:
+        """Send nothing more, and let the line end."""
         self._demo_wanted = False
         self._after_search = None
+        self._robot.disconnect_line()
+
+    def shut_down(self) -> bool:
+        """Close the line and end the simulator; return whether it ended in time."""
+        self.begin_to_shut_down()
         in_time = self._robot.shut_down()
         self.simulator.stop()
         return in_time

@@ -1,79 +1,18 @@
 """Curves to files: a table of what is shown or of everything, a picture of what is shown."""
 
-import io
-from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
-import numpy as np
-from PySide6.QtCore import QCoreApplication, QObject, QSettings, QThread, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
-from trex_gui.export.trace_csv import write_trace_csv
-from trex_gui.model.trace.source import TraceSource
-from trex_gui.recording.on_disk import whole_file
+from trex_gui.model.trace.table_saver import TableSaver
 from trex_gui.views.settings_editor import questions
 from trex_gui.views.theme import read_colours, theme
 from trex_gui.views.traces.picture import Picture
 from trex_gui.views.traces.plot import TracePlot
 
-_AT_ONCE = 2000
 _LIGHT = "export/light_background"
-
-
-class _GivenUpError(Exception):
-    """Nobody waits for the table any more; nothing is left of it."""
-
-
-class _Writing(QThread):
-    """Writes one table: a million rows take seconds, in which the window goes on.
-
-    Signals:
-        written: how many rows; below 0 when it failed, and why.
-    """
-
-    written = Signal(int, str)
-
-    def __init__(
-        self,
-        path: Path,
-        source: TraceSource,
-        span: tuple[float, float],
-        origin: float,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
-        self.path = path
-        self._columns = [(trace.name, trace.unit) for trace in source.traces]
-        times, values = source.samples(*span)
-        # Copies: the history goes on. A million take 0.1 to 0.3 s, as rows they would take longer.
-        self._copies = [column.copy() for column in (times, *values)]
-        self._events = [(one.time, one.text) for one in source.events_between(*span)]
-        self._origin = origin
-
-    def run(self) -> None:
-        """Write, in the new thread."""
-        try:
-            with (
-                whole_file(self.path) as data,
-                io.TextIOWrapper(data, encoding="utf-8", newline="") as file,
-            ):
-                count = write_trace_csv(
-                    file, self._columns, self._lists(), self._events, self._origin
-                )
-        except _GivenUpError:
-            return
-        except OSError as error:
-            self.written.emit(-1, error.strerror or str(error))
-        else:
-            self.written.emit(count, "")
-
-    def _lists(self) -> Iterator[list[float]]:
-        for first in range(0, len(self._copies[0]), _AT_ONCE):
-            if self.isInterruptionRequested():
-                raise _GivenUpError
-            rows = [column[first : first + _AT_ONCE] for column in self._copies]
-            yield from np.column_stack(rows).tolist()
 
 
 class TraceExport(QObject):
@@ -99,11 +38,10 @@ class TraceExport(QObject):
         self._plot = plot
         self._window = window
         self._store = QSettings(self)
-        self._writing: _Writing | None = None
+        self._tables = TableSaver(self)
+        self._tables.saved.connect(self._on_saved)
+        self._tables.failed.connect(self.refused)
         self.menu = QMenu(window)
-        app = QCoreApplication.instance()
-        if app is not None:
-            app.aboutToQuit.connect(self.finish)
         as_tables = (
             ("exportShownAction", self.tr("&Visible range as CSV…"), self._ask_shown),
             ("exportAllAction", self.tr("&Everything as CSV…"), self._ask_all),
@@ -160,29 +98,11 @@ class TraceExport(QObject):
         if source is None or source.span is None:
             self.refused.emit(self.tr("There is nothing to export yet."))
             return
-        if self._writing is not None:
-            self.refused.emit(self.tr("Another export is still being written."))
-            return
-        origin = self._plot.origin or 0.0
-        self._writing = _Writing(path, source, (start, end), origin, self)
-        self._writing.written.connect(self._on_written)
-        self._writing.start()
+        self._tables.save(path, source, (start, end), self._plot.origin or 0.0)
 
-    @Slot(int, str)
-    def _on_written(self, count: int, reason: str) -> None:
-        writing, self._writing = self._writing, None
-        if writing is None:
-            return
-        writing.wait()
-        writing.deleteLater()
-        if count < 0:
-            self.refused.emit(
-                self.tr("{0} was not written: {1}.").format(writing.path.name, reason.rstrip("."))
-            )
-        else:
-            self.told.emit(
-                self.tr("{0} samples were written to {1}.").format(f"{count:,}", writing.path)
-            )
+    @Slot(int, object)
+    def _on_saved(self, count: int, path: Path) -> None:
+        self.told.emit(self.tr("{0} samples were written to {1}.").format(f"{count:,}", path))
 
     def save_picture(self, path: Path) -> None:
         """Write a picture of what is shown; the kind follows the name."""
@@ -199,9 +119,6 @@ class TraceExport(QObject):
         else:
             self.refused.emit(self.tr("{0} could not be written.").format(path))
 
-    @Slot()
     def finish(self) -> None:
-        """Give up a table that is being written, and wait for that; for the end."""
-        if self._writing is not None:
-            self._writing.requestInterruption()
-            self._writing.wait()
+        """Give up a table that is being written; a disk that hangs is not waited for."""
+        self._tables.finish()

@@ -1,0 +1,57 @@
+"""A search that a fault of the program ends on one port goes on with the next."""
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatorProcess
+from trex_gui.link import seeking
+from trex_gui.link.seekers import Seek, Seeker
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.finder import Finder
+from trex_gui.model.ports import Port, PortKind
+from trex_gui.model.simulator import Simulator
+from trex_gui.worker.find_worker import FindWorker
+
+
+def at(url: str) -> Port:
+    return Port(PortKind.TYPED, url, url)
+
+
+@pytest.fixture
+def finder(qtbot: QtBot) -> Finder:
+    return Finder(Simulator())
+
+
+def test_a_port_whose_search_fails_is_told_as_such_and_the_next_is_searched(
+    finder: Finder, quick_simulator: SimulatorProcess, qtbot: QtBot
+) -> None:
+    def odd(settings: LinkSettings, *, full: bool, known: bool) -> Seeker:
+        raise ZeroDivisionError("on purpose")
+
+    finder.also("odd", Seek("Odd", odd), Simulator(), "the odd one")
+    finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not finder.running)
+    first, second = finder.findings
+    assert "was ended by a fault of the program (ZeroDivisionError: on purpose)" in first.text
+    assert second.text.startswith("There is no port /dev/ttyNothing9.")
+    assert finder.summary == (
+        "No board was found. 1 port was not searched: a fault of the program."
+    )
+
+
+def test_ports_that_are_not_searched_any_more_are_counted(
+    finder: Finder, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(FindWorker, "run", lambda _worker: None)  # as a thread that dies
+    finder.start([at("/dev/ttyNothing8"), at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not finder.running)
+    assert finder.summary == (
+        "No board was found. 2 ports were not searched: a fault of the program."
+    )
+
+
+def test_a_search_without_a_fault_speaks_of_none(finder: Finder, qtbot: QtBot) -> None:
+    assert not seeking.PortSearch().is_fault
+    finder.start([at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not finder.running)
+    assert finder.summary == "No board was found."

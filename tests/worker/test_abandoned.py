@@ -1,0 +1,45 @@
+"""Threads that did not end when they were to."""
+
+import threading
+
+from PySide6.QtCore import QObject, QThread
+from pytestqt.qtbot import QtBot
+
+from trex_gui.worker import abandoned
+
+
+class Held(QThread):
+    """Runs until it is let go."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.go = threading.Event()
+
+    def run(self) -> None:
+        self.go.wait(60)
+
+
+def test_a_thread_that_is_kept_outlives_who_made_it_and_counts_until_it_ends(qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: not abandoned.any_running())  # of the tests before
+    owner = QObject()
+    thread = Held(owner)
+    thread.start()
+    abandoned.keep(thread)
+    abandoned.keep(thread)
+    go = thread.go
+    del owner, thread
+    assert abandoned.any_running()
+    assert not abandoned.wait(1)
+    go.set()
+    assert abandoned.wait(15_000)
+    assert not abandoned.any_running()
+
+
+def test_a_thread_that_is_forgotten_counts_no_more(qtbot: QtBot) -> None:
+    thread = Held()
+    thread.start()
+    abandoned.keep(thread)
+    thread.go.set()
+    assert thread.wait(15_000)
+    assert abandoned.forget(thread)
+    assert not abandoned.forget(thread)
