@@ -8,6 +8,7 @@ import contextlib
 import errno
 import logging
 import os
+import re
 import select
 import sys
 import time
@@ -244,6 +245,7 @@ def _port_errors() -> tuple[type[Exception], ...]:
         TypeError,
         AttributeError,
         NotImplementedError,
+        re.error,  # of hwgrep://
     ]
     with contextlib.suppress(ImportError):
         import termios  # noqa: PLC0415 - only on POSIX
