@@ -258,17 +258,29 @@ def test_a_stop_that_loses_bytes_is_sent_again(stage: Stage, lost: int) -> None:
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("detection", [Detection.NONE, Detection.CRC7])
 def test_a_stop_gets_through_a_noisy_line(seed: int, detection: Detection) -> None:
+    """Without a CRC what is asked behind it may arrive as a motor command.
+
+    `link/calm.py` says how often; nobody has driven here, so nothing is repeated against that.
+    """
     stage, settings = staged(detection=detection)
     stage.line._random.seed(seed)
 
     def spoil() -> None:
         stage.line.noise = 0.05
 
+    def look() -> None:
+        seen.append(is_stopped(stage.board))
+
+    seen: list[bool] = []
     stage.script.at(1.0, spoil).at(1.0, Stop(1))
+    for step in range(50):
+        stage.script.at(1.0 + step / 100, look)
     run_for(stage, 1.5, settings)
+    seen.append(is_stopped(stage.board))
     is_proved = outcomes(stage.reports)[1].error is None
     assert is_proved or detection is Detection.NONE, "with a CRC nothing goes by unnoticed"
-    assert is_stopped(stage.board)
+    assert any(seen)
+    assert seen[-1] or detection is Detection.NONE
 
 
 def test_a_stop_that_nobody_answers_is_repeated_and_then_told(stage: Stage) -> None:
