@@ -102,17 +102,23 @@ def test_the_last_word_of_a_session_that_was_given_up_ends_no_other(
     assert line.last == Closed(None, may_move=True)
 
 
+def driven(simulator: SimulatorProcess, qtbot: QtBot) -> Device:
+    """A device whose first motor runs."""
+    device = Device()
+    device.connect_to(LinkSettings(simulator.url))
+    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm)
+    device.motors.arm()
+    device.motors.set_speed(1, 60)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 60)
+    return device
+
+
 @pytest.mark.usefixtures("usual_patience")
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 def test_a_board_that_does_not_prove_its_stop_may_move_when_the_line_is_closed(
     quick_simulator: SimulatorProcess, qtbot: QtBot
 ) -> None:
-    device = Device()
-    device.connect_to(LinkSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm)
-    device.motors.arm()
-    device.motors.set_speed(1, 60)
-    qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
+    device = driven(quick_simulator, qtbot)
     quick_simulator.do("line mute on")
     qtbot.waitUntil(device.shut_down)
     assert device.link is Link.NONE
@@ -122,12 +128,7 @@ def test_a_board_that_does_not_prove_its_stop_may_move_when_the_line_is_closed(
 def test_motors_that_were_proved_to_stand_move_no_more_when_the_line_is_closed(
     quick_simulator: SimulatorProcess, qtbot: QtBot
 ) -> None:
-    device = Device()
-    device.connect_to(LinkSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm)
-    device.motors.arm()
-    device.motors.set_speed(1, 60)
-    qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
+    device = driven(quick_simulator, qtbot)
     assert device.may_move
     qtbot.waitUntil(device.shut_down)
     assert not device.may_move
