@@ -31,19 +31,21 @@ _OF_A_TREX = ("model", "firmware", "mode", "mix", "echo", "eeprom", "devices", "
 
 
 @dataclass(frozen=True, slots=True)
-class _Device:
+class DeviceOption:
+    """What `--device` says of one board: its number and model, `None` where it does not."""
+
     number: int | None = None
     model: str | None = None
 
 
-def _read_device(text: str) -> _Device:
+def _read_device(text: str) -> DeviceOption:
     """Read NUMBER[:MODEL]."""
     number, _, model = text.partition(":")
     if not (number.isascii() and number.isdigit() and int(number) <= 127):
         raise click.BadParameter(f"a device number is 0 to 127, not {number!r}")
     if model and model not in _MODELS:
         raise click.BadParameter(f"a model is {' or '.join(_MODELS)}, not {model!r}")
-    return _Device(int(number), model or None)
+    return DeviceOption(int(number), model or None)
 
 
 def _read_address(text: str) -> tuple[str, int]:
@@ -115,7 +117,7 @@ def main(
     tcp: tuple[str, int] | None,
     rfc2217: tuple[str, int] | None,
     eeprom: Path | None,
-    devices: tuple[_Device, ...],
+    devices: tuple[DeviceOption, ...],
     seed: int,
     demo: bool,
     aracna: bool,
@@ -133,28 +135,89 @@ def main(
         raise click.UsageError("only one of --link, --tcp and --rfc2217")
     if aracna:
         _refuse(_OF_A_TREX, "is for a TReX and means nothing with --aracna")
-        _serve_aracna(motors, paced=not unpaced, seed=seed, place=(link, tcp, rfc2217))
-        return
-    _refuse(("motors",), "means something only with --aracna")
+    else:
+        _refuse(("motors",), "means something only with --aracna")
     if len({device.number for device in devices}) < len(devices):
         raise click.UsageError("each --device needs a number of its own; control lines use it")
     try:
-        boards = [
-            Board(
-                device.model or model,
-                firmware,
-                eeprom=_eeprom(eeprom, device, device.model or model, len(devices)),
+        if aracna:
+            simulation = simulate_aracna(motors, paced=not unpaced, seed=seed)
+        else:
+            simulation = simulate_trex(
+                model=model,
+                firmware=firmware,
                 mode=mode,
                 mix=mix,
-                seed=seed + index,
+                echo=echo,
+                paced=not unpaced,
+                eeprom=eeprom,
+                devices=devices,
+                seed=seed,
+                demo=demo,
             )
-            for index, device in enumerate(devices or [_Device()])
-        ]
-        line = Line(boards, echo=echo, paced=not unpaced, seed=seed)
-        with closing(_endpoint(link, tcp, rfc2217, boards[0].memory.baud)) as endpoint:
-            _serve_boards(line, endpoint, demo=demo)
+        with closing(_endpoint(link, tcp, rfc2217, simulation.baud)) as endpoint:
+            _serve(simulation, endpoint)
     except TrexError as error:
         raise click.ClickException(str(error)) from error
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    """A simulated line in virtual time, what obeys its control lines, and what moves its sticks.
+
+    `baud` is the rate of a host that fits.
+    """
+
+    line: "Wire"
+    control: Callable[[str], str]
+    baud: int
+    demos: "Sequence[Demo]" = ()
+
+
+def simulate_trex(
+    *,
+    model: str = "trex",
+    firmware: str = "1.2",
+    mode: str = "serial",
+    mix: bool = False,
+    echo: bool = False,
+    paced: bool = True,
+    eeprom: Path | None = None,
+    devices: Sequence[DeviceOption] = (),
+    seed: int = 0,
+    demo: bool = False,
+) -> Simulation:
+    """Make one TReX, or several on one wire; the arguments are the options of the command line.
+
+    Raises:
+        TrexError: the EEPROM file cannot be read.
+    """
+    from trex_gui.emulator.control import control  # noqa: PLC0415 - `--help` needs none of this
+    from trex_gui.emulator.demo import Demo  # noqa: PLC0415
+
+    boards = [
+        Board(
+            device.model or model,
+            firmware,
+            eeprom=_eeprom(eeprom, device, device.model or model, len(devices)),
+            mode=mode,
+            mix=mix,
+            seed=seed + index,
+        )
+        for index, device in enumerate(devices or [DeviceOption()])
+    ]
+    line = Line(boards, echo=echo, paced=paced, seed=seed)
+    demos = [Demo(board) for board in boards] if demo else []
+    return Simulation(line, partial(control, line), boards[0].memory.baud, demos)
+
+
+def simulate_aracna(motors: int | None, *, paced: bool, seed: int) -> Simulation:
+    """Make a robot with so many motors, as many as there can be unless said."""
+    from trex_gui.aracna.emulator.control import control  # noqa: PLC0415 - nor this
+    from trex_gui.aracna.emulator.line import AracnaLine  # noqa: PLC0415
+
+    line = AracnaLine(_MOST_MOTORS if motors is None else motors, paced=paced, seed=seed)
+    return Simulation(line, partial(control, line), line.own_settings.baud)
 
 
 def _refuse(names: Sequence[str], why: str) -> None:
@@ -170,7 +233,7 @@ def _refuse(names: Sequence[str], why: str) -> None:
             raise click.UsageError(f"{parameter.opts[0]} {why}")
 
 
-def _eeprom(path: Path | None, device: _Device, model: str, count: int) -> Eeprom:
+def _eeprom(path: Path | None, device: DeviceOption, model: str, count: int) -> Eeprom:
     """Return the memory of a board; one that a file remembers keeps its device number."""
     if path is not None and count > 1:
         path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
@@ -208,38 +271,7 @@ def _endpoint(
     return PtyEndpoint(link, baud)
 
 
-def _serve_boards(line: Line, endpoint: Endpoint, *, demo: bool) -> None:
-    from trex_gui.emulator.control import control  # noqa: PLC0415
-    from trex_gui.emulator.demo import Demo  # noqa: PLC0415 - `--help` needs none of this
-
-    demos = [Demo(board) for board in line.boards] if demo else []
-    _serve(line, endpoint, partial(control, line), demos)
-
-
-def _serve_aracna(
-    motors: int | None,
-    *,
-    paced: bool,
-    seed: int,
-    place: tuple[Path | None, tuple[str, int] | None, tuple[str, int] | None],
-) -> None:
-    from trex_gui.aracna.emulator.control import control  # noqa: PLC0415 - nor this
-    from trex_gui.aracna.emulator.line import AracnaLine  # noqa: PLC0415
-
-    line = AracnaLine(_MOST_MOTORS if motors is None else motors, paced=paced, seed=seed)
-    try:
-        with closing(_endpoint(*place, line.own_settings.baud)) as endpoint:
-            _serve(line, endpoint, partial(control, line))
-    except TrexError as error:
-        raise click.ClickException(str(error)) from error
-
-
-def _serve(
-    line: "Wire",
-    endpoint: Endpoint,
-    control: Callable[[str], str],
-    demos: "Sequence[Demo]" = (),
-) -> None:
+def _serve(simulation: Simulation, endpoint: Endpoint) -> None:
     from trex_gui.emulator.serving import Server  # noqa: PLC0415
 
-    Server(line, endpoint, control, demos).run()
+    Server(simulation.line, endpoint, simulation.control, simulation.demos).run()
