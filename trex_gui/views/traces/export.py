@@ -98,7 +98,10 @@ class TraceExport(QObject):
         if source is None or source.span is None:
             self.refused.emit(self.tr("There is nothing to export yet."))
             return
-        self._tables.save(path, source, (start, end), self._plot.origin or 0.0)
+        origin = self._plot.origin
+        if origin is None:  # nothing was drawn yet
+            origin = source.span[0]
+        self._tables.save(path, source, (start, end), origin)
 
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
