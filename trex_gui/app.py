@@ -1,6 +1,7 @@
 """Start-up of the window."""
 
 import argparse
+import math
 import os
 import sys
 from importlib import import_module
@@ -13,6 +14,21 @@ UNSTOPPED = 1
 
 _LOAD_PLOTS_MS = 100
 """Milliseconds in which the window is painted for the first time."""
+
+
+def _seconds(text: str) -> float:
+    """Read how long to wait.
+
+    Raises:
+        ArgumentTypeError: no number of seconds from 0 to 60.
+    """
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not 0 <= seconds <= 60:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of seconds from 0 to 60")
+    return seconds
 
 
 def _arguments(argv: list[str]) -> argparse.Namespace:
@@ -34,6 +50,13 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         type=Path,
         help="show what this settings file would change once a board is connected; with neither "
         "--port nor --demo open the file itself; poses (.ppr) open on the desk of the robot",
+    )
+    parser.add_argument(
+        "--timeout",
+        metavar="SECONDS",
+        type=_seconds,
+        default=0.0,
+        help="added to the deadline of every reply, for slow adapters and networks",
     )
     parser.add_argument(
         "--tour",
@@ -59,6 +82,7 @@ def main(argv: list[str] | None = None) -> int:
     from PySide6.QtCore import Qt, QTimer  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
+    from trex_gui.link.timeouts import Timeouts  # noqa: PLC0415
     from trex_gui.views.theme import theme  # noqa: PLC0415
     from trex_gui.watching import Watching  # noqa: PLC0415
     from trex_gui.window import build  # noqa: PLC0415
@@ -74,7 +98,7 @@ def main(argv: list[str] | None = None) -> int:
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")
-    program = build()
+    program = build(Timeouts(extra=arguments.timeout))
     program.window.show()
     watching = Watching(program, app)
 

@@ -1,11 +1,13 @@
 """Everything outside the window that has to stop what moves, put together in one place."""
 
 import logging
+import math
 import sys
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QElapsedTimer, QObject, Slot
+from PySide6.QtCore import QObject, Slot
 
+from trex_gui.runtime import now
 from trex_gui.system.exceptions import ExceptionWatch
 from trex_gui.system.signals import SignalWatch
 from trex_gui.system.stopper import Stopper
@@ -18,8 +20,8 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 
-_AGAIN_MS = 1000
-"""Within which a mistake that is told again comes of its being told."""
+_AGAIN_S = 1.0
+"""Seconds within which a mistake that is told again comes of its being told."""
 
 
 class Watching(QObject):
@@ -34,7 +36,7 @@ class Watching(QObject):
         self._stopper = Stopper(program.stop_now, self)
         self._stopper_at_mistakes = Stopper(program.stop_now, self)
         self._mistake = ""
-        self._since_mistake = QElapsedTimer()
+        self._mistake_at = -math.inf
         suspended = self.tr("The program was suspended (Ctrl-Z)")
         self._signals = SignalWatch(
             lambda: program.stop_now(ending=True), lambda: self._stopper.stop(suspended), self
@@ -66,7 +68,11 @@ class Watching(QObject):
         events = SessionEvents(parent=self)
         events.leaving.connect(self._stopper.stop)
         device = self._program.device
-        self._sleep_delay = SleepDelay(lambda: device.may_move, parent=self)
+        self._sleep_delay = SleepDelay(
+            lambda: device.may_move,
+            parent=self,
+            patience=self._program.timeouts.sleep_delay,
+        )
         events.sleeping.connect(self._sleep_delay.note_sleep)
         return events
 
@@ -88,9 +94,9 @@ class Watching(QObject):
         One that comes of telling it comes again at once: it is not told again, or there was no end
         to it. Its stop has been sent.
         """
-        is_again = reason == self._mistake and self._since_mistake.elapsed() < _AGAIN_MS
+        is_again = reason == self._mistake and now() - self._mistake_at < _AGAIN_S
         self._mistake = reason
-        self._since_mistake.start()
+        self._mistake_at = now()
         if not is_again:
             self._program.switchboard.stop_because(reason, is_news=True)
 

@@ -10,6 +10,7 @@ from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.way import ARACNA, AracnaWay
 from trex_gui.aracna.views.desk import AracnaDesk
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
 from trex_gui.model.kinds import TREX
@@ -36,6 +37,7 @@ class Program:
     library: Library
     aracna: AracnaDesk
     window: MainWindow
+    timeouts: Timeouts
 
     def connect_to_demo(self, device: str) -> None:
         """Connect to the simulated device of a kind; see `model.kinds`."""
@@ -100,13 +102,14 @@ class Program:
         QCoreApplication.exit(0)
 
 
-def build() -> Program:
+def build(timeouts: Timeouts | None = None) -> Program:
     """Make the models and the window; nothing is connected yet."""
+    timeouts = timeouts or Timeouts()
     device = Device()
     robot = Robot()
     ports = Ports(kinds=(TREX, ARACNA))
-    connector = Connector(device, ports)
-    way = AracnaWay(robot, ports, connector.finder, robot)
+    connector = Connector(device, ports, timeouts=timeouts)
+    way = AracnaWay(robot, ports, connector.finder, robot, timeouts=timeouts)
     connector.finder.also(ARACNA.key, SEEK_ARACNA, way.simulator, way.demo_name)
     switchboard = Switchboard([TrexWay(device, connector, device), way])
     window = MainWindow(switchboard)
@@ -114,4 +117,6 @@ def build() -> Program:
     library = Library(robot)
     aracna = AracnaDesk(robot, library, way, window)
     window.furnish(ConnectionBar(switchboard, device, ports, connector, window), [desk, aracna])
-    return Program(device, ports, connector, switchboard, desk, robot, way, library, aracna, window)
+    return Program(
+        device, ports, connector, switchboard, desk, robot, way, library, aracna, window, timeouts
+    )

@@ -12,6 +12,7 @@ from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
 from trex_gui.link.reading import ask
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.link.transport import SerialTransport
 from trex_gui.protocol.commands import GetSignature, Signature
 from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, TrexError
@@ -157,7 +158,7 @@ def link_settings(options: dict[str, Any], url: str | None = None) -> LinkSettin
         Framing(number, polynomial)
     except BadRequest as error:
         raise Usage(str(error)) from error
-    return LinkSettings(url, line, number, polynomial, options["patience"])
+    return LinkSettings(url, line, number, polynomial, Timeouts(extra=options["patience"]))
 
 
 def as_options(settings: LinkSettings) -> str:

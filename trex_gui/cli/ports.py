@@ -24,6 +24,7 @@ from trex_gui.link.seekers import Sighting, Step, Telling
 from trex_gui.link.seeking import search_port
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.sightings import Found
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.link.transport import SerialTransport
 from trex_gui.protocol.commands import GetSignature, Signature
 from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
@@ -57,7 +58,8 @@ def list_command(as_json: bool, **options: Any) -> None:
         row: dict[str, Any] = {"port": url, "product": None, "firmware": None}
         try:
             answer = _what_answers(settings)
-            seen = None if isinstance(answer, Signature) else looking.look(url, settings.patience)
+            known = isinstance(answer, Signature)
+            seen = None if known else looking.look(url, settings.timeouts.extra)
         except PortUnavailable as error:
             row["answer"], unreachable = str(error), True
         else:
@@ -121,7 +123,7 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
             say(f"Searching {url} ...")
             with ProgressLine(f"Searching {url}") as line:
                 search = search_port(
-                    LinkSettings(url, patience=patience),
+                    LinkSettings(url, timeouts=Timeouts(extra=patience)),
                     _SEEKS,
                     full=full,
                     progress=partial(_show, line),

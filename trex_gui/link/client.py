@@ -248,7 +248,7 @@ class Client:
 
     @property
     def _allowance(self) -> float:
-        return self._transport.latency + self._settings.patience + _BOARD_DELAY
+        return self._transport.latency + self._settings.timeouts.extra + _BOARD_DELAY
 
     def _new_number(self, command: object) -> int | None:
         """Return the number that a command gives to a board which is addressed by number."""

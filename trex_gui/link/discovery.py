@@ -133,12 +133,12 @@ class TrexSeeker:
     def _put(self, wire: Transport, attempt: Attempt) -> Heard | None:
         """Ask once; `None`: the port cannot be set so."""
         try:
-            rinse(wire, self._settings.patience)
+            rinse(wire, self._settings.timeouts.extra)
             wire.tune(attempt.line)
         except BadRequest:
             self.search.skipped.append(attempt.line)
             return None
-        heard = put_question(wire, attempt, self._settings.patience)
+        heard = put_question(wire, attempt, self._settings.timeouts.extra)
         self.search.echo = self.search.echo or heard.echo
         return heard
 

@@ -3,20 +3,14 @@
 import math
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.commands import Command
 from trex_gui.protocol.errors import BadRequest
 
 PULSE_INTERVAL = 0.25
 """Seconds between two signs of life of whoever has armed the motors."""
-
-PATIENCE = 1.0
-"""Seconds without a sign of life after which armed motors are stopped: four missed in a row.
-
-A window that paints slowly is late by tenths of a second; a motor at full speed moves a robot by
-metres in a second, so it is not more.
-"""
 
 
 @dataclass(slots=True)
@@ -31,6 +25,7 @@ class Guard:
     """
 
     clock: Callable[[], float] = time.monotonic
+    timeouts: Timeouts = field(default_factory=Timeouts)
     armed: bool = False
     is_reachable: bool = True
     _awaits_arm: bool = False
@@ -50,7 +45,7 @@ class Guard:
     @property
     def seconds_to_alarm(self) -> float | None:
         """How long nothing may be heard still; `None` while nothing is armed."""
-        return self._heard_at + PATIENCE - self.clock() if self.armed else None
+        return self._heard_at + self.timeouts.heartbeat - self.clock() if self.armed else None
 
     @property
     def is_abandoned(self) -> bool:
@@ -86,7 +81,7 @@ class Guard:
         what the window says first when both go on must not hide it.
         """
         at = self.clock() if sent is None else sent
-        if at - self._heard_at <= PATIENCE:
+        if at - self._heard_at <= self.timeouts.heartbeat:
             self._heard_at = max(self._heard_at, at)
 
     def stop(self, lockout: float) -> None:

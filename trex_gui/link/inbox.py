@@ -1,7 +1,31 @@
 """Where the requests of other threads wait for the session of a line."""
 
-import queue
-from typing import Any
+import threading
+from collections import deque
+from types import TracebackType
+from typing import Any, Protocol
+
+
+class Condition(Protocol):
+    """The part of `threading.Condition` that queues between threads need."""
+
+    def __enter__(self) -> bool: ...
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+        /,
+    ) -> None: ...
+
+    def wait(self, timeout: float | None = None) -> bool:
+        """Wait until notified or for `timeout` seconds; return whether it was notified."""
+        ...
+
+    def notify(self) -> None:
+        """Wake one waiting thread."""
+        ...
 
 
 class QueueInbox:
@@ -12,18 +36,19 @@ class QueueInbox:
     one such wait in a thousand ended so.
     """
 
-    def __init__(self) -> None:
-        self._queue: queue.Queue[Any] = queue.Queue()
+    def __init__(self, condition: Condition | None = None) -> None:
+        self._changed = condition or threading.Condition()
+        self._requests: deque[object] = deque()
 
     def put(self, request: object) -> None:
         """Leave a request for the session."""
-        self._queue.put(request)
+        with self._changed:
+            self._requests.append(request)
+            self._changed.notify()
 
     def get(self, seconds: float) -> Any:
         """Return the next request, waiting up to `seconds` for one; else `None`."""
-        try:
-            if seconds <= 0:
-                return self._queue.get_nowait()
-            return self._queue.get(timeout=seconds)
-        except queue.Empty:
-            return None
+        with self._changed:
+            if not self._requests and seconds > 0:
+                self._changed.wait(seconds)
+            return self._requests.popleft() if self._requests else None

@@ -142,9 +142,9 @@ def look_at(wire: Transport, settings: LinkSettings, *, echo: bool) -> bool:
         BadRequest: the port cannot be set so.
         PortUnavailable: the line is gone.
     """
-    rinse(wire, settings.patience)
+    rinse(wire, settings.timeouts.extra)
     wire.tune(settings.line)
-    heard = put_question(wire, Attempt.at(settings), settings.patience)
+    heard = put_question(wire, Attempt.at(settings), settings.timeouts.extra)
     if heard.answer not in {Answer.BOARD, Answer.SEVERAL}:
         return False
     try:
@@ -164,7 +164,7 @@ def places_to_look(
     is expected to change, what is expected stands for what is in use. Left out is a question
     that a board at another of these places could take for an order.
     """
-    here = [replace(one, url=used.url, name=used.name, patience=used.patience) for one in expected]
+    here = [replace(one, url=used.url, name=used.name, timeouts=used.timeouts) for one in expected]
     first = next((one for one in here if _differ_in_stop_bits(one, used)), used)
     places: dict[object, LinkSettings] = {}
     for place in (first, *here, replace(first, line=LineSettings())):

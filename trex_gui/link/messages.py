@@ -67,7 +67,8 @@ class Arm:
     """The motors are armed from here on, until a `Stop`; has no outcome.
 
     The line is kept busy enough for the board's own serial timeout then, and where neither a
-    `Pulse` nor a wish comes for `guard.PATIENCE` seconds, the motors are stopped; `Halted` tells.
+    `Pulse` nor a wish comes for `Timeouts.heartbeat` seconds, the motors are stopped; `Halted`
+    tells.
     """
 
 

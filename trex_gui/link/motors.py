@@ -34,12 +34,6 @@ INSISTING_ATTEMPTS = 4
 INSISTING_INTERVAL = 0.25
 """How often, and seconds after which, a stop is sent again that no status has proved yet."""
 
-PROOF_PATIENCE = 3.0
-"""Seconds that a stop waits for a line to become quiet before it is told that it is not proved.
-
-At 19200 baud and above that takes 1.6 s from the last damage on.
-"""
-
 _LONGEST_DRIVE = 11
 """Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
 
@@ -162,7 +156,7 @@ class Motors:
         """Serve every stop that waits; each gets its outcome, even when the line is lost.
 
         On a line that damages bytes the outcome comes when it has been quiet for a while, or
-        after `PROOF_PATIENCE`; the stop is sent again until then.
+        after `Timeouts.stop_confirmation`; the stop is sent again until then.
 
         Raises:
             PortUnavailable: the line is gone; the stops wait again, for the end of the session.
@@ -176,7 +170,8 @@ class Motors:
         if not stopped and self._mail.closing:
             self._mail.stops += stops  # the end of the session has its own way to stop
         elif stopped and self.may_move:
-            self._proof_until = client.transport.clock() + PROOF_PATIENCE
+            patience = client.settings.timeouts.stop_confirmation
+            self._proof_until = client.transport.clock() + patience
             self._unproved = stops
             self._tell((), None)
         else:

@@ -3,9 +3,7 @@
 from trex_gui.link.client import Client
 from trex_gui.link.searching import Search
 from trex_gui.link.settings import LinkSettings
-
-RETRY_INTERVAL = 0.25
-"""Seconds between two looks at a silent board."""
+from trex_gui.link.timeouts import Timeouts
 
 _FAILURES_TO_SILENCE = 3
 
@@ -18,7 +16,8 @@ class Presence:
         retry_at: when to look for a silent one again.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, timeouts: Timeouts) -> None:
+        self._retry = timeouts.retry
         self.silent = False
         self.retry_at = 0.0
         self._failures = 0
@@ -46,7 +45,7 @@ class Presence:
 
     def retry_later(self, now: float) -> None:
         """Look again after the usual pause."""
-        self.retry_at = now + RETRY_INTERVAL
+        self.retry_at = now + self._retry
 
     def looks_around(self, client: Client, expected: tuple[LinkSettings, ...]) -> bool:
         """Whether a silent board may be at other settings.
@@ -64,6 +63,6 @@ class Presence:
         """
         found = self._search.look(client, expected)
         if found is None:
-            pause = RETRY_INTERVAL if self._search.is_round_over else 0.0
+            pause = self._retry if self._search.is_round_over else 0.0
             self.retry_at = client.transport.clock() + pause
         return found

@@ -157,7 +157,7 @@ def _search(
         result.error = error
     finally:
         result.device = next((key for key, seeker in seekers.items() if seeker.found), "")
-        _give_back(wire, settings.patience, answered=bool(result.device))
+        _give_back(wire, settings.timeouts.extra, answered=bool(result.device))
     if result.device:
         result.found = seekers[result.device].found
         return

@@ -12,6 +12,7 @@ from dataclasses import replace
 from trex_gui.link.batches import Batches
 from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
+from trex_gui.link.guard import Guard
 from trex_gui.link.mailbox import Inbox, Mailbox
 from trex_gui.link.messages import (
     Ask,
@@ -27,7 +28,7 @@ from trex_gui.link.messages import (
 )
 from trex_gui.link.motors import Motors
 from trex_gui.link.polling import Polling
-from trex_gui.link.presence import RETRY_INTERVAL, Presence
+from trex_gui.link.presence import Presence
 from trex_gui.link.reading import DeviceState, read_everything
 from trex_gui.link.schedule import Topic
 from trex_gui.link.settings import LinkSettings
@@ -78,10 +79,10 @@ class Session:
         self._settings = settings
         self._emit = emit
         self._open_transport = open_transport
-        self._mail = Mailbox(inbox)
+        self._mail = Mailbox(inbox, guard=Guard(timeouts=settings.timeouts))
         self._batches = Batches(emit)
         self._motors = Motors(self._mail, emit, self._batches.extend, may_move=may_move)
-        self._presence = Presence()
+        self._presence = Presence(settings.timeouts)
         self._state: DeviceState | None = None
         self._polling = Polling()
         self._port_rates: frozenset[int] | None = None
@@ -225,7 +226,7 @@ class Session:
             raise _Closing
 
     def _seconds_to_wait(self, now: float) -> float:
-        moments = [RETRY_INTERVAL]
+        moments = [self._settings.timeouts.retry]
         if self._presence.silent:
             moments.append(self._presence.retry_at - now)
         else:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.protocol.framing import Framing
 from trex_gui.protocol.line_settings import Detection, LineSettings
@@ -18,14 +19,14 @@ class LinkSettings:
         device_number: 0-127 for the Pololu protocol, `None` for the compact one.
         polynomial: used when `line.detection` is CRC-7.
         name: what a person calls the port; the URL where it is empty.
-        patience: seconds added to every deadline, for slow hosts and networks.
+        timeouts: how long to wait for it.
     """
 
     url: str
     line: LineSettings = field(default_factory=LineSettings)
     device_number: int | None = None
     polynomial: int = DEFAULT_POLYNOMIAL
-    patience: float = 0.0
+    timeouts: Timeouts = field(default_factory=Timeouts)
     name: str = ""
 
     @property

@@ -1,21 +1,22 @@
 """Bench tests: a motor is driven along a profile while somebody holds a button."""
 
-import time
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime
 from enum import Enum, auto
 
-from PySide6.QtCore import QObject, Qt, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.bench.plan import Plan
 from trex_gui.bench.run import End, Run
 from trex_gui.link.messages import Batch
 from trex_gui.link.telemetry import Currents, StatusNews
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.bench_obstacle import HOLDER, obstacle
 from trex_gui.model.device import Device, Link
 from trex_gui.model.events import EventKind
 from trex_gui.protocol.flags import Status, UartError
+from trex_gui.runtime import now, runtime
 
 KEPT = 10
 """Tests that are kept to be compared with."""
@@ -41,9 +42,6 @@ _STEP_MS = 20  # 50 times a second: the board renews its outputs 100 times, a pe
 
 _TAIL = 0.6
 """Seconds for which currents are taken after the motor was left to brake."""
-
-_LONGEST_SILENCE = 0.6
-"""Seconds without a reading of the currents after which nothing is driven blindly."""
 
 _FAULTS = {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}
 _LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
@@ -77,7 +75,7 @@ class Bench(QObject):
         self,
         device: Device,
         parent: QObject | None = None,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = now,
     ) -> None:
         super().__init__(parent)
         self._device = device
@@ -93,7 +91,7 @@ class Bench(QObject):
         self._start = self._last_reading = 0.0
         self._wishes: list[tuple[float, int]] = []
         self._readings: list[tuple[float, float]] = []
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(_STEP_MS)
 
@@ -230,8 +228,8 @@ class Bench(QObject):
                 self._finish()
         elif past >= run.profile.duration:
             self._end(End.COMPLETE)
-        elif self._clock() - self._last_reading > _LONGEST_SILENCE:
-            self.abort(self.tr("No current was read for {0:g} s.").format(_LONGEST_SILENCE))
+        elif self._clock() - self._last_reading > self._current_gap:
+            self.abort(self.tr("No current was read for {0:g} s.").format(self._current_gap))
         else:
             speed = run.profile.speed_at(past)
             if not self._wishes or self._wishes[-1][1] != speed:
@@ -337,6 +335,12 @@ class Bench(QObject):
             self._unit = state.signature.model.current_unit
             self._plan = replace(self._plan, abort_current=round(_ABORT_COUNTS * self._unit, 2))
         self.changed.emit()
+
+    @property
+    def _current_gap(self) -> float:
+        """Seconds without a reading of the currents after which nothing is driven blindly."""
+        settings = self._device.settings
+        return (Timeouts() if settings is None else settings.timeouts).current_gap
 
     def _settings(self) -> tuple[tuple[str, str], ...]:
         """What the board stores for the motor, for people."""

@@ -5,6 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.demo_board import DemoBoard
 from trex_gui.model.device import Device, Link
 from trex_gui.model.finder import Finder
@@ -34,11 +35,19 @@ class Connector(QObject):
     demo_changed = Signal()
     failed = Signal(str)
 
-    def __init__(self, device: Device, ports: Ports, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        device: Device,
+        ports: Ports,
+        parent: QObject | None = None,
+        *,
+        timeouts: Timeouts | None = None,
+    ) -> None:
         super().__init__(parent)
         self._device = device
         self._ports = ports
         self._store = QSettings(self)
+        self._timeouts = timeouts or Timeouts()
         self._settings = self._read_settings()
         self._port: Port | None = None
         self._demo_wanted = False
@@ -46,7 +55,7 @@ class Connector(QObject):
         self._demo_settings: LinkSettings | None = None
         self.simulator = Simulator(self)
         self.demo_board = DemoBoard(self.simulator, self)
-        self.finder = Finder(self.simulator, self)
+        self.finder = Finder(self.simulator, self, timeouts=self._timeouts)
         self._after_search: Port | None = None
 
         self.simulator.ready.connect(self._on_simulator_ready)
@@ -174,7 +183,7 @@ class Connector(QObject):
         elif self._demo_wanted:
             self._demo_wanted = False
             # The simulated board begins with the factory's settings, whatever is chosen here.
-            settings = self._demo_settings or LinkSettings("")
+            settings = self._demo_settings or LinkSettings("", timeouts=self._timeouts)
             name = self.tr("the simulated board")
             self._device.connect_to(replace(settings, url=url, name=name))
 
@@ -215,7 +224,7 @@ class Connector(QObject):
             self._device.expect((LinkSettings(""),))
 
     def _read_settings(self) -> LinkSettings:
-        default = LinkSettings("")
+        default = LinkSettings("", timeouts=self._timeouts)
         try:
             wire = int(str(self._store.value(_LINE, default.line.to_wire())))
             number = int(str(self._store.value(_NUMBER, -1)))
@@ -225,6 +234,7 @@ class Connector(QObject):
                 line=LineSettings.from_wire(wire),
                 device_number=None if number < 0 else number,
                 polynomial=polynomial,
+                timeouts=self._timeouts,
             )
             _ = settings.framing
             check_polynomial(polynomial)

@@ -1,11 +1,12 @@
 """The toy board on the desk: its sticks, jumpers, power and cable, for those without hardware."""
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.model.demo_device import DemoDevice, switch
 from trex_gui.model.demo_snapshot import STICK_ENDS, DemoSnapshot, read_snapshot, signal_text
 from trex_gui.model.simulator import Simulator
 from trex_gui.protocol.flags import CHANNELS
+from trex_gui.runtime import runtime
 
 _OFF_MS = 1000
 """How long a power cycle leaves the power off: a hand is no faster, and whoever talks to the
@@ -26,7 +27,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         super().__init__(simulator, read_snapshot, parent)
         self._held: dict[int, float] = {}  # share of the way at which a stick is held
         self._after_off: tuple[str, ...] = ()
-        self._off = QTimer(self)
+        self._off = runtime().timer(self)
         self._off.setSingleShot(True)
         self._off.setInterval(_OFF_MS)
         self._off.timeout.connect(self._on_off_long_enough)

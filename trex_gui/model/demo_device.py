@@ -4,9 +4,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.model.simulator import Simulator
+from trex_gui.runtime import runtime
 
 _INTERVAL_MS = 125
 
@@ -67,7 +68,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._under_way: set[str] = set()
         self._orders = 0
         self._looking = False
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_INTERVAL_MS)
         self._timer.timeout.connect(self._look)
         simulator.ended.connect(self._on_simulator_ended)

@@ -1,12 +1,13 @@
 """What happened while a board was connected, for marks in a plot, a recording and a list."""
 
-import time
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
 from PySide6.QtCore import QObject, Signal
+
+from trex_gui.runtime import now
 
 MOST_EVENTS = 10_000
 """Events that are kept; the oldest go."""
@@ -44,9 +45,7 @@ class Events(QObject):
     happened = Signal(object)
     cleared = Signal()
 
-    def __init__(
-        self, parent: QObject | None = None, *, clock: Callable[[], float] = time.monotonic
-    ) -> None:
+    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
         """Keep no events yet; `clock` is the session's, which is the computer's monotonic one."""
         super().__init__(parent)
         self._clock = clock

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
 
 from trex_gui.recording.errors import RecordingError
 from trex_gui.worker import abandoned
@@ -48,8 +48,8 @@ class FileSaver(QObject):
         """Let `work` write the file in a thread; it returns how many rows it has written."""
         self._path = path
         self._worker = FileWorker(work, self)
-        self._worker.done.connect(self._on_done)
-        self._worker.finished.connect(self._on_finished)
+        self._worker.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
+        self._worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
         self._worker.start()
 
     @Slot()

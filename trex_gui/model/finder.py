@@ -3,11 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.link.discovery import SEEK_TREX
 from trex_gui.link.seekers import Seek, Sighting, Step
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.kinds import TREX
 from trex_gui.model.ports import Port, PortKind
 from trex_gui.model.simulator import Simulator
@@ -44,8 +45,15 @@ class Finder(QObject):
     progressed = Signal()
     finished = Signal()
 
-    def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        simulator: Simulator,
+        parent: QObject | None = None,
+        *,
+        timeouts: Timeouts | None = None,
+    ) -> None:
         super().__init__(parent)
+        self._timeouts = timeouts or Timeouts()
         self._seeks: dict[str, Seek] = {TREX.key: SEEK_TREX}
         self._simulators = {TREX.key: simulator}
         self._demo_names = {TREX.key: self.tr("the simulated board")}
@@ -121,9 +129,9 @@ class Finder(QObject):
         self._cancelled = False
         self._text = self.tr("Opening {0} …").format(_name(self._ports[0]))
         self._worker = FindWorker([self._errand(port) for port in self._ports], full=full)
-        self._worker.stepped.connect(self._on_stepped)
-        self._worker.searched.connect(self._on_searched)
-        self._worker.finished.connect(self._on_worker_finished)
+        self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
+        self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
+        self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
         self._worker.start()
         self.changed.emit()
         self.progressed.emit()
@@ -157,9 +165,9 @@ class Finder(QObject):
         """Look for every kind of device, first for what the port is known to lead to."""
         if port.kind is not PortKind.DEMO:
             first = self._said.get(port.url, port.device)
-            return Errand(LinkSettings(port.url), dict(self._seeks), first)
+            return Errand(LinkSettings(port.url, timeouts=self._timeouts), dict(self._seeks), first)
         url = self._simulators[port.device].url
-        settings = LinkSettings(url, name=self._demo_names[port.device])
+        settings = LinkSettings(url, name=self._demo_names[port.device], timeouts=self._timeouts)
         return Errand(settings, {port.device: self._seeks[port.device]})
 
     @Slot(int, object)

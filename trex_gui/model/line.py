@@ -7,6 +7,7 @@ from trex_gui.link.session import Session
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transcript import taped
 from trex_gui.model.session_thread import NOBODY, SessionThread
+from trex_gui.runtime import now, open_transport
 
 
 class Line(SessionThread):
@@ -23,7 +24,9 @@ class Line(SessionThread):
     def open(self, settings: LinkSettings, *, may_move: bool) -> None:
         """Start a session; `may_move` says that motors may be turning from an earlier one."""
         self.start(
-            lambda inbox, tell: Session(settings, inbox, tell, taped(self.tape), may_move=may_move),
+            lambda inbox, tell: Session(
+                settings, inbox, tell, taped(self.tape, open_transport, now), may_move=may_move
+            ),
             may_move=may_move,
         )
 

@@ -1,12 +1,12 @@
 """The inputs as they come in: each measurement once, and whether they still come."""
 
 import math
-import time
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.model.telemetry import Telemetry
 from trex_gui.protocol.flags import CHANNELS
+from trex_gui.runtime import now, runtime
 
 Counts = tuple[int | None, ...]
 """Raw counts of channels 1-5; `None` without a valid signal."""
@@ -39,7 +39,7 @@ class MeasuredInputs(QObject):
         self._heard_at = 0.0
         self._ticked_at = 0.0
         self._stalled = False
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_TICK_MS)
 
         self._timer.timeout.connect(self._on_tick)
@@ -54,7 +54,7 @@ class MeasuredInputs(QObject):
         """Hand on what is measured from now on."""
         times = self._telemetry.inputs.times
         self._taken_until = float(times[-1]) if len(times) else -math.inf
-        self._heard_at = self._ticked_at = time.monotonic()
+        self._heard_at = self._ticked_at = now()
         self._stalled = False
         self._timer.start()
 
@@ -71,7 +71,7 @@ class MeasuredInputs(QObject):
         first = int(inputs.times.searchsorted(self._taken_until, side="right"))
         found: list[tuple[float, Counts]] = []
         for index, moment in enumerate(inputs.times[first:].tolist(), first):
-            self._heard_at = time.monotonic()
+            self._heard_at = now()
             if moment - self._taken_until < _SAME_VALUE:
                 continue
             self._taken_until = moment
@@ -82,11 +82,12 @@ class MeasuredInputs(QObject):
 
     @Slot()
     def _on_tick(self) -> None:
-        now = time.monotonic()
-        was_busy, self._ticked_at = now - self._ticked_at > 3 * _TICK_MS / 1000, now
+        moment = now()
+        was_busy = moment - self._ticked_at > 3 * _TICK_MS / 1000
+        self._ticked_at = moment
         if was_busy:  # the window was: measurements may wait to be taken
             return
-        stalled = now - self._heard_at > _STALLED_AFTER
+        stalled = moment - self._heard_at > _STALLED_AFTER
         if stalled != self._stalled:
             self._stalled = stalled
             self.stalled_changed.emit()

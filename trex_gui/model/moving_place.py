@@ -1,6 +1,8 @@
 """A place in a recording that a person moves, or that moves by itself."""
 
-from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.runtime import now, runtime
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 """How many times as fast as it happened a recording can be played."""
@@ -26,9 +28,9 @@ class MovingPlace(QObject):
         super().__init__(parent)
         self._start = self._end = self._position = start
         self._speed = 1.0
-        self._playing = QTimer(self)
+        self._playing = runtime().timer(self)
         self._playing.setInterval(_FRAME_MS)
-        self._since = QElapsedTimer()
+        self._frame_at = 0.0
 
         self._playing.timeout.connect(self._on_frame)
 
@@ -73,7 +75,7 @@ class MovingPlace(QObject):
         """Let the place move; from the start again when it is at the end."""
         if self._position >= self._end:
             self.set_position(self._start)
-        self._since.start()
+        self._frame_at = now()
         self._playing.start()
         self.playing_changed.emit()
 
@@ -98,4 +100,5 @@ class MovingPlace(QObject):
 
     @Slot()
     def _on_frame(self) -> None:
-        self.advance(self._since.restart() / 1000)
+        before, self._frame_at = self._frame_at, now()
+        self.advance(self._frame_at - before)

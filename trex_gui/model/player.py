@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Generic
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.model.events import Event
 from trex_gui.model.gathering import Gathered
@@ -172,9 +172,9 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
     def begin(self, work: Callable[[Tell], object]) -> None:
         """Do something with the file in a thread; `end_with` follows unless it is cancelled."""
         worker = FileWorker(work, self)
-        worker.progressed.connect(self._on_progressed)
-        worker.done.connect(self._on_done)
-        worker.finished.connect(self._on_finished)
+        worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
+        worker.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
+        worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
         self._worker = worker
         worker.start(FileWorker.Priority.LowPriority)
 

@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from PySide6.QtCore import QObject, QSettings, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from serial.tools import list_ports
 
 from trex_gui.model.kinds import TREX, Kind
+from trex_gui.runtime import runtime
 
 _INTERVAL_MS = 1500
 _MANY = 20
@@ -57,7 +58,7 @@ class Ports(QObject):
         self._settings = QSettings(self)
         self._typed = self._read_typed()
         self._entries: tuple[Port, ...] = ()
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_INTERVAL_MS)
         self._timer.timeout.connect(self.refresh)
         self.refresh()

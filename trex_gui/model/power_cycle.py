@@ -2,11 +2,12 @@
 
 from enum import Enum, auto
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.link.next_line import after_power_cycle
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Device, Link
+from trex_gui.runtime import runtime
 from trex_gui.settings.factory import factory_settings
 
 _LONG = 10_000
@@ -42,7 +43,7 @@ class PowerCycle(QObject):
         self._stage = Stage.NONE
         self._takes_long = False
         self._expected: LinkSettings | None = None
-        self._patience = QTimer(self)
+        self._patience = runtime().timer(self)
         self._patience.setSingleShot(True)
         self._patience.setInterval(_LONG)
 

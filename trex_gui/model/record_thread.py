@@ -1,15 +1,15 @@
 """Recording what a device reports while it happens: the life of the thread that writes."""
 
-import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import BinaryIO, Generic
 
-from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.recording.backlog import Backlog
 from trex_gui.recording.blocks import RecordT
 from trex_gui.recording.recording import Marker
+from trex_gui.runtime import now, runtime
 from trex_gui.worker import abandoned
 from trex_gui.worker.record_worker import RecordWorker, Writer
 
@@ -35,14 +35,12 @@ class RecordThread(QObject, Generic[RecordT]):
     told = Signal(str)
     failed = Signal(str)
 
-    def __init__(
-        self, parent: QObject | None = None, *, clock: Callable[[], float] = time.monotonic
-    ) -> None:
+    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
         """Record nothing yet; `clock` is the session's, which is the computer's monotonic one."""
         super().__init__(parent)
         self.clock = clock
         self._worker: RecordWorker[RecordT] | None = None
-        self._backlog: Backlog[RecordT] = Backlog()
+        self._backlog: Backlog[RecordT] = Backlog(runtime().condition())
         self._path: Path | None = None
         self._begun = 0.0
         self._size = 0
@@ -109,11 +107,11 @@ class RecordThread(QObject, Generic[RecordT]):
         self._path, self._begun = path, begun
         self._size = self._lost = 0
         self._closing = self._refused = self._given_up = False
-        self._backlog = Backlog()
+        self._backlog = Backlog(runtime().condition())
         worker = RecordWorker(path, begun, self._backlog, writer_of, self)
-        worker.progressed.connect(self._on_progressed)
-        worker.failed.connect(self._on_failed)
-        worker.finished.connect(self._on_finished)
+        worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
+        worker.failed.connect(self._on_failed, Qt.ConnectionType.QueuedConnection)
+        worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
         self._worker = worker
         self.put(*first)
         worker.start()

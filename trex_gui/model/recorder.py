@@ -1,6 +1,5 @@
 """Recording what a board reports and what is asked of it, while it happens."""
 
-import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -16,6 +15,7 @@ from trex_gui.model.record_thread import RecordThread
 from trex_gui.recording.files import writer_for
 from trex_gui.recording.recording import Record
 from trex_gui.recording.recording_of import header_of, marker, settings_seen, wish_of
+from trex_gui.runtime import now
 
 
 class Recorder(RecordThread[Record]):
@@ -30,7 +30,7 @@ class Recorder(RecordThread[Record]):
         device: Device,
         parent: QObject | None = None,
         *,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = now,
     ) -> None:
         """Record nothing yet; `clock` is the session's, which is the computer's monotonic one."""
         super().__init__(parent, clock=clock)

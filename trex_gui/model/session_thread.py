@@ -3,7 +3,7 @@
 import itertools
 from collections.abc import Callable
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal, Slot
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 
 from trex_gui.link.messages import Close, Closed, Outcome
 from trex_gui.link.transcript import Tape
@@ -74,8 +74,8 @@ class SessionThread(QObject):
         self._may_move = may_move
         self._late = self._last = None
         self._worker = LineWorker(make_session)
-        self._worker.reported.connect(self._on_reported)
-        self._worker.finished.connect(self._on_worker_finished)
+        self._worker.reported.connect(self._on_reported, Qt.ConnectionType.QueuedConnection)
+        self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
         self._worker.start()
         self.started.emit()
 

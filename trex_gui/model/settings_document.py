@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.protocol.errors import TrexError
+from trex_gui.runtime import runtime
 from trex_gui.settings.amend import amend
 from trex_gui.settings.document import Settings
 from trex_gui.settings.errors import Finding, SettingsError
@@ -54,7 +55,7 @@ class SettingsDocument(QObject):
         self._readable = False
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
-        self._announcing = QTimer(self)
+        self._announcing = runtime().timer(self)
         self._announcing.setSingleShot(True)
         self._announcing.setInterval(0)
         self._announcing.timeout.connect(self._look)

@@ -6,6 +6,8 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, QProcess, Signal, Slot
 
+from trex_gui.runtime import runtime
+
 SIMULATOR_ARGUMENT = "--simulator"
 """First argument with which the program itself runs the simulator instead of the window."""
 
@@ -40,7 +42,7 @@ class Simulator(QObject):
         self._plugged = True
         self._ending = False
         self._awaited: deque[Callable[[str], None] | None] = deque()
-        self._process = QProcess(self)
+        self._process = runtime().process(self)
         self._process.setProcessChannelMode(QProcess.ProcessChannelMode.SeparateChannels)
         self._process.readyReadStandardOutput.connect(self._on_output)
         self._process.errorOccurred.connect(self._on_error)

@@ -1,9 +1,10 @@
 """Whether the motors stand: a stop that is proved, and then no current that says otherwise."""
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.model.device import Device
 from trex_gui.protocol.errors import TrexError
+from trex_gui.runtime import runtime
 
 _QUIET = 3
 """Readings in a row without a current that make a motor stand."""
@@ -38,7 +39,7 @@ class Standing(QObject):
         self._device = device
         self._run = 0
         self._since: float | None = None
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_PATIENCE_MS)
 

@@ -3,11 +3,12 @@
 import time
 from collections.abc import Sequence
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.link.exchanges import Assembler, Exchange, Wording, Words
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.session_thread import SessionThread
+from trex_gui.runtime import now, runtime
 
 MOST_KEPT = 20_000
 """Rows of each shelf; at full telemetry those of all bytes reach back for less than a minute."""
@@ -78,8 +79,8 @@ class Transcript(QObject):
         self._wording = wording
         self._assembler = Assembler(wording)
         self._newest = 0
-        self._epoch = time.time() - time.monotonic()
-        self._timer = QTimer(self)
+        self._epoch = time.time() - now()
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_INTERVAL_MS)
         self._timer.timeout.connect(self.pull)
         line.started.connect(self._on_started)
@@ -144,7 +145,7 @@ class Transcript(QObject):
 
     @Slot()
     def _on_started(self) -> None:
-        self._epoch = time.time() - time.monotonic()
+        self._epoch = time.time() - now()
         self._assembler.forget_echo()
         self._timer.start()
 

@@ -5,6 +5,7 @@ from collections import deque
 from collections.abc import Sequence
 from typing import Generic
 
+from trex_gui.link.inbox import Condition
 from trex_gui.recording.blocks import RecordT
 from trex_gui.recording.recording import Marker
 
@@ -21,9 +22,9 @@ class Backlog(Generic[RecordT]):
     room again.
     """
 
-    def __init__(self, most: int = MOST) -> None:
+    def __init__(self, condition: Condition | None = None, most: int = MOST) -> None:
         self._most = most
-        self._ready = threading.Condition()
+        self._ready = condition or threading.Condition()
         self._waiting: deque[RecordT | Marker] = deque()
         self._lost = 0
         self._lost_in_all = 0

@@ -8,7 +8,7 @@ import logging
 import os
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QTimer, Slot
+from PySide6.QtCore import QObject, Slot
 from PySide6.QtDBus import (
     QDBusConnection,
     QDBusMessage,
@@ -16,13 +16,12 @@ from PySide6.QtDBus import (
     QDBusUnixFileDescriptor,
 )
 
+from trex_gui.runtime import runtime
+
 log = logging.getLogger(__name__)
 
 _LOGIN = "org.freedesktop.login1"
 _PATH = "/org/freedesktop/login1"
-
-_PATIENCE_MS = 1000
-"""How long the proof of a stop is waited for; who closes a lid is not kept waiting longer."""
 
 _LOOK_MS = 20
 
@@ -40,14 +39,18 @@ class SleepDelay(QObject):
         may_move: Callable[[], bool],
         system: QDBusConnection | None = None,
         parent: QObject | None = None,
+        *,
+        patience: float,
     ) -> None:
+        """Wait for so many seconds; who closes a lid is not kept waiting longer."""
         super().__init__(parent)
+        self._patience = patience
         self._may_move = may_move
         self._bus = system or QDBusConnection.systemBus()
         self._descriptor: int | None = None
         self._asked: QDBusPendingCallWatcher | None = None
         self._looked = 0
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_LOOK_MS)
         self._timer.timeout.connect(self._on_look)
         self.take()
@@ -91,7 +94,7 @@ class SleepDelay(QObject):
     @Slot()
     def _on_look(self) -> None:
         self._looked += 1
-        if not self._may_move() or self._looked * _LOOK_MS >= _PATIENCE_MS:
+        if not self._may_move() or self._looked * _LOOK_MS >= self._patience * 1000:
             self.give()
 
     @Slot(QDBusPendingCallWatcher)

@@ -1,12 +1,13 @@
 """Before the window goes: motors that may still turn."""
 
-from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Slot
+from PySide6.QtCore import QObject, Qt, QTimer, Slot
 from PySide6.QtWidgets import QApplication, QWidget
 
 from trex_gui.model.switchboard import Switchboard
+from trex_gui.runtime import now
 from trex_gui.views.widgets.question import Answer, Question
 
-_LOG_OUT_MS = 60_000
+_LOG_OUT_S = 60.0
 """Within which a window that is closed after a log-out has begun is closed by it."""
 
 
@@ -24,7 +25,7 @@ class LastWarning(QObject):
         self._question = question
         self._window = window
         self._given = False
-        self._session_ends = QElapsedTimer()
+        self._log_out_at: float | None = None
         app = QApplication.instance()
         if isinstance(app, QApplication):
             app.commitDataRequest.connect(self.note_log_out)
@@ -41,12 +42,12 @@ class LastWarning(QObject):
 
     @property
     def _is_log_out(self) -> bool:
-        return self._session_ends.isValid() and self._session_ends.elapsed() < _LOG_OUT_MS
+        return self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
 
     @Slot()
     def note_log_out(self) -> None:
         """Somebody logs out."""
-        self._session_ends.start()
+        self._log_out_at = now()
 
     def give(self) -> None:
         """Say what has to be known; the window stays until that was read."""

@@ -4,12 +4,13 @@ Whoever gives a thread up leaves it here. At its end the program asks whether on
 must not end by itself then.
 """
 
-from PySide6.QtCore import QDeadlineTimer, QThread
+from trex_gui.runtime import now
+from trex_gui.worker.thread import WorkerThread
 
-_kept: list[QThread] = []
+_kept: list[WorkerThread] = []
 
 
-def keep(thread: QThread) -> None:
+def keep(thread: WorkerThread) -> None:
     """Take a thread that its owner gives up, until it has ended; to be called in its own thread.
 
     "Its own" is the one that the object lives in. Its owner may be destroyed from now on.
@@ -19,7 +20,7 @@ def keep(thread: QThread) -> None:
         _kept.append(thread)
 
 
-def forget(thread: QThread) -> bool:
+def forget(thread: WorkerThread) -> bool:
     """Keep a thread no longer, which has ended; return whether it was kept."""
     if thread not in _kept:
         return False
@@ -34,6 +35,6 @@ def any_running() -> bool:
 
 def wait(timeout_ms: int) -> bool:
     """Wait for all of them together; return whether they have ended."""
-    deadline = QDeadlineTimer(timeout_ms)
-    _kept[:] = [thread for thread in _kept if not thread.wait(deadline)]
+    end = now() + timeout_ms / 1000
+    _kept[:] = [thread for thread in _kept if not thread.wait(max(0, round((end - now()) * 1000)))]
     return not _kept

@@ -2,13 +2,14 @@
 
 import logging
 import threading
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QObject, Signal
 
 from trex_gui.protocol.errors import TrexError
+from trex_gui.runtime import now, runtime
+from trex_gui.worker.thread import WorkerThread
 
 log = logging.getLogger(__name__)
 
@@ -36,7 +37,7 @@ class Done:
     error: TrexError | None = None
 
 
-class FileWorker(QThread):
+class FileWorker(WorkerThread):
     """Runs one function, which is given a function to tell how far it is with.
 
     The object lives in the GUI thread; only `run` executes in the new one. What the work is
@@ -59,7 +60,7 @@ class FileWorker(QThread):
 
     def run(self) -> None:
         """Do the work; called by Qt in the new thread."""
-        self._rested_at = time.monotonic()
+        self._rested_at = now()
         try:
             result = self._work(self._tell)
         except _CancelledError:
@@ -86,10 +87,10 @@ class FileWorker(QThread):
     def _tell(self, share: float) -> None:
         if self._cancelled.is_set():
             raise _CancelledError
-        now = time.monotonic()
-        if now >= self._told_at + _TELL:
-            self._told_at = now
+        moment = now()
+        if moment >= self._told_at + _TELL:
+            self._told_at = moment
             self.progressed.emit(share)
-        if now >= self._rested_at + _WORK:
-            time.sleep(_REST)
-            self._rested_at = time.monotonic()
+        if moment >= self._rested_at + _WORK:
+            runtime().sleep(_REST)
+            self._rested_at = now()

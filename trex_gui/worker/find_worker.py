@@ -4,11 +4,13 @@ import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QObject, Signal
 
 from trex_gui.link.seekers import Seek, Step
 from trex_gui.link.seeking import PortSearch, search_port
 from trex_gui.link.settings import LinkSettings
+from trex_gui.runtime import open_transport
+from trex_gui.worker.thread import WorkerThread
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +35,7 @@ class Searched:
     search: PortSearch
 
 
-class FindWorker(QThread):
+class FindWorker(WorkerThread):
     """Runs one search.
 
     The object lives in the GUI thread; only `run` executes in the new one. `cancel` and `close`
@@ -74,6 +76,7 @@ class FindWorker(QThread):
             full=self._full,
             progress=tell,
             cancelled=self._cancelled.is_set,
+            open_wire=open_transport,
         )
         return Searched(index, search)
 

@@ -3,10 +3,12 @@
 from collections.abc import Callable
 from typing import Protocol
 
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QObject, Signal
 
 from trex_gui.link.inbox import QueueInbox
 from trex_gui.link.messages import Close
+from trex_gui.runtime import runtime
+from trex_gui.worker.thread import WorkerThread
 
 
 class Runs(Protocol):
@@ -21,7 +23,7 @@ MakeSession = Callable[[QueueInbox, Callable[[object], None]], Runs]
 """Makes a session from where its requests come and where its reports go."""
 
 
-class LineWorker(QThread):
+class LineWorker(WorkerThread):
     """Runs one line session.
 
     The object lives in the GUI thread; only `run` executes in the new one. `submit` and
@@ -36,7 +38,7 @@ class LineWorker(QThread):
     def __init__(self, make_session: MakeSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("LineWorker")
-        self._inbox = QueueInbox()
+        self._inbox = QueueInbox(runtime().condition())
         self._session = make_session(self._inbox, self._report)
 
     def run(self) -> None:

@@ -3,16 +3,17 @@
 import contextlib
 import logging
 import os
-import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import BinaryIO, Generic, Protocol, TypeVar
 
-from PySide6.QtCore import QObject, QThread, Signal
+from PySide6.QtCore import QObject, Signal
 
 from trex_gui.recording.backlog import Backlog
 from trex_gui.recording.blocks import RecordT
 from trex_gui.recording.recording import Marker
+from trex_gui.runtime import now
+from trex_gui.worker.thread import WorkerThread
 
 log = logging.getLogger(__name__)
 
@@ -41,7 +42,7 @@ class Writer(Protocol[WrittenT_contra]):
         """Make the file complete."""
 
 
-class RecordWorker(QThread, Generic[RecordT]):
+class RecordWorker(WorkerThread, Generic[RecordT]):
     """Writes one recording; ends when its backlog is closed, or when the disk refuses.
 
     Signals:
@@ -88,13 +89,13 @@ class RecordWorker(QThread, Generic[RecordT]):
 
     def _write(self, file: BinaryIO) -> None:
         writer = self._writer_of(file)
-        safe_at = time.monotonic() + _SAFE
+        safe_at = now() + _SAFE
         self.progressed.emit(writer.size)
         while (records := self._backlog.get(_LOOK)) is not None:
             writer.write(records)
-            now = time.monotonic()
-            if now >= safe_at:
-                safe_at = now + _SAFE
+            moment = now()
+            if moment >= safe_at:
+                safe_at = moment + _SAFE
                 _save(writer, file)
             self.progressed.emit(writer.size)
         writer.finish()

@@ -4,6 +4,7 @@ from typing import Any
 
 from trex_gui.aracna.link.discovery import SEEK_ARACNA, Found, Search, find_aracna
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 
 __all__ = ["SEEK_ARACNA", "Found", "listed", "look", "row", "told"]
 
@@ -14,7 +15,7 @@ def look(url: str, patience: float) -> Search:
     Raises:
         PortUnavailable: the port cannot be opened, or is gone.
     """
-    return find_aracna(LinkSettings(url, patience=patience))
+    return find_aracna(LinkSettings(url, timeouts=Timeouts(extra=patience)))
 
 
 def listed(found: Found) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from trex_gui.cli.talk import Refused, Usage
 from trex_gui.link.inbox import QueueInbox
 from trex_gui.link.messages import Close, Closed, Outcome
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.errors import TrexError
 
 _LOOK = 0.1
@@ -27,7 +28,7 @@ def settings_of(port: str | None, patience: float) -> LinkSettings:
     """
     if not port:
         raise Usage("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
-    return LinkSettings(port, LINE, patience=patience)
+    return LinkSettings(port, LINE, timeouts=Timeouts(extra=patience))
 
 
 class Talk:

@@ -67,7 +67,7 @@ class Client:
     @property
     def slack(self) -> float:
         """Seconds that an answer may be late for reasons that are not the robot's."""
-        return self.transport.latency + self.settings.patience
+        return self.transport.latency + self.settings.timeouts.extra
 
     @property
     def waits_for(self) -> int | None:

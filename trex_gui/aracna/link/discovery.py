@@ -181,7 +181,7 @@ class AracnaSeeker:
                 return
             progress(Step(done, QUESTIONS, LINE))
             try:
-                rinse(wire, search.settings.patience)
+                rinse(wire, search.settings.timeouts.extra)
                 wire.tune(LINE)
             except BadRequest:
                 search.skipped = True
@@ -190,7 +190,7 @@ class AracnaSeeker:
                 with contextlib.suppress(BadReply):
                     wire.discard()  # what others were answered
             wire.write(QUESTION)
-            if self._listen(wire, _WAIT + wire.latency + search.settings.patience):
+            if self._listen(wire, _WAIT + wire.latency + search.settings.timeouts.extra):
                 return
 
     def _listen(self, wire: Transport, seconds: float) -> bool:
@@ -250,7 +250,7 @@ def find_aracna(
         # What a board at another rate has taken for a beginning must not be left to others.
         with contextlib.suppress(BadRequest, PortUnavailable):
             if not search.found and wire.can_be_tuned:
-                rinse(wire, search.settings.patience)
+                rinse(wire, search.settings.timeouts.extra)
             wire.tune(LINE)
         wire.close()
     return search

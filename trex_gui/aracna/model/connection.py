@@ -11,6 +11,7 @@ from trex_gui.link.transcript import taped
 from trex_gui.model.connection import Link
 from trex_gui.model.session_thread import SessionThread
 from trex_gui.model.transcript import Transcript
+from trex_gui.runtime import now, open_transport
 
 
 class RobotConnection(SessionThread):
@@ -60,7 +61,9 @@ class RobotConnection(SessionThread):
         where = settings.name or settings.url
         self._stand(Link.OPENING, self.tr("Connecting to {0} …").format(where))
         self.start(
-            lambda inbox, tell: AracnaSession(settings, inbox, tell, taped(self.tape)),
+            lambda inbox, tell: AracnaSession(
+                settings, inbox, tell, taped(self.tape, open_transport, now)
+            ),
             may_move=False,
         )
 

@@ -1,6 +1,5 @@
 """The robot as far as it is looked at: its line, and what it reports."""
 
-import time
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
@@ -26,6 +25,7 @@ from trex_gui.model.connection import Link
 from trex_gui.model.events import EventKind, Events
 from trex_gui.model.transcript import Transcript
 from trex_gui.protocol.errors import sentence
+from trex_gui.runtime import now
 
 
 class ObservedRobot(QObject):
@@ -51,9 +51,7 @@ class ObservedRobot(QObject):
     refused = Signal(str)
     failed = Signal(str)
 
-    def __init__(
-        self, parent: QObject | None = None, *, clock: Callable[[], float] = time.monotonic
-    ) -> None:
+    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
         """Know of no robot yet; `clock` is the session's."""
         super().__init__(parent)
         self._clock = clock

@@ -1,6 +1,5 @@
 """Recording what a robot reports and what is asked of it, while it happens."""
 
-import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -26,6 +25,7 @@ from trex_gui.model.connection import Link
 from trex_gui.model.events import Event, EventKind
 from trex_gui.model.record_thread import RecordThread
 from trex_gui.recording.recording_of import marker
+from trex_gui.runtime import now
 
 
 class AracnaRecorder(RecordThread[Row]):
@@ -40,7 +40,7 @@ class AracnaRecorder(RecordThread[Row]):
         robot: Robot,
         parent: QObject | None = None,
         *,
-        clock: Callable[[], float] = time.monotonic,
+        clock: Callable[[], float] = now,
     ) -> None:
         """Record nothing yet; `clock` is the session's."""
         super().__init__(parent, clock=clock)

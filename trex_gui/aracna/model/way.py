@@ -9,6 +9,7 @@ from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.unasked_halt import halt_because
 from trex_gui.aracna.protocol.lines import BAUD
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
 from trex_gui.model.finder import Finder
 from trex_gui.model.kinds import Kind
@@ -38,9 +39,16 @@ class AracnaWay(QObject):
     failed = Signal(str)
 
     def __init__(
-        self, robot: Robot, ports: Ports, finder: Finder, parent: QObject | None = None
+        self,
+        robot: Robot,
+        ports: Ports,
+        finder: Finder,
+        parent: QObject | None = None,
+        *,
+        timeouts: Timeouts | None = None,
     ) -> None:
         super().__init__(parent)
+        self._timeouts = timeouts or Timeouts()
         self._robot = robot
         self._ports = ports
         self._finder = finder
@@ -118,7 +126,7 @@ class AracnaWay(QObject):
         if self._demo_wanted:
             self.simulator.start()
         else:
-            self._robot.connect_to(LinkSettings(port.url, line=LINE))
+            self._robot.connect_to(LinkSettings(port.url, line=LINE, timeouts=self._timeouts))
         self.changed.emit()
 
     def connect_with(self, port: Port, settings: LinkSettings) -> None:
@@ -178,7 +186,7 @@ class AracnaWay(QObject):
             )
         elif self._demo_wanted:
             self._demo_wanted = False
-            settings = LinkSettings(url, line=LINE)
+            settings = LinkSettings(url, line=LINE, timeouts=self._timeouts)
             self._robot.connect_to(replace(settings, name=self.demo_name))
 
     @Slot(str)

@@ -1,12 +1,13 @@
 """The row below the robot's pages: the red button, and how long what moves goes on."""
 
-from PySide6.QtCore import QTimer, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 
 from trex_gui.aracna.model.known import Playing
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.views.stop_button import StopSequenceButton
 from trex_gui.model.connection import Link
+from trex_gui.runtime import runtime
 from trex_gui.views.widgets.note import Note
 
 _LOOK_MS = 100
@@ -18,7 +19,7 @@ class RobotBar(QWidget):
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._robot = robot
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_LOOK_MS)
 
         self._stop = StopSequenceButton(robot, "aracnaStopButton", self)

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.model.connection import Link
 from trex_gui.model.events import Event, EventKind
+from trex_gui.runtime import now
 from trex_gui.views.icons import icon
 from trex_gui.views.widgets.visible import only_when_visible
 
@@ -54,7 +55,7 @@ class LogPage(QWidget):
 
     @Slot(object)
     def _on_happened(self, event: Event) -> None:
-        wall = time.time() - (time.monotonic() - event.time)
+        wall = time.time() - (now() - event.time)
         moment = time.strftime("%H:%M:%S", time.localtime(wall))
         self._list.insertItem(0, f"{moment}  {event.text}")
         item = self._list.item(0)

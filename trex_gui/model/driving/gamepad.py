@@ -1,6 +1,6 @@
 """A gamepad that drives: which one, how it is set up, and when the motors listen to it."""
 
-from PySide6.QtCore import QObject, QSettings, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
 from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadSource, PadState
 from trex_gui.gamepad.pilot import Ask, Pilot, Waits
@@ -8,6 +8,7 @@ from trex_gui.gamepad.profile import Profile, default_profile, read_profile
 from trex_gui.model.device import Device
 from trex_gui.model.driving.gamepad_words import GamepadWords
 from trex_gui.model.driving.held import HeldDrive
+from trex_gui.runtime import runtime
 
 HOLDER = "gamepad"
 """The name under which a gamepad holds the motors."""
@@ -53,7 +54,7 @@ class Gamepad(QObject):
         self._unattended = ""
         self._armed = self._motors.armed
         self._text = ""
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(STEP_MS)
         self._timer.timeout.connect(self._on_step)
         self._motors.changed.connect(self._on_motors_changed)

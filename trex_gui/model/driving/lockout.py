@@ -1,10 +1,11 @@
 """For a while after a stop nothing drives: a slider that is still being dragged is too late."""
 
 import math
-import time
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QSettings, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
+
+from trex_gui.runtime import now, runtime
 
 _STEP_MS = 100
 _KEY = "motors/lockout"
@@ -42,14 +43,12 @@ class Lockout(QObject):
 
     changed = Signal()
 
-    def __init__(
-        self, clock: Callable[[], float] = time.monotonic, parent: QObject | None = None
-    ) -> None:
+    def __init__(self, clock: Callable[[], float] = now, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._clock = clock
         self._until = -math.inf
         self._told = 0
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_STEP_MS)
         self._timer.timeout.connect(self._on_step)
 

@@ -1,6 +1,5 @@
 """What a person wants the motors to do, and whether it may be sent at all."""
 
-import time
 from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
@@ -10,6 +9,7 @@ from trex_gui.model.driving.lockout import LOCKOUT, Lockout, remembered_lockout
 from trex_gui.protocol.calibration import FULL_SCALE
 from trex_gui.protocol.command import seven_bits
 from trex_gui.protocol.commands import Drive
+from trex_gui.runtime import now
 
 __all__ = ["LOCKOUT", "Motors"]
 
@@ -41,9 +41,7 @@ class Motors(QObject):
     requested = Signal(object)
     stop_requested = Signal()
 
-    def __init__(
-        self, parent: QObject | None = None, *, clock: Callable[[], float] = time.monotonic
-    ) -> None:
+    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
         super().__init__(parent)
         self.accelerate = True
         self.lockout = remembered_lockout()

@@ -1,9 +1,8 @@
 """When the motors may be driven, wishes on their way to the line, and stops with their proof."""
 
-import time
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.link.explain import BEYOND_A_STOP
 from trex_gui.link.guard import PULSE_INTERVAL
@@ -22,6 +21,7 @@ from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Connection, Link
 from trex_gui.model.driving.motors import Motors
 from trex_gui.protocol.errors import NoReply, TrexError
+from trex_gui.runtime import now, runtime
 
 AfterStop = Callable[[TrexError | None], None]
 """Gets `None` when a stop is proved, else why it is not."""
@@ -49,7 +49,7 @@ class Driving(QObject):
         self._by_serial = True
         self._lost_with: LinkSettings | None = None  # the line behind which motors may turn
         self._after_stop: list[AfterStop] = []
-        self._pulse = QTimer(self)
+        self._pulse = runtime().timer(self)
         self._pulse.setInterval(round(PULSE_INTERVAL * 1000))
 
         self._pulse.timeout.connect(self._on_pulse_due)
@@ -113,7 +113,7 @@ class Driving(QObject):
 
     @Slot()
     def _on_pulse_due(self) -> None:
-        self._connection.submit(Pulse(time.monotonic()))
+        self._connection.submit(Pulse(now()))
 
     @Slot()
     def _on_stop_requested(self) -> None:

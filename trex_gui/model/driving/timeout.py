@@ -53,7 +53,8 @@ def weakness_on(settings: LinkSettings, timeout: float) -> Weakness | None:
 
 
 def _keeps(settings: LinkSettings, timeout: float) -> bool:
-    return survives_a_loss(settings.line, timeout, latency_of(settings.url) + settings.patience)
+    latency = latency_of(settings.url) + settings.timeouts.extra
+    return survives_a_loss(settings.line, timeout, latency)
 
 
 def _offered(settings: LinkSettings) -> float:

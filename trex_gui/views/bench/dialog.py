@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer, Signal, Slot
+from PySide6.QtCore import Signal, Slot
 from PySide6.QtGui import QCloseEvent, QPixmap, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -21,6 +21,7 @@ from trex_gui.bench.figures import BAND
 from trex_gui.bench.run import End, Run
 from trex_gui.model.bench import Bench, Phase
 from trex_gui.model.device import Device
+from trex_gui.runtime import runtime
 from trex_gui.views.bench.figures_table import FiguresTable
 from trex_gui.views.bench.files import BenchFiles
 from trex_gui.views.bench.hold_button import HoldButton
@@ -61,7 +62,7 @@ class BenchDialog(QDialog):
         self._said = ""
         self._plot: BenchPlot | None = None
         self._files = BenchFiles(bench, self, self._picture)
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_FRAME_MS)
 

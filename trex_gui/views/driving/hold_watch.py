@@ -1,7 +1,9 @@
 """Whether a person can still let go of what is held: sees what no single event tells."""
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QApplication, QWidget
+
+from trex_gui.runtime import runtime
 
 _LOOK_MS = 50
 
@@ -22,7 +24,7 @@ class HoldWatch(QObject):
         super().__init__(widget)
         self._widget = widget
         self._was_active = False
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_LOOK_MS)
         self._timer.timeout.connect(self._on_look)
 

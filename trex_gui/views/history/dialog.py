@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QEvent, QSettings, Qt, QTimer, QUrl, Signal, Slot
+from PySide6.QtCore import QByteArray, QEvent, QSettings, Qt, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
     QDialog,
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.model.device import Device
 from trex_gui.model.snapshots import SnapshotTable
+from trex_gui.runtime import runtime
 from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.files import load, save
 from trex_gui.settings.history import Snapshot
@@ -52,7 +53,7 @@ class HistoryDialog(QDialog):
         self._history = device.history
         self._table = SnapshotTable(device.history, self)
         self._store = QSettings(self)
-        self._later = QTimer(self)
+        self._later = runtime().timer(self)
         self._later.setSingleShot(True)
         self._later.setInterval(0)
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QDateTime, QLocale, QSettings, Qt, QTimer, Signal, Slot
+from PySide6.QtCore import QByteArray, QDateTime, QLocale, QSettings, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.model.events import Event
 from trex_gui.model.player import Player
+from trex_gui.runtime import runtime
 from trex_gui.views.icons import application_icon
 from trex_gui.views.recording.events import RecordedEvents
 from trex_gui.views.recording.picture_button import PictureButton
@@ -69,7 +70,7 @@ class RecordingWindow(QMainWindow):
         self._name = name
         self._store = QSettings(self)
         self._marked: float | None = None
-        self._drawing = QTimer(self)
+        self._drawing = runtime().timer(self)
         self._drawing.setSingleShot(True)
         self._drawing.setInterval(_DRAW_MS)
 

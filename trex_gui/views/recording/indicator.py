@@ -3,9 +3,10 @@
 from pathlib import Path
 from typing import Protocol
 
-from PySide6.QtCore import QSize, Qt, QTimer, SignalInstance, Slot
+from PySide6.QtCore import QSize, Qt, SignalInstance, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
+from trex_gui.runtime import runtime
 from trex_gui.views.icons import icon, set_icon
 from trex_gui.views.recording.words import size_text, time_text
 from trex_gui.views.theme import theme
@@ -81,7 +82,7 @@ class RecordIndicator(QWidget):
         self._stop.setObjectName(f"{prefix}stopRecordingButton")
         self._stop.setToolTip(self.tr("End the recording; motors and line go on as they are"))
         set_icon(self._stop, "ok")
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_INTERVAL_MS)
 
         layout = QHBoxLayout(self)

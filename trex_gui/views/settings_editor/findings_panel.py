@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, QTimer, Signal, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.runtime import runtime
 from trex_gui.settings.errors import Finding, Severity
 from trex_gui.settings.plain_yaml import LINE_END
 from trex_gui.settings.rules import Advice
@@ -86,7 +87,7 @@ class FindingsPanel(QWidget):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         header.setHighlightSections(False)
         header.setStretchLastSection(True)
-        self._fitting = QTimer(self)
+        self._fitting = runtime().timer(self)
         self._fitting.setSingleShot(True)
         self._fitting.setInterval(0)
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QModelIndex, QSettings, Qt, QTimer, Signal, Slot
+from PySide6.QtCore import QModelIndex, QSettings, Qt, Signal, Slot
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.model.transcript import Transcript
 from trex_gui.model.transcript_saver import TranscriptSaver, row_of
+from trex_gui.runtime import runtime
 from trex_gui.views.icons import set_icon
 from trex_gui.views.settings_editor import questions
 from trex_gui.views.transcript.row_details import RowDetails
@@ -81,7 +82,7 @@ class TranscriptPage(QWidget):
         self._details.setObjectName(f"{key}Details")
         self._summary = QLabel(self)
         self._summary.setObjectName(f"{key}Summary")
-        self._typing = QTimer(self)
+        self._typing = runtime().timer(self)
         self._typing.setSingleShot(True)
         self._typing.setInterval(_TYPING_MS)
 

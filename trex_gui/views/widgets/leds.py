@@ -2,10 +2,11 @@
 
 import re
 
-from PySide6.QtCore import QElapsedTimer, QPointF, QSize, Qt, QTimer, Slot
+from PySide6.QtCore import QPointF, QSize, Qt, Slot
 from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QPen, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
+from trex_gui.runtime import now, runtime
 from trex_gui.views.theme import theme
 
 _FRAME_MS = 40
@@ -78,9 +79,8 @@ class Leds(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown = ("", "")
-        self._clock = QElapsedTimer()
-        self._clock.start()
-        self._timer = QTimer(self)
+        self._since = now()
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_FRAME_MS)
         self._lamps = (Lamp("led_red", self), Lamp("led_green", self))
         self._names = (self.tr("Red"), self.tr("Green"))
@@ -118,7 +118,7 @@ class Leds(QWidget):
 
     @Slot()
     def _on_frame(self) -> None:
-        seconds = self._clock.elapsed() / 1000
+        seconds = now() - self._since
         for index, lamp in enumerate(self._lamps):
             lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
 

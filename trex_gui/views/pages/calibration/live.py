@@ -2,12 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer, Signal, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.model.device import Device
 from trex_gui.model.mixing import MixWatch
 from trex_gui.protocol.flags import CHANNELS
+from trex_gui.runtime import runtime
 from trex_gui.views.pages.calibration.channel_list import ChannelList
 from trex_gui.views.pages.calibration.legend import CurveLegend
 from trex_gui.views.pages.calibration.options import ChannelOptions
@@ -47,7 +48,7 @@ class LiveInputs(QObject):
         self._plot: CurvePlot | None = None
         self._in_force = False
         self._frame_of = -1
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_FRAME_MS)
         self._timer.timeout.connect(self._on_frame)
 

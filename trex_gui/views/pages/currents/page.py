@@ -2,12 +2,13 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from trex_gui.model.device import Device, Link
 from trex_gui.model.trace.live import LiveTraces
+from trex_gui.runtime import runtime
 
 if TYPE_CHECKING:
     from trex_gui.views.traces.panel import TracePanel
@@ -29,7 +30,7 @@ class CurrentsPage(QWidget):
         self._note = ""
         self._drawn = 0, 0
         self._idle = 0
-        self._timer = QTimer(self)
+        self._timer = runtime().timer(self)
         self._timer.setInterval(_FRAME_MS)
 
         self._layout = QVBoxLayout(self)

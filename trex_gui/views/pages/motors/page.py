@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from PySide6.QtCore import QEvent, QTimer, Signal, Slot
+from PySide6.QtCore import QEvent, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QHBoxLayout, QVBoxLayout, QWidget
 
@@ -16,6 +16,7 @@ from trex_gui.model.driving.words import (
     report_text,
     wish_text,
 )
+from trex_gui.runtime import runtime
 from trex_gui.views.driving.gamepad_panel import GamepadPanel
 from trex_gui.views.driving.key_driver import KeyDriver
 from trex_gui.views.pages.motors.facts import Facts
@@ -52,7 +53,7 @@ class MotorsPage(QWidget):
         self._options_shown: tuple[float, ...] = ()
         self._holder = ""
         self._dragged: int | None = None
-        self._forget_holder = QTimer(self)
+        self._forget_holder = runtime().timer(self)
         self._forget_holder.setSingleShot(True)
         self._forget_holder.setInterval(0)
 

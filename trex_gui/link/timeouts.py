@@ -1,0 +1,28 @@
+"""How long the program waits for a board and for its own window."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Timeouts:
+    """Seconds, all of them; whoever waits for something is given these.
+
+    Attributes:
+        extra: added to the deadline of every reply, for slow adapters, hosts and networks.
+        heartbeat: without a heartbeat of the window for so long, armed motors are stopped. A
+            window that paints slowly is late by tenths of a second; a motor at full speed moves a
+            robot by metres in a second, so it is not more.
+        stop_confirmation: how long a stop waits for a line that damages bytes to become quiet
+            before it is reported as unconfirmed. At 19200 baud and above that takes 1.6 s from the
+            last damage on.
+        retry: pause between two attempts to reach a board that does not respond.
+        current_gap: a bench test is aborted when no current was read for so long.
+        sleep_delay: how long the computer is kept from sleeping until a stop is confirmed.
+    """
+
+    extra: float = 0.0
+    heartbeat: float = 1.0
+    stop_confirmation: float = 3.0
+    retry: float = 0.25
+    current_gap: float = 0.6
+    sleep_delay: float = 1.0
