@@ -1,24 +1,20 @@
-"""The two ends at which the board is met: its parser alone, and a serial port in real time."""
+"""The two ends at which the board is met: its parser alone, and the end of its wire."""
 
 import math
-import os
-import time
-from typing import Protocol
+from dataclasses import replace
+from typing import Any, Protocol
 
-import pytest
-import serial
-
-from tests.support.simulator import SimulatorProcess
 from trex_gui.emulator.control import control
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
+from trex_gui.emulator.server import simulate_trex
 from trex_gui.emulator.uart import SerialPort
 
 PATIENCE = 15.0
 """Seconds after which what should have happened will not, however loaded the machine."""
 
 _ON_ITS_WAY = 0.05
-"""Seconds that a byte takes at most from one end of a pseudo-terminal to the other."""
+"""Seconds after which a byte that is due by now has come."""
 
 
 class End(Protocol):
@@ -129,55 +125,47 @@ class ParserEnd:
             self._resumes_at = self._board.now + self._port.pause
 
 
-class TerminalEnd:
-    """trex-sim as a process of its own, behind a pseudo-terminal, at the pace of the wire."""
+class WireEnd:
+    """The whole simulator behind its wire, at the pace of the wire, in virtual time.
 
-    def __init__(self, *arguments: str) -> None:
-        if not hasattr(os, "openpty"):
-            pytest.skip("this system has no pseudo-terminals")
-        self.simulator = SimulatorProcess(*arguments)
-        self._host = serial.Serial(self.simulator.url, 19200)
-        self._sent = 0
+    The host's parity and stop bits are always those of the board. `options` are those of
+    `simulate_trex`.
+    """
+
+    def __init__(self, **options: Any) -> None:
+        self._simulation = simulate_trex(**options)
+        self._line = self._simulation.line
+        self._line.host = self._line.own_settings
 
     def now(self) -> float:
-        return time.monotonic()
+        return self._line.now
 
     def wait(self, seconds: float) -> None:
-        time.sleep(seconds)
+        self._line.advance_to(self.now() + seconds)
 
     def write(self, data: bytes) -> None:
-        self._host.write(data)
-        self._sent += len(data)
+        self._line.send(data)
 
     def settle(self) -> None:
-        end = time.monotonic() + PATIENCE
-        while (heard := self.simulator.show()["counters"]["line"]["sent"]) < self._sent:
-            assert time.monotonic() < end, f"{heard} of {self._sent} bytes arrived"
+        self.wait(self._line.backlog)
 
     def read(self, size: int, seconds: float) -> bytes:
-        self._host.timeout = seconds
-        return self._host.read(size)
+        assert isinstance(self._line, Line)
+        return self._line.read(size, seconds)
 
     def come(self) -> bytes:
-        return self._host.read(self._host.in_waiting)
+        return self._line.receive()
 
     def late(self) -> bytes:
-        # It catches up with the clock before the first answer, and has written what came of that
-        # before the second.
-        for _ in range(2):
-            self.simulator.show()
         return self.read(1, _ON_ITS_WAY)
 
     def do(self, text: str) -> str:
-        return f"ok {self.simulator.do(text)}"
+        return self._simulation.control(text)
 
     def run_at(self, baud: int) -> None:
-        self._host.baudrate = baud
-        self._host.reset_input_buffer()
+        self._line.host = replace(self._line.own_settings, baud=baud)
+        self._line.receive()
 
     def on_the_wire(self, size: int) -> float:
-        return size * 10 / self._host.baudrate
-
-    def end(self) -> None:
-        self._host.close()
-        self.simulator.end()
+        assert self._line.host is not None
+        return self._line.host.seconds(size)

@@ -19,9 +19,9 @@ def with_crc(variant: Variant) -> bool:
     return variant.crc
 
 
-def without_crc_at_the_terminal(variant: Variant) -> bool:
+def without_crc_on_the_wire(variant: Variant) -> bool:
     """Parity and CRC exclude each other (User's Guide 5.a), and only a UART sees parity."""
-    return not variant.crc and variant.end == "terminal"
+    return not variant.crc and variant.end == "wire"
 
 
 def wrong_crc(trex: Trex, text: str) -> bytes:
@@ -71,10 +71,10 @@ def test_an_error_of_the_uart_hardware_is_passed_on(trex: Trex, name: str, bit: 
     assert trex.number("85") == bit
 
 
-@only(without_crc_at_the_terminal)
+@only(without_crc_on_the_wire)
 @pytest.mark.parametrize("parity", [EVEN, ODD], ids=["even", "odd"])
 def test_a_parity_error_occurs_when_the_parity_does_not_match(trex: Trex, parity: int) -> None:
-    """CMD10 0x85: bit 2; the terminal itself carries no parity, both sides take it as given."""
+    """CMD10 0x85: bit 2; the parity of the host is always that of the board."""
     trex.run_at(115200, parity)
     assert trex.ask("85") == "00"
     trex.do("line error parity 1")
@@ -82,7 +82,7 @@ def test_a_parity_error_occurs_when_the_parity_does_not_match(trex: Trex, parity
     assert trex.ask("85") == "04"
 
 
-@only(lambda variant: variant.end == "terminal")  # only a UART can tell what is a parity error
+@only(lambda variant: variant.end == "wire")  # only a UART can tell what is a parity error
 def test_a_parity_error_occurs_only_with_even_or_odd_parity(trex: Trex) -> None:
     """CMD10 0x85."""
     trex.do("line error parity 1")

@@ -164,11 +164,11 @@ def test_the_crc_polynomial_7d_requires_a_device_reset(trex: Trex) -> None:
     assert trex.ask("86 1F")
 
 
-def at_the_terminal(variant: Variant) -> bool:
-    return variant.end == "terminal"
+def on_the_wire(variant: Variant) -> bool:
+    return variant.end == "wire"
 
 
-@only(at_the_terminal)  # bytes have no rate in the parser
+@only(on_the_wire)  # bytes have no rate in the parser
 def test_the_uart_settings_7e_require_a_device_reset(trex: Trex) -> None:
     """CMD10 0xAF; 57600 baud: one of the rates of User's Guide 5.a."""
     crc = WITH_CRC if trex.variant.crc else 0

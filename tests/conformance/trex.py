@@ -40,7 +40,7 @@ class Variant:
 
 VARIANTS = [
     Variant(end=end, expanded=expanded, crc=crc)
-    for end, expanded, crc in product(("parser", "terminal"), (False, True), (False, True))
+    for end, expanded, crc in product(("parser", "wire"), (False, True), (False, True))
 ]
 
 
