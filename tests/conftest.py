@@ -6,7 +6,8 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import hypothesis
@@ -21,23 +22,56 @@ from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.patient import PatientQtBot
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, SimulatorProcess, StartSimulator
 from tests.support.virtual import Stage
+from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
+from tests.support.virtual_time import VirtualQtBot, VirtualRuntime
 from trex_gui.emulator.firmware import Board
 from trex_gui.model.device import Link
+from trex_gui.runtime import use_runtime
 from trex_gui.views.theme import theme
 from trex_gui.window import Program, build
 
 # Several processes may share the computer: how long an example takes says nothing.
-hypothesis.settings.register_profile("shared", hypothesis.settings.default, deadline=None)
-hypothesis.settings.load_profile("shared")
+hypothesis.settings.register_profile(
+    "gate", hypothesis.settings.default, deadline=None, derandomize=True
+)
+hypothesis.settings.register_profile("all", hypothesis.settings.default, deadline=None)
+hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "gate"))
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--all", action="store_true", help="run the long tests, too")
+
+
+@pytest.fixture
+def virtual_time(request: pytest.FixtureRequest) -> Iterator[VirtualRuntime]:
+    """Run the program in virtual time."""
+    virtual = VirtualRuntime()
+    virtual.make_process = partial(VirtualProcess, virtual)
+    before = use_runtime(virtual)
+    yield virtual
+    use_runtime(before)
+
+
+def _is_real(request: pytest.FixtureRequest) -> bool:
+    return request.node.get_closest_marker("realtime") is not None
+
+
+@pytest.fixture(autouse=True)
+def _time(request: pytest.FixtureRequest) -> None:
+    """Run the program in virtual time, unless a test is marked `realtime`."""
+    if not _is_real(request):
+        request.getfixturevalue("virtual_time")
 
 
 @pytest.fixture
 def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
-    """Wait longer than pytest-qt does by itself."""
+    """Wait in virtual time; in real time longer than pytest-qt does by itself."""
     del qapp
-    return PatientQtBot(request)
+    if _is_real(request):
+        return PatientQtBot(request)
+    return VirtualQtBot(request, request.getfixturevalue("virtual_time"))
 
 
 @pytest.fixture
@@ -182,18 +216,23 @@ def _windows() -> list[str]:
 
 @pytest.fixture
 def only_when_asked_for(pytestconfig: pytest.Config) -> None:
-    """Skip a test that takes long, unless `-m slow` asks for it."""
-    if "slow" not in pytestconfig.getoption("markexpr"):
-        pytest.skip("takes long; runs with -m slow")
+    """Skip a test that takes long, unless `--all` asks for it."""
+    if not pytestconfig.getoption("--all"):
+        pytest.skip("takes long; runs with --all")
 
 
 @pytest.fixture
-def start_simulator() -> Iterator[Callable[..., SimulatorProcess]]:
+def start_simulator(request: pytest.FixtureRequest) -> Iterator[StartSimulator]:
     """Start simulators that end with the test."""
-    running: list[SimulatorProcess] = []
+    running: list[SimulatedDevice] = []
 
-    def start(*arguments: str) -> SimulatorProcess:
-        running.append(SimulatorProcess(*arguments))
+    def start(*arguments: str) -> SimulatedDevice:
+        if _is_real(request):
+            running.append(SimulatorProcess(*arguments))
+        else:
+            virtual = request.getfixturevalue("virtual_time")
+            url = f"/virtual/port{len(virtual.ports)}"
+            running.append(VirtualSimulator(virtual, url, *arguments))
         return running[-1]
 
     yield start
@@ -202,61 +241,14 @@ def start_simulator() -> Iterator[Callable[..., SimulatorProcess]]:
 
 
 @pytest.fixture
-def simulator(start_simulator: Callable[..., SimulatorProcess]) -> SimulatorProcess:
+def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
     return start_simulator()
 
 
-_AS_NEW = (
-    *("line plug", "line mute off", "line noise 0", "line drop 0", "line drop 0 sent"),
-    *("line error off", "factory"),
-)
-
-
-class _Simulators:
-    """Simulators that serve one test after the other; starting one takes a third of a second.
-
-    One that has ended, or does not become as new, is not used again.
-    """
-
-    def __init__(self) -> None:
-        self._idle: list[SimulatorProcess] = []
-        self._fresh: object = None
-
-    def take(self) -> SimulatorProcess:
-        simulator = self._idle.pop() if self._idle else SimulatorProcess("--unpaced")
-        self._fresh = self._fresh or simulator.show()["parameters"]
-        return simulator
-
-    def give_back(self, simulator: SimulatorProcess) -> None:
-        try:
-            for line in _AS_NEW:
-                simulator.do(line)
-            is_as_new = simulator.show()["parameters"] == self._fresh
-        except (AssertionError, OSError, ValueError):
-            is_as_new = False
-        if is_as_new:
-            self._idle.append(simulator)
-        else:
-            simulator.end()
-
-    def end(self) -> None:
-        for simulator in self._idle:
-            simulator.end()
-
-
-@pytest.fixture(scope="session")
-def _simulators() -> Iterator[_Simulators]:
-    simulators = _Simulators()
-    yield simulators
-    simulators.end()
-
-
 @pytest.fixture
-def quick_simulator(_simulators: _Simulators) -> Iterator[SimulatorProcess]:
-    """A simulated board as good as new, whose bytes take no time."""
-    simulator = _simulators.take()
-    yield simulator
-    _simulators.give_back(simulator)
+def quick_simulator(start_simulator: StartSimulator) -> SimulatedDevice:
+    """A simulated board whose bytes take no time."""
+    return start_simulator("--unpaced")
 
 
 @pytest.fixture

@@ -9,11 +9,13 @@ import pytest
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui import __version__
 from trex_gui.app import main
 from trex_gui.link.settings import LinkSettings
 from trex_gui.window import Program
+
+pytestmark = pytest.mark.realtime
 
 
 def run(*arguments: str, timeout: float = 50) -> subprocess.CompletedProcess[str]:
@@ -59,7 +61,7 @@ def test_the_tour_writes_a_picture_of_every_page_and_of_the_wizard_light_and_dar
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
 def test_a_signal_ends_the_window_cleanly(
-    number: signal.Signals, simulator: SimulatorProcess
+    number: signal.Signals, simulator: SimulatedDevice
 ) -> None:
     command = [sys.executable, "-m", "trex_gui", "--port", simulator.url]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
@@ -70,7 +72,7 @@ def test_a_signal_ends_the_window_cleanly(
 
 
 def test_a_settings_file_given_at_the_start_waits_for_the_board(
-    program: Program, qtbot: QtBot, simulator: SimulatorProcess, tmp_path: Path
+    program: Program, qtbot: QtBot, simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")

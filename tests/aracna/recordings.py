@@ -1,6 +1,5 @@
 """Recordings of a robot to write and read: any that can be, and a session that could have been."""
 
-import threading
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -28,6 +27,7 @@ from trex_gui.aracna.recording import CsvWriter, FellSilent, Header, Row
 from trex_gui.aracna.recording.csv_reader import RobotCsvFile
 from trex_gui.model.gathering import Gathered
 from trex_gui.recording.recording import Marker
+from trex_gui.runtime import runtime
 from trex_gui.worker.file_worker import Tell
 
 MOTORS = 8
@@ -113,7 +113,6 @@ def hang(monkeypatch: pytest.MonkeyPatch) -> None:
     However large a file is: a window that stands still may find that it was read meanwhile.
     """
     gatherer = RobotPlayback.gatherer
-    moment = threading.Event()
 
     def hanging(playback: RobotPlayback) -> Callable[[Tell], Gathered[Any]]:
         gather = gatherer(playback)
@@ -121,7 +120,7 @@ def hang(monkeypatch: pytest.MonkeyPatch) -> None:
         def tell_and_hang(tell: Tell, share: float) -> None:
             tell(share)
             while share > 0.1:
-                moment.wait(0.01)
+                runtime().sleep(0.01)
                 tell(share)  # which raises once it was cancelled
 
         return lambda tell: gather(partial(tell_and_hang, tell))

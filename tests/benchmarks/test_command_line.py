@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 
 
 def seconds(*words: str) -> float:
@@ -20,7 +20,7 @@ def seconds(*words: str) -> float:
     return best
 
 
-def test_start(simulator: SimulatorProcess, capsys: pytest.CaptureFixture[str]) -> None:
+def test_start(simulator: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
     port = ("--port", simulator.url)
     to_help, to_answer = seconds("--help"), seconds("get", "device_number", *port)
     to_find = seconds("find", *port)

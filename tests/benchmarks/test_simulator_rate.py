@@ -4,13 +4,12 @@ Unpaced it must not be what a test waits for; paced it must be the wire, to the 
 """
 
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 import serial
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import StartSimulator
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
@@ -41,7 +40,7 @@ def test_unpaced_transactions_a_second(capsys: pytest.CaptureFixture[str]) -> No
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 def test_paced_bytes_take_their_time(
     baud: int,
-    start_simulator: Callable[..., SimulatorProcess],
+    start_simulator: StartSimulator,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -70,7 +69,7 @@ def test_paced_bytes_take_their_time(
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 def test_paced_transactions(
     baud: int,
-    start_simulator: Callable[..., SimulatorProcess],
+    start_simulator: StartSimulator,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
 ) -> None:

@@ -18,7 +18,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton, QSlider
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import StartSimulator
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.link.client import Client
 from trex_gui.link.settings import LinkSettings
@@ -89,7 +89,7 @@ def test_press_to_wire(
     baud: int,
     program: Program,
     qtbot: QtBot,
-    start_simulator: Callable[..., SimulatorProcess],
+    start_simulator: StartSimulator,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],

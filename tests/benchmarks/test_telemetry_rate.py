@@ -4,14 +4,13 @@ One run has both figures of each ratio: what was read, and what the same schedul
 virtual time, where nothing but the wire costs anything.
 """
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
@@ -52,7 +51,7 @@ def test_telemetry_rate(
     painting: bool,
     program: Program,
     qtbot: QtBot,
-    start_simulator: Callable[..., SimulatorProcess],
+    start_simulator: StartSimulator,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
 ) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from click.testing import CliRunner, Result
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.cli import main
 from trex_gui.cli.program import COMMANDS
 from trex_gui.link import client
@@ -38,7 +38,7 @@ main(prog_name="trexcmd")
 
 
 @pytest.fixture
-def trexcmd(quick_simulator: SimulatorProcess, monkeypatch: pytest.MonkeyPatch) -> Iterator[Run]:
+def trexcmd(quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch) -> Iterator[Run]:
     """Run the program to its end, on a simulated board as it comes from the factory.
 
     It is patient, unless `--timeout` says otherwise. No echo is looked for then: none comes, and
@@ -62,7 +62,7 @@ def trexcmd(quick_simulator: SimulatorProcess, monkeypatch: pytest.MonkeyPatch) 
 
 
 @pytest.fixture
-def start(quick_simulator: SimulatorProcess) -> Iterator[Start]:
+def start(quick_simulator: SimulatedDevice) -> Iterator[Start]:
     """Start the program as a process; whatever still runs in the end is killed.
 
     It is patient, and looks for no echo then, as with `trexcmd`.
@@ -102,12 +102,12 @@ def becomes(look: Callable[[], object], wanted: object, seconds: float = 30) -> 
     return True
 
 
-def measured(simulator: SimulatorProcess) -> list[int | None]:
+def measured(simulator: SimulatedDevice) -> list[int | None]:
     """Return what the board has measured on each channel; `None` where there was no signal yet."""
     return [channel["raw"] for channel in simulator.show()["channels"]]
 
 
-def outputs(simulator: SimulatorProcess) -> list[int]:
+def outputs(simulator: SimulatedDevice) -> list[int]:
     """Return the signed speeds of both motors and the auxiliary one; braking is 0."""
     state = simulator.show()
     signs = {"forward": 1, "reverse": -1, "brake": 0}

@@ -1,23 +1,24 @@
 """trexcmd against a simulated board in a process of its own."""
 
 import json
-from collections.abc import Callable
 
 import pytest
 from click.testing import CliRunner
 
 from tests.cli.conftest import Run, becomes
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.cli import main
 
+pytestmark = pytest.mark.realtime
 
-def test_list_names_the_board_on_a_port(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+
+def test_list_names_the_board_on_a_port(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
     result = trexcmd("list")
     assert result.exit_code == 0
     assert result.stdout == f"{quick_simulator.url}\tTReX 1.2\n"
 
 
-def test_list_moves_nothing(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+def test_list_moves_nothing(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
     before = quick_simulator.show()["motors"]
     trexcmd("list")
     assert quick_simulator.show()["motors"] == before
@@ -38,7 +39,7 @@ def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: Run) -> 
 
 
 def test_status_as_text_names_latched_errors(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("fault 1 on")
     result = trexcmd("status")
@@ -54,7 +55,7 @@ def test_get_shows_wire_value_and_meaning(trexcmd: Run) -> None:
     ("typed", "wire"), [("15", 15), ("1.5 s", 15), ("1500 ms", 15), ("off", 0)]
 )
 def test_set_takes_wire_values_and_physical_ones(
-    trexcmd: Run, quick_simulator: SimulatorProcess, typed: str, wire: int
+    trexcmd: Run, quick_simulator: SimulatedDevice, typed: str, wire: int
 ) -> None:
     result = trexcmd("set", "serial_timeout", typed)
     assert result.exit_code == 0
@@ -85,7 +86,7 @@ def test_what_makes_no_sense_for_the_board_is_refused_with_a_sentence(
 
 
 def test_set_in_rc_mode_explains_the_refusal(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
@@ -94,7 +95,7 @@ def test_set_in_rc_mode_explains_the_refusal(
     assert "not in serial mode" in result.stderr
 
 
-def test_stop_brakes_running_motors(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+def test_stop_brakes_running_motors(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
     trexcmd("raw", "C2 50")
     assert becomes(lambda: quick_simulator.show()["motors"][0]["speed"], 0x50)
     assert trexcmd("stop").exit_code == 0
@@ -103,7 +104,7 @@ def test_stop_brakes_running_motors(trexcmd: Run, quick_simulator: SimulatorProc
 
 
 def test_stop_that_nobody_heard_is_a_failure(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     result = trexcmd("stop", "--timeout=0")
@@ -147,7 +148,7 @@ def test_a_board_at_another_baud_rate_is_a_sentence(trexcmd: Run) -> None:
 
 
 def test_crc_and_device_number_reach_a_board_that_wants_them(
-    trexcmd: Run, start_simulator: Callable[..., SimulatorProcess]
+    trexcmd: Run, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--device", "9", "--device", "12")
     words = ["--protocol", "expanded", "--port", simulator.url]

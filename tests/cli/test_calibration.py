@@ -5,7 +5,9 @@ import json
 import pytest
 
 from tests.cli.conftest import Run
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
+
+pytestmark = pytest.mark.realtime
 
 
 def test_calibrations_are_shown_in_counts_and_physical_units(trexcmd: Run) -> None:
@@ -33,9 +35,7 @@ def test_a_calibration_is_stored_and_read_back(trexcmd: Run, words: tuple[str, .
     assert second["differs_from_default"]
 
 
-def test_voltages_calibrate_an_analog_board(
-    trexcmd: Run, quick_simulator: SimulatorProcess
-) -> None:
+def test_voltages_calibrate_an_analog_board(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
     assert trexcmd("set", "channel_input_source", "1").exit_code == 0
     quick_simulator.do("power cycle")
     result = trexcmd("calibration", "set", "1", "0.5V", "2.5V", "4500mV", "100mV")
@@ -66,7 +66,7 @@ def test_what_makes_no_sense_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]
     assert trexcmd("calibration", "set", *words).exit_code == 2
 
 
-def test_a_calibration_needs_serial_mode(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+def test_a_calibration_needs_serial_mode(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
     result = trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")

@@ -1,14 +1,15 @@
 """What every command that changes a board says and keeps before and after it."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from tests.cli.conftest import Run
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.transport import SerialTransport
 from trex_gui.settings.history import History
+
+pytestmark = pytest.mark.realtime
 
 CALIBRATION = ("calibration", "set", "2", "2400", "3700", "5100", "60")
 
@@ -114,7 +115,7 @@ def test_what_no_board_takes_leaves_no_snapshot(trexcmd: Run, words: tuple[str, 
 @one_setting
 def test_a_board_that_takes_nothing_leaves_no_snapshot(
     trexcmd: Run,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     words: tuple[str, ...],
     shown: str,
     reason: str,
@@ -143,7 +144,7 @@ def test_a_calibration_that_leaves_no_travel_is_warned_of(trexcmd: Run) -> None:
 
 
 def test_set_tells_how_to_reach_the_board_after_its_next_start(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("set", "uart_settings", "0x48")
     assert result.exit_code == 0, result.stderr
@@ -160,7 +161,7 @@ def test_set_tells_the_number_under_which_the_board_answers_now(trexcmd: Run) ->
 
 
 def test_the_factory_reset_is_no_value_to_set(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "serial_timeout", "15").exit_code == 0
     before = memory(trexcmd)
@@ -252,7 +253,7 @@ def test_the_port_is_asked_for_its_rates_before_anything_is_sent(
 
 
 def test_restoring_lists_what_will_change_before_it_asks(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 15")
     quick_simulator.do("eeprom motor1_acceleration 9")
@@ -275,7 +276,7 @@ def test_restoring_lists_what_will_change_before_it_asks(
 
 
 def test_restoring_names_the_defaults_that_no_source_confirms(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom device_number 9")
     assert "Inferred" not in trexcmd("restore-defaults", stdin="n\n").stderr
@@ -285,7 +286,7 @@ def test_restoring_names_the_defaults_that_no_source_confirms(
 
 
 def test_restoring_a_board_that_has_the_defaults_says_so_and_asks_all_the_same(
-    trexcmd: Run, start_simulator: Callable[..., SimulatorProcess]
+    trexcmd: Run, start_simulator: StartSimulator
 ) -> None:
     junior = start_simulator("--model", "trexjr", "--unpaced")
     for url in (None, junior.url):

@@ -5,14 +5,16 @@ from pathlib import Path
 import pytest
 
 from tests.cli.conftest import Run
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.export.language import Language
 from trex_gui.settings.history import History
+
+pytestmark = pytest.mark.realtime
 
 
 @pytest.mark.parametrize("language", list(Language))
 def test_the_board_is_exported_in_each_language(
-    trexcmd: Run, quick_simulator: SimulatorProcess, tmp_path: Path, language: Language
+    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path, language: Language
 ) -> None:
     assert trexcmd("set", "serial_timeout", "5").exit_code == 0
     path = tmp_path / f"board{language.suffix}"

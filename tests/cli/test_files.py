@@ -1,16 +1,15 @@
 """get-settings, set-settings, check-settings, diff."""
 
 import json
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import pytest
 
 from tests.cli.conftest import Run, Start, becomes
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 
-StartSimulator = Callable[..., SimulatorProcess]
+pytestmark = pytest.mark.realtime
 
 
 @pytest.fixture
@@ -35,7 +34,7 @@ def changed(path: Path, **values: object) -> Path:
     return other
 
 
-def stored(simulator: SimulatorProcess, key: str) -> int:
+def stored(simulator: SimulatedDevice, key: str) -> int:
     value = simulator.show()["parameters"][key]
     assert isinstance(value, int)
     return value
@@ -65,7 +64,7 @@ def test_saving_where_nothing_can_be_written_is_refused(trexcmd: Run, tmp_path: 
 
 
 def test_only_what_differs_is_written(
-    trexcmd: Run, saved: Path, quick_simulator: SimulatorProcess
+    trexcmd: Run, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     file = changed(
         saved,
@@ -83,7 +82,7 @@ def test_only_what_differs_is_written(
 
 
 def test_a_dry_run_shows_old_and_new_and_writes_nothing(
-    trexcmd: Run, saved: Path, quick_simulator: SimulatorProcess
+    trexcmd: Run, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)), "--dry-run")
     assert result.exit_code == 0
@@ -92,7 +91,7 @@ def test_a_dry_run_shows_old_and_new_and_writes_nothing(
 
 
 def test_settings_come_from_standard_input_too(
-    trexcmd: Run, saved: Path, quick_simulator: SimulatorProcess
+    trexcmd: Run, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     text = changed(saved, serial_timeout=15).read_text(encoding="utf-8")
     assert trexcmd("set-settings", "-", stdin=text).exit_code == 0
@@ -117,7 +116,7 @@ def test_what_waits_for_power_is_said(trexcmd: Run, saved: Path) -> None:
 def test_a_file_that_does_not_fit_is_refused_and_nothing_written(
     trexcmd: Run,
     saved: Path,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     changes: dict[str, object],
     sentence: str,
 ) -> None:
@@ -138,7 +137,7 @@ def test_a_file_for_a_newer_firmware_is_refused_key_by_key(
 
 
 def test_a_board_that_is_not_in_serial_mode_says_so_before_anything_is_written(
-    trexcmd: Run, saved: Path, quick_simulator: SimulatorProcess
+    trexcmd: Run, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
@@ -161,7 +160,7 @@ def test_odd_settings_are_warned_of(trexcmd: Run, saved: Path) -> None:
     assert "does nothing in joint mode" in trexcmd("set-settings", str(file)).stderr
 
 
-def has_heard_much(simulator: SimulatorProcess) -> bool:
+def has_heard_much(simulator: SimulatedDevice) -> bool:
     heard: int = simulator.show()["counters"]["bytes_received"]
     return heard > 100
 

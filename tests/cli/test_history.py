@@ -10,10 +10,12 @@ from click.shell_completion import ShellComplete
 
 from tests.cli.conftest import Run
 from tests.settings.samples import factory
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.cli import main
 from trex_gui.settings.document import Settings
 from trex_gui.settings.history import BOUND_FILE, Bound, History
+
+pytestmark = pytest.mark.realtime
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -98,7 +100,7 @@ def test_two_snapshots_are_compared_from_the_first_to_the_second(trexcmd: Run) -
 
 
 def test_a_snapshot_is_compared_with_the_board(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 7")
     take(0, serial_timeout=5)
@@ -109,7 +111,7 @@ def test_a_snapshot_is_compared_with_the_board(
 
 
 def test_what_set_settings_changed_comes_back_from_the_history(
-    trexcmd: Run, quick_simulator: SimulatorProcess, tmp_path: Path
+    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     def stored() -> int:
         return int(quick_simulator.show()["parameters"]["serial_timeout"])
@@ -164,7 +166,7 @@ def test_a_lower_bound_asks_first_and_names_how_many_go(trexcmd: Run) -> None:
 
 
 def test_a_damaged_bound_is_told_where_it_matters(
-    trexcmd: Run, quick_simulator: SimulatorProcess, tmp_path: Path
+    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     take()
     (History().folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")

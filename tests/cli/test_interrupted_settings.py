@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.conftest import Run, Start, becomes
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import CHANNELS, InputSource
 from trex_gui.protocol.parameters import parameters_of
@@ -20,6 +20,8 @@ from trex_gui.settings.errors import Finding, SettingsError
 from trex_gui.settings.history import History
 from trex_gui.settings.reader import read_settings
 from trex_gui.settings.writer import write_settings
+
+pytestmark = pytest.mark.realtime
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -37,7 +39,7 @@ class Writing:
     """A file on its way to a board, up to a parameter that has just been stored."""
 
     process: "subprocess.Popen[str]"
-    board: SimulatorProcess
+    board: SimulatedDevice
     file: Path
     before: Settings
     wanted: Settings
@@ -103,7 +105,7 @@ Disturb = Callable[[str, Callable[[Writing], object]], tuple[Writing, str]]
 def disturb(
     start: Start,
     trexcmd: Run,
-    start_simulator: Callable[..., SimulatorProcess],
+    start_simulator: StartSimulator,
     tmp_path: Path,
 ) -> Disturb:
     """Disturb the writing of other settings into a board whose bytes take their time.
@@ -188,7 +190,7 @@ def given(trexcmd: Run, path: Path, **values: int) -> str:
 )
 def test_whoever_changes_the_line_is_told_how_to_reach_the_board(
     trexcmd: Run,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     tmp_path: Path,
     values: dict[str, int],
     options: str,
@@ -199,7 +201,7 @@ def test_whoever_changes_the_line_is_told_how_to_reach_the_board(
 
 
 def test_the_options_that_were_told_reach_the_board(
-    trexcmd: Run, quick_simulator: SimulatorProcess, tmp_path: Path
+    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
     (told,) = re.findall("is reached with (.*)", said)
@@ -212,7 +214,7 @@ def test_the_options_that_were_told_reach_the_board(
 
 
 def test_a_rate_that_old_firmware_halves_is_told_as_it_will_be(
-    trexcmd: Run, start_simulator: Callable[..., SimulatorProcess], tmp_path: Path
+    trexcmd: Run, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     old = start_simulator("--firmware", "1.0", "--unpaced")
     file = tmp_path / "line.txt"
@@ -222,7 +224,7 @@ def test_a_rate_that_old_firmware_halves_is_told_as_it_will_be(
 
 
 def test_a_new_number_is_told_to_whoever_calls_the_board_by_number(
-    trexcmd: Run, quick_simulator: SimulatorProcess, tmp_path: Path
+    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "number.txt"
     file.write_text("product: TReX\ndevice_number: 9\nuart_settings: 8\n", encoding="utf-8")
@@ -244,7 +246,7 @@ def test_where_the_line_stays_nothing_is_said_of_it(
 
 
 def test_whoever_restores_the_defaults_is_told_how_to_reach_the_board(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom device_number 9")
     quick_simulator.do("power cycle")

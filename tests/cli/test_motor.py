@@ -3,22 +3,23 @@
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
 from functools import partial
 
 import pytest
 
 from tests.cli.conftest import Run, Start, becomes, outputs
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
+
+pytestmark = pytest.mark.realtime
 
 
 def runs_or_ended(
-    process: "subprocess.Popen[str]", simulator: SimulatorProcess, wanted: list[int]
+    process: "subprocess.Popen[str]", simulator: SimulatedDevice, wanted: list[int]
 ) -> bool:
     return outputs(simulator) == wanted or process.poll() is not None
 
 
-def runs(process: "subprocess.Popen[str]", simulator: SimulatorProcess, *speeds: int) -> bool:
+def runs(process: "subprocess.Popen[str]", simulator: SimulatedDevice, *speeds: int) -> bool:
     """Wait until the motors run at these speeds, or the program has ended."""
     wanted = list(speeds)
     becomes(partial(runs_or_ended, process, simulator, wanted), True)
@@ -28,7 +29,7 @@ def runs(process: "subprocess.Popen[str]", simulator: SimulatorProcess, *speeds:
     return outputs(simulator) == wanted
 
 
-def braked(simulator: SimulatorProcess) -> bool:
+def braked(simulator: SimulatedDevice) -> bool:
     motors = simulator.show()["motors"]
     return all((m["direction"], m["speed"]) == ("brake", 127) for m in motors)
 
@@ -47,7 +48,7 @@ def test_a_motor_runs_until_it_is_interrupted(
     words: tuple[str, ...],
     speeds: tuple[int, ...],
     start: Start,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
 ) -> None:
     process = start("motor", *words)
     assert runs(process, quick_simulator, *speeds)
@@ -63,7 +64,7 @@ def test_a_motor_runs_until_it_is_interrupted(
 @pytest.mark.usefixtures("signals_as_usual")
 @pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGQUIT", "SIGTSTP"])
 def test_every_way_to_end_the_program_stops_the_motor(
-    name: str, start: Start, quick_simulator: SimulatorProcess
+    name: str, start: Start, quick_simulator: SimulatedDevice
 ) -> None:
     process = start("motor", "1", "60")
     assert runs(process, quick_simulator, 60, 0, 0)
@@ -74,7 +75,7 @@ def test_every_way_to_end_the_program_stops_the_motor(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 def test_behind_nohup_a_closed_terminal_ends_nothing(
-    start: Start, quick_simulator: SimulatorProcess
+    start: Start, quick_simulator: SimulatedDevice
 ) -> None:
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
@@ -93,7 +94,7 @@ def test_behind_nohup_a_closed_terminal_ends_nothing(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 def test_an_impatient_person_does_not_keep_the_motor_from_stopping(
-    start: Start, quick_simulator: SimulatorProcess
+    start: Start, quick_simulator: SimulatedDevice
 ) -> None:
     process = start("motor", "1", "60")
     assert runs(process, quick_simulator, 60, 0, 0)
@@ -104,7 +105,7 @@ def test_an_impatient_person_does_not_keep_the_motor_from_stopping(
 
 
 def test_a_motor_runs_for_some_seconds_and_stops(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("motor", "1", "50", "--seconds", "0.2")
     assert result.exit_code == 0, result.stderr
@@ -117,7 +118,7 @@ def test_a_missing_timeout_is_warned_of(trexcmd: Run) -> None:
 
 
 def test_a_short_timeout_of_the_board_is_fed(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "serial_timeout", "0.2 s").exit_code == 0
     for _ in range(15):  # a busy computer may itself stand still for so long
@@ -130,7 +131,7 @@ def test_a_short_timeout_of_the_board_is_fed(
 
 
 def test_a_motor_can_be_braked(
-    trexcmd: Run, start: Start, quick_simulator: SimulatorProcess
+    trexcmd: Run, start: Start, quick_simulator: SimulatedDevice
 ) -> None:
     process = start("motor", "1", "33", "--brake")
     assert becomes(
@@ -142,7 +143,7 @@ def test_a_motor_can_be_braked(
 
 
 def test_where_serial_does_not_control_the_motors_nothing_is_sent(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
@@ -153,16 +154,14 @@ def test_where_serial_does_not_control_the_motors_nothing_is_sent(
 
 
 def test_joint_mode_is_told_where_motor_2_is_asked_for(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "motor_mode", "joint")
     quick_simulator.do("power cycle")
     assert "motor 2 is ignored" in trexcmd("motor", "2", "5", "--seconds", "0.01").stderr
 
 
-def test_a_fault_of_the_driver_ends_the_run(
-    start: Start, quick_simulator: SimulatorProcess
-) -> None:
+def test_a_fault_of_the_driver_ends_the_run(start: Start, quick_simulator: SimulatedDevice) -> None:
     process = start("motor", "1", "60")
     assert runs(process, quick_simulator, 60, 0, 0)
     quick_simulator.do("fault 1 on")
@@ -174,7 +173,7 @@ def test_a_fault_of_the_driver_ends_the_run(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 def test_damage_on_the_line_does_not_end_the_run(
-    start: Start, quick_simulator: SimulatorProcess
+    start: Start, quick_simulator: SimulatedDevice
 ) -> None:
     def counted(what: str) -> int:
         return int(quick_simulator.show()["counters"]["line"][what])
@@ -194,7 +193,7 @@ def test_damage_on_the_line_does_not_end_the_run(
 
 
 def test_a_board_that_falls_silent_ends_the_run_with_a_sentence(
-    start: Start, quick_simulator: SimulatorProcess
+    start: Start, quick_simulator: SimulatedDevice
 ) -> None:
     for _ in range(5):  # one that stands still before it is mute ends the run too
         process = start("motor", "1", "60", patience=0.05)
@@ -211,7 +210,7 @@ def test_a_board_that_falls_silent_ends_the_run_with_a_sentence(
 
 
 def test_a_cable_that_is_pulled_ends_the_run_with_a_sentence(
-    start: Start, start_simulator: Callable[..., SimulatorProcess]
+    start: Start, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced")
     process = start("motor", "1", "60", url=simulator.url)
@@ -245,7 +244,7 @@ def test_what_no_motor_can_do_is_wrong_usage(trexcmd: Run, words: tuple[str, ...
 
 
 def test_a_stop_that_channels_drive_through_fails(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     for line in ("jumper mode rc", "power cycle"):
         quick_simulator.do(line)
@@ -261,7 +260,7 @@ def test_a_stop_that_channels_drive_through_fails(
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
 def test_where_the_window_holds_the_port_a_stop_says_what_stops(
-    start: Start, trexcmd: Run, quick_simulator: SimulatorProcess
+    start: Start, trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     holder = start("motor", "1", "40")
     assert runs(holder, quick_simulator, 40, 0, 0)

@@ -3,20 +3,19 @@
 import json
 import signal
 import sys
-from collections.abc import Callable
 
 import pytest
 from click.testing import CliRunner, Result
 
 from tests.cli.conftest import Run, Start, outputs
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.cli import main
 from trex_gui.protocol.line_settings import Detection, LineSettings
 
-StartSimulator = Callable[..., SimulatorProcess]
+pytestmark = pytest.mark.realtime
 
 
-def test_list_as_json_names_port_and_board(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+def test_list_as_json_names_port_and_board(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
     (row,) = json.loads(trexcmd("list", "--json").stdout)
     assert row["port"] == quick_simulator.url
     assert (row["product"], row["firmware"]) == ("TReX", "1.2")
@@ -39,7 +38,7 @@ def found(trexcmd: Run, *words: str) -> Result:
 
 
 def test_find_prints_the_options_that_reach_the_board(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     result = found(trexcmd)
     assert result.stdout == f"--port {quick_simulator.url} --baud 19200\n"
@@ -49,7 +48,7 @@ def test_find_prints_the_options_that_reach_the_board(
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 @pytest.mark.parametrize("line", [LineSettings(9600), LineSettings(57600)])
 def test_what_find_prints_works_behind_a_command(
-    line: LineSettings, trexcmd: Run, quick_simulator: SimulatorProcess
+    line: LineSettings, trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     works_behind_a_command(line, trexcmd, quick_simulator)
 
@@ -57,13 +56,13 @@ def test_what_find_prints_works_behind_a_command(
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 def test_what_find_prints_for_crc_works_too(
-    trexcmd: Run, quick_simulator: SimulatorProcess, only_when_asked_for: None
+    trexcmd: Run, quick_simulator: SimulatedDevice, only_when_asked_for: None
 ) -> None:
     works_behind_a_command(LineSettings(57600, Detection.CRC7), trexcmd, quick_simulator)
 
 
 def works_behind_a_command(
-    line: LineSettings, trexcmd: Run, quick_simulator: SimulatorProcess
+    line: LineSettings, trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "uart_settings", str(line.to_wire())).exit_code == 0
     quick_simulator.do("power cycle")
@@ -93,7 +92,7 @@ def test_find_sees_parity_where_the_port_shows_it(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-def test_an_interrupted_search_ends_soon(start: Start, quick_simulator: SimulatorProcess) -> None:
+def test_an_interrupted_search_ends_soon(start: Start, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("power off")
     process = start("find", patience=0.5)
     assert process.stderr is not None
@@ -107,7 +106,7 @@ def test_an_interrupted_search_ends_soon(start: Start, quick_simulator: Simulato
 @pytest.mark.slow
 @pytest.mark.timeout(120)
 def test_find_without_a_board_says_what_to_look_at(
-    trexcmd: Run, quick_simulator: SimulatorProcess, only_when_asked_for: None
+    trexcmd: Run, quick_simulator: SimulatedDevice, only_when_asked_for: None
 ) -> None:
     quick_simulator.do("power off")
     result = trexcmd("find")

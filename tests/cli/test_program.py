@@ -9,6 +9,8 @@ from click.testing import CliRunner
 from trex_gui.cli import main
 from trex_gui.cli.program import COMMANDS
 
+pytestmark = pytest.mark.realtime
+
 _LOADED = """
 import sys
 from click.testing import CliRunner

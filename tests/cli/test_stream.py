@@ -6,14 +6,15 @@ import json
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import pytest
 
 from tests.cli.conftest import Run, Start, becomes, measured
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
+
+pytestmark = pytest.mark.realtime
 
 
 def rows_of(text: str) -> list[dict[str, str]]:
@@ -35,7 +36,7 @@ def streamed(trexcmd: Run, *words: str) -> str:
 
 
 def test_rows_have_units_in_the_head_and_nothing_missing(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     def current() -> str:
         return str(json.loads(trexcmd("status", "--json").stdout)["motor_1_current"])
@@ -63,7 +64,7 @@ def test_rows_have_units_in_the_head_and_nothing_missing(
 
 
 def test_a_channel_without_a_signal_is_empty(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("channel 3 invalid")
     assert becomes(lambda: quick_simulator.show()["channels"][2]["raw"], None)
@@ -72,7 +73,7 @@ def test_a_channel_without_a_signal_is_empty(
 
 
 def test_an_analog_board_is_measured_in_volts(
-    trexcmd: Run, quick_simulator: SimulatorProcess
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode analog")
     quick_simulator.do("power cycle")
@@ -81,7 +82,7 @@ def test_an_analog_board_is_measured_in_volts(
     assert float(row["channel_1_V"]) == pytest.approx(2.5, abs=0.01)
 
 
-def test_an_error_stands_in_one_row(trexcmd: Run, quick_simulator: SimulatorProcess) -> None:
+def test_an_error_stands_in_one_row(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
     for _ in range(20):  # a busy computer may get no row at all
         trexcmd("raw", "41")
         rows = rows_of(trexcmd("stream", "--seconds", "0.6").stdout)
@@ -98,7 +99,7 @@ def test_json_is_an_object_a_line(trexcmd: Run) -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 def test_an_interrupted_stream_has_whole_rows(
-    start: Start, quick_simulator: SimulatorProcess, tmp_path: Path
+    start: Start, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
     process = start("stream", "--csv", str(file))
@@ -113,7 +114,7 @@ def test_an_interrupted_stream_has_whole_rows(
 
 
 def test_a_reader_that_leaves_is_no_traceback(
-    start: Start, quick_simulator: SimulatorProcess
+    start: Start, quick_simulator: SimulatedDevice
 ) -> None:
     process = start("stream")
     assert process.stdout is not None
@@ -128,7 +129,7 @@ def test_a_reader_that_leaves_is_no_traceback(
 
 
 def test_a_cable_that_is_pulled_leaves_what_was_read(
-    start: Start, start_simulator: Callable[..., SimulatorProcess], tmp_path: Path
+    start: Start, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     simulator = start_simulator("--unpaced")
     file = tmp_path / "log.csv"
@@ -142,7 +143,7 @@ def test_a_cable_that_is_pulled_leaves_what_was_read(
 
 
 def test_a_board_that_falls_silent_ends_the_stream(
-    start: Start, quick_simulator: SimulatorProcess, tmp_path: Path
+    start: Start, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
     for _ in range(5):  # one that stands still in the beginning ends it too
@@ -157,7 +158,7 @@ def test_a_board_that_falls_silent_ends_the_stream(
 
 
 def test_another_mode_ends_the_stream(
-    start: Start, quick_simulator: SimulatorProcess, tmp_path: Path
+    start: Start, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
     process = start("stream", "--csv", str(file), patience=2)  # an answer may be cut off

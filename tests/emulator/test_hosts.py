@@ -2,7 +2,6 @@
 
 import shutil
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -10,15 +9,18 @@ import pytest
 import serial
 
 from tests.emulator.patience import PATIENCE
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import StartSimulator
 
-Start = Callable[..., SimulatorProcess]
+Start = StartSimulator
 
 needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
 
 
 # pyserial's RFC 2217 client uses what Python has given up.
-pytestmark = pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning"),
+]
 
 
 def asked(url: str, **settings: Any) -> bytes:

@@ -21,6 +21,8 @@ from trex_gui import __version__
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.server import main
 
+pytestmark = pytest.mark.realtime
+
 needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
 
 

@@ -1,7 +1,6 @@
 """A person in front of the window, a simulated board on a real pseudo-terminal behind it."""
 
 import sys
-import time
 from collections.abc import Callable
 from typing import TypeVar
 
@@ -20,12 +19,14 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
+from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.model.parameter_filter import ParameterFilter
 from trex_gui.model.parameters import Column
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
+from trex_gui.runtime import now, open_transport
 from trex_gui.window import Program
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
@@ -110,7 +111,7 @@ def person(program: Program, qtbot: QtBot) -> Person:
 
 
 def test_choosing_a_port_connects_and_names_the_board(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     assert person.text("statusLabel") == "Connected to TReX 1.2."
@@ -119,7 +120,7 @@ def test_choosing_a_port_connects_and_names_the_board(
 
 
 def test_everything_is_greyed_and_not_stale_without_a_board(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     person.open_page("channelsPage")
@@ -136,7 +137,7 @@ def test_everything_is_greyed_and_not_stale_without_a_board(
 
 
 def test_a_changed_parameter_reaches_the_board_only_with_apply(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     person.open_page("parametersPage")
@@ -150,7 +151,7 @@ def test_a_changed_parameter_reaches_the_board_only_with_apply(
 
 
 def test_a_value_out_of_range_stays_in_the_editor_with_the_limits_beside_it(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     person.open_page("parametersPage")
@@ -163,7 +164,7 @@ def test_a_value_out_of_range_stays_in_the_editor_with_the_limits_beside_it(
 
 
 def test_a_write_in_rc_mode_says_why_it_was_refused(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     simulator.do("jumper mode rc")
     simulator.do("power cycle")
@@ -176,7 +177,7 @@ def test_a_write_in_rc_mode_says_why_it_was_refused(
     assert person.program.device.parameters.pending == (("serial_timeout", 15),)
 
 
-def test_a_moved_stick_moves_its_bar(person: Person, simulator: SimulatorProcess) -> None:
+def test_a_moved_stick_moves_its_bar(person: Person, simulator: SimulatedDevice) -> None:
     person.connect(simulator.url)
     person.open_page("channelsPage")
     simulator.do("channel 1 1800us")
@@ -188,7 +189,7 @@ def test_a_moved_stick_moves_its_bar(person: Person, simulator: SimulatorProcess
     person.wait(lambda: str(remapped) in output.accessibleDescription())
 
 
-def test_a_channel_without_signal_says_so(person: Person, simulator: SimulatorProcess) -> None:
+def test_a_channel_without_signal_says_so(person: Person, simulator: SimulatedDevice) -> None:
     person.connect(simulator.url)
     person.open_page("channelsPage")
     simulator.do("channel 2 invalid")
@@ -196,7 +197,7 @@ def test_a_channel_without_signal_says_so(person: Person, simulator: SimulatorPr
 
 
 def test_nothing_moves_before_run_motor_and_everything_stops_after_stop(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     person.open_page("motorsPage")
@@ -214,7 +215,7 @@ def test_nothing_moves_before_run_motor_and_everything_stops_after_stop(
 
 
 def test_escape_in_the_editor_of_a_table_stops_the_motors(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     person.press("runButton")
@@ -231,9 +232,7 @@ def test_escape_in_the_editor_of_a_table_stops_the_motors(
     person.wait(lambda: simulator.show()["motors"][1]["direction"] == "brake")
 
 
-def test_closing_the_window_stops_driven_motors(
-    person: Person, simulator: SimulatorProcess
-) -> None:
+def test_closing_the_window_stops_driven_motors(person: Person, simulator: SimulatedDevice) -> None:
     person.connect(simulator.url)
     person.press("runButton")
     person.program.device.motors.set_speed(1, 60)
@@ -243,14 +242,14 @@ def test_closing_the_window_stops_driven_motors(
 
 
 def test_a_pulled_plug_is_noticed_within_half_a_second_and_replugging_connects_again(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     def seconds_to_notice() -> float:
         person.press("runButton")
-        begun = time.monotonic()
+        begun = now()
         simulator.do("line unplug")
         person.wait(lambda: person.program.device.link is Link.NONE)
-        seconds = time.monotonic() - begun
+        seconds = now() - begun
         assert "gone" in person.text("bannerText")
         assert not person.program.device.motors.armed
         assert person.text("statusLabel") == "Not connected."
@@ -264,7 +263,7 @@ def test_a_pulled_plug_is_noticed_within_half_a_second_and_replugging_connects_a
 
 
 def test_motors_that_ran_when_the_plug_was_pulled_stop_when_it_is_back(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     person.press("runButton")
@@ -280,7 +279,7 @@ def test_motors_that_ran_when_the_plug_was_pulled_stop_when_it_is_back(
 
 
 def test_a_board_that_cannot_be_heard_is_stopped_all_the_same(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     person.press("runButton")
@@ -297,7 +296,7 @@ def test_a_board_that_cannot_be_heard_is_stopped_all_the_same(
 
 
 def test_where_channels_are_in_control_the_motors_cannot_be_armed(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     simulator.do("jumper mode rc")
     simulator.do("power cycle")
@@ -308,7 +307,7 @@ def test_where_channels_are_in_control_the_motors_cannot_be_armed(
 
 
 def test_what_was_written_is_what_every_page_shows_and_what_is_saved(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     device = person.program.device
     person.connect(simulator.url)
@@ -324,7 +323,7 @@ def test_what_was_written_is_what_every_page_shows_and_what_is_saved(
     assert device.parameters.stored_of("motor1_current_limit") == 10
 
 
-def test_a_power_cycle_is_noticed_and_survived(person: Person, simulator: SimulatorProcess) -> None:
+def test_a_power_cycle_is_noticed_and_survived(person: Person, simulator: SimulatedDevice) -> None:
     person.connect(simulator.url)
     simulator.do("power off")
     person.wait(lambda: person.program.device.link is Link.SILENT)
@@ -334,7 +333,7 @@ def test_a_power_cycle_is_noticed_and_survived(person: Person, simulator: Simula
 
 
 def test_a_stored_value_that_waits_for_power_says_so_until_the_power_cycle(
-    person: Person, simulator: SimulatorProcess
+    person: Person, simulator: SimulatedDevice
 ) -> None:
     person.connect(simulator.url)
     page = person.open_page("parametersPage")
@@ -359,11 +358,8 @@ def test_a_missing_port_is_a_sentence(person: Person) -> None:
     assert person.program.device.link is Link.NONE
 
 
-def test_a_busy_port_is_a_sentence(person: Person, simulator: SimulatorProcess) -> None:
-    from trex_gui.link.settings import LinkSettings
-    from trex_gui.link.transport import SerialTransport
-
-    other = SerialTransport(LinkSettings(simulator.url))
+def test_a_busy_port_is_a_sentence(person: Person, simulator: SimulatedDevice) -> None:
+    other = open_transport(LinkSettings(simulator.url))
     try:
         person.program.connector.connect_to(person.program.ports.add_typed(simulator.url))
         person.wait(lambda: person.text("bannerText") != "")

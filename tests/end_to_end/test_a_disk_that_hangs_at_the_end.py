@@ -7,7 +7,10 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs named pipes")
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.skipif(sys.platform == "win32", reason="needs named pipes"),
+]
 
 ROOT = Path(__file__).parents[2]
 
@@ -38,7 +41,7 @@ def transcript(program):
     kept.append(saver := TranscriptSaver(program.device.transcript, program.window))
     saver.save(path, program.device.transcript.everything.rows)
 
-def built():
+def built(*_):
     program = build()
     def begin():
         globals()[sys.argv[1]](program)

@@ -6,16 +6,16 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
 from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.window import Program
 
 
 @pytest.fixture
-def connected(program: Program, qtbot: QtBot, quick_simulator: SimulatorProcess) -> Program:
+def connected(program: Program, qtbot: QtBot, quick_simulator: SimulatedDevice) -> Program:
     program.device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP)
     program.window.pages.setCurrentIndex(5)
@@ -74,10 +74,9 @@ def test_without_a_board_there_is_nothing_to_say(connected: Program, qtbot: QtBo
 def test_a_rate_that_this_computers_port_cannot_do_is_told(
     program: Program,
     qtbot: QtBot,
-    quick_simulator: SimulatorProcess,
-    monkeypatch: pytest.MonkeyPatch,
+    quick_simulator: VirtualSimulator,
 ) -> None:
-    monkeypatch.setattr(SerialTransport, "rates", lambda _: frozenset({9600, 19200}))
+    quick_simulator.rates = frozenset({9600, 19200})
     program.device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP)
     program.window.pages.setCurrentIndex(5)

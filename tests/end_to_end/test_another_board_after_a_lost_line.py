@@ -1,13 +1,12 @@
 """Motors that were left turning behind a lost line, and a board at another port."""
 
 import sys
-from collections.abc import Callable
 
 import pytest
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.window import Program
@@ -27,7 +26,7 @@ class Person:
         self.banner = label
         self.device.failed.connect(self.told.append)
 
-    def lose(self, board: SimulatorProcess) -> None:
+    def lose(self, board: SimulatedDevice) -> None:
         """Drive a motor and lose the line to it."""
         device = self.device
         device.connect_to(LinkSettings(board.url))
@@ -51,7 +50,7 @@ def person(program: Program, qtbot: QtBot) -> Person:
 
 
 def test_a_proof_of_another_board_is_told_to_be_none_of_the_first(
-    person: Person, start_simulator: Callable[..., SimulatorProcess]
+    person: Person, start_simulator: StartSimulator
 ) -> None:
     first, second = start_simulator(), start_simulator()
     person.lose(first)
@@ -68,7 +67,7 @@ def test_a_proof_of_another_board_is_told_to_be_none_of_the_first(
 
 
 def test_the_board_itself_needs_no_word_of_it(
-    person: Person, start_simulator: Callable[..., SimulatorProcess]
+    person: Person, start_simulator: StartSimulator
 ) -> None:
     board = start_simulator()
     person.lose(board)

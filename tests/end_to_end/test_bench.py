@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.bench.profile import Profile
 from trex_gui.bench.run import End
 from trex_gui.link.settings import LinkSettings
@@ -30,7 +30,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 class Person:
     """Somebody who has opened the window of bench tests."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.program = program
         self.simulator = simulator
         self._qtbot = qtbot
@@ -82,7 +82,7 @@ class Person:
 
 
 @pytest.fixture
-def person(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Person:
+def person(program: Program, quick_simulator: SimulatedDevice, qtbot: QtBot) -> Person:
     return Person(program, quick_simulator, qtbot)
 
 

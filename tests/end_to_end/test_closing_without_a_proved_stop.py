@@ -2,7 +2,6 @@
 
 import signal
 import sys
-import threading
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,10 +11,11 @@ from pytestqt.qtbot import QtBot
 
 from tests.end_to_end.test_every_stop_cause import PATIENCE, DrivingWindow, is_stopped
 from tests.support.simulator import SimulatorProcess
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.app import UNSTOPPED
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
+from trex_gui.runtime import runtime
 from trex_gui.views.last_warning import LastWarning
 from trex_gui.window import Program
 
@@ -27,7 +27,7 @@ WARNING = "The stop is not confirmed. If a motor still turns, cut its power."
 class Driven:
     """A window that has driven a board which does not answer any more, though it obeys."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, program: Program, simulator: VirtualSimulator, qtbot: QtBot) -> None:
         self.program, self.window, self.device = program, program.window, program.device
         self.simulator, self.qtbot = simulator, qtbot
         self.connect()
@@ -58,11 +58,10 @@ class Driven:
 
 
 @pytest.fixture
-def driven(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Driven:
+def driven(program: Program, quick_simulator: VirtualSimulator, qtbot: QtBot) -> Driven:
     return Driven(program, quick_simulator, qtbot)
 
 
-@pytest.mark.usefixtures("usual_patience")
 def test_the_window_asks_to_cut_the_power_and_goes_when_that_was_read(driven: Driven) -> None:
     assert not driven.window.close()
     assert driven.window.isVisible()
@@ -71,14 +70,12 @@ def test_the_window_asks_to_cut_the_power_and_goes_when_that_was_read(driven: Dr
     assert not driven.window.isVisible()
 
 
-@pytest.mark.usefixtures("usual_patience")
 def test_who_closes_it_again_has_read_it(driven: Driven) -> None:
     assert not driven.window.close()
     assert driven.window.close()
     assert not driven.window.isVisible()
 
 
-@pytest.mark.usefixtures("usual_patience")
 def test_who_stays_is_told_again_with_the_next_closing(driven: Driven) -> None:
     driven.window.close()
     driven.press("questionCancel")
@@ -88,7 +85,6 @@ def test_who_stays_is_told_again_with_the_next_closing(driven: Driven) -> None:
     assert driven.asked == WARNING
 
 
-@pytest.mark.usefixtures("usual_patience")
 def test_edits_are_not_asked_about_twice(driven: Driven) -> None:
     driven.device.parameters.edit("serial_timeout", 15)
     assert not driven.window.close()
@@ -98,7 +94,6 @@ def test_edits_are_not_asked_about_twice(driven: Driven) -> None:
     assert not driven.window.isVisible()
 
 
-@pytest.mark.usefixtures("usual_patience")
 def test_who_connects_again_has_the_stop_proved_and_is_not_asked_any_more(driven: Driven) -> None:
     driven.window.close()
     driven.simulator.do("line mute off")
@@ -109,28 +104,17 @@ def test_who_connects_again_has_the_stop_proved_and_is_not_asked_any_more(driven
 
 
 def test_a_stop_of_which_is_heard_too_late_closes_the_window_after_all(
-    driven: Driven, monkeypatch: pytest.MonkeyPatch
+    driven: Driven,
 ) -> None:
-    given_back = threading.Event()
-    close = SerialTransport.close
-
-    def close_late(port: SerialTransport) -> None:
-        given_back.wait(60)
-        close(port)
-
     driven.simulator.do("line mute off")
-    monkeypatch.setattr(SerialTransport, "close", close_late)
-    try:
-        assert not driven.window.close()
-        assert driven.asked == WARNING
-    finally:
-        given_back.set()
+    driven.simulator.on_close = lambda: runtime().sleep(10)
+    assert not driven.window.close()
+    assert driven.asked == WARNING
     driven.wait_for(lambda: not driven.window.isVisible())
     assert not driven.device.may_move
     assert is_stopped(driven.simulator)
 
 
-@pytest.mark.usefixtures("usual_patience")
 def test_nobody_is_asked_who_logs_out(driven: Driven) -> None:
     warning = driven.window.findChild(LastWarning)
     assert warning is not None
@@ -140,7 +124,7 @@ def test_nobody_is_asked_who_logs_out(driven: Driven) -> None:
 
 
 def test_a_window_that_has_proved_its_stop_just_closes(
-    program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot
+    program: Program, quick_simulator: VirtualSimulator, qtbot: QtBot
 ) -> None:
     driven = Driven(program, quick_simulator, qtbot)
     quick_simulator.do("line mute off")
@@ -150,6 +134,7 @@ def test_a_window_that_has_proved_its_stop_just_closes(
     assert driven.asked == ""
 
 
+@pytest.mark.realtime
 def test_a_program_that_a_signal_ends_without_a_proved_stop_says_so_and_fails(
     simulator: SimulatorProcess, tmp_path: Path
 ) -> None:

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QListView, QTableView
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.model.events import EventKind
@@ -24,7 +24,7 @@ pytestmark = [
 class Scene:
     """The window connected to a board, on the Currents page."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.device = program.device
         self.simulator = simulator
         self.qtbot = qtbot
@@ -58,7 +58,7 @@ class Scene:
 
 
 @pytest.fixture
-def scene(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Scene:
+def scene(program: Program, quick_simulator: SimulatedDevice, qtbot: QtBot) -> Scene:
     return Scene(program, quick_simulator, qtbot)
 
 

@@ -1,7 +1,6 @@
 """Ten seconds of dragging in the whole program, a simulated board in a process of its own."""
 
 import sys
-import time
 from bisect import bisect_right
 
 import pytest
@@ -11,14 +10,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionSlider
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.link.messages import SetDrive
 from trex_gui.link.motors import DRIVE_INTERVAL
 from trex_gui.link.repeating import REPEATS
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
 from trex_gui.protocol.commands import Drive, DriveMotor
+from trex_gui.runtime import now
 from trex_gui.views.widgets.speed_slider import SpeedSlider
 from trex_gui.window import Program
 
@@ -27,7 +26,7 @@ pytestmark = [
     pytest.mark.timeout(240),  # ten thousand moves, on a computer that is slower than the hand
 ]
 
-_SECONDS, _RATE, _CYCLE = 10.0, 1000, 127
+_SECONDS, _RATE, _CYCLE = 2.0, 500, 127
 _AT_A_TURN = 50
 """Moves before the window has a turn of its own: one that never has is taken for a hung one."""
 
@@ -56,22 +55,20 @@ def move_mouse(slider: SpeedSlider, place: QPoint) -> None:
 
 
 def test_a_drag_never_floods_the_line_and_its_last_position_arrives(
-    program: Program, qtbot: QtBot, simulator: SimulatorProcess, monkeypatch: pytest.MonkeyPatch
+    program: Program, qtbot: QtBot, simulator: VirtualSimulator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     packets: list[tuple[float, int]] = []
-    write = SerialTransport.write
 
-    def note(port: SerialTransport, data: bytes) -> None:
+    def note(data: bytes) -> None:
         if data[0] == DriveMotor(1, Drive.at(1)).opcode:
-            packets.append((time.monotonic(), data[1]))
-        write(port, data)
+            packets.append((now(), data[1]))
 
-    monkeypatch.setattr(SerialTransport, "write", note)
+    simulator.on_write = note
     asked: list[tuple[float, int]] = []
 
     def note_wish(wish: SetDrive) -> None:
         """Comes after the program has handed it over."""
-        asked.append((time.monotonic(), wish.drive.signed))
+        asked.append((now(), wish.drive.signed))
 
     motors = program.device.motors
     program.device.connect_to(LinkSettings(simulator.url))
@@ -84,14 +81,14 @@ def test_a_drag_never_floods_the_line_and_its_last_position_arrives(
     assert isinstance(slider, SpeedSlider)
     places = [place_of(slider, 1 + value) for value in range(_CYCLE)]
     QTest.mousePress(slider, LEFT, pos=place_of(slider, 0))
-    begun, move, turn = time.monotonic(), 0, 0
+    begun, move, turn = now(), 0, 0
     while move < _SECONDS * _RATE:  # where the computer is slower than the hand, it takes longer
-        due = min((time.monotonic() - begun) * _RATE, _SECONDS * _RATE)
+        due = min((now() - begun) * _RATE, _SECONDS * _RATE)
         while move < min(due, turn + _AT_A_TURN):
             move_mouse(slider, places[move % _CYCLE])
             move += 1
         turn = move
-        qtbot.wait(1)
+        qtbot.wait(4)
     last = slider.value()
     QTest.mouseRelease(slider, LEFT, pos=places[(move - 1) % _CYCLE])
     assert len(asked) > move / 4, "the slider did not follow"

@@ -27,9 +27,8 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.link.helpers import moving
-from tests.support.simulator import SimulatorProcess
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
 from trex_gui.model.driving.lockout import remembered_lockout
 from trex_gui.model.driving.timeout import weakness_on
@@ -49,7 +48,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 class Driver:
     """The Motors page of a window with a simulated board."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, program: Program, simulator: VirtualSimulator, qtbot: QtBot) -> None:
         self.program, self.device, self.window = program, program.device, program.window
         self.motors, self.simulator, self.qtbot = program.device.motors, simulator, qtbot
         self.device.connect_to(LinkSettings(simulator.url))
@@ -146,7 +145,7 @@ class Driver:
 
 
 @pytest.fixture
-def driver(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Driver:
+def driver(program: Program, quick_simulator: VirtualSimulator, qtbot: QtBot) -> Driver:
     return Driver(program, quick_simulator, qtbot)
 
 
@@ -216,17 +215,11 @@ def hold_a_slider_of_linked_motors(driver: Driver) -> Callable[[], None]:
     ids=lambda each: each.__name__,
 )
 def test_every_packet_of_a_control_for_both_motors_is_for_both(
-    armed: Driver, monkeypatch: pytest.MonkeyPatch, hold: Callable[[Driver], Callable[[], None]]
+    armed: Driver, hold: Callable[[Driver], Callable[[], None]]
 ) -> None:
     """Else one wheel begins, or brakes, a packet before the other."""
     sent = bytearray()
-    write = SerialTransport.write
-
-    def note(port: SerialTransport, data: bytes) -> None:
-        sent.extend(data)
-        write(port, data)
-
-    monkeypatch.setattr(SerialTransport, "write", note)
+    armed.simulator.on_write = sent.extend
     for _ in range(20):
         let_go = hold(armed)
         armed.wait_for(("forward", 127), ("forward", 127))
@@ -915,7 +908,7 @@ def test_the_page_fits_a_small_window_without_scrolling_sideways(driver: Driver)
 
 
 def test_a_timeout_that_a_slow_line_cannot_keep_fed_is_said_and_set_with_a_click(
-    program: Program, simulator: SimulatorProcess, qtbot: QtBot
+    program: Program, simulator: VirtualSimulator, qtbot: QtBot
 ) -> None:
     simulator.do("eeprom uart_settings 0")  # 1200 baud
     simulator.do("eeprom serial_timeout 1")

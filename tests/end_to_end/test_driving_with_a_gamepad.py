@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QLabel, QTabWidget, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.gamepad.virtual_pad import VirtualPad
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.views.driving.gamepad_panel import GamepadPanel
@@ -26,7 +26,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 class Driver:
     """The Motors page with a simulated board behind it, and a gamepad in hand."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.program, self.simulator, self.qtbot = program, simulator, qtbot
         self.motors = program.device.motors
         program.device.connect_to(LinkSettings(simulator.url))
@@ -89,7 +89,7 @@ class Driver:
 
 
 @pytest.fixture
-def driver(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Iterator[Driver]:
+def driver(program: Program, quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Driver]:
     driver = Driver(program, quick_simulator, qtbot)
     driver.motors.lockout = 0
     yield driver

@@ -20,10 +20,11 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.driven_window import AUXILIARY, HANGING, SPEEDS
 from tests.support.logind import Logind, message_bus
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.system import signals
 
 pytestmark = [
+    pytest.mark.realtime,
     pytest.mark.skipif(sys.platform == "win32", reason="pseudo-terminals and POSIX signals"),
     pytest.mark.timeout(120),
 ]
@@ -34,7 +35,7 @@ PATIENCE = 20.0
 """Seconds for what takes a moment, unless somebody stands still."""
 
 
-def is_driven(simulator: SimulatorProcess) -> bool:
+def is_driven(simulator: SimulatedDevice) -> bool:
     """Whether every motor runs as it was told."""
     shown = simulator.show()
     speeds = [
@@ -44,7 +45,7 @@ def is_driven(simulator: SimulatorProcess) -> bool:
     return speeds == list(SPEEDS.values()) and shown["aux"]["speed"] == AUXILIARY
 
 
-def is_stopped(simulator: SimulatorProcess) -> bool:
+def is_stopped(simulator: SimulatedDevice) -> bool:
     """Whether both motors brake fully, are told nothing else, and the auxiliary one is off."""
     shown = simulator.show()
     braked = {"direction": "brake", "speed": 127, "target_direction": "brake", "target_speed": 127}
@@ -68,7 +69,7 @@ class DrivingWindow:
     """
 
     def __init__(
-        self, simulator: SimulatorProcess, folder: Path, patience: str = "long", **environment: str
+        self, simulator: SimulatedDevice, folder: Path, patience: str = "long", **environment: str
     ) -> None:
         self.simulator = simulator
         self.process = subprocess.Popen(
@@ -114,7 +115,7 @@ class DrivingWindow:
 
 
 @pytest.fixture
-def start(simulator: SimulatorProcess, tmp_path: Path) -> Iterator[Callable[..., DrivingWindow]]:
+def start(simulator: SimulatedDevice, tmp_path: Path) -> Iterator[Callable[..., DrivingWindow]]:
     """Start a window that drives."""
     windows: list[DrivingWindow] = []
 
@@ -132,7 +133,7 @@ def status_of(process: "subprocess.Popen[str]") -> str:
     return Path(f"/proc/{process.pid}/status").read_text()
 
 
-def stays_stopped(simulator: SimulatorProcess) -> bool:
+def stays_stopped(simulator: SimulatedDevice) -> bool:
     """Whether nothing that was on its way starts a motor again."""
     end = time.monotonic() + 0.5
     while time.monotonic() < end:
@@ -159,7 +160,7 @@ def stays_stopped(simulator: SimulatorProcess) -> bool:
     ],
 )
 def test_motors_stop_at(
-    cause: str, start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    cause: str, start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.provoke(cause)
@@ -168,7 +169,7 @@ def test_motors_stop_at(
 
 
 def test_a_window_that_goes_on_after_a_mistake_still_answers(
-    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.provoke("mistake_in_a_slot")
@@ -181,7 +182,7 @@ def test_a_window_that_goes_on_after_a_mistake_still_answers(
 
 @pytest.mark.parametrize("cause", ["hang", "hang_computing"])
 def test_motors_stop_while_the_window_hangs(
-    cause: str, start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    cause: str, start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     window = start(patience="usual")
     window.hang(cause)
@@ -197,7 +198,7 @@ def test_motors_stop_while_the_window_hangs(
     "number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGQUIT], ids=lambda n: n.name
 )
 def test_motors_stop_at_a_signal_and_the_program_ends_well(
-    number: signal.Signals, start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    number: signal.Signals, start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.process.send_signal(number)
@@ -207,7 +208,7 @@ def test_motors_stop_at_a_signal_and_the_program_ends_well(
 
 
 def test_motors_stop_before_the_program_is_suspended_and_stay_stopped_when_it_goes_on(
-    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.process.send_signal(signal.SIGTSTP)
@@ -222,7 +223,7 @@ def test_motors_stop_before_the_program_is_suspended_and_stay_stopped_when_it_go
 
 
 def test_motors_stop_at_a_signal_to_a_window_that_hangs_and_the_program_ends_all_the_same(
-    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     window = start()  # patient: it is not for want of a pulse
     window.hang()
@@ -233,7 +234,7 @@ def test_motors_stop_at_a_signal_to_a_window_that_hangs_and_the_program_ends_all
 
 
 def test_a_second_ctrl_c_ends_a_window_that_hangs_at_once(
-    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.hang()
@@ -252,7 +253,7 @@ def test_a_second_ctrl_c_ends_a_window_that_hangs_at_once(
 
 
 def test_nothing_helps_against_kill_9_but_the_boards_own_timeout(
-    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     """Why the window speaks of the serial timeout beside Run motor."""
     window = start()
@@ -265,7 +266,7 @@ def test_nothing_helps_against_kill_9_but_the_boards_own_timeout(
 
 
 def test_a_board_with_a_serial_timeout_stops_after_kill_9(
-    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     set_timeout = [
         *(sys.executable, "-m", "trex_gui.cli", "set", "serial_timeout", "0.5 s"),
@@ -279,7 +280,7 @@ def test_a_board_with_a_serial_timeout_stops_after_kill_9(
 
 
 def test_trexcmd_stops_what_a_killed_window_left_running(
-    start: Callable[..., DrivingWindow], simulator: SimulatorProcess
+    start: Callable[..., DrivingWindow], simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.process.kill()
@@ -324,7 +325,7 @@ def test_motors_stop_when_the_desktop_says(
     name: str,
     arguments: list[Any],
     start: Callable[..., DrivingWindow],
-    simulator: SimulatorProcess,
+    simulator: SimulatedDevice,
     bus: tuple[str, QDBusConnection],
 ) -> None:
     address, connection = bus
@@ -344,7 +345,7 @@ def test_motors_stop_when_the_desktop_says(
 
 def test_sleep_is_held_up_until_the_board_has_stopped_its_motors(
     start: Callable[..., DrivingWindow],
-    simulator: SimulatorProcess,
+    simulator: SimulatedDevice,
     bus: tuple[str, QDBusConnection],
     qtbot: QtBot,
 ) -> None:

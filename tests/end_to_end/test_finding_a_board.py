@@ -18,14 +18,14 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.client import Client
 from trex_gui.link.discovery import attempts
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
 from trex_gui.protocol.commands import SetParameter
 from trex_gui.protocol.line_settings import Detection, LineSettings
+from trex_gui.runtime import open_transport
 from trex_gui.views.find_dialog import FindDialog
 from trex_gui.window import Program
 
@@ -94,17 +94,17 @@ def person(_no_other_ports: None, program: Program, qtbot: QtBot) -> Person:
     return Person(program, qtbot)
 
 
-def set_to(simulator: SimulatorProcess, line: LineSettings) -> None:
+def set_to(simulator: SimulatedDevice, line: LineSettings) -> None:
     """Store UART settings in a board and switch it off and on."""
     settings = LinkSettings(simulator.url)
-    client = Client(SerialTransport(settings), settings)
+    client = Client(open_transport(settings), settings)
     client.request(SetParameter(0x7E, line.to_wire()))
     client.close()
     simulator.do("power cycle")
 
 
 def test_a_board_at_unknown_settings_is_found_and_connected_to(
-    person: Person, program: Program, quick_simulator: SimulatorProcess
+    person: Person, program: Program, quick_simulator: SimulatedDevice
 ) -> None:
     set_to(quick_simulator, LineSettings(57600))
     program.ports.add_typed(quick_simulator.url)
@@ -139,7 +139,7 @@ def test_a_board_at_unknown_settings_is_found_and_connected_to(
 def test_a_board_with_parity_is_found_where_parity_can_be_seen(
     person: Person,
     program: Program,
-    start_simulator: Callable[..., SimulatorProcess],
+    start_simulator: StartSimulator,
     only_when_asked_for: None,
 ) -> None:
     simulator = start_simulator("--unpaced", "--rfc2217", "127.0.0.1:0")
@@ -158,7 +158,7 @@ def test_a_board_with_parity_is_found_where_parity_can_be_seen(
 
 
 def test_a_search_can_be_cancelled(
-    person: Person, program: Program, quick_simulator: SimulatorProcess
+    person: Person, program: Program, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     program.ports.add_typed(quick_simulator.url)
@@ -173,7 +173,7 @@ def test_a_search_can_be_cancelled(
 
 
 def test_closing_the_dialog_ends_the_search(
-    person: Person, program: Program, quick_simulator: SimulatorProcess
+    person: Person, program: Program, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     program.ports.add_typed(quick_simulator.url)
@@ -185,7 +185,7 @@ def test_closing_the_dialog_ends_the_search(
 
 
 def test_closing_the_window_ends_the_search(
-    person: Person, program: Program, quick_simulator: SimulatorProcess
+    person: Person, program: Program, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     program.ports.add_typed(quick_simulator.url)
@@ -199,7 +199,7 @@ def test_closing_the_window_ends_the_search(
 def test_where_nobody_answers_it_says_what_to_look_at(
     person: Person,
     program: Program,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     few = list(attempts())[:3]  # all of them take half a minute
@@ -215,9 +215,9 @@ def test_where_nobody_answers_it_says_what_to_look_at(
 
 
 def test_a_port_that_another_program_has_is_told(
-    person: Person, program: Program, quick_simulator: SimulatorProcess
+    person: Person, program: Program, quick_simulator: SimulatedDevice
 ) -> None:
-    other = SerialTransport(LinkSettings(quick_simulator.url))
+    other = open_transport(LinkSettings(quick_simulator.url))
     program.ports.add_typed(quick_simulator.url)
     person.look_on(quick_simulator.url)
     person.wait_for_the_end()
@@ -226,7 +226,7 @@ def test_a_port_that_another_program_has_is_told(
 
 
 def test_the_port_of_this_window_is_not_searched_until_it_is_given_back(
-    person: Person, program: Program, quick_simulator: SimulatorProcess
+    person: Person, program: Program, quick_simulator: SimulatedDevice
 ) -> None:
     url = quick_simulator.url
     program.connector.connect_to(program.ports.add_typed(url))
@@ -246,7 +246,7 @@ def test_the_port_of_this_window_is_not_searched_until_it_is_given_back(
 
 
 def test_who_gets_no_answer_is_pointed_to_find(
-    person: Person, program: Program, quick_simulator: SimulatorProcess
+    person: Person, program: Program, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     program.connector.connect_to(program.ports.add_typed(quick_simulator.url))

@@ -1,7 +1,6 @@
 """A person learns the channels of a simulated board through the wizard's own widgets."""
 
 import sys
-import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -16,12 +15,13 @@ from PySide6.QtWidgets import QAbstractButton, QCheckBox, QDialog, QLabel, QSpin
 from pytestqt.qtbot import QtBot
 
 from tests.support.people import RATE, Person, Stick
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.learning import neutral
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.protocol.flags import InputSource
 from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.runtime import now
 from trex_gui.views.pages.calibration.page import CalibrationPage
 from trex_gui.views.widgets.curve_plot import CurvePlot
 from trex_gui.views.widgets.scroll_box import ScrollBox
@@ -47,7 +47,7 @@ class Wizard:
     def __init__(
         self,
         program: Program,
-        simulator: SimulatorProcess,
+        simulator: SimulatedDevice,
         qtbot: QtBot,
         line: LineSettings | None = None,
     ) -> None:
@@ -227,7 +227,7 @@ class Wizard:
 
 
 @pytest.fixture
-def wizard(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Wizard:
+def wizard(program: Program, quick_simulator: SimulatedDevice, qtbot: QtBot) -> Wizard:
     return Wizard(program, quick_simulator, qtbot)
 
 
@@ -359,7 +359,7 @@ def test_values_in_a_wrong_order_cannot_be_taken(wizard: Wizard) -> None:
 
 
 def test_joysticks_are_learned_in_volts(
-    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot
+    program: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     simulator = start_simulator("--unpaced")
     wizard = Wizard(program, simulator, qtbot)
@@ -377,7 +377,7 @@ def test_joysticks_are_learned_in_volts(
 
 
 def test_at_1200_baud_ends_are_held_for_longer_and_learned_as_well(
-    program: Program, simulator: SimulatorProcess, qtbot: QtBot
+    program: Program, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     simulator.do("eeprom uart_settings 0")
     simulator.do("power cycle")
@@ -401,7 +401,7 @@ def test_at_1200_baud_ends_are_held_for_longer_and_learned_as_well(
 
 
 def test_at_1200_baud_an_end_that_is_let_go_at_once_is_not_learned(
-    program: Program, simulator: SimulatorProcess, qtbot: QtBot
+    program: Program, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     simulator.do("eeprom uart_settings 0")
     simulator.do("power cycle")
@@ -412,11 +412,11 @@ def test_at_1200_baud_an_end_that_is_let_go_at_once_is_not_learned(
 
     def longest_rest() -> float:
         """Push and pull it, each for three seconds; return for how long it stood at most."""
-        moved = [time.monotonic()]
+        moved = [now()]
         for position in (1, -1):
             for step in range(30):
                 wizard.person.put(1, position * (1 - abs(step - 15) / 15))
-                moved.append(time.monotonic())
+                moved.append(now())
                 wizard.qtbot.wait(100)
         return max(after - before for before, after in pairwise(moved))
 
@@ -612,13 +612,13 @@ def test_a_stick_that_twitches_while_it_is_sampled_is_said_and_sampled_again(
     wizard.until_text("learnHead", "Sampling")
     wizard.qtbot.wait(300)
     wizard.person.put(1, 0.4)
-    changed_at, positions = time.monotonic(), cycle((0.0, 0.4))
+    changed_at, positions = now(), cycle((0.0, 0.4))
 
     def is_said() -> bool:
         nonlocal changed_at
-        if time.monotonic() > changed_at + 2:  # sampling has begun anew behind a gap
+        if now() > changed_at + 2:  # sampling has begun anew behind a gap
             wizard.person.put(1, next(positions))
-            changed_at = time.monotonic()
+            changed_at = now()
         return "It moved while it was sampled" in wizard.text("learnProblem1")
 
     wizard.wait(is_said)
@@ -657,13 +657,13 @@ def test_a_stick_that_drifts_away_is_said(
     wizard.sit_down({1: Stick(drift=drift)})
     wizard.to_rest(1)
     wizard.press("learnNextButton")
-    drifted, moved_at = 0.0, time.monotonic()
+    drifted, moved_at = 0.0, now()
 
     def says(name: str, words: str) -> bool:
         """Let it drift on meanwhile, but not by leaps."""
         nonlocal drifted, moved_at
-        now = time.monotonic()
-        drifted, moved_at = drifted + min(now - moved_at, 0.05), now
+        moment = now()
+        drifted, moved_at = drifted + min(moment - moved_at, 0.05), moment
         wizard.person.put(1, 0.0, drifted)
         return words in wizard.text(name)
 
@@ -714,7 +714,7 @@ def test_a_travel_that_is_no_good_is_said(
 
 
 def test_an_analog_input_on_which_nothing_moves_may_not_be_connected(
-    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot
+    program: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     simulator = start_simulator("--unpaced")
     simulator.do("eeprom channel_input_source 1")
@@ -826,7 +826,7 @@ def test_cancel_leaves_the_board_as_it_was(wizard: Wizard, step: str, by: str) -
 
 @pytest.mark.parametrize("step", STEPS)
 def test_a_plug_that_is_pulled_is_said_and_nothing_was_changed(
-    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot, step: str
+    program: Program, start_simulator: StartSimulator, qtbot: QtBot, step: str
 ) -> None:
     simulator = start_simulator("--unpaced")
     wizard = Wizard(program, simulator, qtbot)
@@ -840,7 +840,7 @@ def test_a_plug_that_is_pulled_is_said_and_nothing_was_changed(
 
 
 def test_a_plug_that_is_pulled_ends_the_test_in_plain_words(
-    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot
+    program: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     simulator = start_simulator("--unpaced")
     wizard = Wizard(program, simulator, qtbot)

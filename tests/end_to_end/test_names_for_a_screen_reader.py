@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QAbstractScrollArea, QHeaderView, QScrollArea, QWi
 from pytestqt.qtbot import QtBot
 
 from tests.recording.samples import an_hour, write
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.views.bench.dialog import BenchDialog
@@ -86,7 +86,7 @@ def test_everything_has_a_name_without_a_board(program: Program) -> None:
 
 
 def test_everything_has_a_name(
-    program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot
+    program: Program, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     device = program.device
     trigger(program, "findAction")

@@ -4,19 +4,17 @@ import os
 import socket
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import pytest
 from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.protocol.line_settings import Detection, LineSettings
 from trex_gui.window import Program
-
-StartSimulator = Callable[..., SimulatorProcess]
 
 
 def banner(program: Program) -> str:
@@ -50,6 +48,7 @@ def chatterer() -> Iterator[str]:
 
 @pytest.mark.parametrize("kind", ["--tcp", "--rfc2217"])
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
+@pytest.mark.realtime
 def test_a_board_behind_a_network_connects_and_its_loss_is_noticed(
     kind: str, program: Program, qtbot: QtBot, start_simulator: StartSimulator
 ) -> None:
@@ -84,7 +83,7 @@ def test_a_port_with_nothing_behind_it_is_a_sentence(program: Program, qtbot: Qt
 
 
 def test_another_baud_rate_is_a_sentence_that_names_it(
-    program: Program, qtbot: QtBot, simulator: SimulatorProcess
+    program: Program, qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     program.device.connect_to(LinkSettings(simulator.url, LineSettings(9600)))
     qtbot.waitUntil(lambda: program.device.link is Link.NONE, timeout=30_000)
@@ -92,7 +91,7 @@ def test_another_baud_rate_is_a_sentence_that_names_it(
 
 
 def test_a_board_that_wants_crc_connects_with_it(
-    program: Program, qtbot: QtBot, simulator: SimulatorProcess
+    program: Program, qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     program.device.connect_to(LinkSettings(simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP)

@@ -1,7 +1,6 @@
 """On a low screen, and whatever is asked, the red button is in sight and does what it says."""
 
 import sys
-import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -21,9 +20,10 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.held_line import before_storing
-from tests.support.simulator import SimulatorProcess
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
+from trex_gui.runtime import runtime
 from trex_gui.views.widgets.question import Question
 from trex_gui.window import Program
 
@@ -35,10 +35,10 @@ LOW = (960, 500)
 class Desk:
     """The window with a simulated board."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, program: Program, simulator: VirtualSimulator, qtbot: QtBot) -> None:
         self.program, self.device = program, program.device
         self.window, self.simulator, self.qtbot = program.window, simulator, qtbot
-        self.goes_on = threading.Event()
+        self.goes_on = False
         self.device.connect_to(LinkSettings(simulator.url))
         self.wait(lambda: self.device.link is Link.UP)
 
@@ -88,16 +88,21 @@ class Desk:
 
 
 @pytest.fixture
-def desk(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Desk:
+def desk(program: Program, quick_simulator: VirtualSimulator, qtbot: QtBot) -> Desk:
     return Desk(program, quick_simulator, qtbot)
 
 
 @pytest.fixture
-def slow(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> Iterator[Desk]:
+def slow(desk: Desk) -> Iterator[Desk]:
     """A line that stores the third setting only when it `goes_on`, so that it can be cut off."""
-    before_storing(monkeypatch, 3, lambda: desk.goes_on.wait(40))
+
+    def wait() -> None:
+        while not desk.goes_on:
+            runtime().sleep(0.01)
+
+    before_storing(desk.simulator, 3, wait)
     yield desk
-    desk.goes_on.set()
+    desk.goes_on = True
 
 
 # --- Low screens ------------------------------------------------------------------------
@@ -211,7 +216,7 @@ def test_disconnecting_while_settings_are_written_asks_first(slow: Desk, how: st
     assert "Settings are being written. Disconnect all the same?" in slow.question.text
     assert slow.device.link is Link.UP
     slow.press("disconnectYes")
-    slow.goes_on.set()
+    slow.goes_on = True
     slow.wait(lambda: slow.device.link is Link.NONE)
     assert 0 < slow.device.pending <= count
 
@@ -220,7 +225,7 @@ def test_a_disconnect_that_was_taken_back_lets_writing_end(slow: Desk) -> None:
     slow.begin_to_write()
     slow.press("connectButton")
     slow.press("questionCancel")
-    slow.goes_on.set()
+    slow.goes_on = True
     slow.wait(lambda: not slow.device.applying)
     assert slow.device.pending == 0
     assert slow.device.link is Link.UP
@@ -229,7 +234,7 @@ def test_a_disconnect_that_was_taken_back_lets_writing_end(slow: Desk) -> None:
 def test_the_question_goes_when_everything_is_written(slow: Desk) -> None:
     slow.begin_to_write()
     slow.press("connectButton")
-    slow.goes_on.set()
+    slow.goes_on = True
     slow.wait(lambda: not slow.device.applying)
     slow.wait(lambda: not slow.question.isVisible())
     assert slow.device.link is Link.UP
@@ -240,7 +245,7 @@ def test_closing_while_settings_are_written_asks_first(slow: Desk) -> None:
     assert not slow.window.close()
     assert "Settings are being written. Close all the same?" in slow.question.text
     assert slow.window.isVisible()
-    slow.goes_on.set()  # closing waits for what is being stored
+    slow.goes_on = True  # closing waits for what is being stored
     slow.press("closeYes")
     assert not slow.window.isVisible()
 

@@ -5,7 +5,6 @@ import select
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
@@ -18,16 +17,17 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QPushButton, QW
 from pytestqt.qtbot import QtBot
 
 from tests.recording.samples import an_hour, write, write_an_hour_of_csv
-from tests.support.simulator import SimulatorProcess
-from trex_gui.link.guard import PATIENCE
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.device import Link
+from trex_gui.runtime import now
 from trex_gui.views.recording.indicator import RecordIndicator
 from trex_gui.window import Program
 
 
 @pytest.fixture
-def connected(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Program:
+def connected(program: Program, quick_simulator: SimulatedDevice, qtbot: QtBot) -> Program:
     program.device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=20_000)
     return program
@@ -165,12 +165,13 @@ def make_sure() -> Callable[[Path], None]:
     return check
 
 
+@pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 @pytest.mark.timeout(120)
 @pytest.mark.parametrize("disk", ["0.2", "never"])
 def test_a_signal_while_it_is_recorded_ends_the_program_in_good_order(
     disk: str,
-    simulator: SimulatorProcess,
+    simulator: SimulatedDevice,
     tmp_path: Path,
     make_sure: Callable[[Path], None],
 ) -> None:
@@ -217,12 +218,13 @@ def test_esc_in_a_file_dialog_stops_the_motors(program: Program, qtbot: QtBot, a
     assert stops == ["stop"]
 
 
+@pytest.mark.realtime
 def test_file_dialogs_are_those_in_which_esc_can_be_seen() -> None:
     script = (
         "import sys; from PySide6.QtCore import Qt; from PySide6.QtWidgets import QApplication; "
         "from trex_gui import app, window; "
         "native = Qt.ApplicationAttribute.AA_DontUseNativeDialogs; "
-        "window.build = lambda: sys.exit(7 if QApplication.testAttribute(native) else 8); "
+        "window.build = lambda *_: sys.exit(7 if QApplication.testAttribute(native) else 8); "
         "app.main([])"
     )
     result = subprocess.run([sys.executable, "-c", script], timeout=40, check=False)
@@ -230,7 +232,7 @@ def test_file_dialogs_are_those_in_which_esc_can_be_seen() -> None:
 
 
 def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(
-    connected: Program, quick_simulator: SimulatorProcess, qtbot: QtBot
+    connected: Program, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     full = Path("/dev/full")
     if not full.exists():
@@ -254,10 +256,10 @@ def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(
     assert not indicator(connected).isVisible()
 
 
+@pytest.mark.realtime
 @pytest.mark.timeout(240)
-@pytest.mark.usefixtures("usual_patience")
 def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
-    connected: Program, quick_simulator: SimulatorProcess, tmp_path: Path, qtbot: QtBot
+    connected: Program, quick_simulator: SimulatedDevice, tmp_path: Path, qtbot: QtBot
 ) -> None:
     import_module("trex_gui.views.recording.window")  # the program does so at its start
     write_an_hour_of_csv(tmp_path / "hour.csv")
@@ -274,11 +276,11 @@ def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
 
     def turns_while_it_is_opened() -> bool:
         qtbot.waitUntil(turns, timeout=20_000)
-        begin = time.monotonic()
+        begin = now()
         connected.desk.recordings.open_file(tmp_path / "hour.csv")
         (window,) = connected.desk.recordings.windows
         # Longer than the silence of a window that stops armed motors.
-        qtbot.waitUntil(lambda: time.monotonic() > begin + 2 * PATIENCE, timeout=20_000)
+        qtbot.waitUntil(lambda: now() > begin + 2 * Timeouts().heartbeat, timeout=20_000)
         was_opened_meanwhile = not window.playback.is_loaded
         window.close()
         motor = quick_simulator.show()["motors"][0]
@@ -296,6 +298,7 @@ def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
     )
 
 
+@pytest.mark.realtime
 def test_a_program_that_ends_while_a_recording_is_read_ends_its_thread(
     program: Program, tmp_path: Path, qtbot: QtBot
 ) -> None:
@@ -309,11 +312,12 @@ def test_a_program_that_ends_while_a_recording_is_read_ends_its_thread(
     assert thread.isFinished()
 
 
+@pytest.mark.realtime
 def test_the_plotting_library_is_there_before_a_page_with_a_plot_is_shown(tmp_path: Path) -> None:
     script = (
         "import os, sys; from PySide6.QtCore import QTimer; from trex_gui import app, window\n"
         "build = window.build\n"
-        "def built():\n"
+        "def built(*_):\n"
         "    global timer, ticks\n"
         "    program, ticks, timer = build(), 0, QTimer()\n"
         "    def look():\n"

@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.held_line import before_storing
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import StartSimulator
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.comparison_table import ComparisonColumn
 from trex_gui.model.device import Link
@@ -35,7 +36,7 @@ SLOW = LineSettings(57600, Detection.EVEN, 2)
 class Desk:
     """The window, its dialogs beside it, and the simulated board."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, program: Program, simulator: VirtualSimulator, qtbot: QtBot) -> None:
         self.program = program
         self.device = program.device
         self.simulator = simulator
@@ -94,7 +95,7 @@ class Desk:
 
 
 @pytest.fixture
-def desk(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Desk:
+def desk(program: Program, quick_simulator: VirtualSimulator, qtbot: QtBot) -> Desk:
     program.device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP)
     return Desk(program, quick_simulator, qtbot)
@@ -180,14 +181,14 @@ def test_the_result_names_what_did_not_stick(desk: Desk) -> None:
 
 
 def test_a_plug_that_is_pulled_while_writing_is_told_and_the_rest_stays_an_edit(
-    desk: Desk, monkeypatch: pytest.MonkeyPatch
+    desk: Desk,
 ) -> None:
     keys = [key for key in desk.device.parameters.all_stored if key.startswith("motor")][:12]
     for key in keys:
         desk.device.parameters.edit(key, 1 - min(1, desk.device.parameters.all_stored[key]))
     count = desk.device.pending
     desk.press("applyButton")
-    before_storing(monkeypatch, 3, lambda: desk.simulator.do("line unplug"))
+    before_storing(desk.simulator, 3, lambda: desk.simulator.do("line unplug"))
     desk.press("writeButton")
     desk.wait(lambda: desk.device.link is Link.NONE)
     desk.wait(lambda: desk.button("reviewCloseButton").text() == "Close")
@@ -453,7 +454,7 @@ def test_edits_meet_the_next_board_of_their_kind_with_a_word(desk: Desk) -> None
 
 
 def test_edits_for_another_kind_of_board_are_kept_in_the_history(
-    desk: Desk, start_simulator: Callable[..., SimulatorProcess]
+    desk: Desk, start_simulator: StartSimulator
 ) -> None:
     desk.device.parameters.edit("serial_timeout", 15)
     junior = start_simulator("--unpaced", "--model", "trexjr")

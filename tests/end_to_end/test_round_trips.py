@@ -11,7 +11,7 @@ from click.testing import CliRunner, Result
 
 from tests.settings.samples import factory
 from tests.settings.test_samples import BOARDS, GOLDEN, SAMPLES, every_board, text_of
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, SimulatorProcess
 from trex_gui.cli import main
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.line_settings import Detection, LineSettings
@@ -30,7 +30,7 @@ _REACHED = re.compile(r"is reached with (.*)")
 class Bench:
     """A simulated board, and the program with the options that reach it."""
 
-    def __init__(self, simulator: SimulatorProcess, folder: Path) -> None:
+    def __init__(self, simulator: SimulatedDevice, folder: Path) -> None:
         self._simulator = simulator
         self._folder = folder
         self._files = 0
@@ -75,18 +75,20 @@ class Bench:
 
 
 @pytest.fixture(scope="module")
-def _running() -> Iterator[dict[tuple[str, str], SimulatorProcess]]:
-    running: dict[tuple[str, str], SimulatorProcess] = {}
+def _running() -> Iterator[dict[tuple[str, str], SimulatedDevice]]:
+    running: dict[tuple[str, str], SimulatedDevice] = {}
     yield running
     for simulator in running.values():
         simulator.end()
 
 
+pytestmark = pytest.mark.realtime
+
 Take = Callable[[str, str], Bench]
 
 
 @pytest.fixture
-def take(_running: dict[tuple[str, str], SimulatorProcess], tmp_path: Path) -> Take:
+def take(_running: dict[tuple[str, str], SimulatedDevice], tmp_path: Path) -> Take:
     """Take a board of a model and a firmware to the bench."""
 
     def bench(model: str, firmware: str) -> Bench:

@@ -1,6 +1,5 @@
 """A person opens and saves settings files; the board is simulated, in a process of its own."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -20,7 +19,7 @@ from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from tests.support.bad_files import BAD_FILES, BadFile
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.export.language import Language
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
@@ -29,12 +28,12 @@ from trex_gui.window import Program
 
 
 @pytest.fixture
-def simulator(quick_simulator: SimulatorProcess) -> SimulatorProcess:
+def simulator(quick_simulator: SimulatedDevice) -> SimulatedDevice:
     return quick_simulator
 
 
 @pytest.fixture
-def connected(program: Program, qtbot: QtBot, simulator: SimulatorProcess) -> Program:
+def connected(program: Program, qtbot: QtBot, simulator: SimulatedDevice) -> Program:
     program.device.connect_to(LinkSettings(simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP)
     return program
@@ -115,7 +114,7 @@ def test_a_file_shows_what_it_would_change_before_anything_does(
 
 
 def test_ticked_rows_become_edits_and_apply_writes_just_them(
-    connected: Program, qtbot: QtBot, simulator: SimulatorProcess, tmp_path: Path
+    connected: Program, qtbot: QtBot, simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     shown = offered(connected, tmp_path / "rover.txt", ROVER)
     view = shown.findChild(QTableView, "comparisonTable")
@@ -138,7 +137,7 @@ def test_ticked_rows_become_edits_and_apply_writes_just_them(
 
 
 def test_an_editor_sends_what_it_shows_to_the_board(
-    connected: Program, qtbot: QtBot, simulator: SimulatorProcess, tmp_path: Path
+    connected: Program, qtbot: QtBot, simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     path = tmp_path / "rover.txt"
     path.write_text(ROVER, encoding="utf-8")
@@ -236,7 +235,7 @@ def test_a_file_for_another_model_changes_nothing_and_offers_the_editor(
 def test_a_file_for_another_firmware_leaves_out_what_the_board_lacks(
     qtbot: QtBot,
     program: Program,
-    start_simulator: Callable[..., SimulatorProcess],
+    start_simulator: StartSimulator,
     tmp_path: Path,
 ) -> None:
     simulator = start_simulator("--firmware", "1.0", "--unpaced")
@@ -367,7 +366,7 @@ def test_a_file_that_was_loaded_is_one_step_to_undo(connected: Program, tmp_path
 
 
 def test_what_was_stored_before_an_apply_comes_back_from_its_snapshot(
-    connected: Program, qtbot: QtBot, simulator: SimulatorProcess
+    connected: Program, qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     connected.device.parameters.edit("serial_timeout", 5)
     connected.device.apply()

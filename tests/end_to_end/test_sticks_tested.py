@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.end_to_end.test_learning_channels import Wizard
 from tests.support.people import Stick
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.views.learning.channel_rows import ChannelRows
 from trex_gui.views.learning.dialog import LearnDialog
 from trex_gui.views.theme import theme
@@ -24,7 +24,7 @@ pytestmark = [
 
 
 @pytest.fixture
-def wizard(program: Program, quick_simulator: SimulatorProcess, qtbot: QtBot) -> Wizard:
+def wizard(program: Program, quick_simulator: SimulatedDevice, qtbot: QtBot) -> Wizard:
     return Wizard(program, quick_simulator, qtbot)
 
 

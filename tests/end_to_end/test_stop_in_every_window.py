@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.recording.samples import an_hour, write
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.settings.files import save
@@ -88,7 +88,7 @@ def spoken(button: QPushButton) -> str:
 def test_the_red_button_of_a_window_stops_the_motors(
     opened: Callable[[Program, Path], QWidget],
     program: Program,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     tmp_path: Path,
     qtbot: QtBot,
 ) -> None:

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.end_to_end.test_every_stop_cause import is_stopped
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.window import Program
@@ -33,7 +33,7 @@ MOTORS_PAGE = 3
 class Desk:
     """A window that drives a board."""
 
-    def __init__(self, program: Program, qtbot: QtBot, simulator: SimulatorProcess) -> None:
+    def __init__(self, program: Program, qtbot: QtBot, simulator: SimulatedDevice) -> None:
         self.program, self.qtbot, self.simulator = program, qtbot, simulator
         self.motors = program.device.motors
         program.device.connect_to(LinkSettings(simulator.url))
@@ -76,7 +76,7 @@ class Desk:
 
 
 @pytest.fixture
-def desk(program: Program, qtbot: QtBot, simulator: SimulatorProcess) -> Desk:
+def desk(program: Program, qtbot: QtBot, simulator: SimulatedDevice) -> Desk:
     return Desk(program, qtbot, simulator)
 
 
@@ -188,7 +188,7 @@ def test_leaving_stops(desk: Desk, leave: Callable[[Desk], object]) -> None:
 
 
 def test_a_stop_that_is_pressed_while_the_board_is_still_read_is_sent(
-    program: Program, qtbot: QtBot, simulator: SimulatorProcess
+    program: Program, qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     program.device.connect_to(LinkSettings(simulator.url))
     assert program.device.link is Link.OPENING
@@ -244,7 +244,7 @@ def test_the_window_says_that_the_boards_own_timeout_is_off_and_sets_it_with_a_c
 
 
 def test_a_stop_that_channels_drive_through_is_not_called_one(
-    program: Program, qtbot: QtBot, quick_simulator: SimulatorProcess
+    program: Program, qtbot: QtBot, quick_simulator: SimulatedDevice
 ) -> None:
     for line in ("jumper mode rc", "power cycle"):
         quick_simulator.do(line)

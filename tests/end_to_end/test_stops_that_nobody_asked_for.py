@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.end_to_end.test_every_stop_cause import is_stopped
 from tests.support.causes import Causes, watched
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.explain import BEYOND_A_STOP
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
@@ -57,7 +57,7 @@ def scene(program: Program, qtbot: QtBot) -> Scene:
 
 
 @pytest.fixture
-def driving(scene: Scene, quick_simulator: SimulatorProcess) -> Scene:
+def driving(scene: Scene, quick_simulator: SimulatedDevice) -> Scene:
     """A board whose first motor runs."""
     scene.device.connect_to(LinkSettings(quick_simulator.url))
     scene.drive()
@@ -92,7 +92,7 @@ def test_the_row_below_and_the_list_of_events_give_the_reason_and_claim_no_more(
 
 
 def test_a_mistake_is_still_reported_and_the_window_goes_on(
-    driving: Scene, causes: Causes, quick_simulator: SimulatorProcess
+    driving: Scene, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     causes.make_a_mistake()
     driving.wait(lambda: causes.banner == f"{MISTAKEN}, so the motors were stopped.")
@@ -103,7 +103,7 @@ def test_a_mistake_is_still_reported_and_the_window_goes_on(
 
 
 def test_of_a_board_that_is_silent_no_stop_is_claimed_before_it_answers_again(
-    driving: Scene, causes: Causes, quick_simulator: SimulatorProcess
+    driving: Scene, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("line mute on")
     causes.lock_the_screen()
@@ -121,7 +121,7 @@ def test_of_a_board_that_is_silent_no_stop_is_claimed_before_it_answers_again(
 
 
 def test_where_channels_drive_the_stop_is_said_not_to_reach_the_motors(
-    scene: Scene, causes: Causes, quick_simulator: SimulatorProcess
+    scene: Scene, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     for line in ("jumper mode rc", "power off", "power on"):
         quick_simulator.do(line)
@@ -134,7 +134,7 @@ def test_where_channels_drive_the_stop_is_said_not_to_reach_the_motors(
 
 
 def test_motors_that_were_left_turning_are_said_to_be_out_of_reach(
-    driving: Scene, causes: Causes, quick_simulator: SimulatorProcess
+    driving: Scene, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("line unplug")
     driving.wait(lambda: driving.device.link is Link.NONE)
@@ -158,7 +158,7 @@ def test_with_nothing_connected_a_locked_screen_is_no_news_and_a_mistake_is(
 
 
 def test_nothing_is_said_to_have_been_stopped_when_a_board_is_connected_later(
-    scene: Scene, causes: Causes, quick_simulator: SimulatorProcess
+    scene: Scene, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     causes.lock_the_screen()
     causes.make_a_mistake()
@@ -169,7 +169,7 @@ def test_nothing_is_said_to_have_been_stopped_when_a_board_is_connected_later(
 
 
 def test_a_line_that_is_lost_with_the_stop_claims_nothing(
-    driving: Scene, causes: Causes, quick_simulator: SimulatorProcess
+    driving: Scene, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("line unplug")
     causes.lock_the_screen()  # before the window has seen that the cable is gone, or behind it

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.emulator.mapping import ChannelSetup
 from trex_gui.link.writing import Written
 from trex_gui.model.calibration_moves import Handle
@@ -69,7 +69,7 @@ class Person:
     def wait(self, condition: Callable[[], bool], timeout: int = 20_000) -> None:
         self.qtbot.waitUntil(condition, timeout=timeout)
 
-    def connect(self, simulator: SimulatorProcess) -> "Person":
+    def connect(self, simulator: SimulatedDevice) -> "Person":
         self.program.connector.connect_to(self.program.ports.add_typed(simulator.url))
         self.wait(lambda: self.device.link is Link.UP)
         self.wait(lambda: self.device.telemetry.raw is not None)
@@ -165,7 +165,7 @@ def test_without_a_board_the_page_says_what_to_do(person: Person) -> None:
 
 
 def test_a_dragged_handle_is_one_edit_that_can_be_taken_back_and_written(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     undo = person.device.undo
@@ -200,7 +200,7 @@ def test_a_dragged_handle_is_one_edit_that_can_be_taken_back_and_written(
     ("typed", "count"), [("1520", 3800), ("1.52 ms", 3800), ("3801 counts", 3801)]
 )
 def test_a_value_is_typed_in_any_unit(
-    person: Person, quick_simulator: SimulatorProcess, typed: str, count: int
+    person: Person, quick_simulator: SimulatedDevice, typed: str, count: int
 ) -> None:
     person.connect(quick_simulator)
     person.type_into("neutral", typed)
@@ -208,7 +208,7 @@ def test_a_value_is_typed_in_any_unit(
     assert person.text("neutralCounts") == f"= {count} counts"
 
 
-def test_arrow_keys_step_by_a_count(person: Person, quick_simulator: SimulatorProcess) -> None:
+def test_arrow_keys_step_by_a_count(person: Person, quick_simulator: SimulatedDevice) -> None:
     person.connect(quick_simulator)
     editor = person.find(QSpinBox, "deadbandEdit")
     QTest.keyClick(editor, Qt.Key.Key_Up)
@@ -218,7 +218,7 @@ def test_arrow_keys_step_by_a_count(person: Person, quick_simulator: SimulatorPr
 
 
 def test_steps_with_the_keys_of_one_field_are_taken_back_at_once(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.program.window.activateWindow()
@@ -252,7 +252,7 @@ def test_steps_with_the_keys_of_one_field_are_taken_back_at_once(
 
 
 def test_leaving_a_field_ends_its_run_of_steps(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.program.window.activateWindow()
@@ -265,7 +265,7 @@ def test_leaving_a_field_ends_its_run_of_steps(
 
 
 def test_an_impossible_order_is_refused_beside_the_fields_and_never_becomes_an_edit(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.type_into("minimum", "1600")
@@ -292,7 +292,7 @@ def test_an_impossible_order_is_refused_beside_the_fields_and_never_becomes_an_e
 
 
 def test_why_a_handle_goes_no_further_is_read_while_it_is_held_and_gone_after(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.type_into("minimum", "1500")
@@ -312,7 +312,7 @@ def test_why_a_handle_goes_no_further_is_read_while_it_is_held_and_gone_after(
 
 
 def test_a_handle_is_dragged_as_far_as_the_input_can_be_and_then_says_why_no_further(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.pull(Handle.MAXIMUM, 7000)
@@ -324,7 +324,7 @@ def test_a_handle_is_dragged_as_far_as_the_input_can_be_and_then_says_why_no_fur
 
 
 def test_full_output_that_no_input_can_ask_for_is_a_problem(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.type_into("maximum", "6000")
@@ -336,7 +336,7 @@ def test_full_output_that_no_input_can_ask_for_is_a_problem(
 
 
 def test_the_trace_of_the_input_is_high_enough_in_a_small_window(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.program.window.resize(900, 600)
     person.connect(quick_simulator)
@@ -348,7 +348,7 @@ def test_the_trace_of_the_input_is_high_enough_in_a_small_window(
 
 
 def test_a_channel_with_edits_will_be_learned_after_apply(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.program.window.resize(1300, 800)
     person.connect(quick_simulator)
@@ -360,7 +360,7 @@ def test_a_channel_with_edits_will_be_learned_after_apply(
 
 
 def test_the_live_dot_follows_the_stick_along_the_curve(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     quick_simulator.do("channel 1 1800us")
@@ -379,7 +379,7 @@ def test_the_live_dot_follows_the_stick_along_the_curve(
 
 
 def test_the_mix_jumper_is_told_as_soon_as_a_stick_shows_it(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     assert "with the mix jumper on it steers" in person.text("channelDoes")
@@ -401,7 +401,7 @@ def test_the_mix_jumper_is_told_as_soon_as_a_stick_shows_it(
 
 
 def test_the_switches_are_bits_of_parameters_that_are_written(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.choose(3)
@@ -427,7 +427,7 @@ def test_the_switches_are_bits_of_parameters_that_are_written(
 
 
 def test_where_a_switch_switches_is_said_and_follows_its_calibration(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.choose(4)
@@ -439,7 +439,7 @@ def test_where_a_switch_switches_is_said_and_follows_its_calibration(
 
 
 def test_a_calibration_is_copied_made_symmetric_reset_and_given_up(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.type_into("minimum", "1100")
@@ -483,7 +483,7 @@ def test_a_calibration_is_copied_made_symmetric_reset_and_given_up(
 
 
 def test_calibrations_go_to_a_file_and_come_back(
-    person: Person, quick_simulator: SimulatorProcess, tmp_path: Path
+    person: Person, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     person.connect(quick_simulator)
     person.type_into("minimum", "1100")
@@ -514,7 +514,7 @@ def test_calibrations_go_to_a_file_and_come_back(
 
 
 def test_the_way_to_the_other_source_is_shown_and_what_was_seen_of_it_is_kept(
-    person: Person, start_simulator: Callable[..., SimulatorProcess]
+    person: Person, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced")
     person.connect(simulator)
@@ -565,7 +565,7 @@ def test_the_way_to_the_other_source_is_shown_and_what_was_seen_of_it_is_kept(
 
 
 def test_in_rc_mode_the_page_says_what_the_channel_does_and_why_nothing_can_be_stored(
-    person: Person, start_simulator: Callable[..., SimulatorProcess]
+    person: Person, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced", "--mode", "rc")
     person.connect(simulator)
@@ -583,7 +583,7 @@ def test_in_rc_mode_the_page_says_what_the_channel_does_and_why_nothing_can_be_s
 
 
 def test_a_value_that_the_board_refuses_is_explained_on_its_channel(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.device.calibrations.edit(2, Calibration(2400, 3700, 5100, 60))
@@ -600,7 +600,7 @@ def test_a_value_that_the_board_refuses_is_explained_on_its_channel(
 
 
 def test_the_other_model_is_calibrated_alike(
-    person: Person, start_simulator: Callable[..., SimulatorProcess]
+    person: Person, start_simulator: StartSimulator
 ) -> None:
     person.connect(start_simulator("--unpaced", "--model", "trexjr"))
     person.choose(5)
@@ -611,7 +611,7 @@ def test_the_other_model_is_calibrated_alike(
 
 
 def test_without_an_answer_the_page_is_to_be_looked_at_only(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.type_into("minimum", "1100")
@@ -630,7 +630,7 @@ def test_without_an_answer_the_page_is_to_be_looked_at_only(
 
 
 def test_the_learn_buttons_ask_for_one_or_all(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     page = CalibrationPage(person.device)  # one that nobody listens to
@@ -648,7 +648,7 @@ def test_the_learn_buttons_ask_for_one_or_all(
 
 
 def test_nothing_is_drawn_while_nobody_looks(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     person.program.window.pages.setCurrentIndex(0)
@@ -661,7 +661,7 @@ def test_nothing_is_drawn_while_nobody_looks(
     assert "1900 µs" in person.row(1)
 
 
-def test_the_page_follows_the_theme(person: Person, quick_simulator: SimulatorProcess) -> None:
+def test_the_page_follows_the_theme(person: Person, quick_simulator: SimulatedDevice) -> None:
     person.connect(quick_simulator)
     person.type_into("minimum", "1100")
     for scheme in ("light", "dark", "light"):
@@ -673,7 +673,7 @@ def test_the_page_follows_the_theme(person: Person, quick_simulator: SimulatorPr
 
 
 def test_every_control_has_an_accessible_name(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.connect(quick_simulator)
     kinds = (QAbstractButton, QSpinBox, QListWidget, QTabBar, CurvePlot)

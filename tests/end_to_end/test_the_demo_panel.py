@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.demo_panels import reached_by_tab, stand_in_order
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.model.demo_snapshot import DemoSnapshot
 from trex_gui.model.device import Link
 from trex_gui.protocol.flags import CHANNELS, Mode
@@ -310,7 +310,7 @@ def test_connecting_while_the_cable_is_out_says_what_to_do(person: Person) -> No
 
 
 def test_another_line_is_closed_though_the_demos_cable_is_out(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     pull_the_cable(person)
     connector, ports = person.program.connector, person.program.ports

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from tests.support.snapshots import take
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.comparison_table import ComparisonRole
@@ -105,7 +105,7 @@ class Person:
 
 
 @pytest.fixture
-def person(program: Program, qtbot: QtBot, quick_simulator: SimulatorProcess) -> Person:
+def person(program: Program, qtbot: QtBot, quick_simulator: SimulatedDevice) -> Person:
     program.device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: program.device.link is Link.UP)
     return Person(program, qtbot)
@@ -116,7 +116,7 @@ def pending(person: Person) -> dict[str, int]:
 
 
 def test_one_row_of_an_older_snapshot_comes_back(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.change(serial_timeout=5, motor1_acceleration=9)
     person.change(serial_timeout=7, motor2_acceleration=8)
@@ -139,7 +139,7 @@ def test_one_row_of_an_older_snapshot_comes_back(
 
 
 def test_a_whole_snapshot_comes_back_as_one_step(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     before = quick_simulator.show()["parameters"]
     person.change(serial_timeout=5, motor1_acceleration=9)
@@ -196,7 +196,7 @@ def test_another_board_of_the_same_model_is_pointed_out(person: Person) -> None:
 
 
 def test_the_plug_is_pulled_and_put_back_while_it_is_open(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.change(serial_timeout=5)
     person.change(serial_timeout=7)
@@ -218,7 +218,7 @@ def test_the_plug_is_pulled_and_put_back_while_it_is_open(
 
 
 def test_a_board_that_falls_silent_takes_nothing(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     person.change(serial_timeout=5)
     person.open()

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.views.transcript.page import TranscriptPage
@@ -38,7 +38,7 @@ LEFT = Qt.MouseButton.LeftButton
 class Reader:
     """Somebody who looks at the transcript of a simulated board."""
 
-    def __init__(self, program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.program, self.device, self.window = program, program.device, program.window
         self.simulator, self.qtbot = simulator, qtbot
         pages = self.window.pages
@@ -96,7 +96,7 @@ class Reader:
 
 
 @pytest.fixture
-def reader(program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> Reader:
+def reader(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Reader:
     return Reader(program, simulator, qtbot)
 
 

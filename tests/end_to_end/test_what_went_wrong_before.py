@@ -1,7 +1,6 @@
 """Faults that once were, across layers: each test failed before its fault was mended."""
 
 import logging
-from collections.abc import Callable
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -14,7 +13,7 @@ from tests.link.helpers import (
     samples,
 )
 from tests.link.test_schedule import on_line, simulate
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.emulator.motors import Direction as EmulatedDirection
 from trex_gui.link.messages import (
@@ -40,6 +39,7 @@ from trex_gui.protocol.errors import PortUnavailable
 from trex_gui.protocol.flags import InputSource, Status
 from trex_gui.protocol.line_settings import Detection, LineSettings
 from trex_gui.protocol.parameters import parameters_of
+from trex_gui.runtime import runtime
 
 SPECS = parameters_of("trex", "1.2")
 
@@ -138,7 +138,7 @@ def test_a_device_number_whose_reply_is_lost_is_followed(stage: Stage) -> None:
 
 
 def test_apply_without_a_board_does_not_lock_apply(
-    qtbot: QtBot, simulator: SimulatorProcess
+    qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     device = Device()
     device.connect_to(LinkSettings(simulator.url))
@@ -158,14 +158,14 @@ def test_apply_without_a_board_does_not_lock_apply(
 
 
 def test_a_line_that_closes_is_not_up_again_in_between(
-    qtbot: QtBot, simulator: SimulatorProcess
+    qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     device = Device()
     links = []
     device.link_changed.connect(lambda: links.append(device.link))
     device.connect_to(LinkSettings(simulator.url))
     while simulator.show()["counters"]["packets"] < 45:
-        pass  # the window hangs meanwhile; `Connected` waits in its queue
+        runtime().sleep(0.001)  # the window hangs meanwhile; `Connected` waits in its queue
     device.disconnect_line()
     qtbot.waitUntil(lambda: device.link is Link.NONE)
     device.shut_down()
@@ -193,7 +193,7 @@ def test_what_is_no_number_is_refused_in_words(qtbot: QtBot) -> None:
 
 
 def test_calibrations_edited_for_one_kind_of_board_do_not_wait_for_another(
-    qtbot: QtBot, start_simulator: Callable[..., SimulatorProcess]
+    qtbot: QtBot, start_simulator: StartSimulator
 ) -> None:
     device = Device()
     try:

@@ -35,6 +35,8 @@ from trex_gui.protocol.flags import InputSource
 from trex_gui.protocol.line_settings import Detection, LineSettings
 from trex_gui.settings.document import Settings
 
+pytestmark = pytest.mark.realtime
+
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
 

@@ -14,6 +14,8 @@ from trex_gui.gamepad.pads import GamepadUnavailable
 from trex_gui.gamepad.profile import Axis, default_profile
 from trex_gui.gamepad.sdl import HOW_TO_INSTALL, SdlPads
 
+pytestmark = pytest.mark.realtime
+
 
 @pytest.fixture
 def source() -> Iterator[SdlPads]:

@@ -15,7 +15,10 @@ from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import SerialTransport
 from trex_gui.protocol.errors import PortUnavailable
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals"),
+]
 
 
 @pytest.fixture

@@ -13,6 +13,7 @@ from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
 from trex_gui.link.client import Client
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import (
     Command,
@@ -123,7 +124,7 @@ def test_a_silent_board_on_a_local_port_is_noticed_in_a_tenth_of_a_second() -> N
 
 def test_patience_is_added_to_every_deadline(stage: Stage) -> None:
     stage.board.power_off()
-    client = stage.client(LinkSettings("virtual", patience=2.0))
+    client = stage.client(LinkSettings("virtual", timeouts=Timeouts(extra=2.0)))
     with pytest.raises(NoReply):
         client.request(GetMode())
     assert 2.0 < stage.line.now < 2.1

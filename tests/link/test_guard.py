@@ -6,7 +6,7 @@ import pytest
 
 from tests.link.helpers import among, is_stopped, moving, outcomes, run_for, seen_at, staged
 from tests.support.virtual import Stage
-from trex_gui.link.guard import PATIENCE, PULSE_INTERVAL, Guard
+from trex_gui.link.guard import PULSE_INTERVAL, Guard
 from trex_gui.link.messages import (
     Arm,
     Ask,
@@ -23,10 +23,13 @@ from trex_gui.link.messages import (
 )
 from trex_gui.link.session import Session
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.commands import STOP, Drive, DriveMotor, GetMode
 from trex_gui.protocol.errors import BadRequest, NoReply
 
 STOP_BYTES = bytes.fromhex("D0 7F 7F")
+
+HEARTBEAT = Timeouts().heartbeat
 
 
 def pulses(stage: Stage, start: float, end: float) -> None:
@@ -96,8 +99,8 @@ def test_a_shorter_lock_does_not_end_a_longer_one() -> None:
 
 def test_armed_motors_stop_when_no_sign_of_life_comes_for_a_second(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80))).at(1.0, SetAuxiliary(30))
-    before = seen_at(stage, 1.0 + PATIENCE - 0.05, lambda: stage.board.motors[0].speed)
-    after = seen_at(stage, 1.0 + PATIENCE + 0.05, lambda: is_stopped(stage.board))
+    before = seen_at(stage, 1.0 + HEARTBEAT - 0.05, lambda: stage.board.motors[0].speed)
+    after = seen_at(stage, 1.0 + HEARTBEAT + 0.05, lambda: is_stopped(stage.board))
     stage.script.at(2.5, Pulse()).at(2.5, SetDrive(1, Drive.at(80)))  # what was late
     reports = run_for(stage, 3.0)
     assert before == [80]
@@ -126,7 +129,7 @@ def test_a_window_that_never_armed_anything_is_not_missed(stage: Stage) -> None:
 def test_motors_of_a_lost_window_stop_in_the_middle_of_a_long_reading() -> None:
     stage, settings = staged(1200)
     stage.script.at(4.0, Arm()).at(4.0, SetDrive(1, Drive.at(80))).at(4.5, Reload(1))
-    after = seen_at(stage, 4.0 + PATIENCE + 0.5, lambda: is_stopped(stage.board))
+    after = seen_at(stage, 4.0 + HEARTBEAT + 0.5, lambda: is_stopped(stage.board))
     run_for(stage, 8.0, settings)
     assert after == [True]
     assert outcomes(stage.reports)[1].error is None

@@ -8,6 +8,8 @@ import pytest
 from trex_gui.link.inbox import QueueInbox
 from trex_gui.link.messages import Stop
 
+pytestmark = pytest.mark.realtime
+
 
 def test_an_empty_inbox_waits_as_long_as_it_was_told() -> None:
     inbox = QueueInbox()

@@ -31,6 +31,7 @@ from trex_gui.link.messages import (
 )
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import Control, Currents, ModeSeen, Raw, Remapped, StatusNews
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.link.writing import Written
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import (
@@ -171,5 +172,5 @@ def test_a_state_that_arrived_knows_its_parameters() -> None:
 
 def test_how_to_reach_a_board_can_be_sent_as_well() -> None:
     line = LineSettings(115200, Detection.CRC7, 2)
-    settings = LinkSettings("/dev/ttyUSB0", line, 7, 0x89, 0.5, "here")
+    settings = LinkSettings("/dev/ttyUSB0", line, 7, 0x89, Timeouts(extra=0.5), "here")
     assert there_and_back(settings) == settings

@@ -4,10 +4,11 @@ import pytest
 
 from trex_gui.link.next_line import after_power_cycle, where_to_look
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.protocol.parameters import parameters_of
 
-NOW = LinkSettings("/dev/ttyUSB0", name="adapter", patience=0.1)
+NOW = LinkSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeouts(extra=0.1))
 FACTORY = {spec.key: spec.default for spec in parameters_of("trex", "1.2").readable}
 
 
@@ -22,7 +23,7 @@ def test_stored_uart_settings_are_those_of_the_line(baud: int, detection: Detect
     coming = after_power_cycle(NOW, {"uart_settings": line.to_wire()}, "1.2")
     assert coming is not None
     assert coming.line == line
-    assert (coming.url, coming.name, coming.patience) == (NOW.url, NOW.name, NOW.patience)
+    assert (coming.url, coming.name, coming.timeouts) == (NOW.url, NOW.name, NOW.timeouts)
 
 
 def test_old_firmware_runs_two_rates_at_half() -> None:

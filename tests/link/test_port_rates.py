@@ -11,15 +11,18 @@ from dataclasses import replace
 import pytest
 import serial
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link import port_rates
 from trex_gui.link.client import Client
 from trex_gui.link.port_rates import rates_of
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.link.transport import SerialTransport
 from trex_gui.protocol.commands import GetSignature
 from trex_gui.protocol.errors import BadRequest, PortUnavailable
 from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
+
+pytestmark = pytest.mark.realtime
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -61,13 +64,13 @@ def test_a_pseudo_terminal_can_do_every_rate_and_nothing_is_sent(
 
 
 @linux
-def test_the_port_is_afterwards_as_it_was(quick_simulator: SimulatorProcess) -> None:
+def test_the_port_is_afterwards_as_it_was(quick_simulator: SimulatedDevice) -> None:
     settings = LinkSettings(quick_simulator.url)
     transport = SerialTransport(settings)
     before = port_rates._get(transport._port.fileno())
     transport.rates()
     assert port_rates._get(transport._port.fileno()) == before
-    client = Client(transport, replace(settings, patience=15))
+    client = Client(transport, replace(settings, timeouts=Timeouts(extra=15)))
     assert str(client.request(GetSignature())) == "TReX 1.2"
     transport.close()
 

@@ -1,21 +1,22 @@
 """When a board counts as silent, and when it is looked for again."""
 
 from tests.link.helpers import staged
-from trex_gui.link.presence import RETRY_INTERVAL, Presence
+from trex_gui.link.presence import Presence
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.line_settings import LineSettings
 
 ELSEWHERE = (LinkSettings("virtual", LineSettings(57600)),)
 
 
 def silent_at(now: float) -> Presence:
-    presence = Presence()
+    presence = Presence(Timeouts())
     assert [presence.note_failure(now) for _ in range(3)] == [False, False, True]
     return presence
 
 
 def test_an_answer_between_failures_keeps_the_board_there() -> None:
-    presence = Presence()
+    presence = Presence(Timeouts())
     for _ in range(10):
         assert not presence.note_failure(1.0)
         assert not presence.note_failure(1.1)
@@ -26,7 +27,7 @@ def test_an_answer_between_failures_keeps_the_board_there() -> None:
 def test_the_third_failure_in_a_row_is_silence_and_is_told_once() -> None:
     presence = silent_at(7.0)
     assert presence.silent
-    assert presence.retry_at == 7.0 + RETRY_INTERVAL
+    assert presence.retry_at == 7.0 + Timeouts().retry
     assert not presence.note_failure(8.0)
 
 
@@ -40,7 +41,7 @@ def test_a_board_that_was_read_again_is_there() -> None:
 def test_a_board_is_looked_for_elsewhere_once_it_is_silent_and_expected_there() -> None:
     stage, settings = staged()
     client = stage.client(settings)
-    assert not Presence().looks_around(client, ELSEWHERE)
+    assert not Presence(Timeouts()).looks_around(client, ELSEWHERE)
     presence = silent_at(0.0)
     assert not presence.looks_around(client, ())
     assert presence.looks_around(client, ELSEWHERE)

@@ -6,9 +6,10 @@ import pytest
 
 from tests.link.helpers import among, is_stopped, outcomes, staged
 from tests.support.virtual import Stage
-from trex_gui.link.guard import PATIENCE, Guard
+from trex_gui.link.guard import Guard
 from trex_gui.link.messages import Ask, Close, Closed, Request, Stop
 from trex_gui.link.session import Session
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.commands import DriveMotor
 from trex_gui.protocol.driving import Drive
 from trex_gui.protocol.errors import PortUnavailable
@@ -89,7 +90,7 @@ def test_what_a_window_says_first_after_standing_still_does_not_hide_that_it_sto
     now = 10.0
     guard = Guard(lambda: now)
     guard.arm()
-    now += PATIENCE + 0.5
+    now += Timeouts().heartbeat + 0.5
     guard.note_life(now)  # the window goes on before the line has looked
     guard.note_life()  # and so does what somebody drags
     assert guard.is_abandoned
@@ -99,11 +100,11 @@ def test_a_line_that_is_late_does_not_take_the_window_for_lost() -> None:
     now = begun = 10.0
     guard = Guard(lambda: now)
     guard.arm()
-    now += 3 * PATIENCE
+    now += 3 * Timeouts().heartbeat
     for number in range(1, 12):
-        guard.note_life(begun + number * PATIENCE / 4)
+        guard.note_life(begun + number * Timeouts().heartbeat / 4)
         guard.note_life()
-    assert begun + 11 * PATIENCE / 4 < now
+    assert begun + 11 * Timeouts().heartbeat / 4 < now
     assert not guard.is_abandoned
 
 
@@ -111,7 +112,7 @@ def test_who_arms_again_is_there_again() -> None:
     now = 10.0
     guard = Guard(lambda: now)
     guard.arm()
-    now += 2 * PATIENCE
+    now += 2 * Timeouts().heartbeat
     assert guard.is_abandoned
     guard.arm()
     assert not guard.is_abandoned

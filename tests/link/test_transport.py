@@ -12,9 +12,10 @@ from pathlib import Path
 import pytest
 import serial
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.client import Client
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.link.transport import SerialTransport, why_not_open
 from trex_gui.protocol.commands import GetMode, GetSignature, SetParameter
 from trex_gui.protocol.errors import NoReply, PortUnavailable, ResultCode
@@ -26,7 +27,9 @@ if sys.platform == "win32":
 
 import termios
 
-Start = Callable[..., SimulatorProcess]
+pytestmark = pytest.mark.realtime
+
+Start = StartSimulator
 
 LINE = LineSettings()
 
@@ -36,7 +39,7 @@ PATIENCE = 15.0
 
 def patient(transport: SerialTransport, url: str) -> Client:
     """Return a client that waits for a simulator which stands still."""
-    return Client(transport, LinkSettings(url, patience=PATIENCE))
+    return Client(transport, LinkSettings(url, timeouts=Timeouts(extra=PATIENCE)))
 
 
 @pytest.fixture
@@ -75,9 +78,7 @@ def refusal(url: str, line: LineSettings = LINE) -> str:
 # --- Talking ----------------------------------------------------------------------------
 
 
-def test_a_board_answers_through_a_terminal(
-    quick_simulator: SimulatorProcess, opened: Open
-) -> None:
+def test_a_board_answers_through_a_terminal(quick_simulator: SimulatedDevice, opened: Open) -> None:
     transport = opened(quick_simulator.url)
     # No echo comes, so a patient one would wait for it in vain.
     assert Client(transport, LinkSettings(quick_simulator.url)).detect_echo() is False
@@ -343,7 +344,7 @@ def test_an_error_without_a_word_still_makes_a_sentence() -> None:
 
 @pytest.mark.parametrize("action", ["read", "discard", "write"])
 def test_a_cable_that_is_pulled_is_noticed_at_once(
-    action: str, quick_simulator: SimulatorProcess, opened: Open
+    action: str, quick_simulator: SimulatedDevice, opened: Open
 ) -> None:
     transport = opened(quick_simulator.url)
     quick_simulator.do("line unplug")
@@ -362,7 +363,7 @@ def test_a_cable_that_is_pulled_is_noticed_at_once(
 
 
 def test_a_cable_that_is_pulled_is_noticed_by_a_request(
-    quick_simulator: SimulatorProcess, opened: Open
+    quick_simulator: SimulatedDevice, opened: Open
 ) -> None:
     client = patient(opened(quick_simulator.url), quick_simulator.url)
     client.request(GetMode())

@@ -20,8 +20,8 @@ from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.motors import Direction
 from trex_gui.link.messages import Arm, Halted, SetDrive, Silent, Stop
-from trex_gui.link.motors import PROOF_PATIENCE
 from trex_gui.link.repeating import LONGEST_REPEATING
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.commands import STOP, Drive, DriveMotor, GetRawChannels
 from trex_gui.protocol.errors import NoReply
 from trex_gui.protocol.flags import Status, UartError
@@ -174,7 +174,7 @@ def test_a_stop_after_damage_is_sent_again_and_proved_when_the_line_is_quiet() -
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
     stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
     early = seen_at(stage, 2.0, lambda: outcomes(stage.reports))
-    late = seen_at(stage, 1.5 + PROOF_PATIENCE, lambda: outcomes(stage.reports))
+    late = seen_at(stage, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(stage.reports))
     run_for(stage, 5.0)
     assert early == [{}], "a clean status alone proves nothing there"
     assert late[0][1].error is None

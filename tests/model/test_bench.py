@@ -1,7 +1,6 @@
 """Bench tests with a simulated board: its motors do what the profile says, and stop in time."""
 
 import sys
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import pairwise
@@ -10,7 +9,7 @@ from typing import Any
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.bench.figures import figures
 from trex_gui.bench.profile import Profile, Shape
 from trex_gui.bench.run import End, Run
@@ -18,6 +17,7 @@ from trex_gui.emulator.physics import CONSTANTS, MotorPhysics
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.bench import Bench, Phase, Plan
 from trex_gui.model.device import Device, Link
+from trex_gui.runtime import now
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -32,7 +32,7 @@ LATE = 0.35
 class Person:
     """Somebody with a board on blocks, and a finger on the button."""
 
-    def __init__(self, qtbot: QtBot, simulator: SimulatorProcess) -> None:
+    def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
         self.device = Device()
         self.bench = Bench(self.device)
         self.simulator = simulator
@@ -78,7 +78,7 @@ class Person:
 
 
 @pytest.fixture
-def person(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Person]:
+def person(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Person]:
     person = Person(qtbot, quick_simulator)
     person.connect()
     yield person
@@ -155,14 +155,14 @@ def strays_from_the_profile(armed: Person, motor: int) -> list[str]:
     """Run a test; return where the simulated motor was somewhere else than it should have been."""
     profile = armed.bench.plan.profile
     seen: list[tuple[float, float, int]] = []
-    before_it = time.monotonic()
+    before_it = now()
     assert armed.bench.begin()
-    after_it = time.monotonic()
+    after_it = now()
 
     def look() -> bool:
-        before = time.monotonic()
+        before = now()
         speed = armed.speed(motor)
-        seen.append((before - after_it - LATE, time.monotonic() - before_it, speed))
+        seen.append((before - after_it - LATE, now() - before_it, speed))
         return armed.bench.phase is not Phase.DRIVING
 
     armed.until(look)
@@ -419,9 +419,7 @@ def test_disconnecting_ends_a_test_and_stops_the_motor(driving: Person) -> None:
     driving.until(lambda: driving.speed() == 0)
 
 
-def test_channels_that_take_over_end_a_test(
-    qtbot: QtBot, start_simulator: Callable[..., SimulatorProcess]
-) -> None:
+def test_channels_that_take_over_end_a_test(qtbot: QtBot, start_simulator: StartSimulator) -> None:
     person = Person(qtbot, start_simulator("--unpaced", "--mode", "rc"))
     for channel in (1, 2, 3, 4, 5):
         person.simulator.do(f"channel {channel} 1500us")

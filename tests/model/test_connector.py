@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
@@ -89,7 +89,7 @@ def test_a_port_is_opened_with_the_settings_that_were_chosen(
     connector: Connector,
     device: Device,
     ports: Ports,
-    start_simulator: Callable[..., SimulatorProcess],
+    start_simulator: StartSimulator,
     until: Until,
 ) -> None:
     url = start_simulator().url
@@ -114,7 +114,7 @@ def test_disconnecting_frees_the_port(
     connector: Connector,
     device: Device,
     ports: Ports,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     until: Until,
 ) -> None:
     connector.connect_to(ports.add_typed(quick_simulator.url))
@@ -155,7 +155,7 @@ def test_another_choice_while_the_simulated_board_starts_wins(
     connector: Connector,
     device: Device,
     ports: Ports,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     until: Until,
 ) -> None:
     connector.connect_to(ports.demo)
@@ -224,6 +224,7 @@ def test_stopping_what_does_not_run_does_no_harm(demo: Simulator) -> None:
     demo.send("power off")
 
 
+@pytest.mark.realtime
 def test_a_simulator_that_does_not_start_says_why(
     demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:

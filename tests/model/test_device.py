@@ -2,20 +2,20 @@
 
 import math
 import sys
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import Written
 from trex_gui.model.device import Device, Link
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import Status, UartError
 from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.runtime import now
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -80,7 +80,7 @@ def watched(qtbot: QtBot) -> Iterator[Watched]:
 
 
 @pytest.fixture
-def up(watched: Watched, quick_simulator: SimulatorProcess) -> Watched:
+def up(watched: Watched, quick_simulator: SimulatedDevice) -> Watched:
     """A device that is connected to `quick_simulator`."""
     watched.connect(quick_simulator.url)
     return watched
@@ -97,7 +97,7 @@ def test_before_a_connection_nothing_is_known(watched: Watched) -> None:
     assert not device.motors.can_arm
 
 
-def test_a_connection_brings_everything(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_a_connection_brings_everything(up: Watched, quick_simulator: SimulatedDevice) -> None:
     device = up.device
     assert up.links == [Link.OPENING, Link.UP]
     assert "Connected to TReX 1.2" in device.status
@@ -112,7 +112,7 @@ def test_a_connection_brings_everything(up: Watched, quick_simulator: SimulatorP
     assert up.failures == []
 
 
-def test_values_come_in_by_themselves(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_values_come_in_by_themselves(up: Watched, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("channel 1 2000us")
     quick_simulator.do("current 1 3.0")
     telemetry = up.device.telemetry
@@ -123,9 +123,7 @@ def test_values_come_in_by_themselves(up: Watched, quick_simulator: SimulatorPro
     assert up.device.counters.requests > 0
 
 
-def test_the_rs232_side_is_known(
-    watched: Watched, start_simulator: Callable[..., SimulatorProcess]
-) -> None:
+def test_the_rs232_side_is_known(watched: Watched, start_simulator: StartSimulator) -> None:
     watched.connect(start_simulator("--echo").url)
     assert watched.device.echo
 
@@ -139,14 +137,14 @@ def test_a_port_that_is_not_there_is_told(watched: Watched) -> None:
     assert watched.device.status == "Not connected."
 
 
-def test_a_board_without_power_is_told(watched: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_a_board_without_power_is_told(watched: Watched, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("power off")
     watched.device.connect_to(LinkSettings(quick_simulator.url))
     watched.until_link(Link.NONE)
     assert "No TReX answers" in watched.failures[0]
 
 
-def test_errors_of_the_board_are_counted(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_errors_of_the_board_are_counted(up: Watched, quick_simulator: SimulatedDevice) -> None:
     def count(bit: Status | UartError) -> int:
         return next(one.count for one in up.device.errors.entries if one.bit is bit)
 
@@ -162,7 +160,7 @@ def test_errors_of_the_board_are_counted(up: Watched, quick_simulator: Simulator
 # --- Editing ----------------------------------------------------------------------------
 
 
-def test_an_edit_is_applied_and_proved(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_an_edit_is_applied_and_proved(up: Watched, quick_simulator: SimulatedDevice) -> None:
     up.edit("serial_timeout", 15)
     up.device.calibrations.edit(2, LEARNED)
     assert up.device.pending == 2
@@ -188,7 +186,7 @@ def test_what_the_board_stored_is_kept_before_it_is_changed(up: Watched) -> None
 
 
 def test_without_a_snapshot_nothing_is_written(
-    up: Watched, quick_simulator: SimulatorProcess, tmp_path: Path
+    up: Watched, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     (tmp_path / "taken").write_text("a file where the folder should be", encoding="utf-8")
     up.device.history.folder = tmp_path / "taken"
@@ -209,7 +207,7 @@ def test_nothing_to_apply_is_nothing_done(up: Watched) -> None:
 
 
 def test_a_refused_write_stays_an_edit_and_says_why(
-    watched: Watched, start_simulator: Callable[..., SimulatorProcess]
+    watched: Watched, start_simulator: StartSimulator
 ) -> None:
     watched.connect(start_simulator("--mode", "rc").url)
     watched.edit("serial_timeout", 15)
@@ -219,7 +217,7 @@ def test_a_refused_write_stays_an_edit_and_says_why(
 
 
 def test_reading_again_shows_what_somebody_else_has_written(
-    up: Watched, start_simulator: Callable[..., SimulatorProcess]
+    up: Watched, start_simulator: StartSimulator
 ) -> None:
     up.edit("serial_timeout", 15)
     up.apply()
@@ -249,7 +247,7 @@ def test_edits_are_discarded_together(up: Watched) -> None:
 
 
 def test_what_waits_for_the_power_acts_after_a_power_cycle(
-    up: Watched, quick_simulator: SimulatorProcess
+    up: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     up.edit("motor_mode", 1)
     up.apply()
@@ -267,7 +265,7 @@ def test_what_waits_for_the_power_acts_after_a_power_cycle(
 
 
 def test_a_board_without_power_can_neither_be_driven_nor_edited(
-    up: Watched, quick_simulator: SimulatorProcess
+    up: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     up.device.motors.arm()
     quick_simulator.do("power off")
@@ -280,7 +278,7 @@ def test_a_board_without_power_can_neither_be_driven_nor_edited(
     assert "power" in up.device.status
 
 
-def test_edits_outlive_a_power_cycle(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_edits_outlive_a_power_cycle(up: Watched, quick_simulator: SimulatedDevice) -> None:
     up.edit("serial_timeout", 15)
     quick_simulator.do("power off")
     up.until_link(Link.SILENT)
@@ -289,7 +287,7 @@ def test_edits_outlive_a_power_cycle(up: Watched, quick_simulator: SimulatorProc
     assert up.device.parameters.pending == (("serial_timeout", 15),)
 
 
-def test_another_mode_is_noticed(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_another_mode_is_noticed(up: Watched, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
     up.until(lambda: up.device.state is not None and not up.device.state.mode.is_serial)
@@ -299,13 +297,13 @@ def test_another_mode_is_noticed(up: Watched, quick_simulator: SimulatorProcess)
 # --- Motors -----------------------------------------------------------------------------
 
 
-def speed(simulator: SimulatorProcess) -> tuple[str, int]:
+def speed(simulator: SimulatedDevice) -> tuple[str, int]:
     motor = simulator.show()["motors"][0]
     return motor["direction"], motor["speed"]
 
 
 def test_armed_motors_obey_and_a_stop_brakes_them(
-    up: Watched, quick_simulator: SimulatorProcess
+    up: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     motors = up.device.motors
     motors.accelerate = False
@@ -318,7 +316,7 @@ def test_armed_motors_obey_and_a_stop_brakes_them(
 
 
 def test_a_stop_without_arming_is_sent_as_well(
-    up: Watched, quick_simulator: SimulatorProcess
+    up: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     before = quick_simulator.show()["motors"][1]["speed"]
     up.device.motors.stop()
@@ -326,7 +324,7 @@ def test_a_stop_without_arming_is_sent_as_well(
     assert before != 127 or up.failures == []
 
 
-def test_a_stop_that_nobody_answers_is_told(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_a_stop_that_nobody_answers_is_told(up: Watched, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("power off")
     up.device.motors.stop()
     up.until(lambda: bool(up.failures))
@@ -338,7 +336,7 @@ def test_a_stop_without_a_line_does_no_harm(watched: Watched) -> None:
     assert watched.failures == []
 
 
-def test_disconnecting_stops_the_motors(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_disconnecting_stops_the_motors(up: Watched, quick_simulator: SimulatedDevice) -> None:
     motors = up.device.motors
     motors.accelerate = False
     motors.arm()
@@ -351,7 +349,7 @@ def test_disconnecting_stops_the_motors(up: Watched, quick_simulator: SimulatorP
 
 
 def test_motors_that_the_channels_drive_cannot_be_armed(
-    watched: Watched, start_simulator: Callable[..., SimulatorProcess]
+    watched: Watched, start_simulator: StartSimulator
 ) -> None:
     watched.connect(start_simulator("--mode", "rc").url)
     assert not watched.device.motors.can_arm
@@ -361,7 +359,7 @@ def test_motors_that_the_channels_drive_cannot_be_armed(
 
 
 def test_driven_motors_may_move_until_a_stop_is_proved(
-    up: Watched, quick_simulator: SimulatorProcess
+    up: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     moving: list[bool] = [up.device.may_move]
     up.device.motors.arm()
@@ -373,7 +371,7 @@ def test_driven_motors_may_move_until_a_stop_is_proved(
 
 
 def test_motors_that_ran_when_the_cable_was_pulled_are_stopped_first_of_all(
-    up: Watched, quick_simulator: SimulatorProcess
+    up: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     motors = up.device.motors
     motors.accelerate = False
@@ -405,13 +403,13 @@ def test_disconnecting_is_no_failure(up: Watched) -> None:
     assert up.device.parameters.rowCount() > 0  # still to be looked at
 
 
-def test_a_pulled_cable_is_told_at_once(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_a_pulled_cable_is_told_at_once(up: Watched, quick_simulator: SimulatedDevice) -> None:
     def take() -> float:
         up.device.motors.arm()
         quick_simulator.do("line unplug")
-        begun = time.monotonic()
+        begun = now()
         up.until_link(Link.NONE)
-        took = time.monotonic() - begun
+        took = now() - begun
         assert len(up.failures) == 1
         assert "Plug it in, then connect again" in up.failures.pop()
         assert not up.device.motors.can_arm
@@ -422,7 +420,7 @@ def test_a_pulled_cable_is_told_at_once(up: Watched, quick_simulator: SimulatorP
 
 
 def test_a_pulled_cable_during_a_write_keeps_the_edits(
-    up: Watched, quick_simulator: SimulatorProcess
+    up: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     for key in ("serial_timeout", "motor1_acceleration", "motor2_acceleration"):
         up.edit(key, 15)
@@ -435,7 +433,7 @@ def test_a_pulled_cable_during_a_write_keeps_the_edits(
 
 
 def test_a_cable_that_is_plugged_in_again_can_be_connected_to(
-    up: Watched, quick_simulator: SimulatorProcess
+    up: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     up.edit("serial_timeout", 15)
     quick_simulator.do("line unplug")
@@ -448,8 +446,8 @@ def test_a_cable_that_is_plugged_in_again_can_be_connected_to(
 
 def test_one_line_is_closed_before_another_is_opened(
     up: Watched,
-    quick_simulator: SimulatorProcess,
-    start_simulator: Callable[..., SimulatorProcess],
+    quick_simulator: SimulatedDevice,
+    start_simulator: StartSimulator,
 ) -> None:
     up.edit("serial_timeout", 15)
     other = start_simulator("--model", "trexjr")
@@ -465,7 +463,7 @@ def test_one_line_is_closed_before_another_is_opened(
 
 
 def test_the_last_choice_of_several_is_connected_to(
-    up: Watched, start_simulator: Callable[..., SimulatorProcess]
+    up: Watched, start_simulator: StartSimulator
 ) -> None:
     other = start_simulator("--model", "trexjr")
     up.device.connect_to(LinkSettings("/dev/ttyNothing9"))
@@ -480,7 +478,7 @@ def test_a_wrong_choice_after_a_good_one_is_told(up: Watched) -> None:
     assert "There is no port" in up.failures[0]
 
 
-def test_shutting_down_ends_within_a_second(up: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_shutting_down_ends_within_a_second(up: Watched, quick_simulator: SimulatedDevice) -> None:
     def take() -> float:
         if up.device.link is Link.NONE:
             up.connect(quick_simulator.url)
@@ -489,9 +487,9 @@ def test_shutting_down_ends_within_a_second(up: Watched, quick_simulator: Simula
         motors.arm()
         motors.set_speed(1, 90)
         up.until(lambda: speed(quick_simulator) == ("forward", 90))
-        begun = time.monotonic()
+        begun = now()
         in_time = up.device.shut_down()
-        took = time.monotonic() - begun
+        took = now() - begun
         assert up.device.link is Link.NONE
         up.until(up.device.shut_down)
         up.until(lambda: speed(quick_simulator) == ("brake", 127))
@@ -517,7 +515,7 @@ def test_what_a_closed_line_still_reports_changes_nothing(up: Watched, qtbot: Qt
     assert up.device.state is None
 
 
-def test_line_settings_reach_the_line(watched: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_line_settings_reach_the_line(watched: Watched, quick_simulator: SimulatedDevice) -> None:
     watched.device.connect_to(LinkSettings(quick_simulator.url, LineSettings(9600)))
     watched.until_link(Link.NONE)
     assert "9600 baud" in watched.failures[0]

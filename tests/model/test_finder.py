@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link import looking
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
@@ -47,7 +47,7 @@ def at(url: str) -> Port:
 
 @pytest.mark.usefixtures("unhurried")
 def test_a_board_is_told_with_where_and_how_it_is_reached(
-    finder: Finder, quick_simulator: SimulatorProcess, until: Until
+    finder: Finder, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     port = at(quick_simulator.url)
     finder.start([port])
@@ -63,7 +63,7 @@ def test_a_board_is_told_with_where_and_how_it_is_reached(
 
 
 def test_what_is_tried_is_told(
-    finder: Finder, quick_simulator: SimulatorProcess, until: Until
+    finder: Finder, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     quick_simulator.do("power off")
     seen: list[tuple[int, int, str]] = []
@@ -94,7 +94,7 @@ def test_a_port_that_does_not_open_says_why(finder: Finder, until: Until) -> Non
 
 
 def test_one_search_at_a_time(
-    finder: Finder, quick_simulator: SimulatorProcess, until: Until
+    finder: Finder, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     finder.start([])
     assert not finder.running
@@ -105,7 +105,7 @@ def test_one_search_at_a_time(
 
 
 def test_a_search_that_is_shut_down_says_no_more(
-    finder: Finder, quick_simulator: SimulatorProcess, qtbot: QtBot
+    finder: Finder, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     def ends_in_time() -> bool:
         finder.start([at(quick_simulator.url)])
@@ -121,7 +121,7 @@ def test_a_search_that_is_shut_down_says_no_more(
 
 
 def test_connecting_to_a_port_that_is_searched_ends_the_search_first(
-    quick_simulator: SimulatorProcess, until: Until
+    quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     device, ports = Device(), Ports()
     connector = Connector(device, ports)

@@ -7,7 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.model.test_device import Watched
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import NotTried, Written
 from trex_gui.model.device import Link
@@ -45,7 +45,7 @@ every_step = pytest.mark.parametrize("step", STEPS)
 class Applied:
     """A board with edits that wait, and what was kept and told when their Apply was disturbed."""
 
-    def __init__(self, watched: Watched, simulator: SimulatorProcess) -> None:
+    def __init__(self, watched: Watched, simulator: SimulatedDevice) -> None:
         for key, wire in OLD.items():
             simulator.do(f"eeprom {key} {wire}")
         simulator.do("power cycle")
@@ -118,7 +118,7 @@ class Applied:
 
 
 @pytest.fixture
-def applied(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Applied]:
+def applied(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Applied]:
     watched = Watched(qtbot)
     yield Applied(watched, quick_simulator)
     qtbot.waitUntil(watched.device.shut_down)  # no thread lives on
@@ -241,7 +241,7 @@ def test_after_a_change_of_port_what_was_stored_is_no_edit(step: int, applied: A
 
 
 @pytest.fixture
-def addressed(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Watched]:
+def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Watched]:
     """A device that calls its board by the number 7."""
     watched = Watched(qtbot)
     watched.device.connect_to(LinkSettings(quick_simulator.url, device_number=7))
@@ -251,7 +251,7 @@ def addressed(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Watch
 
 
 def test_a_board_that_gets_another_number_is_called_by_it_at_once(
-    addressed: Watched, quick_simulator: SimulatorProcess
+    addressed: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     for key, wire in {"device_number": 9, **WANTED}.items():
         addressed.edit(key, wire)
@@ -266,7 +266,7 @@ def test_a_board_that_gets_another_number_is_called_by_it_at_once(
 
 
 def test_a_board_with_another_number_is_there_again_after_a_power_cycle(
-    addressed: Watched, quick_simulator: SimulatorProcess
+    addressed: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     addressed.edit("device_number", 9)
     addressed.edit("uart_settings", WANTED["uart_settings"])
@@ -281,7 +281,7 @@ def test_a_board_with_another_number_is_there_again_after_a_power_cycle(
 
 
 def test_a_board_with_another_number_is_there_again_after_a_pulled_cable(
-    addressed: Watched, quick_simulator: SimulatorProcess
+    addressed: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     addressed.edit("device_number", 9)
     addressed.apply()

@@ -8,7 +8,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.people import Person, Stick
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.learning.problems import Kind
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import Written
@@ -29,7 +29,7 @@ UNPROVED = "not sure that the motors stand"
 class Bench:
     """A device with somebody who learns its channels."""
 
-    def __init__(self, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.simulator = simulator
         self.device = Device()
         self.learning = Learning(self.device)
@@ -91,7 +91,7 @@ class Bench:
 
 
 @pytest.fixture
-def bench(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Bench]:
+def bench(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Bench]:
     bench = Bench(quick_simulator, qtbot)
     yield bench
     bench.learning.cancel()

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
@@ -76,7 +76,7 @@ def test_a_board_that_comes_back_elsewhere_is_connected_there_and_that_is_rememb
     connector: Connector,
     device: Device,
     ports: Ports,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     until: Until,
 ) -> None:
     connector.connect_to(ports.add_typed(quick_simulator.url))
@@ -105,7 +105,7 @@ def test_many_rates_of_a_real_port(
     connector: Connector,
     device: Device,
     ports: Ports,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     until: Until,
     baud: int,
 ) -> None:

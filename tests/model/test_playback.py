@@ -1,6 +1,5 @@
 """Looking at a recording without a device."""
 
-import time
 from bisect import bisect_right
 from collections.abc import Iterator
 from itertools import pairwise
@@ -21,6 +20,7 @@ from trex_gui.recording.errors import RecordingError
 from trex_gui.recording.files import open_recording
 from trex_gui.recording.recording import Marker, Record, SettingsSeen, Wish
 from trex_gui.recording.replay import Latest
+from trex_gui.runtime import now
 
 T0 = HEADER.clock
 
@@ -233,7 +233,7 @@ class Ticks(QObject):
 
     @Slot()
     def _on_timeout(self) -> None:
-        self.times.append(time.monotonic())
+        self.times.append(now())
 
     def within(self, begin: float, end: float) -> int:
         """How many there were in this time."""
@@ -245,6 +245,7 @@ class Ticks(QObject):
         return max(later - earlier for earlier, later in pairwise(known))
 
 
+@pytest.mark.realtime
 @pytest.mark.timeout(300)  # a busy computer takes its time, and is not judged by it
 def test_the_window_lives_on_while_an_hour_of_csv_is_opened(hour: Path, qtbot: QtBot) -> None:
     assert any(is_alive_while_it_opens(hour, qtbot) for _ in range(TRIES))
@@ -253,14 +254,14 @@ def test_the_window_lives_on_while_an_hour_of_csv_is_opened(hour: Path, qtbot: Q
 def is_alive_while_it_opens(hour: Path, qtbot: QtBot) -> bool:
     """Open a recording, and return whether the window could do something else meanwhile."""
     ticks = Ticks()
-    begin = time.monotonic()
+    begin = now()
     playback = Playback.open(hour)
-    opened = time.monotonic()
+    opened = now()
     qtbot.waitUntil(lambda: playback.progress > 0.2, timeout=120_000)
-    looked_through = time.monotonic()
+    looked_through = now()
     with qtbot.waitSignal(playback.loaded, timeout=240_000):
         pass
-    end = time.monotonic()
+    end = now()
     assert playback.drawn[0] == playback.drawn[1] > 280_000
     assert playback.end - playback.start == pytest.approx(3600, abs=0.1)
     playback.close()
@@ -273,6 +274,7 @@ def is_alive_while_it_opens(hour: Path, qtbot: QtBot) -> bool:
     )
 
 
+@pytest.mark.realtime
 def test_a_recording_that_is_closed_while_it_is_read_ends_its_thread(
     hour: Path, qtbot: QtBot
 ) -> None:
@@ -317,6 +319,7 @@ def test_of_a_long_recording_the_last_samples_are_drawn_and_counted(
     playback.close()
 
 
+@pytest.mark.realtime
 @pytest.mark.parametrize("how", ["close", "cancel_export"])
 def test_an_export_that_is_cut_off_leaves_what_was_there(
     tmp_path: Path, qtbot: QtBot, how: str

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.messages import Batch
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import Control, Currents, ModeSeen, Raw, Remapped
@@ -22,7 +22,7 @@ from trex_gui.recording.recording import Marker, Record, SettingsSeen, Wish
 class Session:
     """A device on a simulated board, its recorder, and everything the line reported."""
 
-    def __init__(self, simulator: SimulatorProcess, qtbot: QtBot) -> None:
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.simulator = simulator
         self.qtbot = qtbot
         self.device = Device()
@@ -52,7 +52,7 @@ class Session:
 
 
 @pytest.fixture
-def session(quick_simulator: SimulatorProcess, qtbot: QtBot) -> Iterator[Session]:
+def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Session]:
     session = Session(quick_simulator, qtbot)
     yield session
     session.end()

@@ -3,7 +3,7 @@
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link import seeking
 from trex_gui.link.seekers import Seek, Seeker
 from trex_gui.link.settings import LinkSettings
@@ -23,7 +23,7 @@ def finder(qtbot: QtBot) -> Finder:
 
 
 def test_a_port_whose_search_fails_is_told_as_such_and_the_next_is_searched(
-    finder: Finder, quick_simulator: SimulatorProcess, qtbot: QtBot
+    finder: Finder, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     def odd(settings: LinkSettings, *, full: bool, known: bool) -> Seeker:
         raise ZeroDivisionError("on purpose")

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.aracna.link.messages import Halt
 from trex_gui.aracna.model.connection import RobotConnection
 from trex_gui.aracna.model.robot import Robot
@@ -19,6 +19,7 @@ from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Port, PortKind, Ports
 from trex_gui.model.session_thread import SessionThread
+from trex_gui.runtime import runtime
 from trex_gui.worker import abandoned
 from trex_gui.worker.find_worker import FindWorker
 
@@ -42,7 +43,8 @@ class Noting:
             if isinstance(request, Close):
                 break
         if self._until is not None:
-            self._until.wait(60)
+            while not self._until.is_set():
+                runtime().sleep(0.01)
         if self._last is not None:
             self._emit(self._last)
 
@@ -102,7 +104,7 @@ def test_the_last_word_of_a_session_that_was_given_up_ends_no_other(
     assert line.last == Closed(None, may_move=True)
 
 
-def driven(simulator: SimulatorProcess, qtbot: QtBot) -> Device:
+def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose first motor runs."""
     device = Device()
     device.connect_to(LinkSettings(simulator.url))
@@ -113,10 +115,9 @@ def driven(simulator: SimulatorProcess, qtbot: QtBot) -> Device:
     return device
 
 
-@pytest.mark.usefixtures("usual_patience")
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 def test_a_board_that_does_not_prove_its_stop_may_move_when_the_line_is_closed(
-    quick_simulator: SimulatorProcess, qtbot: QtBot
+    quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     device = driven(quick_simulator, qtbot)
     quick_simulator.do("line mute on")
@@ -126,7 +127,7 @@ def test_a_board_that_does_not_prove_its_stop_may_move_when_the_line_is_closed(
 
 
 def test_motors_that_were_proved_to_stand_move_no_more_when_the_line_is_closed(
-    quick_simulator: SimulatorProcess, qtbot: QtBot
+    quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     device = driven(quick_simulator, qtbot)
     assert device.may_move
@@ -146,7 +147,7 @@ def connector(qtbot: QtBot) -> Iterator[Connector]:
 
 def test_the_line_is_told_to_end_before_a_search_is_waited_for(
     connector: Connector,
-    quick_simulator: SimulatorProcess,
+    quick_simulator: SimulatedDevice,
     qtbot: QtBot,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.learning.proof import StickTest, idle_side
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Device, Link
@@ -55,7 +55,7 @@ class Sticks:
 
 
 @pytest.fixture
-def connect(qtbot: QtBot, quick_simulator: SimulatorProcess) -> Iterator[Callable[..., Device]]:
+def connect(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable[..., Device]]:
     device = Device()
 
     def connect(*lines: str) -> Device:

@@ -1,6 +1,6 @@
 """The oracle against the simulator, byte for byte, on whatever a line may carry.
 
-The long run is a million bytes and takes minutes: `pytest tests/oracle -m slow`.
+The long run is a million bytes and takes minutes: `pytest tests/oracle --all`.
 """
 
 from collections.abc import Callable
@@ -321,9 +321,8 @@ def test_ten_thousand_bytes() -> None:
 
 @pytest.mark.slow
 @pytest.mark.timeout(3600)
-def test_a_million_bytes(pytestconfig: pytest.Config) -> None:
-    if "slow" not in pytestconfig.getoption("markexpr"):
-        pytest.skip("takes minutes; runs with -m slow")
+@pytest.mark.usefixtures("only_when_asked_for")
+def test_a_million_bytes() -> None:
     assert poured(2100, 500) >= 1_000_000
 
 

@@ -5,6 +5,7 @@ import importlib.util
 import re
 import sys
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -352,45 +353,75 @@ def test_the_tests_come_last_and_take_the_arguments() -> None:
         "ruff format",
         "mypy",
         "lint-imports",
-        "pytest",
+        "virtual time",
+        "real time",
     ]
-    assert checks[-1].command[-2:] == ("-k", "crc")
+    assert all(check.command[-2:] == ("-k", "crc") for check in checks if check.is_tests)
 
 
-def test_the_tests_are_shared_out_but_not_without_end() -> None:
-    command = bootstrap.checks([])[-1].command
-    assert 2 <= int(command[command.index("-n") + 1]) <= 4
+def test_every_test_is_in_virtual_or_in_real_time() -> None:
+    virtual, real = (check.command for check in bootstrap.checks([]) if check.is_tests)
+    assert "not realtime" in virtual
+    assert "realtime" in real
+
+
+def test_all_runs_the_long_tests_with_random_seeds() -> None:
+    for every in (False, True):
+        for check in bootstrap.checks([], every=every):
+            if check.is_tests:
+                assert ("--all" in check.command) is every
+                assert check.environment == {"HYPOTHESIS_PROFILE": "all" if every else "gate"}
+
+
+@dataclass
+class Ended:
+    """How programs end, 0 unless told, and how many tests their reports tell of."""
+
+    statuses: dict[str, int] = field(default_factory=dict)
+    tests: int = 12
+
+    def run(self, command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+        assert extra_env["QT_QPA_PLATFORM"] == "offscreen"
+        for word in command:
+            if word.startswith("--junitxml="):
+                report = f'<testsuites><testsuite tests="{self.tests}"/></testsuites>'
+                Path(word.removeprefix("--junitxml=")).write_text(report, encoding="utf-8")
+        return self.statuses.get(Path(command[0]).stem, 0)
 
 
 @pytest.fixture
-def statuses(monkeypatch: pytest.MonkeyPatch) -> dict[str, int]:
-    """Let each check end with the status under its program's name, 0 if there is none."""
-    by_program: dict[str, int] = {}
-
-    def run(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
-        assert extra_env == {"QT_QPA_PLATFORM": "offscreen"}
-        return by_program.get(Path(command[0]).stem, 0)
-
+def ended(monkeypatch: pytest.MonkeyPatch) -> Ended:
+    ended = Ended()
     monkeypatch.setattr(bootstrap, "set_up", lambda: False)
-    monkeypatch.setattr(bootstrap, "run_in_sight", run)
-    return by_program
+    monkeypatch.setattr(bootstrap, "run_in_sight", ended.run)
+    return ended
 
 
-def test_all_checks_passing_is_success(statuses: dict[str, int]) -> None:
+def closing_lines(capsys: pytest.CaptureFixture[str]) -> list[list[str]]:
+    return [line.split() for line in capsys.readouterr().out.splitlines()[-6:]]
+
+
+def test_all_checks_passing_is_success(ended: Ended, capsys: pytest.CaptureFixture[str]) -> None:
     assert bootstrap.main(["test"]) == 0
+    assert [line[3] for line in closing_lines(capsys)[-2:]] == ["12", "12"]
 
 
 def test_later_checks_still_run_after_one_has_failed(
-    statuses: dict[str, int], capsys: pytest.CaptureFixture[str]
+    ended: Ended, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    statuses["mypy"] = 1
+    ended.statuses["mypy"] = 1
     assert bootstrap.main(["test"]) == 1
-    closing = capsys.readouterr().out.splitlines()[-5:]
-    assert [line.split()[0] for line in closing] == ["ok", "ok", "FAILED", "ok", "ok"]
+    first = [line[0] for line in closing_lines(capsys)]
+    assert first == ["ok", "ok", "FAILED", "ok", "ok", "ok"]
 
 
-def test_no_test_at_all_is_a_failure(statuses: dict[str, int]) -> None:
-    statuses["pytest"] = 5
+def test_a_selection_without_tests_of_one_kind_is_no_failure(ended: Ended) -> None:
+    ended.statuses["pytest"] = 5
+    assert bootstrap.main(["test"]) == 0
+
+
+def test_no_test_at_all_is_a_failure(ended: Ended) -> None:
+    ended.statuses["pytest"], ended.tests = 5, 0
     assert bootstrap.main(["test"]) == 1
 
 

@@ -14,9 +14,10 @@ import time
 from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtGui import QAction
 
-from tests.support.standing_still import be_patient
+from tests.support.patient import PATIENT
 from trex_gui import app, window
 from trex_gui.link import session
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.device import Link
 from trex_gui.system.wake import WakeWatch
 from trex_gui.window import Program
@@ -131,12 +132,12 @@ WATCHES: list[QObject] = []
 
 def main(url: str, patience: str = "") -> int:
     """Run the program until it is ended."""
-    if patience != "usual":
-        be_patient()
+    usual = Timeouts()
     build = window.build
 
-    def build_and_drive() -> Program:
-        program = build()
+    def build_and_drive(timeouts: Timeouts | None = None) -> Program:
+        del timeouts
+        program = build(usual if patience == "usual" else PATIENT)
         Driver(program)
         from PySide6.QtCore import QCoreApplication
 

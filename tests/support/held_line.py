@@ -2,28 +2,24 @@
 
 from collections.abc import Callable
 
-import pytest
-
-from trex_gui.link.transport import SerialTransport
+from tests.support.virtual_devices import VirtualSimulator
 from trex_gui.protocol.commands import SetParameter
 
 _STORE = SetParameter(0, 0).opcode
 
 
-def before_storing(monkeypatch: pytest.MonkeyPatch, number: int, act: Callable[[], object]) -> None:
+def before_storing(simulator: VirtualSimulator, number: int, act: Callable[[], object]) -> None:
     """Do something in the line's own thread before the `number`th parameter is sent, once.
 
     One that is sent again, since its answer was late, counts once. For boards that are addressed
     by no number.
     """
     seen: set[bytes] = set()
-    write = SerialTransport.write
 
-    def write_or_act(port: SerialTransport, data: bytes) -> None:
+    def act_once(data: bytes) -> None:
         if data[0] == _STORE and data not in seen:
             seen.add(data)
             if len(seen) == number:
                 act()
-        write(port, data)
 
-    monkeypatch.setattr(SerialTransport, "write", write_or_act)
+    simulator.on_write = act_once

@@ -6,6 +6,13 @@ from typing import Any
 from pytestqt.qtbot import QtBot
 from pytestqt.wait_signal import MultiSignalBlocker, SignalBlocker
 
+from trex_gui.link.timeouts import Timeouts
+
+PATIENT = Timeouts(
+    extra=1.0, heartbeat=60.0, stop_confirmation=15.0, current_gap=30.0, sleep_delay=15.0
+)
+"""For the program in real time: a test or its simulator may stand still for seconds."""
+
 PATIENCE_MS = 20_000
 """How long anything is waited for that does not say how long. What comes is not waited for longer.
 

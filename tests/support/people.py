@@ -1,13 +1,13 @@
 """People with a transmitter: what their sticks put out, well made or worn, steady or not."""
 
-import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from random import Random
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.learning.samples import Sample
 from trex_gui.protocol.flags import InputSource
+from trex_gui.runtime import now
 
 RATE = 50.0
 """Times a second that a receiver gives a pulse, and the board a new value."""
@@ -118,7 +118,7 @@ class Person:
     """
 
     def __init__(
-        self, simulator: SimulatorProcess, sticks: dict[int, Stick], crosstalk: float = 0.0
+        self, simulator: SimulatedDevice, sticks: dict[int, Stick], crosstalk: float = 0.0
     ) -> None:
         self._simulator = simulator
         self.sticks = sticks
@@ -145,8 +145,8 @@ class Person:
 
     def wait_for(self, seconds: float, wait: Callable[[int], object]) -> None:
         """Do nothing for a while but let the sticks drift; `wait` gets milliseconds."""
-        start = time.monotonic()
-        while (past := time.monotonic() - start) < seconds:
+        start = now()
+        while (past := now() - start) < seconds:
             for channel in self.sticks:
                 self.put(channel, 0.0, past)
             wait(20)

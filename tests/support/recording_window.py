@@ -12,8 +12,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer
 
-from tests.support.standing_still import be_patient
+from tests.support.patient import PATIENT
 from trex_gui import app, window
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.device import Link
 from trex_gui.window import Program
 
@@ -53,12 +54,12 @@ def main(url: str, path: str, disk: str) -> int:
         time.sleep(60 if disk == "never" else float(disk))
         sync(fd)
 
-    def build_and_record() -> Program:
-        program = build()
+    def build_and_record(timeouts: Timeouts | None = None) -> Program:
+        del timeouts
+        program = build(PATIENT)
         Recording(program, Path(path))
         return program
 
-    be_patient()
     os.fsync = slow_sync
     window.build = build_and_record
     return app.main(["--port", url])

@@ -4,10 +4,37 @@ import json
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 _OWN_PLACES = {"--link", "--tcp", "--rfc2217"}
+
+
+class SimulatedDevice(Protocol):
+    """A simulated device and its control line.
+
+    Attributes:
+        url: what the program opens.
+    """
+
+    url: str
+
+    def do(self, line: str) -> str:
+        """Send a control line; return what follows `ok`."""
+        ...
+
+    def show(self) -> dict[str, Any]:
+        """What the device is and does."""
+        ...
+
+    def end(self) -> None:
+        """End it, as pulling the plug would."""
+        ...
+
+
+StartSimulator = Callable[..., SimulatedDevice]
+"""Starts a simulator with these options of `trex-sim`."""
 
 
 class SimulatorProcess:

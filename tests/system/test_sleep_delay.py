@@ -13,6 +13,7 @@ from trex_gui.system.session_events import SessionEvents
 from trex_gui.system.sleep_delay import SleepDelay
 
 pytestmark = [
+    pytest.mark.realtime,
     pytest.mark.skipif(shutil.which("dbus-daemon") is None, reason="needs a message bus"),
     pytest.mark.usefixtures("qapp"),
 ]
@@ -32,7 +33,7 @@ class Asleep:
         self.may_move = True
         self.qtbot = qtbot
         self.logind = Logind(theirs)
-        self.delay = SleepDelay(lambda: self.may_move, ours)
+        self.delay = SleepDelay(lambda: self.may_move, ours, patience=1.0)
         self.events = SessionEvents(ours, ours)
         self.events.sleeping.connect(self.delay.note_sleep)
         qtbot.waitUntil(lambda: self.delay.holds)
@@ -97,7 +98,7 @@ def test_a_program_that_ends_holds_nothing_up(asleep: Asleep) -> None:
 def test_where_nobody_hands_out_delays_nothing_is_held_and_nothing_fails(
     buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot
 ) -> None:
-    delay = SleepDelay(lambda: False, buses[1])
+    delay = SleepDelay(lambda: False, buses[1], patience=1.0)
     qtbot.waitUntil(lambda: delay._asked is None)
     assert not delay.holds
     delay.note_sleep(begins=True)
@@ -105,7 +106,7 @@ def test_where_nobody_hands_out_delays_nothing_is_held_and_nothing_fails(
 
 
 def test_without_a_bus_nothing_is_asked() -> None:
-    delay = SleepDelay(lambda: False, QDBusConnection("there is none"))
+    delay = SleepDelay(lambda: False, QDBusConnection("there is none"), patience=1.0)
     delay.note_sleep(begins=True)
     delay.note_sleep(begins=False)
     assert not delay.holds

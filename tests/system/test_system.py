@@ -23,6 +23,8 @@ from trex_gui.system.windows_events import (
     why_to_stop,
 )
 
+pytestmark = pytest.mark.realtime
+
 
 def test_a_stop_from_another_thread_is_sent_there_and_told_in_the_thread_of_the_window(
     qtbot: QtBot,

@@ -2,13 +2,17 @@
 
 import threading
 
-from PySide6.QtCore import QObject, QThread
+import pytest
+from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from trex_gui.worker import abandoned
+from trex_gui.worker.thread import WorkerThread
+
+pytestmark = pytest.mark.realtime
 
 
-class Held(QThread):
+class Held(WorkerThread):
     """Runs until it is let go."""
 
     def __init__(self, parent: QObject | None = None) -> None:

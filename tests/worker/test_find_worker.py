@@ -3,18 +3,20 @@
 import sys
 import threading
 import time
-from collections.abc import Callable
 
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.discovery import SEEK_TREX
 from trex_gui.link.seekers import Step
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.errors import PortUnavailable
 from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.worker.find_worker import Errand, FindWorker, Searched
+
+pytestmark = pytest.mark.realtime
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -61,8 +63,8 @@ def search(qtbot: QtBot, *urls: str, found: list[bool]) -> Watched:
 
 
 def test_ports_are_searched_one_after_the_other(
-    quick_simulator: SimulatorProcess,
-    start_simulator: Callable[..., SimulatorProcess],
+    quick_simulator: SimulatedDevice,
+    start_simulator: StartSimulator,
     qtbot: QtBot,
 ) -> None:
     other = start_simulator("--unpaced", "--model", "trexjr")
@@ -77,7 +79,7 @@ def test_ports_are_searched_one_after_the_other(
 
 
 def test_a_search_ends_soon_when_it_is_cancelled(
-    quick_simulator: SimulatorProcess, qtbot: QtBot
+    quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     quick_simulator.do("power off")
 
@@ -97,14 +99,12 @@ def test_a_search_ends_soon_when_it_is_cancelled(
     quick_simulator.do("power on")
 
 
-def test_a_board_at_other_settings_is_found(
-    quick_simulator: SimulatorProcess, qtbot: QtBot
-) -> None:
+def test_a_board_at_other_settings_is_found(quick_simulator: SimulatedDevice, qtbot: QtBot) -> None:
     from trex_gui.link.client import Client
     from trex_gui.link.transport import SerialTransport
     from trex_gui.protocol.commands import SetParameter
 
-    settings = LinkSettings(quick_simulator.url, patience=5.0)
+    settings = LinkSettings(quick_simulator.url, timeouts=Timeouts(extra=5.0))
     client = Client(SerialTransport(settings), settings)
     client.request(SetParameter(0x7E, LineSettings(115200).to_wire()))
     client.close()

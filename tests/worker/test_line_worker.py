@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.link.messages import (
     Ask,
     Batch,
@@ -26,6 +26,8 @@ from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.commands import Drive, GetParameter
 from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.worker.line_worker import LineWorker
+
+pytestmark = pytest.mark.realtime
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -114,7 +116,7 @@ def connected(watch: Watch, url: str) -> Watched:
 
 
 @pytest.fixture
-def line(quick_simulator: SimulatorProcess, watch: Watch) -> Watched:
+def line(quick_simulator: SimulatedDevice, watch: Watch) -> Watched:
     """A worker that is connected to a simulated board."""
     return connected(watch, quick_simulator.url)
 
@@ -184,7 +186,7 @@ def close(line: Watched) -> float:
 
 
 def test_closing_ends_the_thread_within_a_second(
-    quick_simulator: SimulatorProcess, watch: Watch
+    quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
     assert is_soon(1.0, lambda: close(connected(watch, quick_simulator.url)))
 
@@ -196,7 +198,7 @@ def test_a_closed_port_is_free_for_the_next(line: Watched, watch: Watch) -> None
 
 
 def test_closing_before_the_board_was_read_ends_as_quickly(
-    quick_simulator: SimulatorProcess, watch: Watch
+    quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
     def take() -> float:
         watched = watch(quick_simulator.url)
@@ -210,7 +212,7 @@ def test_a_worker_that_was_never_started_is_closed(watch: Watch) -> None:
     assert watch("/dev/nothing").worker.close()
 
 
-def test_closing_stops_the_motors(line: Watched, quick_simulator: SimulatorProcess) -> None:
+def test_closing_stops_the_motors(line: Watched, quick_simulator: SimulatedDevice) -> None:
     line.worker.submit(SetDrive(1, Drive.at(100)))
     line.qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] == 100)
     assert line.worker.close(15_000)
@@ -263,7 +265,7 @@ def test_batches_do_not_outrun_the_display(line: Watched) -> None:
 
 
 def test_a_pulled_cable_ends_the_session_within_half_a_second(
-    quick_simulator: SimulatorProcess, watch: Watch
+    quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
     def take() -> float:
         line = connected(watch, url[-1])
@@ -282,7 +284,7 @@ def test_a_pulled_cable_ends_the_session_within_half_a_second(
 
 
 def test_a_simulator_that_dies_is_a_pulled_cable(
-    line: Watched, quick_simulator: SimulatorProcess
+    line: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.end()
     line.wait(Closed)

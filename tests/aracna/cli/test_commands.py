@@ -12,10 +12,12 @@ from click.testing import CliRunner
 
 from tests.aracna.cli.conftest import Run
 from tests.support.aracna import AracnaProcess
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.aracna.cli.talk import Talk, settings_of
 from trex_gui.cli import main
 from trex_gui.cli.talk import Refused
+
+pytestmark = pytest.mark.realtime
 
 FILE = """Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024
 Pose=low:400, 300, 400, 300, 400, 300, 400, 300
@@ -63,7 +65,7 @@ def test_a_port_that_is_not_there_is_refused(trexcmd: Run) -> None:
     assert "There is no port" in result.stderr
 
 
-def test_a_trex_on_the_port_is_told_not_to_be_an_aracna(quick_simulator: SimulatorProcess) -> None:
+def test_a_trex_on_the_port_is_told_not_to_be_an_aracna(quick_simulator: SimulatedDevice) -> None:
     result = CliRunner().invoke(main, ["aracna", "query", "--port", quick_simulator.url])
     assert result.exit_code == 1
     assert "No Aracna answers" in result.stderr or "not as an Aracna does" in result.stderr

@@ -8,13 +8,16 @@ from click.testing import CliRunner
 
 from tests.aracna.cli.conftest import Run
 from tests.support.aracna import AracnaProcess
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice
 from trex_gui.cli import main
 from trex_gui.link.discovery import attempts
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import SerialTransport
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals"),
+]
 
 
 @pytest.fixture(autouse=True)
@@ -31,9 +34,7 @@ def test_a_robot_is_found_and_nothing_is_said_against_it(robot: AracnaProcess) -
     assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no error")
 
 
-def test_both_are_found_in_one_list(
-    robot: AracnaProcess, quick_simulator: SimulatorProcess
-) -> None:
+def test_both_are_found_in_one_list(robot: AracnaProcess, quick_simulator: SimulatedDevice) -> None:
     rows = []
     for url in (robot.url, quick_simulator.url):
         rows += json.loads(CliRunner().invoke(main, ["find", "--json", "--port", url]).stdout)

@@ -13,6 +13,8 @@ from click.testing import CliRunner
 from tests.support.aracna import AracnaProcess
 from trex_gui.emulator.server import main
 
+pytestmark = pytest.mark.realtime
+
 PATIENCE = 20.0
 VERSION = b".q1,8\r\n"
 

@@ -3,19 +3,17 @@
 import os
 import sys
 import threading
-from collections.abc import Iterator
 
 import pytest
 from PySide6.QtWidgets import QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.aracna.end_to_end.person import Person
-from tests.support.aracna import AracnaProcess
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.discovery import attempts
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import SerialTransport
 from trex_gui.model.connection import Link
+from trex_gui.runtime import open_transport
 from trex_gui.window import Program
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
@@ -29,10 +27,8 @@ def person(program: Program, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> P
 
 
 @pytest.fixture
-def robot() -> Iterator[AracnaProcess]:
-    simulator = AracnaProcess("--unpaced")
-    yield simulator
-    simulator.end()
+def robot(start_simulator: StartSimulator) -> SimulatedDevice:
+    return start_simulator("--aracna", "--unpaced")
 
 
 def search(person: Person, url: str) -> list[str]:
@@ -57,7 +53,7 @@ def close(person: Person) -> None:
 
 
 def test_a_robot_is_found_between_the_likely_and_the_long_search_for_a_board(
-    person: Person, robot: AracnaProcess
+    person: Person, robot: SimulatedDevice
 ) -> None:
     tried = search(person, robot.url)
     assert kinds(tried) == ["TReX", "Aracna"]
@@ -67,7 +63,7 @@ def test_a_robot_is_found_between_the_likely_and_the_long_search_for_a_board(
 
 
 def test_a_port_that_a_robot_was_found_on_is_asked_for_a_robot_first(
-    person: Person, robot: AracnaProcess
+    person: Person, robot: SimulatedDevice
 ) -> None:
     search(person, robot.url)
     assert kinds(search(person, robot.url)) == ["Aracna"]
@@ -79,7 +75,7 @@ def test_a_port_that_a_robot_was_found_on_is_asked_for_a_robot_first(
 
 
 def test_a_board_on_a_port_that_led_to_a_robot_is_found_as_well(
-    person: Person, quick_simulator: SimulatorProcess
+    person: Person, quick_simulator: SimulatedDevice
 ) -> None:
     ports = person.program.ports
     ports.lead_to(ports.add_typed(quick_simulator.url), "aracna")
@@ -89,7 +85,7 @@ def test_a_board_on_a_port_that_led_to_a_robot_is_found_as_well(
 
 
 def test_on_a_silent_port_it_is_told_of_each_device_what_was_tried(
-    person: Person, robot: AracnaProcess
+    person: Person, robot: SimulatedDevice
 ) -> None:
     robot.do("power off")
     assert kinds(search(person, robot.url)) == ["TReX", "Aracna", "TReX"]
@@ -137,8 +133,8 @@ def test_an_echo_is_told_of_each_device(person: Person) -> None:
     port.close()
 
 
-def test_a_port_in_use_is_told_once(person: Person, robot: AracnaProcess) -> None:
-    other = SerialTransport(LinkSettings(robot.url))
+def test_a_port_in_use_is_told_once(person: Person, robot: SimulatedDevice) -> None:
+    other = open_transport(LinkSettings(robot.url))
     assert search(person, robot.url) == []
     other.close()
     text = person.text("findText0")

@@ -1,7 +1,6 @@
 """Poses are captured, gaits are played and the session is recorded, with a robot connected."""
 
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from pytestqt.qtbot import QtBot
 from tests.aracna.end_to_end.person import Person
 from trex_gui.aracna.link.messages import Moving
 from trex_gui.model.connection import Link
+from trex_gui.runtime import now
 from trex_gui.system.stopper import Stopper
 from trex_gui.watching import Watching
 from trex_gui.window import Program
@@ -98,7 +98,7 @@ def test_a_gait_plays_and_stops(person: Person) -> None:
     sent: list[object] = []
     person.robot.reported.connect(sent.append)
     QTest.keyClick(person.program.window, Qt.Key.Key_Escape)
-    stopped = time.monotonic()  # what was sent before may be told later
+    stopped = now()  # what was sent before may be told later
     person.wait(lambda: person.robot.playing is None and person.robot.known.moving is None)
     motions = [report for report in sent if isinstance(report, Moving)]
     assert len([motion for motion in motions if motion.time > stopped]) <= 1

@@ -170,6 +170,7 @@ def test_the_stop_button_of_the_window_stops_the_robot(person: Person, tmp_path:
     close(person)
 
 
+@pytest.mark.realtime
 def test_a_program_that_ends_while_a_recording_is_read_ends_its_thread(
     person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

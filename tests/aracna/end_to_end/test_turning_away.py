@@ -6,8 +6,7 @@ import pytest
 from PySide6.QtWidgets import QDockWidget
 from pytestqt.qtbot import QtBot
 
-from tests.support.aracna import AracnaProcess
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Link
 from trex_gui.window import Program
@@ -31,7 +30,7 @@ def test_the_panel_of_the_demo_trex_comes_back_with_it(program: Program, qtbot: 
 
 
 def test_a_port_that_waits_for_a_search_to_end_is_not_connected_to_behind_another_device(
-    program: Program, qtbot: QtBot, quick_simulator: SimulatorProcess
+    program: Program, qtbot: QtBot, quick_simulator: SimulatedDevice
 ) -> None:
     port = program.ports.add_typed(quick_simulator.url)
     finder = program.connector.finder
@@ -44,7 +43,7 @@ def test_a_port_that_waits_for_a_search_to_end_is_not_connected_to_behind_anothe
 
 
 def test_disconnecting_forgets_the_line_that_was_to_come_next(
-    program: Program, qtbot: QtBot, quick_simulator: SimulatorProcess
+    program: Program, qtbot: QtBot, quick_simulator: SimulatedDevice
 ) -> None:
     settings = LinkSettings(quick_simulator.url)
     program.device.connect_to(settings)
@@ -58,9 +57,9 @@ def test_disconnecting_forgets_the_line_that_was_to_come_next(
 
 
 def test_disconnecting_forgets_the_robot_that_was_to_come_next(
-    program: Program, qtbot: QtBot
+    program: Program, qtbot: QtBot, start_simulator: StartSimulator
 ) -> None:
-    robot = AracnaProcess("--unpaced")
+    robot = start_simulator("--aracna", "--unpaced")
     try:
         settings = LinkSettings(robot.url)
         program.robot.connect_to(settings)

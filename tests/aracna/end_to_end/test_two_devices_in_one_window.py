@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.aracna.end_to_end.person import DEMO_ARACNA, DEMO_TREX, Person
-from tests.support.aracna import AracnaProcess
+from tests.support.simulator import StartSimulator
 from trex_gui.model.connection import Link
 from trex_gui.model.device import Link as BoardLink
 from trex_gui.window import Program
@@ -101,8 +101,10 @@ def test_disconnect_and_connect_come_back_to_the_robot(person: Person) -> None:
     person.connect_to_demo()
 
 
-def test_a_typed_port_leads_to_the_robot_once_it_was_said_so(person: Person) -> None:
-    simulator = AracnaProcess("--unpaced")
+def test_a_typed_port_leads_to_the_robot_once_it_was_said_so(
+    person: Person, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--aracna", "--unpaced")
     person.program.connect_to_port(simulator.url, "aracna")
     person.wait(lambda: person.robot.link is Link.UP)
     combo = person.find(QComboBox, "portCombo")
@@ -116,8 +118,10 @@ def test_a_typed_port_leads_to_the_robot_once_it_was_said_so(person: Person) -> 
     simulator.end()
 
 
-def test_a_robot_is_found_in_the_search_and_connected_to(person: Person) -> None:
-    simulator = AracnaProcess("--unpaced")
+def test_a_robot_is_found_in_the_search_and_connected_to(
+    person: Person, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--aracna", "--unpaced")
     port = person.program.ports.add_typed(simulator.url)
     finder = person.program.connector.finder
     person.action("find").trigger()

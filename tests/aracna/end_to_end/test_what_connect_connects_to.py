@@ -1,7 +1,6 @@
 """What the list of ports shows is what Connect connects to, whichever device it leads to."""
 
 import sys
-from collections.abc import Iterator
 
 import pytest
 from PySide6.QtWidgets import QComboBox, QWidget
@@ -9,8 +8,7 @@ from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.aracna.end_to_end.person import DEMO_ARACNA, DEMO_TREX, Person
-from tests.support.aracna import AracnaProcess
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.model.connection import Link
 from trex_gui.model.device import Link as BoardLink
 from trex_gui.model.ports import Ports
@@ -55,10 +53,8 @@ def person(computer: list[ListPortInfo], program: Program, qtbot: QtBot) -> Sitt
 
 
 @pytest.fixture
-def robot() -> Iterator[AracnaProcess]:
-    simulator = AracnaProcess("--unpaced")
-    yield simulator
-    simulator.end()
+def robot(start_simulator: StartSimulator) -> SimulatedDevice:
+    return start_simulator("--aracna", "--unpaced")
 
 
 def test_after_the_demo_of_the_robot_connect_goes_there_again(
@@ -104,7 +100,7 @@ def test_from_one_demo_to_the_other_the_list_shows_the_newer(person: Sitting) ->
 
 
 def test_at_the_start_the_port_used_last_is_shown_and_connected_to(
-    person: Sitting, robot: AracnaProcess
+    person: Sitting, robot: SimulatedDevice
 ) -> None:
     ports = person.program.ports
     port = ports.lead_to(ports.add_typed(robot.url), "aracna")
@@ -122,7 +118,7 @@ def test_at_the_start_the_port_used_last_is_shown_and_connected_to(
 
 @pytest.mark.qt_log_ignore("This plugin does not support")  # offscreen opens no list
 def test_who_chooses_no_port_is_offered_the_list_and_connected_to_nothing(
-    person: Sitting, quick_simulator: SimulatorProcess
+    person: Sitting, quick_simulator: SimulatedDevice
 ) -> None:
     ports = person.program.ports
     person.choose_port(ports.add_typed(quick_simulator.url).label)
@@ -142,7 +138,7 @@ def test_who_chooses_no_port_is_offered_the_list_and_connected_to_nothing(
 
 
 def test_where_the_simulator_does_not_start_the_robot_that_was_left_for_it_is_left(
-    person: Sitting, robot: AracnaProcess, monkeypatch: pytest.MonkeyPatch
+    person: Sitting, robot: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     person.program.connect_to_port(robot.url, "aracna")
     person.wait(lambda: person.robot.link is Link.UP)

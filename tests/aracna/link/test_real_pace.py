@@ -30,8 +30,11 @@ from trex_gui.aracna.link.session import AracnaSession
 from trex_gui.aracna.protocol.units import travel_seconds
 from trex_gui.link.messages import Closed, Outcome
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.errors import PortUnavailable
 from trex_gui.worker.line_worker import LineWorker
+
+pytestmark = pytest.mark.realtime
 
 KindT = TypeVar("KindT")
 
@@ -48,7 +51,7 @@ class Talk:
     def __init__(self, url: str, qtbot: QtBot) -> None:
         self._qtbot = qtbot
         self.reports: list[object] = []
-        settings = LinkSettings(url, patience=3.0)
+        settings = LinkSettings(url, timeouts=Timeouts(extra=3.0))
         self.worker = LineWorker(lambda inbox, tell: AracnaSession(settings, inbox, tell))
         self.worker.reported.connect(self.reports.append)
         self.worker.start()
@@ -85,7 +88,7 @@ def talk(robot: AracnaProcess, qtbot: QtBot) -> Iterator[Talk]:
 def test_a_robot_that_was_just_switched_on_is_found_and_talked_to(
     robot: AracnaProcess, qtbot: QtBot
 ) -> None:
-    [found] = find_aracna(LinkSettings(robot.url, patience=0.2)).found
+    [found] = find_aracna(LinkSettings(robot.url, timeouts=Timeouts(extra=0.2))).found
     assert found.motors == 8
     talk = Talk(robot.url, qtbot)
     assert talk.wait(Connected).motors == 8

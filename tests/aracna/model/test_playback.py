@@ -186,6 +186,7 @@ def test_another_file_is_refused(tmp_path: Path) -> None:
         RobotPlayback.open(tmp_path / "a.csv")
 
 
+@pytest.mark.realtime
 def test_a_recording_that_is_closed_while_it_is_read_ends_its_thread(
     tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -9,7 +9,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.aracna.recordings import assert_equal, read
-from tests.support.aracna import AracnaProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.aracna.link.messages import (
     Moved,
     Moving,
@@ -28,6 +28,7 @@ from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.recording import FellSilent, Row
 from trex_gui.aracna.recording.csv_reader import RobotCsvFile
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
 from trex_gui.model.events import EventKind
 from trex_gui.recording.recording import Marker
@@ -44,17 +45,17 @@ RECORDED = (
 class Session:
     """A robot on a simulator, its recorder, and all that it has reported while it recorded."""
 
-    def __init__(self, qtbot: QtBot, path: Path) -> None:
+    def __init__(self, qtbot: QtBot, path: Path, simulator: SimulatedDevice) -> None:
         self.qtbot = qtbot
         self.path = path
-        self.simulator = AracnaProcess("--unpaced")
+        self.simulator = simulator
         self.robot = Robot()
         self.recorder = AracnaRecorder(self.robot)
         self.reported: list[Row] = []
         self.links: list[Link] = []
         self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
         self.robot.reported.connect(self._on_reported)
-        self.robot.connect_to(LinkSettings(self.simulator.url, patience=2.0))
+        self.robot.connect_to(LinkSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
         self.wait_for(Link.UP)
 
     def _on_reported(self, report: object) -> None:
@@ -84,12 +85,12 @@ class Session:
         self.robot.disconnect_line()
         self.wait_for(Link.NONE)
         assert self.robot.shut_down()
-        self.simulator.end()
 
 
 @pytest.fixture
-def session(qtbot: QtBot, tmp_path: Path) -> Iterator[Session]:
-    session = Session(qtbot, tmp_path / "session.csv")
+def session(qtbot: QtBot, tmp_path: Path, start_simulator: StartSimulator) -> Iterator[Session]:
+    simulator = start_simulator("--aracna", "--unpaced")
+    session = Session(qtbot, tmp_path / "session.csv", simulator)
     yield session
     session.end()
 

@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.aracna import AracnaProcess
+from tests.support.simulator import StartSimulator
 from trex_gui.aracna.model.recorder import AracnaRecorder
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
@@ -23,16 +24,15 @@ def rows(path: Path) -> list[dict[str, str]]:
 
 
 @pytest.fixture
-def robot(qtbot: QtBot) -> Iterator[Robot]:
-    simulator = AracnaProcess("--unpaced")
+def robot(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[Robot]:
+    simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
-    robot.connect_to(LinkSettings(simulator.url, patience=2.0))
+    robot.connect_to(LinkSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
     qtbot.waitUntil(lambda: robot.link is Link.UP, timeout=15_000)
     yield robot
     robot.disconnect_line()
     qtbot.waitUntil(lambda: robot.link is Link.NONE, timeout=15_000)
     assert robot.shut_down()
-    simulator.end()
 
 
 @pytest.fixture

@@ -2,20 +2,21 @@
 
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 
 import pytest
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
-from tests.support.aracna import AracnaProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.aracna.link.messages import Moved, Moving, Play, SpeedsHeld, Step
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.model.speeds import FIRST_SPEED
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
 from trex_gui.protocol.errors import BadRequest
+from trex_gui.runtime import now
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
@@ -26,7 +27,7 @@ HIGH = (400,) * 8
 class Watched:
     """A robot, its simulator, and everything that was told of it."""
 
-    def __init__(self, simulator: AracnaProcess, qtbot: QtBot) -> None:
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.simulator = simulator
         self.qtbot = qtbot
         self.robot = Robot()
@@ -42,7 +43,7 @@ class Watched:
         self.links.append((self.robot.link, self.robot.status))
 
     def connect(self) -> None:
-        self.robot.connect_to(LinkSettings(self.simulator.url, patience=2.0))
+        self.robot.connect_to(LinkSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
         self.wait(lambda: self.robot.link is Link.UP)
 
     def wait(self, condition: Callable[[], bool]) -> None:
@@ -95,14 +96,12 @@ class Watched:
 
 
 @pytest.fixture
-def simulator() -> Iterator[AracnaProcess]:
-    simulator = AracnaProcess("--unpaced")
-    yield simulator
-    simulator.end()
+def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
+    return start_simulator("--aracna", "--unpaced")
 
 
 @pytest.fixture
-def watched(simulator: AracnaProcess, qtbot: QtBot) -> Iterator[Watched]:
+def watched(simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Watched]:
     watched = Watched(simulator, qtbot)
     yield watched
     watched.end()
@@ -229,7 +228,7 @@ def test_how_long_the_motion_lasts_counts_down(robot: Robot, watched: Watched) -
     watched.wait(lambda: robot.known.moving is not None)
     ends_at = robot.known.ends_at
     assert ends_at is not None
-    before, left, after = time.monotonic(), robot.remaining(), time.monotonic()
+    before, left, after = now(), robot.remaining(), now()
     assert ends_at - after <= left <= ends_at - before
     moving = robot.known.moving
     assert moving is not None
@@ -261,7 +260,7 @@ def test_halt_ends_what_is_played_and_holds_what_is_reported(
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
     watched.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
     robot.halt()
-    halted = time.monotonic()
+    halted = now()
     watched.wait(lambda: robot.playing is None and robot.known.moving is None)
     assert watched.sent_after(halted) <= 1  # one may have been on its way
     assert robot.targets.goals == robot.present
@@ -326,8 +325,10 @@ def test_a_pulled_plug_is_told(robot: Robot, watched: Watched) -> None:
     assert "No robot is connected" in watched.said[-1]
 
 
-def test_a_robot_of_two_motors_has_two_of_everything(qtbot: QtBot) -> None:
-    simulator = AracnaProcess("--unpaced", "--motors", "2")
+def test_a_robot_of_two_motors_has_two_of_everything(
+    qtbot: QtBot, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--aracna", "--unpaced", "--motors", "2")
     watched = Watched(simulator, qtbot)
     watched.connect()
     robot = watched.robot
@@ -335,4 +336,3 @@ def test_a_robot_of_two_motors_has_two_of_everything(qtbot: QtBot) -> None:
     watched.move((500, 500))
     assert robot.present == (500, 500) or not robot.known.missed
     watched.end()
-    simulator.end()

@@ -7,7 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.aracna.model.test_robot import HIGH, LOW, Watched, steps
-from tests.support.aracna import AracnaProcess
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.aracna.link.messages import Play, SpeedsHeld
 from trex_gui.aracna.model.robot import Robot
 
@@ -15,14 +15,12 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-te
 
 
 @pytest.fixture
-def simulator() -> Iterator[AracnaProcess]:
-    simulator = AracnaProcess("--unpaced")
-    yield simulator
-    simulator.end()
+def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
+    return start_simulator("--aracna", "--unpaced")
 
 
 @pytest.fixture
-def watched(simulator: AracnaProcess, qtbot: QtBot) -> Iterator[Watched]:
+def watched(simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Watched]:
     watched = Watched(simulator, qtbot)
     yield watched
     watched.end()

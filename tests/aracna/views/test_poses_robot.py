@@ -7,11 +7,12 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.aracna.views.poses_stage import Stage
-from tests.support.aracna import AracnaProcess
+from tests.support.simulator import StartSimulator
 from trex_gui.aracna.link.messages import Ending, Moving, PlayEnded
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.poses.sequence import SequenceStep
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
@@ -48,11 +49,11 @@ class Wired(Stage):
 
 
 @pytest.fixture
-def wired(qtbot: QtBot) -> Iterator[Wired]:
-    simulator = AracnaProcess("--unpaced")
+def wired(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[Wired]:
+    simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
     wired = Wired(qtbot, robot)
-    robot.connect_to(LinkSettings(simulator.url, patience=2.0))
+    robot.connect_to(LinkSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
     qtbot.waitUntil(lambda: robot.link is Link.UP, timeout=15_000)
     robot.set_speeds((800,) * 8)
     yield wired

@@ -1,11 +1,9 @@
 """When the board stops its motors by itself, the program follows."""
 
-from collections.abc import Callable
-
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
+from tests.support.simulator import StartSimulator
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import StatusNews
 from trex_gui.model.device import Link
@@ -35,7 +33,7 @@ def test_no_other_bit_says_that_they_stand() -> None:
 
 
 def test_after_an_error_on_the_line_the_window_wishes_nothing_any_more(
-    program: Program, start_simulator: Callable[..., SimulatorProcess], qtbot: QtBot
+    program: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     device = program.device
     simulator = start_simulator("--unpaced")

@@ -1,33 +1,30 @@
 """Wishes and stops between the window and a board that runs in a process of its own."""
 
 import threading
-import time
-from collections.abc import Callable
 
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.simulator import SimulatorProcess
-from trex_gui.link import guard
-from trex_gui.link.guard import PATIENCE
+from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.messages import Halted
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Connection
 from trex_gui.model.device import Device, Link
 from trex_gui.model.driving.motors import Motors
 from trex_gui.model.driving.orders import Driving
+from trex_gui.runtime import now, runtime
 from trex_gui.window import Program
 
 STOOD_STILL = "The window did not respond for a second."
 
 
 @pytest.fixture
-def simulator(start_simulator: Callable[..., SimulatorProcess]) -> SimulatorProcess:
+def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
     return start_simulator("--unpaced")
 
 
 @pytest.fixture
-def driven(program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> Device:
+def driven(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose motor 1 runs."""
     device = program.device
     device.connect_to(LinkSettings(simulator.url))
@@ -39,12 +36,12 @@ def driven(program: Program, simulator: SimulatorProcess, qtbot: QtBot) -> Devic
     return device
 
 
-def is_braked(simulator: SimulatorProcess) -> bool:
+def is_braked(simulator: SimulatedDevice) -> bool:
     return bool(simulator.show()["motors"][0]["direction"] == "brake")
 
 
 def test_a_stop_from_another_thread_arrives_and_wishes_that_pass_it_are_dropped(
-    driven: Device, simulator: SimulatorProcess, qtbot: QtBot
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     thread = threading.Thread(target=driven.stop_now)
     thread.start()
@@ -62,7 +59,7 @@ def test_a_stop_from_another_thread_arrives_and_wishes_that_pass_it_are_dropped(
 
 
 def test_a_board_that_was_restarted_finds_nothing_armed(
-    driven: Device, simulator: SimulatorProcess, qtbot: QtBot
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     """So quickly that nobody missed it: another source of the channels is what tells."""
     simulator.do("eeprom channel_input_source 1")
@@ -74,15 +71,14 @@ def test_a_board_that_was_restarted_finds_nothing_armed(
 
 
 def test_a_window_that_stood_still_says_what_became_of_the_stop(
-    driven: Device, simulator: SimulatorProcess, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    monkeypatch.setattr(guard, "PATIENCE", PATIENCE)
     said: list[str] = []
     driven.failed.connect(said.append)
-    deadline = time.monotonic() + 15 * PATIENCE
+    deadline = now() + 15
     while not is_braked(simulator):  # and no event of the window is served meanwhile
-        assert time.monotonic() < deadline, "nobody stopped the motor"
-        time.sleep(0.05)
+        assert now() < deadline, "nobody stopped the motor"
+        runtime().sleep(0.05)
     qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
     assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to go on."]
     assert driven.motors.stop_reason == STOOD_STILL

@@ -1,0 +1,269 @@
+"""Simulated devices in virtual time, at the other end of ports that the program opens."""
+
+import errno
+import json
+import math
+import shutil
+from collections import deque
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import click
+from PySide6.QtCore import QByteArray, QObject, QProcess
+
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.emulator import server
+from trex_gui.emulator.serving import GOODBYE
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import Transport, why_not_open
+from trex_gui.protocol.errors import PortUnavailable
+from trex_gui.protocol.line_settings import LineSettings
+
+_EPSILON = 1e-9  # seconds; swallows the rounding of summed times
+_SLICE = 0.02  # seconds between two looks whether the cable is still in
+_HANDING_OVER = 1.5  # seconds for which the program waits for a port of its own
+
+
+class VirtualSimulator:
+    """What `trex-sim` simulates, without a process: the same options, the same control lines.
+
+    Attributes:
+        on_write: gets all that a host sends, before it goes out, in the thread of the host.
+        on_close: is called when a host closes the port, before it is free.
+        rates: the baud rates that the port can do; `None`: it cannot tell.
+    """
+
+    def __init__(self, runtime: VirtualRuntime, url: str, *arguments: str) -> None:
+        self.runtime = runtime
+        self.url = url
+        self.simulation = _simulation(arguments)
+        self.line = self.simulation.line
+        self.host: VirtualTransport | None = None
+        self.on_write: Callable[[bytes], object] = _do_nothing
+        self.on_close: Callable[[], object] = _do_nothing
+        self.rates: frozenset[int] | None = None
+        self._began = runtime.now() - self.line.now
+        runtime.ports[url] = self
+        if self.simulation.demos:
+            self._move_sticks()
+
+    # --- For tests ----------------------------------------------------------------------
+
+    def do(self, line: str) -> str:
+        """Send a control line; return what follows `ok`."""
+        answer = self.obey(line)
+        assert answer.startswith("ok"), f"{line}: {answer}"
+        return answer.removeprefix("ok").strip()
+
+    def show(self) -> dict[str, Any]:
+        """What the board is and does."""
+        state: dict[str, Any] = json.loads(self.do("show"))
+        return state
+
+    def end(self) -> None:
+        """End it, as the end of its process would."""
+        self.line.unplug()
+        self.runtime.ports.pop(self.url, None)
+
+    # --- For what stands in for its process ---------------------------------------------
+
+    def obey(self, text: str) -> str:
+        """Obey a control line and return the whole answer."""
+        self.catch_up()
+        was_plugged = self.line.plugged
+        answer = self.simulation.control(text)
+        if was_plugged and not self.line.plugged:
+            self.line.drop_unsent()
+        elif self.line.plugged and not was_plugged:
+            answer = f"{answer} {self.url}"
+        return answer
+
+    def catch_up(self) -> None:
+        """Bring the line to the present."""
+        self.line.advance_to(self.runtime.now() - self._began + _EPSILON)
+
+    @property
+    def next_event(self) -> float:
+        """When something happens on the line next, on the clock of the runtime."""
+        event = self.line.next_event
+        return math.inf if event is None else self._began + event
+
+    def open(self, settings: LinkSettings) -> Transport:
+        """Open its port; see `SerialTransport`."""
+        deadline = self.runtime.now() + _HANDING_OVER
+        while self.host is not None and self.runtime.now() < deadline:
+            self.runtime.sleep(_SLICE)
+        if self.host is not None or not self.line.plugged:
+            number = errno.EBUSY if self.host is not None else errno.ENOENT
+            raise PortUnavailable(why_not_open(settings.url, settings.line, OSError(number, "")))
+        self.host = VirtualTransport(self, settings)
+        return self.host
+
+    def _move_sticks(self) -> None:
+        self.catch_up()
+        for demo in self.simulation.demos:
+            demo.update()
+        self.runtime.at(self.runtime.now() + _SLICE, self._move_sticks)
+
+
+def _do_nothing(*_: object) -> None:
+    pass
+
+
+def _simulation(arguments: Sequence[str]) -> server.Simulation:
+    command = server.main
+    assert isinstance(command, click.Command)
+    options = command.make_context("trex-sim", list(arguments)).params
+    for name in ("link", "tcp", "rfc2217"):
+        assert options.pop(name) is None, f"{name} has no meaning in virtual time"
+    paced = not options.pop("unpaced")
+    motors = options.pop("motors")
+    if options.pop("aracna"):
+        return server.simulate_aracna(motors, paced=paced, seed=options["seed"])
+    return server.simulate_trex(paced=paced, **options)
+
+
+class VirtualTransport:
+    """The host's end of a simulated wire."""
+
+    latency = 0.06
+    can_be_tuned = True
+
+    def __init__(self, simulator: VirtualSimulator, settings: LinkSettings) -> None:
+        self._simulator = simulator
+        self._runtime = simulator.runtime
+        self._line = simulator.line
+        self._name = settings.name or settings.url
+        self._received = bytearray()
+        self._is_open = True
+        simulator.catch_up()
+        self._line.receive()  # what was sent before nobody has kept
+        self._line.host = settings.line
+
+    def clock(self) -> float:
+        return self._runtime.now()
+
+    def rates(self) -> frozenset[int] | None:
+        return self._simulator.rates
+
+    def tune(self, line: LineSettings) -> None:
+        self._catch_up()
+        self._line.host = line
+
+    def write(self, data: bytes) -> None:
+        self._simulator.on_write(data)
+        self._catch_up()
+        self._line.send(data)
+        self._catch_up()
+
+    def read(self, size: int, seconds: float) -> bytes:
+        deadline = self.clock() + seconds
+        while True:
+            self._catch_up()
+            if len(self._received) >= size or self.clock() >= deadline:
+                data = bytes(self._received[:size])
+                del self._received[:size]
+                return data
+            moment = min(deadline, self._simulator.next_event, self.clock() + _SLICE)
+            self._runtime.sleep_until(max(moment, self.clock() + _EPSILON))
+
+    def discard(self) -> bytes:
+        self._catch_up()
+        stale = bytes(self._received)
+        self._received.clear()
+        return stale
+
+    def wait(self, seconds: float) -> None:
+        self._runtime.sleep(seconds)
+
+    def close(self) -> None:
+        if self._is_open:
+            self._simulator.on_close()
+            self._is_open = False
+            self._simulator.host = None
+
+    def _catch_up(self) -> None:
+        self._simulator.catch_up()
+        if not self._line.plugged or not self._is_open:
+            raise PortUnavailable(
+                f"The line to {self._name} is gone. Plug it in, then connect again."
+            )
+        self._received += self._line.receive()
+
+
+class VirtualProcess(QProcess):
+    """The process of a simulator that the program starts; takes some time to begin."""
+
+    _STARTING = 0.3  # seconds
+
+    def __init__(self, runtime: VirtualRuntime, parent: QObject) -> None:
+        super().__init__(parent)
+        self._runtime = runtime
+        self._simulator: VirtualSimulator | None = None
+        self._state = QProcess.ProcessState.NotRunning
+        self._output: deque[str] = deque()
+
+    def start(self, program: str, arguments: Sequence[str]) -> None:  # type: ignore[override]
+        if shutil.which(program) is None:
+            self._runtime.at(self._runtime.now(), self._fail_to_start, of_gui=True)
+            return
+        self._state = QProcess.ProcessState.Running
+        options = [word for word in arguments if word not in {"-m", "trex_gui.emulator"}]
+
+        def begin() -> None:
+            if self._state is QProcess.ProcessState.Running:
+                url = f"/virtual/demo{len(self._runtime.ports)}"
+                self._simulator = VirtualSimulator(self._runtime, url, *options)
+                self._say(f"ready {url}")
+
+        self._runtime.at(self._runtime.now() + self._STARTING, begin, of_gui=True)
+
+    def _fail_to_start(self) -> None:
+        self.errorOccurred.emit(QProcess.ProcessError.FailedToStart)
+
+    def state(self) -> QProcess.ProcessState:
+        return self._state
+
+    def write(self, data: bytes) -> int:  # type: ignore[override]
+        for line in data.decode().splitlines():
+            if self._simulator is not None:
+                self._answer(self._simulator, line)
+        return len(data)
+
+    def closeWriteChannel(self) -> None:
+        pass
+
+    def canReadLine(self) -> bool:
+        return bool(self._output)
+
+    def readLine(self) -> QByteArray:  # type: ignore[override]
+        return QByteArray(self._output.popleft().encode() + b"\n")
+
+    def readAllStandardError(self) -> QByteArray:
+        return QByteArray()
+
+    def waitForFinished(self, milliseconds: int = 30_000) -> bool:
+        del milliseconds
+        return self._state is QProcess.ProcessState.NotRunning
+
+    def kill(self) -> None:
+        self._end()
+
+    def _answer(self, simulator: VirtualSimulator, line: str) -> None:
+        answer = simulator.obey(line)
+        self._runtime.at(self._runtime.now(), lambda: self._say(answer), of_gui=True)
+        if answer == GOODBYE:
+            self._end()
+
+    def _say(self, text: str) -> None:
+        self._output.append(text)
+        self.readyReadStandardOutput.emit()
+
+    def _end(self) -> None:
+        if self._simulator is not None:
+            self._simulator.end()
+            self._simulator = None
+        self._state = QProcess.ProcessState.NotRunning
+        self._output.clear()
+        code, status = 0, QProcess.ExitStatus.NormalExit
+        self._runtime.at(self._runtime.now(), lambda: self.finished.emit(code, status), of_gui=True)

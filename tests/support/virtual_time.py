@@ -1,0 +1,363 @@
+"""Virtual time: the whole program on one clock that only tests move.
+
+Threads of the program become greenlets of the test's own thread; its timers and waits become events
+on one time line. Nothing runs at the same time as anything else, nothing waits, and every run goes
+the same way. What Qt does on its own (painting, layouts, posted events) it does between two events.
+"""
+
+import heapq
+import itertools
+import math
+import sys
+from collections import deque
+from collections.abc import Callable
+from types import TracebackType
+from typing import Any, Protocol, TypeVar
+
+import greenlet
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QProcess, QThread, QTimer
+from pytestqt.qtbot import QtBot
+from pytestqt.wait_signal import MultiSignalBlocker, SignalBlocker
+from shiboken6 import Shiboken
+
+from trex_gui.link.settings import LinkSettings
+from trex_gui.link.transport import Transport
+from trex_gui.runtime import Runtime
+
+START = 1000.0
+"""Virtual seconds at which every test begins."""
+
+LOOK = 0.01
+"""Virtual seconds between two looks at a condition that a test waits for."""
+
+WAIT_MS = 60_000
+"""Virtual milliseconds that a test waits for anything unless it says otherwise."""
+
+
+BlockerT = TypeVar("BlockerT", SignalBlocker, MultiSignalBlocker)
+
+
+class Event:
+    """Something that is to be done at a moment, unless it is cancelled.
+
+    `of_gui` says that the GUI thread has to do it, which may be busy with waiting.
+    """
+
+    __slots__ = ("action", "of_gui")
+
+    def __init__(self, action: Callable[[], object], *, of_gui: bool = False) -> None:
+        self.action: Callable[[], object] | None = action
+        self.of_gui = of_gui
+
+    def cancel(self) -> None:
+        self.action = None
+
+
+class Port(Protocol):
+    """What a URL leads to."""
+
+    def open(self, settings: LinkSettings) -> Transport: ...
+
+
+class VirtualRuntime(Runtime):
+    """The clock, and everything that waits for it.
+
+    Attributes:
+        ports: what can be opened, by URL; anything else is looked for on this computer.
+        make_process: makes what stands in for a process that the program starts.
+    """
+
+    def __init__(self) -> None:
+        self.ports: dict[str, Port] = {}
+        self.make_process: Callable[[QObject], QProcess] | None = None
+        self._now = self._until = START
+        self._events: list[tuple[float, int, Event]] = []
+        self._order = itertools.count()
+        self._main = greenlet.getcurrent()
+        self._tasks: dict[QThread, greenlet.greenlet] = {}
+
+    # --- The runtime of the program -----------------------------------------------------
+
+    def now(self) -> float:
+        return self._now
+
+    def sleep(self, seconds: float) -> None:
+        self.sleep_until(self._now + seconds)
+
+    def condition(self) -> "VirtualCondition":
+        return VirtualCondition(self)
+
+    def timer(self, parent: QObject) -> QTimer:
+        return VirtualTimer(self, parent)
+
+    def start(self, thread: QThread, priority: QThread.Priority) -> None:
+        del priority
+        task = greenlet.greenlet(lambda: self._live(thread), parent=self._main)
+        self._tasks[thread] = task
+        self.at(self._now, task.switch)
+
+    def wait(self, thread: QThread, milliseconds: int) -> bool:
+        until = math.inf if milliseconds < 0 else self._now + milliseconds / 1000
+        return self._run(until, lambda: thread not in self._tasks, with_gui=False)
+
+    def process(self, parent: QObject) -> QProcess:
+        if self.make_process is None:
+            return super().process(parent)
+        return self.make_process(parent)
+
+    def open_transport(self, settings: LinkSettings) -> Transport:
+        if settings.url in self.ports:
+            return self.ports[settings.url].open(settings)
+        return super().open_transport(settings)
+
+    # --- For simulated devices ----------------------------------------------------------
+
+    def at(self, moment: float, action: Callable[[], object], *, of_gui: bool = False) -> Event:
+        """Do something at a moment."""
+        event = Event(action, of_gui=of_gui)
+        heapq.heappush(self._events, (moment, next(self._order), event))
+        return event
+
+    def sleep_until(self, moment: float) -> None:
+        """Let the thread that calls this wait until a moment."""
+        if moment <= self._now:
+            return
+        if moment < self._next() and moment <= self._until:
+            self._now = moment  # nothing else has anything to do before
+            return
+        if greenlet.getcurrent() is self._main:
+            self._run(moment, lambda: False, with_gui=False)
+            return
+        self.at(moment, greenlet.getcurrent().switch)
+        self.switch_to_main()
+
+    def switch_to_main(self) -> None:
+        """Let everything else run, until somebody switches back."""
+        if greenlet.getcurrent() is self._main:
+            raise RuntimeError("the GUI thread would wait for ever")
+        self._main.switch()
+
+    # --- For tests ----------------------------------------------------------------------
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether no thread runs."""
+        return not self._tasks
+
+    def advance(self, seconds: float) -> None:
+        """Let time pass."""
+        self._run(self._now + seconds, lambda: False)
+
+    def run_until(self, condition: Callable[[], object], seconds: float) -> bool:
+        """Let time pass until a condition holds, at most so long; return whether it does."""
+        end = self._now + seconds
+        deliver()
+        while not condition():
+            if self._now >= end:
+                return False
+            self._run(min(end, self._now + LOOK), lambda: False)
+        return True
+
+    def _live(self, thread: QThread) -> None:
+        try:
+            thread.run()
+        except Exception:  # noqa: BLE001 - as PySide does in a thread of Qt's
+            kind, error, trace = sys.exc_info()
+            assert kind is not None
+            assert error is not None
+            sys.excepthook(kind, error, trace)
+        if Shiboken.isValid(thread):
+            thread.finished.emit()
+        del self._tasks[thread]
+
+    def _next(self) -> float:
+        while self._events and self._events[0][2].action is None:
+            heapq.heappop(self._events)
+        return self._events[0][0] if self._events else math.inf
+
+    def _run(self, until: float, done: Callable[[], bool], *, with_gui: bool = True) -> bool:
+        if greenlet.getcurrent() is not self._main:
+            raise RuntimeError("only the GUI thread lets time pass")
+        before, self._until = self._until, until
+        held: list[tuple[float, int, Event]] = []
+        try:
+            while not done():
+                moment = self._next()
+                if moment > until or moment == math.inf:
+                    if until == math.inf:
+                        raise RuntimeError("what is waited for never happens")
+                    self._now = max(self._now, until)
+                    break
+                entry = heapq.heappop(self._events)
+                event = entry[2]
+                if event.of_gui and not with_gui:
+                    held.append(entry)
+                    continue
+                self._now = max(self._now, moment)
+                action, event.action = event.action, None
+                assert action is not None
+                action()
+                if with_gui:
+                    deliver()
+        finally:
+            self._until = before
+            for entry in held:
+                heapq.heappush(self._events, entry)
+        if with_gui:
+            deliver()
+        return done()
+
+
+def deliver() -> None:
+    """Let Qt do what it has to do now."""
+    QCoreApplication.processEvents()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+class VirtualCondition:
+    """Stands in for `threading.Condition`; its lock is always free."""
+
+    def __init__(self, runtime: VirtualRuntime) -> None:
+        self._runtime = runtime
+        self._waiting: deque[Callable[[bool], None]] = deque()
+
+    def __enter__(self) -> bool:
+        return True
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+        /,
+    ) -> None:
+        pass
+
+    def wait(self, timeout: float | None = None) -> bool:
+        task = greenlet.getcurrent()
+        notified = False
+        is_over = False
+
+        def wake(*, by_notify: bool) -> None:
+            nonlocal notified, is_over
+            if not is_over:
+                is_over, notified = True, by_notify
+                task.switch()
+
+        def on_notify(_: bool) -> None:
+            self._runtime.at(self._runtime.now(), lambda: wake(by_notify=True))
+
+        self._waiting.append(on_notify)
+        end = None
+        if timeout is not None:
+            moment = self._runtime.now() + timeout
+            end = self._runtime.at(moment, lambda: wake(by_notify=False))
+        self._runtime.switch_to_main()
+        if end is not None:
+            end.cancel()
+        if on_notify in self._waiting:
+            self._waiting.remove(on_notify)
+        return notified
+
+    def notify(self) -> None:
+        if self._waiting:
+            self._waiting.popleft()(True)
+
+
+class VirtualTimer(QTimer):
+    """A timer on the virtual clock."""
+
+    def __init__(self, runtime: VirtualRuntime, parent: QObject) -> None:
+        super().__init__(parent)
+        self._runtime = runtime
+        self._event: Event | None = None
+        self._due = 0.0
+
+    def start(self, *milliseconds: object) -> None:
+        if milliseconds and isinstance(milliseconds[0], int):  # no text of a signal
+            self.setInterval(milliseconds[0])
+        self.stop()
+        self._schedule(self._runtime.now())
+
+    def stop(self) -> None:
+        if self._event is not None:
+            self._event.cancel()
+            self._event = None
+
+    def setInterval(self, milliseconds: int) -> None:
+        super().setInterval(milliseconds)
+        if self._event is not None:
+            self.start()
+
+    def isActive(self) -> bool:
+        return self._event is not None
+
+    def remainingTime(self) -> int:
+        if self._event is None:
+            return -1
+        return max(0, round((self._due - self._runtime.now()) * 1000))
+
+    def _schedule(self, since: float) -> None:
+        seconds = self.interval() / 1000
+        if not self.isSingleShot():
+            seconds = max(0.001, seconds)
+        self._due = max(since + seconds, self._runtime.now())
+        self._event = self._runtime.at(self._due, self._fire, of_gui=True)
+
+    def _fire(self) -> None:
+        self._event = None
+        if Shiboken.isValid(self):
+            if not self.isSingleShot():
+                self._schedule(self._due)
+            self.timeout.emit()
+
+
+class VirtualQtBot(QtBot):
+    """Waits in virtual time."""
+
+    def __init__(self, request: Any, runtime: VirtualRuntime) -> None:
+        super().__init__(request)
+        self.runtime = runtime
+
+    def wait(self, ms: int) -> None:
+        self.runtime.advance(ms / 1000)
+
+    def waitUntil(self, callback: Callable[[], bool | None], *, timeout: int = WAIT_MS) -> None:
+        failure: AssertionError | None = None
+
+        def holds() -> bool:
+            nonlocal failure
+            try:
+                result = callback()
+            except AssertionError as error:
+                failure = error
+                return False
+            failure = None
+            return result is None or bool(result)
+
+        if not self.runtime.run_until(holds, timeout / 1000):
+            raise self.TimeoutError(f"waited {timeout} virtual ms in vain") from failure
+
+    def waitSignal(self, signal: Any, *, timeout: int = WAIT_MS, **options: Any) -> SignalBlocker:
+        blocker = super().waitSignal(signal, timeout=timeout, **options)
+        return self._in_virtual_time(blocker)
+
+    def waitSignals(
+        self, signals: list[Any], *, timeout: int = WAIT_MS, **options: Any
+    ) -> MultiSignalBlocker:
+        blocker = super().waitSignals(signals, timeout=timeout, **options)
+        return self._in_virtual_time(blocker)
+
+    def _in_virtual_time(self, blocker: BlockerT) -> BlockerT:
+        """Let a blocker of pytest-qt wait in virtual time."""
+        milliseconds, blocker.timeout = blocker.timeout, 0  # it must not wait by itself
+
+        def wait() -> None:
+            came = self.runtime.run_until(
+                lambda: blocker.signal_triggered, (milliseconds or 0) / 1000
+            )
+            if not came and blocker.raising:
+                raise self.TimeoutError(f"no signal within {milliseconds} virtual ms")
+
+        blocker.wait = wait  # type: ignore[method-assign]  # of this one only
+        return blocker
