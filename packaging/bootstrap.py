@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Set the project up in `.venv/`, then show it, check it or measure it.
 
-    python3 packaging/bootstrap.py setup | demo | test | bench
+    python3 packaging/bootstrap.py setup | demo | test [--all] | bench | mutate
 
 Needs nothing but Python's standard library. The syntax stays readable to older Pythons, so that
 they get as far as the sentence about their age.
@@ -15,11 +15,13 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from pathlib import Path
+from xml.etree import ElementTree
 
 OLDEST_PYTHON = (3, 11)
 
@@ -37,10 +39,15 @@ STAMP_FILE = VENV / "bootstrap.json"
 PROJECT_FILE = ROOT / "pyproject.toml"
 CONSTRAINTS = ROOT / "packaging" / "constraints.txt"
 BENCHMARKS = ROOT / "tests" / "benchmarks"
+MUTATE = ROOT / "packaging" / "mutate.py"
 
-SIDE_BY_SIDE = ("-n", str(max(2, min(4, os.cpu_count() or 1))), "--dist", "worksteal")
-"""How the tests are shared out: many of them have a simulated board in a process of its own, which
-has to keep the pace of a wire. More processes than cores disturb that pace."""
+CORES = max(2, min(4, os.cpu_count() or 1))
+VIRTUAL = ("-m", "not realtime", "-n", str(CORES), "--dist", "worksteal")
+REALTIME = ("-m", "realtime", "-n", str(2 * CORES), "--dist", "worksteal")
+"""How the tests are shared out: in virtual time they compute, in real time they mostly wait."""
+
+NO_TESTS = 5
+"""The status of pytest where none was selected."""
 SCREENSHOTS = ROOT / "demo-screenshots"
 
 # What Qt loads from the system, by the names of Debian 12; later releases still provide these
@@ -500,6 +507,8 @@ class Check:
 
     name: str
     command: tuple[str, ...]
+    environment: Mapping[str, str] = field(default_factory=dict)
+    is_tests: bool = False
 
 
 @dataclass(frozen=True)
@@ -509,10 +518,14 @@ class CheckResult:
     name: str
     passed: bool
     seconds: float
+    tests: int | None = None
 
 
-def checks(pytest_arguments: Sequence[str]) -> list[Check]:
-    """Return every check, the quick ones first and the tests last."""
+def checks(pytest_arguments: Sequence[str], *, every: bool = False) -> list[Check]:
+    """Return every check, the quick ones first and the tests last.
+
+    With `every` the long tests run, too, and hypothesis looks for new examples.
+    """
     ruff, mypy, lint_imports, pytest = (
         str(venv_program(name)) for name in ("ruff", "mypy", "lint-imports", "pytest")
     )
@@ -521,32 +534,62 @@ def checks(pytest_arguments: Sequence[str]) -> list[Check]:
         Check("ruff format", (ruff, "format", "--check", ".")),
         Check("mypy", (mypy,)),
         Check("lint-imports", (lint_imports,)),
-        Check("pytest", (pytest, *SIDE_BY_SIDE, *pytest_arguments)),
+        *(
+            Check(
+                name,
+                (pytest, *how, "--durations=10", *(["--all"] if every else []), *pytest_arguments),
+                {"HYPOTHESIS_PROFILE": "all" if every else "gate"},
+                is_tests=True,
+            )
+            for name, how in (("virtual time", VIRTUAL), ("real time", REALTIME))
+        ),
     ]
 
 
 def summary(results: Iterable[CheckResult]) -> str:
-    """Return a line for each check."""
+    """Return a line for each check: step, tests, seconds."""
     return "\n".join(
-        f"{'ok' if result.passed else 'FAILED':<7}{result.name:<13}{result.seconds:6.1f} s"
+        f"{'ok' if result.passed else 'FAILED':<7}{result.name:<13}"
+        f"{'' if result.tests is None else result.tests:>6}{result.seconds:8.1f} s"
         for result in results
     )
 
 
-def command_test(pytest_arguments: Sequence[str]) -> int:
-    """Run every check, also after one has failed."""
+def count_tests(report: Path) -> int | None:
+    """Return how many tests a report of pytest is about, where there is one."""
+    try:
+        suite = ElementTree.parse(report).getroot().find("testsuite")
+    except (OSError, ElementTree.ParseError):
+        return None
+    return None if suite is None else int(suite.get("tests", "0"))
+
+
+def run_check(check: Check) -> CheckResult:
+    """Run one check in sight."""
+    say(f"\n--- {check.name}")
+    started = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="trex-tests") as folder:
+        report = Path(folder) / "report.xml"
+        to_report = (f"--junitxml={report}",) if check.is_tests else ()
+        status = run_in_sight((*check.command, *to_report), {**OFFSCREEN, **check.environment})
+        tests = count_tests(report) if check.is_tests else None
+    passed = status == 0 or (check.is_tests and status == NO_TESTS)
+    return CheckResult(check.name, passed, time.monotonic() - started, tests)
+
+
+def command_test(pytest_arguments: Sequence[str], *, every: bool = False) -> int:
+    """Run every check, also after one has failed.
+
+    Selecting no test at all is a failure.
+    """
     set_up()
     debian = find_debian() if missing_test_programs() else None
     if debian:
         debian.supply(missing_test_programs())
-    results = []
-    for check in checks(pytest_arguments):
-        say(f"\n--- {check.name}")
-        started = time.monotonic()
-        status = run_in_sight(check.command, OFFSCREEN)
-        results.append(CheckResult(check.name, status == 0, time.monotonic() - started))
+    results = [run_check(check) for check in checks(pytest_arguments, every=every)]
     say("\n" + summary(results))
-    return 0 if all(result.passed for result in results) else 1
+    ran = sum(result.tests or 0 for result in results)
+    return 0 if ran and all(result.passed for result in results) else 1
 
 
 def command_bench(pytest_arguments: Sequence[str]) -> int:
@@ -556,6 +599,16 @@ def command_bench(pytest_arguments: Sequence[str]) -> int:
     pytest = [str(venv_program("pytest")), str(BENCHMARKS), *in_order, *pytest_arguments]
     # Offscreen unless the person asks for something else: figures should compare.
     return run_in_sight(pytest, {**OFFSCREEN, **os.environ})
+
+
+def command_mutate(arguments: Sequence[str]) -> int:
+    """Change the program in one place at a time and see what the tests notice."""
+    set_up()
+    pip = [str(venv_python()), "-m", "pip", "--disable-pip-version-check", "--no-input", "-qq"]
+    wanted = ["install", "--constraint", str(CONSTRAINTS), "cosmic-ray"]
+    if run_in_sight([*pip, *wanted], {"PIP_USER": "0"}) != 0:
+        raise BootstrapError("pip could not install cosmic-ray; its message stands above.")
+    return run_in_sight([str(venv_python()), str(MUTATE), *arguments], OFFSCREEN)
 
 
 # --- The command line --------------------------------------------------------------------------
@@ -568,15 +621,21 @@ def make_parser() -> argparse.ArgumentParser:
     )
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
-    def add(name: str, text: str, usage: str | None = None) -> None:
+    def add(name: str, text: str, usage: str | None = None) -> argparse.ArgumentParser:
         sentence = text[0].upper() + text[1:] + "."
-        commands.add_parser(name, help=text, description=sentence, usage=usage)
+        return commands.add_parser(name, help=text, description=sentence, usage=usage)
 
     for_pytest = "%(prog)s [-h] [-- PYTEST_ARGUMENT ...]"
+    for_mutate = "%(prog)s [-h] [-- OPTION ...], see packaging/mutate.py"
+    for_tests = "%(prog)s [-h] [--all] [-- PYTEST_ARGUMENT ...]"
     add("setup", "make .venv/ and install the project and its test tools, pinned")
     add("demo", "set up if needed and show the program on a simulated TReX")
-    add("test", "set up if needed and run every check", for_pytest)
+    test = add("test", "set up if needed and run every check", for_tests)
+    test.add_argument(
+        "--all", action="store_true", help="the long tests, too, with random seeds: some 20 minutes"
+    )
     add("bench", "set up if needed and run the benchmarks", for_pytest)
+    add("mutate", "set up if needed and measure what the tests catch", for_mutate)
     return parser
 
 
@@ -593,8 +652,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its status."""
     own, for_pytest = split_arguments(sys.argv[1:] if arguments is None else arguments)
     parser = make_parser()
-    command = parser.parse_args(own).command
-    if for_pytest and command not in {"test", "bench"}:
+    options = parser.parse_args(own)
+    command = options.command
+    if for_pytest and command not in {"test", "bench", "mutate"}:
         parser.error(f"{command} takes nothing after --")
     try:
         if command == "setup":
@@ -602,7 +662,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if command == "demo":
             return command_demo()
         if command == "test":
-            return command_test(for_pytest)
+            return command_test(for_pytest, every=options.all)
+        if command == "mutate":
+            return command_mutate(for_pytest)
         return command_bench(for_pytest)
     except BootstrapError as error:
         print(error, file=sys.stderr)
