@@ -206,6 +206,7 @@ def half_read(path: Path, qtbot: QtBot) -> tuple[PlaybackWindow, QProgressBar]:
     raise AssertionError(path)
 
 
+@pytest.mark.realtime
 def test_while_it_is_read_it_says_how_far_and_can_be_cancelled(
     tmp_path: Path, qtbot: QtBot
 ) -> None:

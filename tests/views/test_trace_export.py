@@ -24,6 +24,7 @@ def panel(qtbot: QtBot) -> TracePanel:
     return panel
 
 
+@pytest.mark.realtime
 def test_a_table_that_is_cut_off_leaves_what_was_there(panel: TracePanel, tmp_path: Path) -> None:
     path = tmp_path / "all.csv"
     path.write_text("what was there")
