@@ -41,7 +41,14 @@ hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "gate"))
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--all", action="store_true", help="run the long tests, too")
+    parser.addoption("--all", action="store_true", help="run the tests marked slow, too")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not config.getoption("--all"):
+        for item in items:
+            if item.get_closest_marker("slow"):
+                item.add_marker(pytest.mark.skip(reason="takes long; runs with --all"))
 
 
 @pytest.fixture
@@ -212,13 +219,6 @@ def _windows() -> list[str]:
     if not isinstance(app := QCoreApplication.instance(), QApplication):
         return []
     return [repr(widget) for widget in app.topLevelWidgets() if widget.isVisible()]
-
-
-@pytest.fixture
-def only_when_asked_for(pytestconfig: pytest.Config) -> None:
-    """Skip a test that takes long, unless `--all` asks for it."""
-    if not pytestconfig.getoption("--all"):
-        pytest.skip("takes long; runs with --all")
 
 
 @pytest.fixture

@@ -55,9 +55,7 @@ def test_what_find_prints_works_behind_a_command(
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-def test_what_find_prints_for_crc_works_too(
-    trexcmd: Run, quick_simulator: SimulatedDevice, only_when_asked_for: None
-) -> None:
+def test_what_find_prints_for_crc_works_too(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
     works_behind_a_command(LineSettings(57600, Detection.CRC7), trexcmd, quick_simulator)
 
 
@@ -78,9 +76,7 @@ def works_behind_a_command(
 @pytest.mark.slow
 @pytest.mark.timeout(120)
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
-def test_find_sees_parity_where_the_port_shows_it(
-    start_simulator: StartSimulator, only_when_asked_for: None
-) -> None:
+def test_find_sees_parity_where_the_port_shows_it(start_simulator: StartSimulator) -> None:
     simulator = start_simulator("--rfc2217", "127.0.0.1:0")
     port = ("--port", simulator.url)
     wire = LineSettings(19200, Detection.EVEN).to_wire()
@@ -106,7 +102,7 @@ def test_an_interrupted_search_ends_soon(start: Start, quick_simulator: Simulate
 @pytest.mark.slow
 @pytest.mark.timeout(120)
 def test_find_without_a_board_says_what_to_look_at(
-    trexcmd: Run, quick_simulator: SimulatedDevice, only_when_asked_for: None
+    trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     result = trexcmd("find")

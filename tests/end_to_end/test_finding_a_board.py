@@ -140,7 +140,6 @@ def test_a_board_with_parity_is_found_where_parity_can_be_seen(
     person: Person,
     program: Program,
     start_simulator: StartSimulator,
-    only_when_asked_for: None,
 ) -> None:
     simulator = start_simulator("--unpaced", "--rfc2217", "127.0.0.1:0")
     set_to(simulator, EVEN)

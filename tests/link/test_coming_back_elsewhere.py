@@ -124,9 +124,7 @@ def moment_of_end(new: LineSettings) -> float:
 
 @pytest.mark.slow
 @pytest.mark.timeout(600)
-def test_a_board_is_found_again_wherever_it_may_be(
-    orders: list[str], only_when_asked_for: None
-) -> None:
+def test_a_board_is_found_again_wherever_it_may_be(orders: list[str]) -> None:
     for line in EVERYWHERE:
         a_board_is_found_again_at(line, orders)
 

@@ -135,9 +135,7 @@ def test_the_full_search_moves_nothing_either(settings: LineSettings, orders: li
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-def test_the_full_search_moves_nothing_on_any_board(
-    orders: list[str], only_when_asked_for: None
-) -> None:
+def test_the_full_search_moves_nothing_on_any_board(orders: list[str]) -> None:
     for settings in BOARDS:
         a_full_search_moves_nothing(settings, orders)
 
@@ -260,7 +258,7 @@ def test_no_order_of_the_questions_makes_an_order_to_a_motor(own: LineSettings) 
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-def test_no_order_of_the_questions_of_the_full_search_does(only_when_asked_for: None) -> None:
+def test_no_order_of_the_questions_of_the_full_search_does() -> None:
     for own in OWN:
         for crc in (False, True) if own.detection is Detection.NONE else (False,):
             assert not orders_obeyed(list(attempts(full=True)), own, crc=crc)

@@ -321,7 +321,6 @@ def test_ten_thousand_bytes() -> None:
 
 @pytest.mark.slow
 @pytest.mark.timeout(3600)
-@pytest.mark.usefixtures("only_when_asked_for")
 def test_a_million_bytes() -> None:
     assert poured(2100, 500) >= 1_000_000
 

@@ -92,7 +92,6 @@ def test_a_minute_of_a_session_replays_equal(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.timeout(1800)
-@pytest.mark.usefixtures("only_when_asked_for")
 def test_an_hour_of_a_session_replays_equal(tmp_path: Path) -> None:
     what = record_virtually(3600, tmp_path)
     assert len(what) > 600_000

@@ -96,7 +96,13 @@ def enter(editor: QWidget, spec: ParameterSpec, wire: int) -> None:
             type_number(editor, spec.text(wire))
 
 
-@pytest.mark.parametrize(("model_key", "firmware"), BOARDS)
+@pytest.mark.parametrize(
+    ("model_key", "firmware"),
+    [
+        *(pytest.param(*board, marks=pytest.mark.slow) for board in BOARDS[:-1]),
+        BOARDS[-1],
+    ],
+)
 def test_every_parameter_takes_its_lowest_its_highest_and_another_value(
     qtbot: QtBot, model_key: str, firmware: str
 ) -> None:
