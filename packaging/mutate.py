@@ -1,6 +1,6 @@
 """Measure what the tests catch: change the program in one place at a time and run them.
 
-    python3 packaging/bootstrap.py mutate [-- --most 320 --compare EARLIER.json]
+    python3 packaging/bootstrap.py mutate [-- --most 70 --keys EARLIER.json --survivors]
 
 The changes are those of cosmic-ray. Which ones are tried follows from a hash of each, so that the
 same ones are tried again after the program or its tests have changed elsewhere. `mutate.toml` says
