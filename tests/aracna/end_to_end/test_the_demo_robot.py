@@ -277,7 +277,6 @@ def test_noise_is_put_on_the_line_and_taken_off(person: Handler) -> None:
     person.wait(lambda: person.truth.line.noise == 0)
 
 
-@pytest.mark.realtime
 def test_an_answer_that_is_cut_in_the_middle_leaves_its_positions_unknown(
     person: Handler,
 ) -> None:

@@ -296,6 +296,19 @@ def test_a_line_that_was_cut_in_mid_answer_is_free_again_once_the_robot_answers(
     assert outcomes[2] is None
 
 
+def test_move_sent_right_after_a_lost_reply_is_done() -> None:
+    """It waits until the robot answers `.q`, and is not refused as if the robot were stuck."""
+    scene = Scene().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
+    scene.at(0.7, lambda: scene.stage.do("line cut 8"))
+    scene.on(lambda report: isinstance(report, Moved) and -1 in report.present, Move(4, HERE))
+    scene.until(10.0).run()
+    assert len(scene.of(Stuck)) == 1
+    outcomes = {outcome.id: outcome.error for outcome in scene.of(Outcome)}
+    assert outcomes[3] is not None
+    assert outcomes[4] is None
+    assert not scene.of(Silent)
+
+
 def test_speeds_that_are_asked_for_while_it_is_stuck_are_not_sent_later() -> None:
     scene = _stuck_scene()
     scene.at(5.0, SetSpeeds(9, (0,) * 8))

@@ -38,7 +38,7 @@ class Hearing:
 
     Attributes:
         servos: what is known of them.
-        is_stuck: the answer to a motion is late, and the robot has answered nothing since.
+        is_stuck: the answer to a motion is late and still waited for.
     """
 
     def __init__(
@@ -144,6 +144,7 @@ class Hearing:
                 self.fall_silent(loss.error)
             return
         if loss.asked.letter == "c":  # nobody is to wait for its end any more
+            self.is_stuck = False
             goals = loss.asked.values
             nowhere = (UNREAD,) * len(goals)
             self._tell(Moved(loss.time, goals, nowhere, loss.time - loss.asked.sent))
@@ -152,9 +153,7 @@ class Hearing:
         is_preparing = self._waiting.is_preparing
         self._waiting.answer(error=why_not_confirmed(loss.error) if is_preparing else loss.error)
         self._player.stop(loss.time, Ending.LOST, loss.error)
-        if loss.free:
-            self.is_stuck = False
-        else:
+        if not loss.free:
             self._presence.doubt(loss.time)
 
     def _note_restart(self, asked: Asked | None, now: float) -> None:
