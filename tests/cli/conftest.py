@@ -1,6 +1,5 @@
-"""trexcmd in this process and as one of its own, against a simulated board."""
+"""trexcmd against a simulated board, in virtual time and as a process of its own."""
 
-import contextlib
 import os
 import subprocess
 import sys
@@ -8,74 +7,55 @@ import time
 from collections.abc import Callable, Iterator
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 
 from tests.support.simulator import SimulatedDevice
-from trex_gui.cli import main
-from trex_gui.cli.program import COMMANDS
-from trex_gui.link import client
+from tests.support.virtual_command import VirtualCommand
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.runtime import runtime
 
 Run = Callable[..., Result]
-Start = Callable[..., "subprocess.Popen[str]"]
+Start = Callable[..., VirtualCommand]
+StartProcess = Callable[..., "subprocess.Popen[str]"]
 
-PATIENCE = 15.0
-"""Seconds for which an answer is waited for: a simulator may stand still on a busy computer."""
-
-_LINE = {"patience": PATIENCE}
-_PATIENT = {
-    **dict.fromkeys(COMMANDS.keys() - {"find"}, _LINE),
-    "calibration": {"get": _LINE, "set": _LINE},
-    "history": {"diff": _LINE},
-}
-"""What the commands take in place of their own defaults; for `find` silence is the rule."""
-
-_WITHOUT_AN_ECHO = """
-from trex_gui.link import client
-client._ECHO_PROBES = 0
-from trex_gui.cli import main
-main(prog_name="trexcmd")
-"""
+PATIENCE = 1.0
+"""Seconds for which a process waits for an answer: a simulator may be slow on a busy computer."""
 
 
 @pytest.fixture
-def trexcmd(quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch) -> Iterator[Run]:
-    """Run the program to its end, on a simulated board as it comes from the factory.
-
-    It is patient, unless `--timeout` says otherwise. No echo is looked for then: none comes, and
-    it would be waited for in vain before each command.
-    """
-
-    def run(*words: str, stdin: str | None = None, **environment: str) -> Result:
-        variables = {"TREX_PORT": quick_simulator.url, **environment}
-        with monkeypatch.context() as patched:
-            if words[0] != "find" and not any(word.startswith("--timeout") for word in words):
-                patched.setattr(client, "_ECHO_PROBES", 0)
-            return CliRunner().invoke(
-                main, list(words), env=variables, input=stdin, default_map=_PATIENT
-            )
-
-    quick_simulator.do("factory")
-    assert becomes(lambda: None in measured(quick_simulator), False)
-    yield run
-    with contextlib.suppress(AssertionError, OSError):
-        quick_simulator.do("factory")  # calibrations too, which nobody looks at otherwise
-
-
-@pytest.fixture
-def start(quick_simulator: SimulatedDevice) -> Iterator[Start]:
-    """Start the program as a process; whatever still runs in the end is killed.
-
-    It is patient, and looks for no echo then, as with `trexcmd`.
-    """
-    running: list[subprocess.Popen[str]] = []
+def start(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> Start:
+    """Start the program, on a simulated board as it comes from the factory."""
 
     def begin(
-        *words: str, url: str | None = None, patience: float = PATIENCE
-    ) -> subprocess.Popen[str]:
-        program = ("-c", _WITHOUT_AN_ECHO) if patience > 1 else ("-m", "trex_gui.cli")
+        *words: str, url: str | None = None, stdin: str | None = None, **environment: str
+    ) -> VirtualCommand:
+        variables: dict[str, str | None] = {"TREX_PORT": url or quick_simulator.url, **environment}
+        return VirtualCommand(virtual_time, words, variables, stdin)
+
+    return begin
+
+
+@pytest.fixture
+def trexcmd(start: Start) -> Run:
+    """Run the program to its end."""
+
+    def run(*words: str, stdin: str | None = None, **environment: str) -> Result:
+        command = start(*words, stdin=stdin, **environment)
+        command.wait()
+        return command.result
+
+    return run
+
+
+@pytest.fixture
+def start_process(quick_simulator: SimulatedDevice) -> Iterator[StartProcess]:
+    """Start the program as a process; whatever still runs in the end is killed."""
+    running: list[subprocess.Popen[str]] = []
+
+    def begin(*words: str) -> subprocess.Popen[str]:
         process = subprocess.Popen(
-            [sys.executable, *program, *words, f"--timeout={patience:g}"],
-            env={**os.environ, "TREX_PORT": url or quick_simulator.url},
+            [sys.executable, "-m", "trex_gui.cli", *words, f"--timeout={PATIENCE:g}"],
+            env={**os.environ, "TREX_PORT": quick_simulator.url},
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
@@ -90,12 +70,19 @@ def start(quick_simulator: SimulatedDevice) -> Iterator[Start]:
 
 
 def becomes(look: Callable[[], object], wanted: object, seconds: float = 30) -> bool:
-    """Look again and again until it is as wanted; return whether that was in time.
+    """Let virtual time pass until something is as wanted; return whether that was in time."""
+    virtual = runtime()
+    assert isinstance(virtual, VirtualRuntime)
+    return virtual.run_until(lambda: look() == wanted, seconds)
+
+
+def comes_true(look: Callable[[], object], seconds: float = 30) -> bool:
+    """Look again and again, in real time; return whether it came true in time.
 
     Looks with pauses: a simulator that is asked all the time has none left for the program.
     """
     end = time.monotonic() + seconds
-    while look() != wanted:
+    while not look():
         if time.monotonic() > end:
             return False
         time.sleep(0.02)

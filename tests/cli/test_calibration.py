@@ -7,8 +7,6 @@ import pytest
 from tests.cli.conftest import Run
 from tests.support.simulator import SimulatedDevice
 
-pytestmark = pytest.mark.realtime
-
 
 def test_calibrations_are_shown_in_counts_and_physical_units(trexcmd: Run) -> None:
     lines = trexcmd("calibration", "get").stdout.splitlines()

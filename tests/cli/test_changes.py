@@ -6,10 +6,8 @@ import pytest
 
 from tests.cli.conftest import Run
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.link.transport import SerialTransport
+from tests.support.virtual_devices import VirtualSimulator, VirtualTransport
 from trex_gui.settings.history import History
-
-pytestmark = pytest.mark.realtime
 
 CALIBRATION = ("calibration", "set", "2", "2400", "3700", "5100", "60")
 
@@ -209,15 +207,15 @@ def test_files_of_two_models_are_said_to_be(trexcmd: Run, tmp_path: Path) -> Non
 
 @pytest.mark.parametrize("command", ["set", "set-settings", "set-settings --dry-run"])
 @pytest.mark.parametrize("rates", [frozenset({9600, 19200}), None])
-def test_a_rate_that_the_port_lacks_is_warned_of(
+def test_rate_that_the_port_lacks_is_warned_of(
     trexcmd: Run,
+    quick_simulator: SimulatedDevice,
     tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
     command: str,
     rates: frozenset[int] | None,
 ) -> None:
-    """No pseudo-terminal lacks a rate: the answer stands in for an adapter's driver."""
-    monkeypatch.setattr(SerialTransport, "rates", lambda _: rates)
+    assert isinstance(quick_simulator, VirtualSimulator)
+    quick_simulator.rates = rates
     file = tmp_path / "line.txt"
     file.write_text("product: TReX\nuart_settings: 10\n", encoding="utf-8")
     words = ("uart_settings", "10") if command == "set" else (str(file),)
@@ -227,22 +225,17 @@ def test_a_rate_that_the_port_lacks_is_warned_of(
     assert told is (rates is not None)
 
 
-def test_the_port_is_asked_for_its_rates_before_anything_is_sent(
-    trexcmd: Run, monkeypatch: pytest.MonkeyPatch
+def test_port_is_asked_for_its_rates_before_anything_is_sent(
+    trexcmd: Run, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     happened: list[str] = []
-    rates, write = SerialTransport.rates, SerialTransport.write
 
-    def noted_rates(self: SerialTransport) -> frozenset[int] | None:
+    def rates(_: VirtualTransport) -> None:
         happened.append("asked")
-        return rates(self)
 
-    def noted_write(self: SerialTransport, data: bytes) -> None:
-        happened.append("sent")
-        write(self, data)
-
-    monkeypatch.setattr(SerialTransport, "rates", noted_rates)
-    monkeypatch.setattr(SerialTransport, "write", noted_write)
+    assert isinstance(quick_simulator, VirtualSimulator)
+    monkeypatch.setattr(VirtualTransport, "rates", rates)
+    quick_simulator.on_write = lambda _: happened.append("sent")
     assert trexcmd("set", "serial_timeout", "15").exit_code == 0
     assert happened.count("asked") == 1
     assert happened[0] == "asked"

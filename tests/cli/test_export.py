@@ -9,8 +9,6 @@ from tests.support.simulator import SimulatedDevice
 from trex_gui.export.language import Language
 from trex_gui.settings.history import History
 
-pytestmark = pytest.mark.realtime
-
 
 @pytest.mark.parametrize("language", list(Language))
 def test_the_board_is_exported_in_each_language(

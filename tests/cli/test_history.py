@@ -15,8 +15,6 @@ from trex_gui.cli import main
 from trex_gui.settings.document import Settings
 from trex_gui.settings.history import BOUND_FILE, Bound, History
 
-pytestmark = pytest.mark.realtime
-
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
 

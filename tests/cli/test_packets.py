@@ -7,8 +7,6 @@ from trex_gui.protocol.commands import COMMANDS
 from trex_gui.protocol.parser import Packet, PacketParser
 from trex_gui.protocol.words import describe
 
-pytestmark = pytest.mark.realtime
-
 
 @pytest.mark.parametrize(
     ("packet", "words"),

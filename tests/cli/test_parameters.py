@@ -1,11 +1,7 @@
 """restore-defaults."""
 
-import pytest
-
 from tests.cli.conftest import Run
 from tests.support.simulator import SimulatedDevice
-
-pytestmark = pytest.mark.realtime
 
 
 def test_defaults_come_back_with_the_next_power_up(

@@ -2,17 +2,14 @@
 
 import json
 import signal
-import sys
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import CliRunner
 
-from tests.cli.conftest import Run, Start, outputs
+from tests.cli.conftest import Run, Start, becomes, outputs
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.cli import main
 from trex_gui.protocol.line_settings import Detection, LineSettings
-
-pytestmark = pytest.mark.realtime
 
 
 def test_list_as_json_names_port_and_board(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
@@ -27,52 +24,30 @@ def test_list_refuses_a_port_that_is_not_there(trexcmd: Run) -> None:
     assert "There is no port" in result.stdout
 
 
-def found(trexcmd: Run, *words: str) -> Result:
-    """Look for the board until it is found: one that stands still is not there for `find`."""
-    for _ in range(10):
-        result = trexcmd("find", *words)
-        if result.exit_code == 0:
-            break
-    assert result.exit_code == 0, result.stderr
-    return result
-
-
 def test_find_prints_the_options_that_reach_the_board(
     trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
-    result = found(trexcmd)
+    result = trexcmd("find")
+    assert result.exit_code == 0, result.stderr
     assert result.stdout == f"--port {quick_simulator.url} --baud 19200\n"
     assert "TReX 1.2" in result.stderr
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-@pytest.mark.parametrize("line", [LineSettings(9600), LineSettings(57600)])
+@pytest.mark.parametrize(
+    "line", [LineSettings(9600), LineSettings(57600), LineSettings(57600, Detection.CRC7)]
+)
 def test_what_find_prints_works_behind_a_command(
-    line: LineSettings, trexcmd: Run, quick_simulator: SimulatedDevice
-) -> None:
-    works_behind_a_command(line, trexcmd, quick_simulator)
-
-
-@pytest.mark.slow
-@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-def test_what_find_prints_for_crc_works_too(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
-    works_behind_a_command(LineSettings(57600, Detection.CRC7), trexcmd, quick_simulator)
-
-
-def works_behind_a_command(
     line: LineSettings, trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "uart_settings", str(line.to_wire())).exit_code == 0
     quick_simulator.do("power cycle")
-    for _ in range(10):  # one that stands still is found later, with a parity that it cannot see
-        (row,) = json.loads(found(trexcmd, "--json").stdout)
-        if row["detection"] == line.detection.name.lower():
-            break
+    (row,) = json.loads(trexcmd("find", "--json").stdout)
     assert (row["baud"], row["detection"]) == (line.baud, line.detection.name.lower())
     assert trexcmd("get", "device_number", *row["options"].split()).stdout == "7\t7\n"
     assert outputs(quick_simulator) == [0, 0, 0]
 
 
+@pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.timeout(120)
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
@@ -87,20 +62,19 @@ def test_find_sees_parity_where_the_port_shows_it(start_simulator: StartSimulato
     assert outputs(simulator) == [0, 0, 0]
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-def test_an_interrupted_search_ends_soon(start: Start, quick_simulator: SimulatedDevice) -> None:
+def test_interrupted_search_ends_within_a_second(
+    start: Start, quick_simulator: SimulatedDevice
+) -> None:
     quick_simulator.do("power off")
-    process = start("find", patience=0.5)
-    assert process.stderr is not None
-    assert process.stderr.readline().startswith("Searching")
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=30)
-    assert process.returncode == 1
+    command = start("find")
+    assert becomes(lambda: quick_simulator.show()["counters"]["line"]["sent"] > 0, True)
+    command.send_signal(signal.SIGINT)
+    _, errors = command.communicate(timeout=1)
+    assert command.returncode == 1
+    assert errors.startswith("Searching")
     assert "broken off" in errors
 
 
-@pytest.mark.slow
-@pytest.mark.timeout(120)
 def test_find_without_a_board_says_what_to_look_at(
     trexcmd: Run, quick_simulator: SimulatedDevice
 ) -> None:

@@ -9,8 +9,6 @@ from click.testing import CliRunner
 from trex_gui.cli import main
 from trex_gui.cli.program import COMMANDS
 
-pytestmark = pytest.mark.realtime
-
 _LOADED = """
 import sys
 from click.testing import CliRunner

@@ -74,7 +74,7 @@ class VirtualRuntime(Runtime):
         self._events: list[tuple[float, int, Event]] = []
         self._order = itertools.count()
         self._main = greenlet.getcurrent()
-        self._tasks: dict[QThread, greenlet.greenlet] = {}
+        self._tasks: dict[object, greenlet.greenlet] = {}
 
     # --- The runtime of the program -----------------------------------------------------
 
@@ -92,13 +92,22 @@ class VirtualRuntime(Runtime):
 
     def start(self, thread: QThread, priority: QThread.Priority) -> None:
         del priority
-        task = greenlet.greenlet(lambda: self._live(thread), parent=self._main)
-        self._tasks[thread] = task
-        self.at(self._now, task.switch)
+        self._spawn(thread, lambda: self._live(thread))
 
     def wait(self, thread: QThread, milliseconds: int) -> bool:
         until = math.inf if milliseconds < 0 else self._now + milliseconds / 1000
         return self._run(until, lambda: thread not in self._tasks, with_gui=False)
+
+    def start_thread(self, function: Callable[[], object]) -> Callable[[], None]:
+        """Run a function as a thread of Python's; return what waits for its end."""
+        key = object()
+        task = self._spawn(key, function)
+
+        def join() -> None:
+            while not task.dead:
+                self.sleep(LOOK)
+
+        return join
 
     def process(self, parent: QObject) -> QProcess:
         if self.make_process is None:
@@ -128,8 +137,11 @@ class VirtualRuntime(Runtime):
         if greenlet.getcurrent() is self._main:
             self._run(moment, lambda: False, with_gui=False)
             return
-        self.at(moment, greenlet.getcurrent().switch)
-        self.switch_to_main()
+        event = self.at(moment, greenlet.getcurrent().switch)
+        try:
+            self.switch_to_main()
+        finally:
+            event.cancel()  # an exception may have been thrown in before
 
     def switch_to_main(self) -> None:
         """Let everything else run, until somebody switches back."""
@@ -158,6 +170,17 @@ class VirtualRuntime(Runtime):
             self._run(min(end, self._now + LOOK), lambda: False)
         return True
 
+    def _spawn(self, key: object, function: Callable[[], object]) -> greenlet.greenlet:
+        def live() -> None:
+            try:
+                function()
+            finally:
+                del self._tasks[key]
+
+        task = self._tasks[key] = greenlet.greenlet(live, parent=self._main)
+        self.at(self._now, task.switch)
+        return task
+
     def _live(self, thread: QThread) -> None:
         try:
             thread.run()
@@ -168,7 +191,6 @@ class VirtualRuntime(Runtime):
             sys.excepthook(kind, error, trace)
         if Shiboken.isValid(thread):
             thread.finished.emit()
-        del self._tasks[thread]
 
     def _next(self) -> float:
         while self._events and self._events[0][2].action is None:

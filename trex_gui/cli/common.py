@@ -7,13 +7,14 @@ from typing import Any, TypeVar
 import click
 from click.shell_completion import CompletionItem
 
+from trex_gui.cli.host import host
 from trex_gui.cli.talk import Refused, Usage
 from trex_gui.link.client import Client
 from trex_gui.link.doctor import why_no_board
 from trex_gui.link.reading import ask
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.timeouts import Timeouts
-from trex_gui.link.transport import SerialTransport
+from trex_gui.link.transport import Transport
 from trex_gui.protocol.commands import GetSignature, Signature
 from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, TrexError
 from trex_gui.protocol.framing import Framing
@@ -198,7 +199,7 @@ def refusals() -> Iterator[None]:
 @contextlib.contextmanager
 def open_line(settings: LinkSettings) -> Iterator[Client]:
     """Open the line; whatever goes wrong on it ends the program with a sentence."""
-    with refusals(), _begun(SerialTransport(settings), settings) as client:
+    with refusals(), _begun(host().open_transport(settings), settings) as client:
         yield client
 
 
@@ -211,14 +212,14 @@ def open_line_to_change(
     `None` in their place: nobody knows.
     """
     with refusals():
-        transport = SerialTransport(settings)
+        transport = host().open_transport(settings)
         rates = transport.rates()  # nothing may have been sent yet
         with _begun(transport, settings) as client:
             yield client, rates
 
 
 @contextlib.contextmanager
-def _begun(transport: SerialTransport, settings: LinkSettings) -> Iterator[Client]:
+def _begun(transport: Transport, settings: LinkSettings) -> Iterator[Client]:
     client = Client(transport, settings)
     try:
         client.detect_echo()

@@ -16,6 +16,7 @@ from trex_gui.cli.common import (
     port_option,
     timeout_option,
 )
+from trex_gui.cli.host import host
 from trex_gui.cli.talk import Interruption, ProgressLine, Refused, say
 from trex_gui.link.client import Client
 from trex_gui.link.discovery import SEEK_TREX
@@ -25,7 +26,6 @@ from trex_gui.link.seeking import search_port
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.sightings import Found
 from trex_gui.link.timeouts import Timeouts
-from trex_gui.link.transport import SerialTransport
 from trex_gui.protocol.commands import GetSignature, Signature
 from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
 
@@ -85,7 +85,7 @@ def _what_answers(settings: LinkSettings) -> Signature | str:
     Raises:
         PortUnavailable: it cannot be opened, or went away.
     """
-    client = Client(SerialTransport(settings), settings)
+    client = Client(host().open_transport(settings), settings)
     try:
         client.detect_echo()
         return ask(client.request, GetSignature())
@@ -128,6 +128,7 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
                     full=full,
                     progress=partial(_show, line),
                     cancelled=interrupted.__bool__,
+                    open_wire=host().open_transport,
                 )
             for found in search.found:
                 rows.append(_report(found))

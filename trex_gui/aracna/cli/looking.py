@@ -3,6 +3,7 @@
 from typing import Any
 
 from trex_gui.aracna.link.discovery import SEEK_ARACNA, Found, Search, find_aracna
+from trex_gui.cli.host import host
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.timeouts import Timeouts
 
@@ -15,7 +16,9 @@ def look(url: str, patience: float) -> Search:
     Raises:
         PortUnavailable: the port cannot be opened, or is gone.
     """
-    return find_aracna(LinkSettings(url, timeouts=Timeouts(extra=patience)))
+    return find_aracna(
+        LinkSettings(url, timeouts=Timeouts(extra=patience)), open_wire=host().open_transport
+    )
 
 
 def listed(found: Found) -> dict[str, Any]:

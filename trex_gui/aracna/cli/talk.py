@@ -1,7 +1,6 @@
 """A session in a thread of its own, driven from a plain program line by line."""
 
 import itertools
-import threading
 from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Self
@@ -9,6 +8,7 @@ from typing import Self
 from trex_gui.aracna.link.client import LINE
 from trex_gui.aracna.link.messages import Connected, Report, Request, Silent, Stuck
 from trex_gui.aracna.link.session import AracnaSession
+from trex_gui.cli.host import host
 from trex_gui.cli.talk import Refused, Usage
 from trex_gui.link.inbox import QueueInbox
 from trex_gui.link.messages import Close, Closed, Outcome
@@ -53,13 +53,15 @@ class Talk:
             hear: is given every report.
             interrupted: whether not to go on, where nothing was sent yet.
         """
-        self._inbox = QueueInbox()
-        self._reports = QueueInbox()
+        self._host = host()
+        self._inbox = QueueInbox(self._host.condition())
+        self._reports = QueueInbox(self._host.condition())
         self._ids = itertools.count(1)
         self._hear = hear
         self._interrupted = interrupted
-        session = AracnaSession(settings, self._inbox, self._reports.put)
-        self._thread = threading.Thread(target=session.run, name="Aracna", daemon=True)
+        self._session = AracnaSession(
+            settings, self._inbox, self._reports.put, self._host.open_transport
+        )
 
     def __enter__(self) -> Self:
         """Open the line.
@@ -67,7 +69,7 @@ class Talk:
         Raises:
             Refused: the port cannot be opened, no Aracna answers, or it was asked not to go on.
         """
-        self._thread.start()
+        self._join = self._host.start_thread(self._session.run)
         try:
             for report in self._heard(self._may_go_on):
                 if isinstance(report, Connected):
@@ -93,7 +95,7 @@ class Talk:
 
     def _close(self) -> None:
         self._inbox.put(Close())
-        self._thread.join()
+        self._join()
 
     def tell(self, request: Request) -> None:
         """Hand a request to the session and wait for nothing."""

@@ -1,0 +1,76 @@
+"""`trexcmd` in virtual time."""
+
+import signal
+from collections.abc import Callable, Sequence
+
+import greenlet
+from click.testing import CliRunner, Result
+
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.cli import main
+from trex_gui.cli.host import Host
+
+LONGEST = 3600.0
+"""Virtual seconds after which a command hangs."""
+
+
+class VirtualCommand:
+    """A run of `trexcmd`, with the part of `subprocess.Popen` that tests use.
+
+    Attributes:
+        returncode: how it ended; `None` while it runs.
+    """
+
+    def __init__(
+        self,
+        runtime: VirtualRuntime,
+        words: Sequence[str],
+        environment: dict[str, str | None],
+        stdin: str | None = None,
+    ) -> None:
+        self.returncode: int | None = None
+        self._runtime = runtime
+        self._result: Result | None = None
+        host = Host(runtime.open_transport, runtime.condition, runtime.start_thread)
+
+        def run() -> None:
+            self._task = greenlet.getcurrent()
+            self._result = CliRunner().invoke(
+                main, list(words), env=environment, input=stdin, obj=host
+            )
+            self.returncode = self._result.exit_code
+
+        runtime.start_thread(run)
+
+    def poll(self) -> int | None:
+        return self.returncode
+
+    def send_signal(self, number: int) -> None:
+        """Raise a signal; what its handler raises ends the command."""
+        try:
+            signal.raise_signal(number)
+        except KeyboardInterrupt as error:
+            self._task.throw(error)
+
+    def terminate(self) -> None:
+        self.send_signal(signal.SIGTERM)
+
+    def wait(self, timeout: float = LONGEST) -> int:
+        """Let time pass until it has ended; return its exit code."""
+        assert self._runtime.run_until(lambda: self.returncode is not None, timeout)
+        assert self.returncode is not None
+        return self.returncode
+
+    def communicate(self, timeout: float = LONGEST) -> tuple[str, str]:
+        """Let time pass until it has ended; return its output and its messages."""
+        self.wait(timeout)
+        return self.result.stdout, self.result.stderr
+
+    @property
+    def result(self) -> Result:
+        assert self._result is not None
+        return self._result
+
+
+StartCommand = Callable[..., VirtualCommand]
+RunCommand = Callable[..., Result]
