@@ -9,6 +9,7 @@ import time
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import hypothesis
 import pytest
@@ -38,6 +39,19 @@ hypothesis.settings.register_profile(
 )
 hypothesis.settings.register_profile("all", hypothesis.settings.default, deadline=None)
 hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "gate"))
+
+
+def pytest_configure() -> None:
+    """Take signals as a program in the foreground does: `nohup` and `&` let some be ignored."""
+    usual: dict[str, Any] = {
+        "SIGINT": signal.default_int_handler,
+        "SIGHUP": signal.SIG_DFL,
+        "SIGQUIT": signal.SIG_DFL,
+    }
+    for name, handler in usual.items():
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is signal.SIG_IGN:
+            signal.signal(number, handler)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -79,21 +93,6 @@ def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
     if _is_real(request):
         return PatientQtBot(request)
     return VirtualQtBot(request, request.getfixturevalue("virtual_time"))
-
-
-@pytest.fixture
-def signals_as_usual() -> Iterator[None]:
-    """Let hang-ups be heard here and in processes that are started, though pytest ignores them.
-
-    It does behind `nohup`, which is for the program to respect.
-    """
-    hangup = getattr(signal, "SIGHUP", None)
-    if hangup is None or signal.getsignal(hangup) is not signal.SIG_IGN:
-        yield
-        return
-    signal.signal(hangup, signal.SIG_DFL)
-    yield
-    signal.signal(hangup, signal.SIG_IGN)
 
 
 @pytest.fixture

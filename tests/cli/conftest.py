@@ -10,12 +10,10 @@ import pytest
 from click.testing import Result
 
 from tests.support.simulator import SimulatedDevice
-from tests.support.virtual_command import VirtualCommand
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.runtime import runtime
 
-Run = Callable[..., Result]
-Start = Callable[..., VirtualCommand]
 StartProcess = Callable[..., "subprocess.Popen[str]"]
 
 PATIENCE = 1.0
@@ -23,7 +21,7 @@ PATIENCE = 1.0
 
 
 @pytest.fixture
-def start(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> Start:
+def start(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> StartCommand:
     """Start the program, on a simulated board as it comes from the factory."""
 
     def begin(
@@ -36,7 +34,7 @@ def start(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> Sta
 
 
 @pytest.fixture
-def trexcmd(start: Start) -> Run:
+def trexcmd(start: StartCommand) -> RunCommand:
     """Run the program to its end."""
 
     def run(*words: str, stdin: str | None = None, **environment: str) -> Result:

@@ -5,24 +5,27 @@ import json
 import pytest
 from click.testing import CliRunner
 
-from tests.cli.conftest import Run, becomes
+from tests.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
 
 
-def test_list_names_the_board_on_a_port(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
+def test_list_names_the_board_on_a_port(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
     result = trexcmd("list")
     assert result.exit_code == 0
     assert result.stdout == f"{quick_simulator.url}\tTReX 1.2\n"
 
 
-def test_list_moves_nothing(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
+def test_list_moves_nothing(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     before = quick_simulator.show()["motors"]
     trexcmd("list")
     assert quick_simulator.show()["motors"] == before
 
 
-def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: Run) -> None:
+def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: RunCommand) -> None:
     report = json.loads(trexcmd("status", "--json").stdout)
     assert report["product"] == "TReX"
     assert report["firmware"] == "1.2"
@@ -37,14 +40,14 @@ def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: Run) -> 
 
 
 def test_status_as_text_names_latched_errors(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("fault 1 on")
     result = trexcmd("status")
     assert "Errors: Motor 1 fault" in result.stdout
 
 
-def test_get_shows_wire_value_and_meaning(trexcmd: Run) -> None:
+def test_get_shows_wire_value_and_meaning(trexcmd: RunCommand) -> None:
     assert trexcmd("get", "device_number").stdout == "7\t7\n"
     assert trexcmd("get", "Motor Mode").stdout == "0\tindependent\n"
 
@@ -53,14 +56,14 @@ def test_get_shows_wire_value_and_meaning(trexcmd: Run) -> None:
     ("typed", "wire"), [("15", 15), ("1.5 s", 15), ("1500 ms", 15), ("off", 0)]
 )
 def test_set_takes_wire_values_and_physical_ones(
-    trexcmd: Run, quick_simulator: SimulatedDevice, typed: str, wire: int
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, typed: str, wire: int
 ) -> None:
     result = trexcmd("set", "serial_timeout", typed)
     assert result.exit_code == 0
     assert quick_simulator.show()["parameters"]["serial_timeout"] == wire
 
 
-def test_set_says_when_a_value_waits_for_power(trexcmd: Run) -> None:
+def test_set_says_when_a_value_waits_for_power(trexcmd: RunCommand) -> None:
     result = trexcmd("set", "motor_mode", "joint")
     assert result.exit_code == 0
     assert "switched off and on" in result.stderr
@@ -75,7 +78,7 @@ def test_set_says_when_a_value_waits_for_power(trexcmd: Run) -> None:
     ],
 )
 def test_what_makes_no_sense_for_the_board_is_refused_with_a_sentence(
-    trexcmd: Run, words: tuple[str, ...], sentence: str
+    trexcmd: RunCommand, words: tuple[str, ...], sentence: str
 ) -> None:
     result = trexcmd(*words)
     assert result.exit_code == 1
@@ -84,7 +87,7 @@ def test_what_makes_no_sense_for_the_board_is_refused_with_a_sentence(
 
 
 def test_set_in_rc_mode_explains_the_refusal(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
@@ -93,7 +96,7 @@ def test_set_in_rc_mode_explains_the_refusal(
     assert "not in serial mode" in result.stderr
 
 
-def test_stop_brakes_running_motors(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
+def test_stop_brakes_running_motors(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     trexcmd("raw", "C2 50")
     assert becomes(lambda: quick_simulator.show()["motors"][0]["speed"], 0x50)
     assert trexcmd("stop").exit_code == 0
@@ -102,7 +105,7 @@ def test_stop_brakes_running_motors(trexcmd: Run, quick_simulator: SimulatedDevi
 
 
 def test_stop_that_nobody_heard_is_a_failure(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     result = trexcmd("stop", "--timeout=0")
@@ -110,7 +113,7 @@ def test_stop_that_nobody_heard_is_a_failure(
     assert "No TReX answers" in result.stderr
 
 
-def test_raw_shows_what_came_back(trexcmd: Run) -> None:
+def test_raw_shows_what_came_back(trexcmd: RunCommand) -> None:
     assert trexcmd("raw", "81").stdout.strip() == b"TReX1.2".hex(" ").upper()
 
 
@@ -125,7 +128,7 @@ def test_raw_shows_what_came_back(trexcmd: Run) -> None:
         ("fly",),
     ],
 )
-def test_wrong_usage_exits_with_2(trexcmd: Run, words: tuple[str, ...]) -> None:
+def test_wrong_usage_exits_with_2(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     assert trexcmd(*words).exit_code == 2
 
 
@@ -135,14 +138,14 @@ def test_no_port_is_wrong_usage_and_says_how_to_give_one() -> None:
     assert "TREX_PORT" in result.stderr
 
 
-def test_a_board_at_another_baud_rate_is_a_sentence(trexcmd: Run) -> None:
+def test_a_board_at_another_baud_rate_is_a_sentence(trexcmd: RunCommand) -> None:
     result = trexcmd("get", "device_number", "--baud", "9600", "--timeout=0")
     assert result.exit_code == 1
     assert "9600 baud" in result.stderr
 
 
 def test_crc_and_device_number_reach_a_board_that_wants_them(
-    trexcmd: Run, start_simulator: StartSimulator
+    trexcmd: RunCommand, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--device", "9", "--device", "12")
     words = ["--protocol", "expanded", "--port", simulator.url]

@@ -4,17 +4,17 @@ import json
 
 import pytest
 
-from tests.cli.conftest import Run
 from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand
 
 
-def test_calibrations_are_shown_in_counts_and_physical_units(trexcmd: Run) -> None:
+def test_calibrations_are_shown_in_counts_and_physical_units(trexcmd: RunCommand) -> None:
     lines = trexcmd("calibration", "get").stdout.splitlines()
     assert lines[0] == ("1\t2500 3750 5000 75\t1000 µs / 1500 µs / 2000 µs / 30 µs  (default)")
     assert len(lines) == 5
 
 
-def test_calibrations_come_as_json(trexcmd: Run) -> None:
+def test_calibrations_come_as_json(trexcmd: RunCommand) -> None:
     report = json.loads(trexcmd("calibration", "get", "--json").stdout)
     assert (report["source"], report["unit"]) == ("RC", "µs")
     first = report["channels"][0]
@@ -25,7 +25,7 @@ def test_calibrations_come_as_json(trexcmd: Run) -> None:
 @pytest.mark.parametrize(
     "words", [("2400", "3700", "5100", "60"), ("960us", "1480 µs", "2.04ms", "24us")]
 )
-def test_a_calibration_is_stored_and_read_back(trexcmd: Run, words: tuple[str, ...]) -> None:
+def test_a_calibration_is_stored_and_read_back(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     result = trexcmd("calibration", "set", "2", *words)
     assert result.exit_code == 0, result.stderr
     assert result.stdout.startswith("2\t2400 3700 5100 60\t")
@@ -33,7 +33,9 @@ def test_a_calibration_is_stored_and_read_back(trexcmd: Run, words: tuple[str, .
     assert second["differs_from_default"]
 
 
-def test_voltages_calibrate_an_analog_board(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
+def test_voltages_calibrate_an_analog_board(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
     assert trexcmd("set", "channel_input_source", "1").exit_code == 0
     quick_simulator.do("power cycle")
     result = trexcmd("calibration", "set", "1", "0.5V", "2.5V", "4500mV", "100mV")
@@ -49,7 +51,7 @@ def test_voltages_calibrate_an_analog_board(trexcmd: Run, quick_simulator: Simul
     ],
 )
 def test_what_the_board_would_refuse_is_refused(
-    trexcmd: Run, words: tuple[str, ...], sentence: str
+    trexcmd: RunCommand, words: tuple[str, ...], sentence: str
 ) -> None:
     result = trexcmd("calibration", "set", "1", *words)
     assert result.exit_code == 1
@@ -60,11 +62,13 @@ def test_what_the_board_would_refuse_is_refused(
     "words",
     [("6", "1", "2", "3", "4"), ("1", "x", "2", "3", "4"), ("1", "1.5", "2", "3", "4"), ("1", "2")],
 )
-def test_what_makes_no_sense_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]) -> None:
+def test_what_makes_no_sense_is_wrong_usage(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     assert trexcmd("calibration", "set", *words).exit_code == 2
 
 
-def test_a_calibration_needs_serial_mode(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
+def test_a_calibration_needs_serial_mode(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
     result = trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")

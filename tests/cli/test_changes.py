@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import Run
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand
 from tests.support.virtual_devices import VirtualSimulator, VirtualTransport
 from trex_gui.settings.history import History
 
@@ -21,7 +21,7 @@ one_setting = pytest.mark.parametrize(
 )
 
 
-def memory(trexcmd: Run) -> str:
+def memory(trexcmd: RunCommand) -> str:
     """Return all that the board stores."""
     result = trexcmd("get-settings", "-")
     assert result.exit_code == 0, result.stderr
@@ -33,7 +33,7 @@ def memory(trexcmd: Run) -> str:
 
 @one_setting
 def test_what_was_there_is_shown_and_kept_before_one_setting_is_stored(
-    trexcmd: Run, words: tuple[str, ...], shown: str, reason: str
+    trexcmd: RunCommand, words: tuple[str, ...], shown: str, reason: str
 ) -> None:
     result = trexcmd(*words)
     assert result.exit_code == 0, result.stderr
@@ -50,7 +50,7 @@ def test_what_was_there_is_shown_and_kept_before_one_setting_is_stored(
 
 @one_setting
 def test_the_snapshot_of_one_setting_brings_the_board_back(
-    trexcmd: Run,
+    trexcmd: RunCommand,
     words: tuple[str, ...],
     shown: str,
     reason: str,
@@ -66,7 +66,7 @@ def test_the_snapshot_of_one_setting_brings_the_board_back(
 
 @one_setting
 def test_without_a_snapshot_one_setting_is_not_stored(
-    trexcmd: Run,
+    trexcmd: RunCommand,
     tmp_path: Path,
     words: tuple[str, ...],
     shown: str,
@@ -85,7 +85,7 @@ def test_without_a_snapshot_one_setting_is_not_stored(
 
 @one_setting
 def test_what_the_board_has_already_is_not_written_again(
-    trexcmd: Run,
+    trexcmd: RunCommand,
     monkeypatch: pytest.MonkeyPatch,
     words: tuple[str, ...],
     shown: str,
@@ -105,14 +105,16 @@ def test_what_the_board_has_already_is_not_written_again(
 @pytest.mark.parametrize(
     "words", [("set", "serial_timeout", "200"), ("calibration", "set", "1", "3", "2", "1", "0")]
 )
-def test_what_no_board_takes_leaves_no_snapshot(trexcmd: Run, words: tuple[str, ...]) -> None:
+def test_what_no_board_takes_leaves_no_snapshot(
+    trexcmd: RunCommand, words: tuple[str, ...]
+) -> None:
     assert trexcmd(*words).exit_code == 1
     assert not History().snapshots()
 
 
 @one_setting
 def test_a_board_that_takes_nothing_leaves_no_snapshot(
-    trexcmd: Run,
+    trexcmd: RunCommand,
     quick_simulator: SimulatedDevice,
     words: tuple[str, ...],
     shown: str,
@@ -127,7 +129,7 @@ def test_a_board_that_takes_nothing_leaves_no_snapshot(
     assert not History().snapshots()
 
 
-def test_set_warns_of_what_the_settings_would_do_together(trexcmd: Run) -> None:
+def test_set_warns_of_what_the_settings_would_do_together(trexcmd: RunCommand) -> None:
     assert trexcmd("set", "motor1_current_limit", "20").exit_code == 0
     result = trexcmd("set", "motor_mode", "joint")
     assert result.exit_code == 0
@@ -135,14 +137,14 @@ def test_set_warns_of_what_the_settings_would_do_together(trexcmd: Run) -> None:
     assert "nothing in joint mode" in result.stderr
 
 
-def test_a_calibration_that_leaves_no_travel_is_warned_of(trexcmd: Run) -> None:
+def test_a_calibration_that_leaves_no_travel_is_warned_of(trexcmd: RunCommand) -> None:
     result = trexcmd("calibration", "set", "1", "2400", "3700", "5100", "1400")
     assert result.exit_code == 0
     assert "Warning: The deadband of RC channel 1 reaches" in result.stderr
 
 
 def test_set_tells_how_to_reach_the_board_after_its_next_start(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("set", "uart_settings", "0x48")
     assert result.exit_code == 0, result.stderr
@@ -152,14 +154,14 @@ def test_set_tells_how_to_reach_the_board_after_its_next_start(
     assert later in result.stderr
 
 
-def test_set_tells_the_number_under_which_the_board_answers_now(trexcmd: Run) -> None:
+def test_set_tells_the_number_under_which_the_board_answers_now(trexcmd: RunCommand) -> None:
     result = trexcmd("set", "device_number", "9", "--protocol", "expanded")
     assert result.exit_code == 0, result.stderr
     assert "--protocol expanded --device 9 from now on" in result.stderr
 
 
 def test_the_factory_reset_is_no_value_to_set(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "serial_timeout", "15").exit_code == 0
     before = memory(trexcmd)
@@ -176,7 +178,7 @@ def test_the_factory_reset_is_no_value_to_set(
 
 
 def test_a_file_shows_old_and_new_before_it_is_given_to_the_board(
-    trexcmd: Run, tmp_path: Path
+    trexcmd: RunCommand, tmp_path: Path
 ) -> None:
     file = tmp_path / "wanted.txt"
     file.write_text("product: TReX\nmotor_mode: 0\nserial_timeout: 15\n", encoding="utf-8")
@@ -189,7 +191,7 @@ def test_a_file_shows_old_and_new_before_it_is_given_to_the_board(
     assert "is kept in" in lines[row + 1]
 
 
-def test_files_of_two_models_are_said_to_be(trexcmd: Run, tmp_path: Path) -> None:
+def test_files_of_two_models_are_said_to_be(trexcmd: RunCommand, tmp_path: Path) -> None:
     files = [tmp_path / "first.txt", tmp_path / "second.txt"]
     for file, product in zip(files, ("TReX", "TReX Jr"), strict=True):
         file.write_text(f"product: {product}\nserial_timeout: 15\n", encoding="utf-8")
@@ -208,7 +210,7 @@ def test_files_of_two_models_are_said_to_be(trexcmd: Run, tmp_path: Path) -> Non
 @pytest.mark.parametrize("command", ["set", "set-settings", "set-settings --dry-run"])
 @pytest.mark.parametrize("rates", [frozenset({9600, 19200}), None])
 def test_rate_that_the_port_lacks_is_warned_of(
-    trexcmd: Run,
+    trexcmd: RunCommand,
     quick_simulator: SimulatedDevice,
     tmp_path: Path,
     command: str,
@@ -226,7 +228,7 @@ def test_rate_that_the_port_lacks_is_warned_of(
 
 
 def test_port_is_asked_for_its_rates_before_anything_is_sent(
-    trexcmd: Run, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     happened: list[str] = []
 
@@ -246,7 +248,7 @@ def test_port_is_asked_for_its_rates_before_anything_is_sent(
 
 
 def test_restoring_lists_what_will_change_before_it_asks(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 15")
     quick_simulator.do("eeprom motor1_acceleration 9")
@@ -269,7 +271,7 @@ def test_restoring_lists_what_will_change_before_it_asks(
 
 
 def test_restoring_names_the_defaults_that_no_source_confirms(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom device_number 9")
     assert "Inferred" not in trexcmd("restore-defaults", stdin="n\n").stderr
@@ -279,7 +281,7 @@ def test_restoring_names_the_defaults_that_no_source_confirms(
 
 
 def test_restoring_a_board_that_has_the_defaults_says_so_and_asks_all_the_same(
-    trexcmd: Run, start_simulator: StartSimulator
+    trexcmd: RunCommand, start_simulator: StartSimulator
 ) -> None:
     junior = start_simulator("--model", "trexjr", "--unpaced")
     for url in (None, junior.url):

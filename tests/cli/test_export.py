@@ -4,15 +4,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import Run
 from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand
 from trex_gui.export.language import Language
 from trex_gui.settings.history import History
 
 
 @pytest.mark.parametrize("language", list(Language))
 def test_the_board_is_exported_in_each_language(
-    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path, language: Language
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path, language: Language
 ) -> None:
     assert trexcmd("set", "serial_timeout", "5").exit_code == 0
     path = tmp_path / f"board{language.suffix}"
@@ -26,19 +26,19 @@ def test_the_board_is_exported_in_each_language(
     assert motor["target_speed"] == 0 or motor["target_direction"] == "brake"
 
 
-def test_a_language_is_needed_and_must_be_known(trexcmd: Run) -> None:
+def test_a_language_is_needed_and_must_be_known(trexcmd: RunCommand) -> None:
     assert trexcmd("export", "-").exit_code == 2
     assert trexcmd("export", "--as", "pascal", "-").exit_code == 2
 
 
-def test_a_place_that_cannot_be_written_is_refused(trexcmd: Run, tmp_path: Path) -> None:
+def test_a_place_that_cannot_be_written_is_refused(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("export", "--as", "c", str(tmp_path / "missing" / "board.c"))
     assert result.exit_code == 1
     assert "missing" in result.stderr
 
 
 def test_what_the_board_stored_is_kept_before_a_file_changes_it(
-    trexcmd: Run, tmp_path: Path
+    trexcmd: RunCommand, tmp_path: Path
 ) -> None:
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
@@ -53,14 +53,14 @@ def test_what_the_board_stored_is_kept_before_a_file_changes_it(
     assert trexcmd("get", "serial_timeout").stdout.startswith("0\t")
 
 
-def test_what_changes_nothing_leaves_no_snapshot(trexcmd: Run, tmp_path: Path) -> None:
+def test_what_changes_nothing_leaves_no_snapshot(trexcmd: RunCommand, tmp_path: Path) -> None:
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 0\n", encoding="utf-8")
     assert trexcmd("set-settings", str(path)).exit_code == 0
     assert not History().snapshots()
 
 
-def test_restoring_the_defaults_keeps_what_was_there(trexcmd: Run) -> None:
+def test_restoring_the_defaults_keeps_what_was_there(trexcmd: RunCommand) -> None:
     assert trexcmd("set", "serial_timeout", "5").exit_code == 0
     assert trexcmd("restore-defaults", "--yes").exit_code == 0
     snapshot, _before_set = History().snapshots()
@@ -68,7 +68,7 @@ def test_restoring_the_defaults_keeps_what_was_there(trexcmd: Run) -> None:
     assert History().load(snapshot).parameters["serial_timeout"] == 5
 
 
-def test_without_a_snapshot_nothing_is_written(trexcmd: Run, tmp_path: Path) -> None:
+def test_without_a_snapshot_nothing_is_written(trexcmd: RunCommand, tmp_path: Path) -> None:
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
     place = tmp_path / "file"

@@ -5,12 +5,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import Run, Start, becomes
+from tests.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand, StartCommand
 
 
 @pytest.fixture
-def saved(trexcmd: Run, tmp_path: Path) -> Path:
+def saved(trexcmd: RunCommand, tmp_path: Path) -> Path:
     """The settings of the simulated board as a file."""
     path = tmp_path / "board.txt"
     assert trexcmd("get-settings", str(path)).exit_code == 0
@@ -44,24 +45,26 @@ def test_a_saved_board_is_a_whole_settings_file(saved: Path) -> None:
     assert sum(":" in line and not line.startswith("#") for line in text.splitlines()) == 35
 
 
-def test_a_dash_is_standard_output(trexcmd: Run, saved: Path) -> None:
+def test_a_dash_is_standard_output(trexcmd: RunCommand, saved: Path) -> None:
     assert trexcmd("get-settings", "-").stdout == saved.read_text(encoding="utf-8")
 
 
-def test_saving_replaces_a_file_that_is_there(trexcmd: Run, saved: Path) -> None:
+def test_saving_replaces_a_file_that_is_there(trexcmd: RunCommand, saved: Path) -> None:
     saved.write_text("old", encoding="utf-8")
     assert trexcmd("get-settings", str(saved)).exit_code == 0
     assert saved.read_text(encoding="utf-8").startswith("product: TReX\n")
 
 
-def test_saving_where_nothing_can_be_written_is_refused(trexcmd: Run, tmp_path: Path) -> None:
+def test_saving_where_nothing_can_be_written_is_refused(
+    trexcmd: RunCommand, tmp_path: Path
+) -> None:
     result = trexcmd("get-settings", str(tmp_path / "missing" / "board.txt"))
     assert result.exit_code == 1
     assert "there is no folder" in result.stderr
 
 
 def test_only_what_differs_is_written(
-    trexcmd: Run, saved: Path, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     file = changed(
         saved,
@@ -79,7 +82,7 @@ def test_only_what_differs_is_written(
 
 
 def test_a_dry_run_shows_old_and_new_and_writes_nothing(
-    trexcmd: Run, saved: Path, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)), "--dry-run")
     assert result.exit_code == 0
@@ -88,14 +91,14 @@ def test_a_dry_run_shows_old_and_new_and_writes_nothing(
 
 
 def test_settings_come_from_standard_input_too(
-    trexcmd: Run, saved: Path, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     text = changed(saved, serial_timeout=15).read_text(encoding="utf-8")
     assert trexcmd("set-settings", "-", stdin=text).exit_code == 0
     assert stored(quick_simulator, "serial_timeout") == 15
 
 
-def test_what_waits_for_power_is_said(trexcmd: Run, saved: Path) -> None:
+def test_what_waits_for_power_is_said(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("set-settings", str(changed(saved, uart_settings=10)))
     assert result.exit_code == 0
     assert "UART Settings: in force when the board is switched off and on" in result.stderr
@@ -111,7 +114,7 @@ def test_what_waits_for_power_is_said(trexcmd: Run, saved: Path) -> None:
     ],
 )
 def test_a_file_that_does_not_fit_is_refused_and_nothing_written(
-    trexcmd: Run,
+    trexcmd: RunCommand,
     saved: Path,
     quick_simulator: SimulatedDevice,
     changes: dict[str, object],
@@ -125,7 +128,7 @@ def test_a_file_that_does_not_fit_is_refused_and_nothing_written(
 
 
 def test_a_file_for_a_newer_firmware_is_refused_key_by_key(
-    trexcmd: Run, saved: Path, start_simulator: StartSimulator
+    trexcmd: RunCommand, saved: Path, start_simulator: StartSimulator
 ) -> None:
     old = start_simulator("--firmware", "1.0", "--unpaced")
     result = trexcmd("set-settings", str(saved), "--port", old.url)
@@ -134,7 +137,7 @@ def test_a_file_for_a_newer_firmware_is_refused_key_by_key(
 
 
 def test_a_board_that_is_not_in_serial_mode_says_so_before_anything_is_written(
-    trexcmd: Run, saved: Path, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
@@ -143,7 +146,9 @@ def test_a_board_that_is_not_in_serial_mode_says_so_before_anything_is_written(
     assert "not in serial mode" in result.stderr
 
 
-def test_calibrations_of_the_other_source_are_left_out_and_named(trexcmd: Run, saved: Path) -> None:
+def test_calibrations_of_the_other_source_are_left_out_and_named(
+    trexcmd: RunCommand, saved: Path
+) -> None:
     line = "analog_channel_1: {minimum: 1, neutral: 500, maximum: 1000, deadband: 5}\n"
     saved.write_text(saved.read_text(encoding="utf-8") + line, encoding="utf-8")
     result = trexcmd("set-settings", str(saved))
@@ -151,14 +156,14 @@ def test_calibrations_of_the_other_source_are_left_out_and_named(trexcmd: Run, s
     assert "analog_channel_1 left out" in result.stderr
 
 
-def test_odd_settings_are_warned_of(trexcmd: Run, saved: Path) -> None:
+def test_odd_settings_are_warned_of(trexcmd: RunCommand, saved: Path) -> None:
     file = changed(saved, motor_mode=1, motor1_current_limit=20)
     assert "does nothing in joint mode" in trexcmd("check-settings", str(file)).stderr
     assert "does nothing in joint mode" in trexcmd("set-settings", str(file)).stderr
 
 
 def test_a_line_that_is_unplugged_while_it_writes_names_what_was_not_stored(
-    start: Start, trexcmd: Run, saved: Path, start_simulator: StartSimulator
+    start: StartCommand, trexcmd: RunCommand, saved: Path, start_simulator: StartSimulator
 ) -> None:
     motors = {f"motor{n}_{what}": 7 for n in (1, 2) for what in ("acceleration", "current_limit")}
     channels = {
@@ -176,12 +181,12 @@ def test_a_line_that_is_unplugged_while_it_writes_names_what_was_not_stored(
     assert "Traceback" not in errors
 
 
-def test_a_sound_file_is_checked_in_silence(trexcmd: Run, saved: Path) -> None:
+def test_a_sound_file_is_checked_in_silence(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("check-settings", str(saved), TREX_PORT="")
     assert (result.exit_code, result.stdout, result.stderr) == (0, "", "")
 
 
-def test_each_mistake_is_named_with_its_line(trexcmd: Run, saved: Path) -> None:
+def test_each_mistake_is_named_with_its_line(trexcmd: RunCommand, saved: Path) -> None:
     file = changed(saved, serial_timeout=200, motor_mode=7)
     result = trexcmd("check-settings", str(file))
     assert result.exit_code == 1
@@ -190,7 +195,7 @@ def test_each_mistake_is_named_with_its_line(trexcmd: Run, saved: Path) -> None:
     assert "2 errors" in result.stderr
 
 
-def test_mistakes_come_as_json_too(trexcmd: Run, saved: Path) -> None:
+def test_mistakes_come_as_json_too(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("check-settings", str(changed(saved, serial_timeout=200)), "--json")
     assert result.exit_code == 1
     report = json.loads(result.stdout)
@@ -200,7 +205,9 @@ def test_mistakes_come_as_json_too(trexcmd: Run, saved: Path) -> None:
     assert isinstance(finding["line"], int)
 
 
-def test_a_checked_file_can_be_written_anew(trexcmd: Run, saved: Path, tmp_path: Path) -> None:
+def test_a_checked_file_can_be_written_anew(
+    trexcmd: RunCommand, saved: Path, tmp_path: Path
+) -> None:
     out = tmp_path / "out.txt"
     file = changed(saved, serial_timeout="0x0F")
     assert trexcmd("check-settings", str(file), str(out)).exit_code == 0
@@ -208,18 +215,20 @@ def test_a_checked_file_can_be_written_anew(trexcmd: Run, saved: Path, tmp_path:
     assert trexcmd("check-settings", str(file), "-").stdout == out.read_text(encoding="utf-8")
 
 
-def test_two_answers_for_one_output_are_wrong_usage(trexcmd: Run, saved: Path) -> None:
+def test_two_answers_for_one_output_are_wrong_usage(trexcmd: RunCommand, saved: Path) -> None:
     assert trexcmd("check-settings", str(saved), "-", "--json").exit_code == 2
 
 
 @pytest.mark.parametrize("command", ["check-settings", "set-settings", "diff"])
-def test_a_file_that_is_not_there_is_refused(trexcmd: Run, command: str, tmp_path: Path) -> None:
+def test_a_file_that_is_not_there_is_refused(
+    trexcmd: RunCommand, command: str, tmp_path: Path
+) -> None:
     result = trexcmd(command, str(tmp_path / "none.txt"))
     assert result.exit_code == 1
     assert "there is no such file" in result.stderr
 
 
-def test_two_files_are_compared_without_a_board(trexcmd: Run, saved: Path) -> None:
+def test_two_files_are_compared_without_a_board(trexcmd: RunCommand, saved: Path) -> None:
     other = changed(saved, serial_timeout=15)
     result = trexcmd("diff", str(saved), str(other), TREX_PORT="")
     assert result.exit_code == 0
@@ -230,6 +239,6 @@ def test_two_files_are_compared_without_a_board(trexcmd: Run, saved: Path) -> No
     ]
 
 
-def test_equal_settings_differ_in_nothing(trexcmd: Run, saved: Path) -> None:
+def test_equal_settings_differ_in_nothing(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("diff", str(saved))
     assert (result.exit_code, result.stdout) == (0, "")

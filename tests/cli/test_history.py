@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from click.shell_completion import ShellComplete
 
-from tests.cli.conftest import Run
 from tests.settings.samples import factory
 from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
 from trex_gui.settings.document import Settings
 from trex_gui.settings.history import BOUND_FILE, Bound, History
@@ -27,7 +27,7 @@ def take(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) ->
     return History().take(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
 
 
-def test_an_empty_history_says_when_there_will_be_one(trexcmd: Run) -> None:
+def test_an_empty_history_says_when_there_will_be_one(trexcmd: RunCommand) -> None:
     result = trexcmd("history")
     assert result.exit_code == 0
     assert result.stdout == ""
@@ -35,7 +35,7 @@ def test_an_empty_history_says_when_there_will_be_one(trexcmd: Run) -> None:
     assert json.loads(trexcmd("history", "--json").stdout) == []
 
 
-def test_the_list_has_the_newest_first(trexcmd: Run) -> None:
+def test_the_list_has_the_newest_first(trexcmd: RunCommand) -> None:
     take(0)
     take(1, reason="trexcmd restore-defaults", device_number=9)
     lines = trexcmd("history").stdout.splitlines()
@@ -46,7 +46,7 @@ def test_the_list_has_the_newest_first(trexcmd: Run) -> None:
     assert lines[2].endswith("Apply of 1 setting")
 
 
-def test_the_list_as_json(trexcmd: Run) -> None:
+def test_the_list_as_json(trexcmd: RunCommand) -> None:
     path = take(0, device_number=9)
     (row,) = json.loads(trexcmd("history", "--json").stdout)
     assert row["number"] == 1
@@ -56,7 +56,7 @@ def test_the_list_as_json(trexcmd: Run) -> None:
     assert row["path"] == str(path)
 
 
-def test_a_damaged_snapshot_stands_in_the_list_as_such(trexcmd: Run) -> None:
+def test_a_damaged_snapshot_stands_in_the_list_as_such(trexcmd: RunCommand) -> None:
     take().write_text("", encoding="utf-8")
     assert "damaged" in trexcmd("history").stdout
     assert "It is empty." in trexcmd("history").stdout
@@ -64,7 +64,7 @@ def test_a_damaged_snapshot_stands_in_the_list_as_such(trexcmd: Run) -> None:
     assert result.exit_code == 1
 
 
-def test_a_snapshot_is_shown_by_number_and_by_file(trexcmd: Run) -> None:
+def test_a_snapshot_is_shown_by_number_and_by_file(trexcmd: RunCommand) -> None:
     path = take(0, serial_timeout=5)
     take(1)
     shown = trexcmd("history", "show", "2")
@@ -75,7 +75,7 @@ def test_a_snapshot_is_shown_by_number_and_by_file(trexcmd: Run) -> None:
 
 
 @pytest.mark.parametrize("number", ["0", "3", "99999999999"])
-def test_a_number_that_is_not_there_is_a_sentence(trexcmd: Run, number: str) -> None:
+def test_a_number_that_is_not_there_is_a_sentence(trexcmd: RunCommand, number: str) -> None:
     take()
     result = trexcmd("history", "show", number)
     assert result.exit_code == 1
@@ -83,13 +83,13 @@ def test_a_number_that_is_not_there_is_a_sentence(trexcmd: Run, number: str) -> 
     assert "Traceback" not in result.stderr
 
 
-def test_a_number_in_an_empty_history_is_a_sentence(trexcmd: Run) -> None:
+def test_a_number_in_an_empty_history_is_a_sentence(trexcmd: RunCommand) -> None:
     result = trexcmd("history", "path", "1")
     assert result.exit_code == 1
     assert "no snapshots" in result.stderr
 
 
-def test_two_snapshots_are_compared_from_the_first_to_the_second(trexcmd: Run) -> None:
+def test_two_snapshots_are_compared_from_the_first_to_the_second(trexcmd: RunCommand) -> None:
     take(0, serial_timeout=5)
     take(1, serial_timeout=7)
     result = trexcmd("history", "diff", "2", "1")
@@ -98,7 +98,7 @@ def test_two_snapshots_are_compared_from_the_first_to_the_second(trexcmd: Run) -
 
 
 def test_a_snapshot_is_compared_with_the_board(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 7")
     take(0, serial_timeout=5)
@@ -109,7 +109,7 @@ def test_a_snapshot_is_compared_with_the_board(
 
 
 def test_what_set_settings_changed_comes_back_from_the_history(
-    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     def stored() -> int:
         return int(quick_simulator.show()["parameters"]["serial_timeout"])
@@ -126,14 +126,14 @@ def test_what_set_settings_changed_comes_back_from_the_history(
 
 
 @pytest.mark.parametrize("word", ["first", "-1", "1.5", "./1"])
-def test_a_path_is_asked_for_by_number_only(trexcmd: Run, word: str) -> None:
+def test_a_path_is_asked_for_by_number_only(trexcmd: RunCommand, word: str) -> None:
     assert trexcmd("history", "path", "--", word).exit_code == 2
 
 
 # --- How many are kept ------------------------------------------------------------------
 
 
-def test_how_many_are_kept_is_set_and_printed(trexcmd: Run) -> None:
+def test_how_many_are_kept_is_set_and_printed(trexcmd: RunCommand) -> None:
     assert trexcmd("history", "keep").stdout == "500\n"
     assert trexcmd("history", "keep", "all").exit_code == 0
     assert trexcmd("history", "keep").stdout == "all\n"
@@ -142,12 +142,12 @@ def test_how_many_are_kept_is_set_and_printed(trexcmd: Run) -> None:
 
 
 @pytest.mark.parametrize("word", ["0", "-1", "many", "1.5", "10000000", "9" * 5000])
-def test_no_other_count_is_taken(trexcmd: Run, word: str) -> None:
+def test_no_other_count_is_taken(trexcmd: RunCommand, word: str) -> None:
     assert trexcmd("history", "keep", "--", word).exit_code == 2
     assert History().bound() == Bound()
 
 
-def test_a_lower_bound_asks_first_and_names_how_many_go(trexcmd: Run) -> None:
+def test_a_lower_bound_asks_first_and_names_how_many_go(trexcmd: RunCommand) -> None:
     for minutes in range(5):
         take(minutes)
     result = trexcmd("history", "keep", "2", stdin="n\n")
@@ -164,7 +164,7 @@ def test_a_lower_bound_asks_first_and_names_how_many_go(trexcmd: Run) -> None:
 
 
 def test_a_damaged_bound_is_told_where_it_matters(
-    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     take()
     (History().folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
@@ -182,12 +182,12 @@ def test_a_damaged_bound_is_told_where_it_matters(
     assert History().bound() == Bound(10)
 
 
-def test_a_board_is_not_needed_for_the_list(trexcmd: Run) -> None:
+def test_a_board_is_not_needed_for_the_list(trexcmd: RunCommand) -> None:
     take()
     assert trexcmd("history", TREX_PORT="").exit_code == 0
 
 
-def test_json_before_the_word_is_a_mistake(trexcmd: Run) -> None:
+def test_json_before_the_word_is_a_mistake(trexcmd: RunCommand) -> None:
     take()
     result = trexcmd("history", "--json", "show", "1")
     assert result.exit_code == 2

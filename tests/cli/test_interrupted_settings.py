@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import Run, Start, becomes
+from tests.cli.conftest import becomes
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.virtual_command import VirtualCommand
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import CHANNELS, InputSource
 from trex_gui.protocol.parameters import parameters_of
@@ -97,8 +97,8 @@ Disturb = Callable[[str, Callable[[Writing], object]], tuple[Writing, str]]
 
 @pytest.fixture
 def disturb(
-    start: Start,
-    trexcmd: Run,
+    start: StartCommand,
+    trexcmd: RunCommand,
     start_simulator: StartSimulator,
     tmp_path: Path,
 ) -> Disturb:
@@ -131,7 +131,7 @@ def disturb(
 
 @when_some_are_stored
 def test_ctrl_c_ends_the_writing_between_two_settings(
-    disturb: Disturb, trexcmd: Run, key: str
+    disturb: Disturb, trexcmd: RunCommand, key: str
 ) -> None:
     writing, said = disturb(key, lambda writing: writing.process.send_signal(signal.SIGINT))
     assert "Interrupted: not everything was stored; what was not tried is as it was." in said
@@ -144,7 +144,7 @@ def test_ctrl_c_ends_the_writing_between_two_settings(
 
 @when_some_are_stored
 def test_a_cable_that_is_pulled_leaves_nothing_unsaid(
-    disturb: Disturb, trexcmd: Run, key: str
+    disturb: Disturb, trexcmd: RunCommand, key: str
 ) -> None:
     writing, said = disturb(key, lambda writing: writing.board.do("line unplug"))
     assert "gone" in said
@@ -159,7 +159,7 @@ def test_a_cable_that_is_pulled_leaves_nothing_unsaid(
 # --- How the board is reached after its next start --------------------------------------
 
 
-def given(trexcmd: Run, path: Path, **values: int) -> str:
+def given(trexcmd: RunCommand, path: Path, **values: int) -> str:
     """Give the simulated board a file with these values; return what is said."""
     lines = "".join(f"{key}: {wire}\n" for key, wire in values.items())
     path.write_text(f"product: TReX\n{lines}", encoding="utf-8")
@@ -178,7 +178,7 @@ def given(trexcmd: Run, path: Path, **values: int) -> str:
     ],
 )
 def test_whoever_changes_the_line_is_told_how_to_reach_the_board(
-    trexcmd: Run,
+    trexcmd: RunCommand,
     quick_simulator: SimulatedDevice,
     tmp_path: Path,
     values: dict[str, int],
@@ -190,7 +190,7 @@ def test_whoever_changes_the_line_is_told_how_to_reach_the_board(
 
 
 def test_the_options_that_were_told_reach_the_board(
-    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
     (told,) = re.findall("is reached with (.*)", said)
@@ -203,7 +203,7 @@ def test_the_options_that_were_told_reach_the_board(
 
 
 def test_a_rate_that_old_firmware_halves_is_told_as_it_will_be(
-    trexcmd: Run, start_simulator: StartSimulator, tmp_path: Path
+    trexcmd: RunCommand, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     old = start_simulator("--firmware", "1.0", "--unpaced")
     file = tmp_path / "line.txt"
@@ -213,7 +213,7 @@ def test_a_rate_that_old_firmware_halves_is_told_as_it_will_be(
 
 
 def test_a_new_number_is_told_to_whoever_calls_the_board_by_number(
-    trexcmd: Run, quick_simulator: SimulatedDevice, tmp_path: Path
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "number.txt"
     file.write_text("product: TReX\ndevice_number: 9\nuart_settings: 8\n", encoding="utf-8")
@@ -227,7 +227,7 @@ def test_a_new_number_is_told_to_whoever_calls_the_board_by_number(
 
 @pytest.mark.parametrize("values", [{"serial_timeout": 5}, {"device_number": 9}])
 def test_where_the_line_stays_nothing_is_said_of_it(
-    trexcmd: Run, tmp_path: Path, values: dict[str, int]
+    trexcmd: RunCommand, tmp_path: Path, values: dict[str, int]
 ) -> None:
     said = given(trexcmd, tmp_path / "same.txt", **values)
     assert "each the board" not in said
@@ -235,7 +235,7 @@ def test_where_the_line_stays_nothing_is_said_of_it(
 
 
 def test_whoever_restores_the_defaults_is_told_how_to_reach_the_board(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom device_number 9")
     quick_simulator.do("power cycle")
@@ -249,7 +249,7 @@ def test_whoever_restores_the_defaults_is_told_how_to_reach_the_board(
     ) in result.stderr
 
 
-def test_defaults_that_change_nothing_of_the_line_need_no_options(trexcmd: Run) -> None:
+def test_defaults_that_change_nothing_of_the_line_need_no_options(trexcmd: RunCommand) -> None:
     assert "is reached with" not in trexcmd("restore-defaults", "--yes").stderr
 
 
@@ -269,7 +269,7 @@ motor1_acceleration: 12
 @pytest.mark.parametrize("line_end", ["\n", "\r\n"])
 @pytest.mark.parametrize("mark", ["", "\ufeff"])
 def test_a_persons_comments_order_and_spelling_survive_a_check(
-    trexcmd: Run, tmp_path: Path, line_end: str, mark: str
+    trexcmd: RunCommand, tmp_path: Path, line_end: str, mark: str
 ) -> None:
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
     data = (mark + COMMENTED.replace("\n", line_end)).encode()
@@ -279,7 +279,9 @@ def test_a_persons_comments_order_and_spelling_survive_a_check(
 
 
 @pytest.mark.parametrize("line_end", ["\n", "\r\n"])
-def test_a_last_line_without_an_end_gets_one(trexcmd: Run, tmp_path: Path, line_end: str) -> None:
+def test_a_last_line_without_an_end_gets_one(
+    trexcmd: RunCommand, tmp_path: Path, line_end: str
+) -> None:
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
     whole = COMMENTED.replace("\n", line_end).encode()
     file.write_bytes(whole.rstrip())
@@ -291,7 +293,7 @@ def test_a_last_line_without_an_end_gets_one(trexcmd: Run, tmp_path: Path, line_
 
 
 def test_a_file_that_cannot_be_amended_is_written_anew_with_a_word(
-    trexcmd: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    trexcmd: RunCommand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No such file is known; the one who amends may refuse one all the same."""
 
@@ -308,14 +310,14 @@ def test_a_file_that_cannot_be_amended_is_written_anew_with_a_word(
     assert out.read_text(encoding="utf-8") == write_settings(read_settings(COMMENTED)[0])
 
 
-def test_a_file_may_be_checked_in_its_place(trexcmd: Run, tmp_path: Path) -> None:
+def test_a_file_may_be_checked_in_its_place(trexcmd: RunCommand, tmp_path: Path) -> None:
     file = tmp_path / "in.txt"
     file.write_bytes(COMMENTED.encode())
     assert trexcmd("check-settings", str(file), str(file)).exit_code == 0
     assert file.read_bytes() == COMMENTED.encode()
 
 
-def test_a_file_that_cannot_be_used_writes_nothing(trexcmd: Run, tmp_path: Path) -> None:
+def test_a_file_that_cannot_be_used_writes_nothing(trexcmd: RunCommand, tmp_path: Path) -> None:
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
     file.write_text(COMMENTED.replace("0x0F", "200"), encoding="utf-8")
     assert trexcmd("check-settings", str(file), str(out)).exit_code == 1

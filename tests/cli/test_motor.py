@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 import pytest
 
-from tests.cli.conftest import Run, Start, StartProcess, becomes, comes_true, outputs
+from tests.cli.conftest import StartProcess, becomes, comes_true, outputs
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.virtual_command import VirtualCommand
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 
 
 def run_motor(
-    start: Start, simulator: SimulatedDevice, *words: str, speeds: Sequence[int]
+    start: StartCommand, simulator: SimulatedDevice, *words: str, speeds: Sequence[int]
 ) -> VirtualCommand:
     """Run a motor until both motors and the auxiliary one have these speeds."""
     command = start("motor", *words, url=simulator.url)
@@ -20,7 +20,7 @@ def run_motor(
     return command
 
 
-def run_motor_1(start: Start, simulator: SimulatedDevice) -> VirtualCommand:
+def run_motor_1(start: StartCommand, simulator: SimulatedDevice) -> VirtualCommand:
     return run_motor(start, simulator, "1", "60", speeds=(60, 0, 0))
 
 
@@ -41,7 +41,7 @@ def braked(simulator: SimulatedDevice) -> bool:
 def test_a_motor_runs_until_it_is_interrupted(
     words: tuple[str, ...],
     speeds: tuple[int, ...],
-    start: Start,
+    start: StartCommand,
     quick_simulator: SimulatedDevice,
 ) -> None:
     command = run_motor(start, quick_simulator, *words, speeds=speeds)
@@ -52,10 +52,22 @@ def test_a_motor_runs_until_it_is_interrupted(
     assert braked(quick_simulator)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGQUIT", "SIGTSTP"])
+def test_every_signal_that_ends_the_program_stops_the_motor(
+    name: str, start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    command = run_motor_1(start, quick_simulator)
+    command.send_signal(getattr(signal, name))
+    _, errors = command.communicate()
+    assert (command.returncode, "Stopped." in errors) == (0, True)
+    assert braked(quick_simulator)
+
+
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGTSTP"])
-def test_every_signal_that_ends_the_program_stops_the_motor(
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_process_that_is_ended_by_a_signal_stops_the_motor(
     name: str, start_process: StartProcess, quick_simulator: SimulatedDevice
 ) -> None:
     process = start_process("motor", "1", "60")
@@ -69,7 +81,7 @@ def test_every_signal_that_ends_the_program_stops_the_motor(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 def test_closed_terminal_does_not_end_the_program_behind_nohup(
-    start: Start, quick_simulator: SimulatedDevice
+    start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
     try:
@@ -85,7 +97,7 @@ def test_closed_terminal_does_not_end_the_program_behind_nohup(
 
 
 def test_repeated_ctrl_c_does_not_keep_the_motor_from_stopping(
-    start: Start, quick_simulator: SimulatedDevice
+    start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     command = run_motor_1(start, quick_simulator)
     for _ in range(5):
@@ -95,7 +107,7 @@ def test_repeated_ctrl_c_does_not_keep_the_motor_from_stopping(
 
 
 def test_a_motor_runs_for_some_seconds_and_stops(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("motor", "1", "50", "--seconds", "0.2")
     assert result.exit_code == 0, result.stderr
@@ -103,12 +115,12 @@ def test_a_motor_runs_for_some_seconds_and_stops(
     assert braked(quick_simulator)
 
 
-def test_a_missing_timeout_is_warned_of(trexcmd: Run) -> None:
+def test_a_missing_timeout_is_warned_of(trexcmd: RunCommand) -> None:
     assert "Serial Timeout is off" in trexcmd("motor", "1", "5", "--seconds", "0.01").stderr
 
 
 def test_a_short_timeout_of_the_board_is_fed(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "serial_timeout", "0.2 s").exit_code == 0
     result = trexcmd("motor", "1", "50", "--seconds", "1")
@@ -117,7 +129,7 @@ def test_a_short_timeout_of_the_board_is_fed(
     assert "Serial timeout" not in result.stderr
 
 
-def test_a_motor_can_be_braked(start: Start, quick_simulator: SimulatedDevice) -> None:
+def test_a_motor_can_be_braked(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
     command = start("motor", "1", "33", "--brake")
     assert becomes(
         lambda: [quick_simulator.show()["motors"][0][key] for key in ("direction", "speed")],
@@ -128,7 +140,7 @@ def test_a_motor_can_be_braked(start: Start, quick_simulator: SimulatedDevice) -
 
 
 def test_where_serial_does_not_control_the_motors_nothing_is_sent(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
@@ -139,14 +151,16 @@ def test_where_serial_does_not_control_the_motors_nothing_is_sent(
 
 
 def test_joint_mode_is_told_where_motor_2_is_asked_for(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "motor_mode", "joint")
     quick_simulator.do("power cycle")
     assert "motor 2 is ignored" in trexcmd("motor", "2", "5", "--seconds", "0.01").stderr
 
 
-def test_a_fault_of_the_driver_ends_the_run(start: Start, quick_simulator: SimulatedDevice) -> None:
+def test_a_fault_of_the_driver_ends_the_run(
+    start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
     command = run_motor_1(start, quick_simulator)
     quick_simulator.do("fault 1 on")
     _, errors = command.communicate()
@@ -156,7 +170,7 @@ def test_a_fault_of_the_driver_ends_the_run(start: Start, quick_simulator: Simul
 
 
 def test_damage_on_the_line_does_not_end_the_run(
-    start: Start, quick_simulator: SimulatedDevice
+    start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     def counted(what: str) -> int:
         return int(quick_simulator.show()["counters"]["line"][what])
@@ -175,7 +189,7 @@ def test_damage_on_the_line_does_not_end_the_run(
 
 
 def test_a_board_that_falls_silent_ends_the_run_with_a_sentence(
-    start: Start, quick_simulator: SimulatedDevice
+    start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     command = run_motor_1(start, quick_simulator)
     quick_simulator.do("line mute on")
@@ -187,7 +201,7 @@ def test_a_board_that_falls_silent_ends_the_run_with_a_sentence(
 
 
 def test_a_cable_that_is_pulled_ends_the_run_with_a_sentence(
-    start: Start, start_simulator: StartSimulator
+    start: StartCommand, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced")
     command = run_motor_1(start, simulator)
@@ -214,12 +228,12 @@ def test_a_cable_that_is_pulled_ends_the_run_with_a_sentence(
         ("1", "5", "--secnds", "1"),
     ],
 )
-def test_what_no_motor_can_do_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]) -> None:
+def test_what_no_motor_can_do_is_wrong_usage(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     assert trexcmd("motor", *words).exit_code == 2
 
 
 def test_a_stop_that_channels_drive_through_fails(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     for line in ("jumper mode rc", "power cycle"):
         quick_simulator.do(line)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.cli.conftest import Run
+from tests.support.virtual_command import RunCommand
 from trex_gui.protocol.commands import COMMANDS
 from trex_gui.protocol.parser import Packet, PacketParser
 from trex_gui.protocol.words import describe
@@ -23,7 +23,7 @@ from trex_gui.protocol.words import describe
         ("0x81,", "81  compact  get signature"),
     ],
 )
-def test_packets_are_told_in_words(trexcmd: Run, packet: str, words: str) -> None:
+def test_packets_are_told_in_words(trexcmd: RunCommand, packet: str, words: str) -> None:
     result = trexcmd("decode", packet)
     assert (result.exit_code, result.stdout.rstrip("\n")) == (0, words)
 
@@ -38,14 +38,14 @@ def test_every_command_has_words() -> None:
         assert describe(event.command) != type(event.command).__name__
 
 
-def test_with_a_checksum_the_checksum_is_judged(trexcmd: Run) -> None:
+def test_with_a_checksum_the_checksum_is_judged(trexcmd: RunCommand) -> None:
     assert trexcmd("decode", "--crc", "86 1F 07").exit_code == 0
     result = trexcmd("decode", "--crc", "86", "1F", "08")
     assert result.exit_code == 1
     assert "the CRC is 08, not 07" in result.stdout
 
 
-def test_what_is_wrong_with_bytes_is_said(trexcmd: Run) -> None:
+def test_what_is_wrong_with_bytes_is_said(trexcmd: RunCommand) -> None:
     result = trexcmd("decode", "81 05 86 C2 AF 07")
     assert result.exit_code == 1
     assert "a data byte outside a packet" in result.stdout
@@ -55,5 +55,5 @@ def test_what_is_wrong_with_bytes_is_said(trexcmd: Run) -> None:
 
 
 @pytest.mark.parametrize("words", [("8G",), (), (" ",), ("--crc", "--polynomial", "11", "81")])
-def test_what_are_no_bytes_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]) -> None:
+def test_what_are_no_bytes_is_wrong_usage(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     assert trexcmd("decode", *words).exit_code == 2

@@ -1,11 +1,11 @@
 """restore-defaults."""
 
-from tests.cli.conftest import Run
 from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand
 
 
 def test_defaults_come_back_with_the_next_power_up(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "serial_timeout", "15")
     trexcmd("calibration", "set", "1", "2400", "3700", "5100", "60")
@@ -19,7 +19,7 @@ def test_defaults_come_back_with_the_next_power_up(
 
 
 def test_nothing_is_restored_unless_a_person_says_yes(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "serial_timeout", "15")
     for answer in ("n\n", ""):
@@ -29,7 +29,7 @@ def test_nothing_is_restored_unless_a_person_says_yes(
     assert trexcmd("restore-defaults", stdin="y\n").exit_code == 0
 
 
-def test_restoring_needs_serial_mode(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
+def test_restoring_needs_serial_mode(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
     result = trexcmd("restore-defaults", "--yes")

@@ -6,26 +6,29 @@ import signal
 import pytest
 from click.testing import CliRunner
 
-from tests.cli.conftest import Run, Start, becomes, outputs
+from tests.cli.conftest import becomes, outputs
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand, StartCommand
 from trex_gui.cli import main
 from trex_gui.protocol.line_settings import Detection, LineSettings
 
 
-def test_list_as_json_names_port_and_board(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
+def test_list_as_json_names_port_and_board(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
     (row,) = json.loads(trexcmd("list", "--json").stdout)
     assert row["port"] == quick_simulator.url
     assert (row["product"], row["firmware"]) == ("TReX", "1.2")
 
 
-def test_list_refuses_a_port_that_is_not_there(trexcmd: Run) -> None:
+def test_list_refuses_a_port_that_is_not_there(trexcmd: RunCommand) -> None:
     result = trexcmd("list", "--port", "/dev/ttyNOTHERE")
     assert result.exit_code == 1
     assert "There is no port" in result.stdout
 
 
 def test_find_prints_the_options_that_reach_the_board(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("find")
     assert result.exit_code == 0, result.stderr
@@ -37,7 +40,7 @@ def test_find_prints_the_options_that_reach_the_board(
     "line", [LineSettings(9600), LineSettings(57600), LineSettings(57600, Detection.CRC7)]
 )
 def test_what_find_prints_works_behind_a_command(
-    line: LineSettings, trexcmd: Run, quick_simulator: SimulatedDevice
+    line: LineSettings, trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "uart_settings", str(line.to_wire())).exit_code == 0
     quick_simulator.do("power cycle")
@@ -63,7 +66,7 @@ def test_find_sees_parity_where_the_port_shows_it(start_simulator: StartSimulato
 
 
 def test_interrupted_search_ends_within_a_second(
-    start: Start, quick_simulator: SimulatedDevice
+    start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     command = start("find")
@@ -76,7 +79,7 @@ def test_interrupted_search_ends_within_a_second(
 
 
 def test_find_without_a_board_says_what_to_look_at(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
     result = trexcmd("find")
@@ -85,7 +88,7 @@ def test_find_without_a_board_says_what_to_look_at(
     assert "an LED is lit" in result.stderr
 
 
-def test_find_on_a_port_that_is_not_there_is_refused(trexcmd: Run) -> None:
+def test_find_on_a_port_that_is_not_there_is_refused(trexcmd: RunCommand) -> None:
     result = trexcmd("find", "--port", "/dev/ttyNOTHERE")
     assert result.exit_code == 1
     assert "There is no port" in result.stderr

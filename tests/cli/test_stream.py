@@ -9,23 +9,23 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import Run, Start, StartProcess, becomes, measured
+from tests.cli.conftest import StartProcess, becomes, measured
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.virtual_command import VirtualCommand
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 
 
 def rows_of(text: str) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(text)))
 
 
-def begin_to_stream(start: Start, file: Path, simulator: SimulatedDevice) -> VirtualCommand:
+def begin_to_stream(start: StartCommand, file: Path, simulator: SimulatedDevice) -> VirtualCommand:
     """Let a stream write some rows into a file."""
     command = start("stream", "--csv", str(file), url=simulator.url)
     assert becomes(lambda: file.exists() and file.stat().st_size > 2000, True)
     return command
 
 
-def streamed(trexcmd: Run, *words: str) -> str:
+def streamed(trexcmd: RunCommand, *words: str) -> str:
     """Stream for a moment."""
     text = trexcmd("stream", "--seconds", "0.6", *words).stdout
     assert text.count("\n") > 10
@@ -33,7 +33,7 @@ def streamed(trexcmd: Run, *words: str) -> str:
 
 
 def test_rows_have_units_in_the_head_and_nothing_missing(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     def current() -> str:
         return str(json.loads(trexcmd("status", "--json").stdout)["motor_1_current"])
@@ -58,7 +58,7 @@ def test_rows_have_units_in_the_head_and_nothing_missing(
 
 
 def test_a_channel_without_a_signal_is_empty(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("channel 3 invalid")
     assert becomes(lambda: quick_simulator.show()["channels"][2]["raw"], None)
@@ -67,7 +67,7 @@ def test_a_channel_without_a_signal_is_empty(
 
 
 def test_an_analog_board_is_measured_in_volts(
-    trexcmd: Run, quick_simulator: SimulatedDevice
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode analog")
     quick_simulator.do("power cycle")
@@ -76,20 +76,20 @@ def test_an_analog_board_is_measured_in_volts(
     assert float(row["channel_1_V"]) == pytest.approx(2.5, abs=0.01)
 
 
-def test_an_error_stands_in_one_row(trexcmd: Run, quick_simulator: SimulatedDevice) -> None:
+def test_an_error_stands_in_one_row(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     trexcmd("raw", "41")
     rows = rows_of(streamed(trexcmd))
     assert [row["uart_format"] for row in rows].count("1") == 1
     assert [row["status_uart_error"] for row in rows].count("1") == 1
 
 
-def test_json_is_an_object_a_line(trexcmd: Run) -> None:
+def test_json_is_an_object_a_line(trexcmd: RunCommand) -> None:
     rows = [json.loads(line) for line in streamed(trexcmd, "--json").splitlines()]
     assert rows[0]["channel_1_us"] == 1500.0
 
 
 def test_an_interrupted_stream_has_whole_rows(
-    start: Start, quick_simulator: SimulatedDevice, tmp_path: Path
+    start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
     command = begin_to_stream(start, file, quick_simulator)
@@ -118,7 +118,7 @@ def test_a_reader_that_leaves_is_no_traceback(start_process: StartProcess) -> No
 
 
 def test_a_cable_that_is_pulled_leaves_what_was_read(
-    start: Start, start_simulator: StartSimulator, tmp_path: Path
+    start: StartCommand, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     simulator = start_simulator("--unpaced")
     file = tmp_path / "log.csv"
@@ -131,7 +131,7 @@ def test_a_cable_that_is_pulled_leaves_what_was_read(
 
 
 def test_a_board_that_falls_silent_ends_the_stream(
-    start: Start, quick_simulator: SimulatedDevice, tmp_path: Path
+    start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
     command = begin_to_stream(start, file, quick_simulator)
@@ -142,7 +142,7 @@ def test_a_board_that_falls_silent_ends_the_stream(
 
 
 def test_another_mode_ends_the_stream(
-    start: Start, quick_simulator: SimulatedDevice, tmp_path: Path
+    start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
     command = begin_to_stream(start, file, quick_simulator)
@@ -153,7 +153,7 @@ def test_another_mode_ends_the_stream(
     assert "mode has changed" in errors
 
 
-def test_a_file_that_cannot_be_written_is_refused(trexcmd: Run, tmp_path: Path) -> None:
+def test_a_file_that_cannot_be_written_is_refused(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("stream", "--seconds", "1", "--csv", str(tmp_path / "missing" / "log.csv"))
     assert result.exit_code == 1
     assert "cannot be written" in result.stderr
@@ -162,5 +162,5 @@ def test_a_file_that_cannot_be_written_is_refused(trexcmd: Run, tmp_path: Path) 
 @pytest.mark.parametrize(
     "words", [("--seconds", "0"), ("--seconds", "x"), ("--json", "--csv", "-")]
 )
-def test_what_makes_no_sense_is_wrong_usage(trexcmd: Run, words: tuple[str, ...]) -> None:
+def test_what_makes_no_sense_is_wrong_usage(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     assert trexcmd("stream", *words).exit_code == 2

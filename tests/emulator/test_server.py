@@ -354,7 +354,6 @@ class TestEnd:
 
     @needs_pty
     @pytest.mark.parametrize("name", ["SIGTERM", "SIGINT", "SIGHUP"])
-    @pytest.mark.usefixtures("signals_as_usual")
     def test_a_signal(self, start: Start, link: Path, name: str) -> None:
         sim = start("--link", str(link))
         sim.process.send_signal(getattr(signal, name))

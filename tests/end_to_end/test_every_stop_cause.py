@@ -193,7 +193,6 @@ def test_motors_stop_while_the_window_hangs(
 # --- From outside -----------------------------------------------------------------------
 
 
-@pytest.mark.usefixtures("signals_as_usual")
 @pytest.mark.parametrize(
     "number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGQUIT], ids=lambda n: n.name
 )

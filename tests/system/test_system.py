@@ -120,7 +120,7 @@ class Ending:
 
 
 @pytest.fixture
-def ending(signals_as_usual: None) -> Iterator[Ending]:
+def ending() -> Iterator[Ending]:
     ending = Ending()
     yield ending
     ending.watch.close()
@@ -139,7 +139,6 @@ def test_a_window_that_does_not_end_is_ended(ending: Ending) -> None:
     assert ending.ended_with == [128 + signal.SIGTERM]
 
 
-@pytest.mark.usefixtures("signals_as_usual")
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_the_window_is_told_which_signal_it_was(ending: Ending, qtbot: QtBot) -> None:
     with qtbot.waitSignal(ending.watch.caught) as told:

@@ -1,30 +1,31 @@
-"""trexcmd in this process, against a simulated robot whose bytes take no time."""
-
-from collections.abc import Callable, Iterator
+"""trexcmd against a simulated robot whose bytes take no time, in virtual time."""
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 
-from tests.support.aracna import AracnaProcess
-from trex_gui.cli import main
-
-Run = Callable[..., Result]
-
-
-@pytest.fixture
-def robot() -> Iterator[AracnaProcess]:
-    process = AracnaProcess("--unpaced")
-    yield process
-    process.end()
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
+from tests.support.virtual_time import VirtualRuntime
 
 
 @pytest.fixture
-def trexcmd(robot: AracnaProcess) -> Run:
-    """Run `trexcmd` to its end; what talks to the robot has patience with a busy computer."""
+def robot(start_simulator: StartSimulator) -> SimulatedDevice:
+    return start_simulator("--aracna", "--unpaced")
+
+
+@pytest.fixture
+def start(virtual_time: VirtualRuntime, robot: SimulatedDevice) -> StartCommand:
+    """Start `trexcmd` on the robot's port."""
+    return lambda *words: VirtualCommand(virtual_time, words, {"TREX_PORT": robot.url})
+
+
+@pytest.fixture
+def trexcmd(start: StartCommand) -> RunCommand:
+    """Run `trexcmd` to its end."""
 
     def run(*words: str) -> Result:
-        if words[0] == "aracna":
-            words = (*words[:2], "--timeout", "2", *words[2:])
-        return CliRunner().invoke(main, list(words), env={"TREX_PORT": robot.url})
+        command = start(*words)
+        command.wait()
+        return command.result
 
     return run

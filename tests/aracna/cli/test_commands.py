@@ -1,23 +1,17 @@
 """trexcmd aracna: query, speeds, pose, play; list and find."""
 
 import json
-import os
 import signal
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
-from tests.aracna.cli.conftest import Run
-from tests.support.aracna import AracnaProcess
 from tests.support.simulator import SimulatedDevice
-from trex_gui.aracna.cli.talk import Talk, settings_of
+from tests.support.virtual_command import RunCommand, StartCommand
+from tests.support.virtual_devices import VirtualSimulator
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.cli import main
-from trex_gui.cli.talk import Refused
-
-pytestmark = pytest.mark.realtime
 
 FILE = """Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024
 Pose=low:400, 300, 400, 300, 400, 300, 400, 300
@@ -36,18 +30,18 @@ def file(tmp_path: Path) -> str:
     return str(path)
 
 
-def positions(robot: AracnaProcess) -> list[int]:
+def positions(robot: SimulatedDevice) -> list[int]:
     return [servo["position"] for servo in robot.show()["servos"]]
 
 
-def near(robot: AracnaProcess, wanted: list[int]) -> bool:
+def near(robot: SimulatedDevice, wanted: list[int]) -> bool:
     return all(abs(a - b) <= 2 for a, b in zip(positions(robot), wanted, strict=True))
 
 
 # --- query, speeds --------------------------------------------------------------------------
 
 
-def test_query_tells_what_the_robot_is(trexcmd: Run, robot: AracnaProcess) -> None:
+def test_query_tells_what_the_robot_is(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     assert trexcmd("aracna", "query").stdout == "Aracna, firmware 1, 8 motors\n"
     row = json.loads(trexcmd("aracna", "query", "--json").stdout)
     assert row == {"port": robot.url, "product": "Aracna", "firmware": 1, "motors": 8}
@@ -59,20 +53,22 @@ def test_without_a_port_it_is_wrong_usage() -> None:
     assert "Which port?" in result.stderr
 
 
-def test_a_port_that_is_not_there_is_refused(trexcmd: Run) -> None:
+def test_a_port_that_is_not_there_is_refused(trexcmd: RunCommand) -> None:
     result = trexcmd("aracna", "query", "--port", "/dev/ttyNOTHERE")
     assert result.exit_code == 1
     assert "There is no port" in result.stderr
 
 
-def test_a_trex_on_the_port_is_told_not_to_be_an_aracna(quick_simulator: SimulatedDevice) -> None:
-    result = CliRunner().invoke(main, ["aracna", "query", "--port", quick_simulator.url])
+def test_a_trex_on_the_port_is_told_not_to_be_an_aracna(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    result = trexcmd("aracna", "query", "--port", quick_simulator.url)
     assert result.exit_code == 1
     assert "No Aracna answers" in result.stderr or "not as an Aracna does" in result.stderr
 
 
 def test_one_speed_is_for_all_and_what_the_servos_hold_is_printed(
-    trexcmd: Run, robot: AracnaProcess
+    trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     assert trexcmd("aracna", "speeds", "200").stdout == "200 200 200 200 200 200 200 200\n"
     result = trexcmd("aracna", "speeds", *map(str, range(8)))
@@ -81,7 +77,7 @@ def test_one_speed_is_for_all_and_what_the_servos_hold_is_printed(
 
 
 def test_a_servo_that_does_not_answer_is_named_with_exit_code_1(
-    trexcmd: Run, robot: AracnaProcess
+    trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     robot.do("servo 4 dead")
     result = trexcmd("aracna", "speeds", "50")
@@ -93,14 +89,18 @@ def test_a_servo_that_does_not_answer_is_named_with_exit_code_1(
 @pytest.mark.parametrize(
     "words", [["speeds", "1", "2"], ["speeds", "1024"], ["pose", "1", "2"], ["pose"]]
 )
-def test_what_is_no_value_for_each_motor_is_wrong_usage(trexcmd: Run, words: list[str]) -> None:
+def test_what_is_no_value_for_each_motor_is_wrong_usage(
+    trexcmd: RunCommand, words: list[str]
+) -> None:
     assert trexcmd("aracna", *words, "--no-limits" if words[0] == "pose" else "5").exit_code == 2
 
 
 # --- pose -----------------------------------------------------------------------------------
 
 
-def test_pose_goes_there_slowly_and_tells_each_motor(trexcmd: Run, robot: AracnaProcess) -> None:
+def test_pose_goes_there_slowly_and_tells_each_motor(
+    trexcmd: RunCommand, robot: SimulatedDevice
+) -> None:
     result = trexcmd("aracna", "pose", *["530"] * 8)
     assert result.exit_code == 0, result.stderr
     assert near(robot, [530] * 8)
@@ -110,7 +110,7 @@ def test_pose_goes_there_slowly_and_tells_each_motor(trexcmd: Run, robot: Aracna
 
 
 def test_positions_beyond_a_joints_limits_are_refused_before_anything_is_sent(
-    trexcmd: Run, robot: AracnaProcess
+    trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "pose", "20", *["551"] * 7)
     assert result.exit_code == 2
@@ -123,7 +123,7 @@ def test_positions_beyond_a_joints_limits_are_refused_before_anything_is_sent(
 
 
 def test_a_known_pose_is_cut_to_the_limits_and_that_is_told(
-    trexcmd: Run, robot: AracnaProcess
+    trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "pose", "--pose", "stand", "--speed", "500")
     assert result.exit_code == 0, result.stderr
@@ -132,7 +132,7 @@ def test_a_known_pose_is_cut_to_the_limits_and_that_is_told(
 
 
 def test_a_pose_of_a_file_is_found_by_its_name(
-    trexcmd: Run, robot: AracnaProcess, file: str
+    trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     assert trexcmd("aracna", "pose", "--pose", "low", "--file", file, "--speed", "0").exit_code == 0
     assert near(robot, [400, 300] * 4)
@@ -142,7 +142,7 @@ def test_a_pose_of_a_file_is_found_by_its_name(
 
 
 def test_a_motor_that_does_not_arrive_is_named_and_nothing_waits_for_ever(
-    trexcmd: Run, robot: AracnaProcess
+    trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     robot.do("servo 2 block")
     result = trexcmd("aracna", "pose", "--speed", "1000", *["530"] * 8)
@@ -151,7 +151,9 @@ def test_a_motor_that_does_not_arrive_is_named_and_nothing_waits_for_ever(
     assert "servo power" in result.stderr
 
 
-def test_a_position_that_could_not_be_read_is_told(trexcmd: Run, robot: AracnaProcess) -> None:
+def test_a_position_that_could_not_be_read_is_told(
+    trexcmd: RunCommand, robot: SimulatedDevice
+) -> None:
     robot.do("servo 6 lose position")
     result = trexcmd("aracna", "pose", *["515"] * 8)
     assert result.exit_code == 1
@@ -159,35 +161,29 @@ def test_a_position_that_could_not_be_read_is_told(trexcmd: Run, robot: AracnaPr
     assert "Motor 6: its position could not be read (-1)." in result.stderr
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-def test_ctrl_c_says_that_nothing_stops_a_running_motion(robot: AracnaProcess) -> None:
-    process = subprocess.Popen(
-        [sys.executable, "-m", "trex_gui.cli", "aracna", "pose", *["300"] * 8, "--speed", "20"],
-        env={**os.environ, "TREX_PORT": robot.url},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    try:
-        while not robot.show()["servos"][7]["moving"]:
-            pass
-        process.send_signal(signal.SIGINT)
-        out, errors = process.communicate(timeout=30)
-    finally:
-        process.kill()
-        process.communicate()
+def test_ctrl_c_says_that_nothing_stops_a_running_motion(
+    start: StartCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
+) -> None:
+    command = start("aracna", "pose", *["300"] * 8, "--speed", "20")
+    assert virtual_time.run_until(lambda: robot.show()["servos"][7]["moving"], 10)
+    command.send_signal(signal.SIGINT)
+    out, errors = command.communicate()
     assert "Nothing on this link stops a motion that runs" in errors
     assert "Only servo power stops them" in errors
     assert len(out.split()) == 8
-    assert process.returncode == 0
+    assert command.returncode == 0
 
 
-def test_whoever_breaks_off_while_the_line_is_opened_moves_nothing(robot: AracnaProcess) -> None:
-    with (
-        pytest.raises(Refused, match="before anything was sent"),
-        Talk(settings_of(robot.url, 0.0), interrupted=lambda: True),
-    ):
-        pass
+def test_ctrl_c_while_the_line_is_opened_moves_nothing(
+    start: StartCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
+) -> None:
+    assert isinstance(robot, VirtualSimulator)
+    command = start("aracna", "pose", *["300"] * 8)
+    assert virtual_time.run_until(lambda: robot.host is not None, 1)
+    command.send_signal(signal.SIGINT)
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "before anything was sent" in errors
     assert not any(servo["torque"] for servo in robot.show()["servos"])
 
 
@@ -195,7 +191,7 @@ def test_whoever_breaks_off_while_the_line_is_opened_moves_nothing(robot: Aracna
 
 
 def test_play_begins_slowly_and_plays_every_step(
-    trexcmd: Run, robot: AracnaProcess, file: str
+    trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     result = trexcmd("aracna", "play", file, "--sequence", "nod", "--rounds", "2", "--scale", "1.5")
     assert result.exit_code == 0, result.stderr
@@ -210,7 +206,7 @@ def test_play_begins_slowly_and_plays_every_step(
 
 
 def test_what_went_wrong_in_an_early_step_is_told_in_the_end(
-    trexcmd: Run, robot: AracnaProcess, file: str
+    trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     robot.do("servo 2 lose position 1")
     result = trexcmd("aracna", "play", file, "--sequence", "nod")
@@ -220,7 +216,7 @@ def test_what_went_wrong_in_an_early_step_is_told_in_the_end(
 
 
 def test_play_cuts_to_the_limits_unless_they_are_lifted(
-    trexcmd: Run, robot: AracnaProcess, file: str
+    trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     result = trexcmd("aracna", "play", file, "--sequence", "reach")
     assert "far: motor 0 is sent to 600, its limit, not to 1000." in result.stderr
@@ -237,40 +233,30 @@ def test_play_cuts_to_the_limits_unless_they_are_lifted(
     ],
 )
 def test_what_cannot_be_played_is_told(
-    trexcmd: Run, file: str, words: tuple[str, ...], code: int, says: str
+    trexcmd: RunCommand, file: str, words: tuple[str, ...], code: int, says: str
 ) -> None:
     result = trexcmd("aracna", "play", file, *words)
     assert result.exit_code == code
     assert says in result.stderr
 
 
-def test_a_file_that_cannot_be_read_is_told(trexcmd: Run, tmp_path: Path) -> None:
+def test_a_file_that_cannot_be_read_is_told(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("aracna", "play", str(tmp_path / "none.ppr"))
     assert result.exit_code == 1
     assert "none.ppr" in result.stderr
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-def test_ctrl_c_ends_a_loop_after_the_running_step(robot: AracnaProcess, file: str) -> None:
-    process = subprocess.Popen(
-        [sys.executable, "-m", "trex_gui.cli", "aracna", "play", file, "--sequence=nod", "--loop"],
-        env={**os.environ, "TREX_PORT": robot.url},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    try:
-        assert process.stderr is not None
-        for line in process.stderr:
-            if line.startswith("round 2"):
-                break
-        process.send_signal(signal.SIGINT)
-        out, errors = process.communicate(timeout=30)
-    finally:
-        process.kill()
-        process.communicate()
+def test_ctrl_c_ends_a_loop_after_the_running_step(
+    start: StartCommand, robot: SimulatedDevice, file: str, virtual_time: VirtualRuntime
+) -> None:
+    command = start("aracna", "play", file, "--sequence=nod", "--loop")
+    virtual_time.advance(10)
+    assert command.poll() is None
+    command.send_signal(signal.SIGINT)
+    out, errors = command.communicate()
+    assert "round 2" in errors
     assert "Halted." in errors
-    assert process.returncode == 0
+    assert command.returncode == 0
     assert not any(servo["moving"] for servo in robot.show()["servos"])
     assert len(out.split()) == 8
 
@@ -278,16 +264,14 @@ def test_ctrl_c_ends_a_loop_after_the_running_step(robot: AracnaProcess, file: s
 # --- list, find -----------------------------------------------------------------------------
 
 
-def test_list_names_an_aracna(trexcmd: Run, robot: AracnaProcess) -> None:
+def test_list_names_an_aracna(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     assert trexcmd("list", "--port", robot.url).stdout == f"{robot.url}\tAracna 1, 8 motors\n"
     (row,) = json.loads(trexcmd("list", "--json", "--port", robot.url).stdout)
     assert (row["product"], row["firmware"]) == ("Aracna", "1")
 
 
-@pytest.mark.slow
-@pytest.mark.timeout(180)  # behind every setting of a TReX
 def test_find_names_an_aracna_and_prints_what_reaches_it(
-    trexcmd: Run, robot: AracnaProcess
+    trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     result = trexcmd("find")
     assert result.exit_code == 0, result.stderr

@@ -1,49 +1,37 @@
 """trexcmd find and list, where a port leads to a robot, to a board, or to nobody."""
 
 import json
-import sys
 
-import pytest
-from click.testing import CliRunner
-
-from tests.aracna.cli.conftest import Run
-from tests.support.aracna import AracnaProcess
 from tests.support.simulator import SimulatedDevice
-from trex_gui.cli import main
-from trex_gui.link.discovery import attempts
+from tests.support.virtual_command import RunCommand
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import SerialTransport
-
-pytestmark = [
-    pytest.mark.realtime,
-    pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals"),
-]
 
 
-@pytest.fixture(autouse=True)
-def _few_settings(monkeypatch: pytest.MonkeyPatch) -> None:
-    few = list(attempts())[:6]  # all of them take half a minute
-    monkeypatch.setattr("trex_gui.link.discovery.attempts", lambda *, full: few)
-
-
-def test_a_robot_is_found_and_nothing_is_said_against_it(robot: AracnaProcess) -> None:
-    result = CliRunner().invoke(main, ["find", "--port", robot.url])
+def test_a_robot_is_found_and_nothing_is_said_against_it(
+    trexcmd: RunCommand, robot: SimulatedDevice
+) -> None:
+    result = trexcmd("find", "--port", robot.url)
     assert result.stdout == f"--port {robot.url}\n"
     searching, found = result.stderr.splitlines()
     assert searching == f"Searching {robot.url} ..."
     assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no error")
 
 
-def test_both_are_found_in_one_list(robot: AracnaProcess, quick_simulator: SimulatedDevice) -> None:
+def test_both_are_found_in_one_list(
+    trexcmd: RunCommand, robot: SimulatedDevice, quick_simulator: SimulatedDevice
+) -> None:
     rows = []
     for url in (robot.url, quick_simulator.url):
-        rows += json.loads(CliRunner().invoke(main, ["find", "--json", "--port", url]).stdout)
+        rows += json.loads(trexcmd("find", "--json", "--port", url).stdout)
     assert [(row["product"], row["baud"]) for row in rows] == [("Aracna", 38400), ("TReX", 19200)]
 
 
-def test_on_a_silent_port_it_is_told_of_each_device_what_was_tried(robot: AracnaProcess) -> None:
+def test_on_a_silent_port_it_is_told_of_each_device_what_was_tried(
+    trexcmd: RunCommand, robot: SimulatedDevice
+) -> None:
     robot.do("power off")
-    result = CliRunner().invoke(main, ["find", "--port", robot.url])
+    result = trexcmd("find", "--port", robot.url)
     assert result.exit_code == 1
     _, trex, aracna, summary = result.stderr.splitlines()
     assert trex.startswith(f"No TReX answers on {robot.url} at any baud rate")
@@ -51,15 +39,19 @@ def test_on_a_silent_port_it_is_told_of_each_device_what_was_tried(robot: Aracna
     assert summary == "Error: No board was found."
 
 
-def test_a_port_in_use_is_told_once(robot: AracnaProcess) -> None:
-    other = SerialTransport(LinkSettings(robot.url))
-    result = CliRunner().invoke(main, ["find", "--port", robot.url])
+def test_a_port_in_use_is_told_once(
+    trexcmd: RunCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
+) -> None:
+    other = virtual_time.open_transport(LinkSettings(robot.url))
+    result = trexcmd("find", "--port", robot.url)
     other.close()
     assert result.exit_code == 1
     assert result.stderr.count("is in use") == 1
     assert "answers" not in result.stderr
 
 
-def test_list_tells_what_a_port_says_that_is_neither(trexcmd: Run, robot: AracnaProcess) -> None:
+def test_list_tells_what_a_port_says_that_is_neither(
+    trexcmd: RunCommand, robot: SimulatedDevice
+) -> None:
     robot.do("power off")
     assert trexcmd("list").stdout == f"{robot.url}\tnothing answers\n"
