@@ -1,15 +1,16 @@
 """The whole program in a process of its own, driving motors until something goes wrong.
 
-Run as `python -m tests.support.driven_window URL`; prints `driving` once everything turns, then
-takes lines on stdin, each the name of something that goes wrong. Until the first of them it drives
-again whenever it was stopped. With `usual` behind the URL it waits no longer for its own window
-than the program does by itself. What hangs prints `hanging` before.
+Run as `python -m tests.support.driven_window URL`; takes lines on stdin. At `drive` it drives all
+motors, again whenever they were stopped, and prints `driving` once they do; `only_watch` ends that.
+Every other line is the name of something that goes wrong. With `usual` behind the URL it waits no
+longer for its own window than the program does by itself. What hangs prints `hanging` before.
 """
 
 import os
 import sys
 import threading
 import time
+from functools import partial
 
 from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtGui import QAction
@@ -27,6 +28,10 @@ AUXILIARY = 50
 HANGING = 30.0  # seconds
 
 
+def raise_error(kind: type[Exception]) -> None:
+    raise kind("on purpose")
+
+
 class Driver(QObject):
     """Does what a person does, and what a person cannot do."""
 
@@ -37,12 +42,12 @@ class Driver(QObject):
         self._has_driven = False
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._drive_as_soon_as_possible)
-        self._timer.start(20)
+        self._timer.setInterval(20)
         self._orders = QSocketNotifier(0, QSocketNotifier.Type.Read, self)
         self._orders.activated.connect(self._on_order)
         self._mistake = QTimer(self)
         self._mistake.setSingleShot(True)
-        self._mistake.timeout.connect(self._make_a_mistake)
+        self._mistake.timeout.connect(partial(raise_error, ZeroDivisionError))
 
     def _drive_as_soon_as_possible(self) -> None:
         if self._program.device.link is not Link.UP or not self._motors.can_arm:
@@ -67,28 +72,29 @@ class Driver(QObject):
         for order in os.read(0, 4096).decode().split():
             getattr(self, order)()
 
+    def drive(self) -> None:
+        self._has_driven = False
+        self._timer.start()
+
     def only_watch(self) -> None:
         self._say("watching")
-
-    def _make_a_mistake(self) -> None:
-        raise ZeroDivisionError("on purpose")
 
     def mistake_in_a_slot(self) -> None:
         self._mistake.start(0)
 
     def mistake_in_a_thread(self) -> None:
-        threading.Thread(target=self._make_a_mistake).start()
+        threading.Thread(target=raise_error, args=(IndexError,)).start()
 
     def mistake_nobody_can_catch(self) -> None:
         class Dying:
             def __del__(self) -> None:
-                raise ZeroDivisionError("on purpose")
+                raise_error(RecursionError)
 
         Dying()
 
     def mistake_in_the_line(self) -> None:
         def poll(*_: object) -> None:
-            raise ZeroDivisionError("on purpose")
+            raise_error(ZeroDivisionError)
 
         setattr(session, "poll", poll)  # noqa: B010 - not the name's own module
 
@@ -132,12 +138,11 @@ WATCHES: list[QObject] = []
 
 def main(url: str, patience: str = "") -> int:
     """Run the program until it is ended."""
-    usual = Timeouts()
     build = window.build
 
     def build_and_drive(timeouts: Timeouts | None = None) -> Program:
         del timeouts
-        program = build(usual if patience == "usual" else PATIENT)
+        program = build(Timeouts() if patience == "usual" else PATIENT)
         Driver(program)
         from PySide6.QtCore import QCoreApplication
 
