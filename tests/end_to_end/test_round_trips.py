@@ -1,27 +1,24 @@
 """From a file to a board and back: what is saved is the same file again, byte for byte."""
 
 import re
-import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 
 from tests.settings.samples import factory
 from tests.settings.test_samples import BOARDS, GOLDEN, SAMPLES, every_board, text_of
-from tests.support.simulator import SimulatedDevice, SimulatorProcess
-from trex_gui.cli import main
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import VirtualCommand
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.line_settings import Detection, LineSettings
 from trex_gui.protocol.parameters import parameters_of
 from trex_gui.settings.document import CALIBRATION_KEYS, Settings
 from trex_gui.settings.reader import read_settings
 from trex_gui.settings.writer import write_settings
-
-if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
 _TITLE = re.compile(rb"# Read from the board by trexcmd \S+\n")
 _REACHED = re.compile(r"is reached with (.*)")
@@ -30,8 +27,9 @@ _REACHED = re.compile(r"is reached with (.*)")
 class Bench:
     """A simulated board, and the program with the options that reach it."""
 
-    def __init__(self, simulator: SimulatedDevice, folder: Path) -> None:
+    def __init__(self, simulator: SimulatedDevice, runtime: VirtualRuntime, folder: Path) -> None:
         self._simulator = simulator
+        self._runtime = runtime
         self._folder = folder
         self._files = 0
         self._options: list[str] = []
@@ -44,7 +42,9 @@ class Bench:
         self._options = ["--port", self._simulator.url]
 
     def run(self, *words: str) -> Result:
-        result = CliRunner().invoke(main, [*words, *self._options])
+        command = VirtualCommand(self._runtime, [*words, *self._options], {})
+        command.wait()
+        result = command.result
         assert result.exit_code == 0, result.stderr
         if found := _REACHED.search(result.stderr):
             self._coming = found[1].split()
@@ -74,28 +74,16 @@ class Bench:
         self._options, self._coming = self._coming or self._options, []
 
 
-@pytest.fixture(scope="module")
-def _running() -> Iterator[dict[tuple[str, str], SimulatedDevice]]:
-    running: dict[tuple[str, str], SimulatedDevice] = {}
-    yield running
-    for simulator in running.values():
-        simulator.end()
-
-
-pytestmark = pytest.mark.realtime
-
 Take = Callable[[str, str], Bench]
 
 
 @pytest.fixture
-def take(_running: dict[tuple[str, str], SimulatedDevice], tmp_path: Path) -> Take:
+def take(start_simulator: StartSimulator, virtual_time: VirtualRuntime, tmp_path: Path) -> Take:
     """Take a board of a model and a firmware to the bench."""
 
     def bench(model: str, firmware: str) -> Bench:
-        if (model, firmware) not in _running:
-            words = ("--model", model, "--firmware", firmware, "--unpaced")
-            _running[model, firmware] = SimulatorProcess(*words)
-        return Bench(_running[model, firmware], tmp_path)
+        words = ("--model", model, "--firmware", firmware, "--unpaced")
+        return Bench(start_simulator(*words), virtual_time, tmp_path)
 
     return bench
 
