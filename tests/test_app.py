@@ -3,6 +3,7 @@
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -13,9 +14,8 @@ from tests.support.simulator import SimulatedDevice
 from trex_gui import __version__
 from trex_gui.app import main
 from trex_gui.link.settings import LinkSettings
+from trex_gui.tour import Tour
 from trex_gui.window import Program
-
-pytestmark = pytest.mark.realtime
 
 
 def run(*arguments: str, timeout: float = 50) -> subprocess.CompletedProcess[str]:
@@ -36,18 +36,21 @@ def test_a_wrong_option_is_wrong_usage() -> None:
     assert ending.value.code == 2
 
 
+@pytest.mark.realtime
 def test_the_program_itself_can_be_the_simulator() -> None:
     result = run("--simulator", "--version")
     assert result.returncode == 0
     assert "trex-sim" in result.stdout
 
 
-@pytest.mark.timeout(180)  # it takes as long as a person who learns a channel
-def test_the_tour_writes_a_picture_of_every_page_and_of_the_wizard_light_and_dark(
-    tmp_path: Path,
+def test_tour_writes_every_page_and_the_wizard_light_and_dark(
+    program: Program, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    result = run("--tour", str(tmp_path), timeout=160)
-    assert result.returncode == 0, result.stderr
+    tour = Tour(program, tmp_path)
+    tour.start()
+    with qtbot.waitSignal(tour.finished, timeout=120_000) as finished:
+        program.connect_to_demo("trex")
+    assert finished.args == [True]
     names = {path.name for path in tmp_path.glob("*.png")}
     pages = ["status", "channels", "calibration", "motors", "currents", "parameters"]
     pages += [f"learn-{step}" for step in ("rest", "travel", "review", "test")]
@@ -58,17 +61,25 @@ def test_the_tour_writes_a_picture_of_every_page_and_of_the_wizard_light_and_dar
     assert all(path.stat().st_size > 10_000 for path in tmp_path.glob("*.png"))
 
 
+@pytest.mark.realtime
+@pytest.mark.slow
+@pytest.mark.timeout(180)
+def test_tour_ends_the_program(tmp_path: Path) -> None:
+    result = run("--tour", str(tmp_path), timeout=160)
+    assert result.returncode == 0, result.stderr
+    assert (tmp_path / "aracnaRobot-stuck-dark.png").exists()
+
+
+@pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
-def test_a_signal_ends_the_window_cleanly(
-    number: signal.Signals, simulator: SimulatedDevice
-) -> None:
+def test_a_signal_ends_the_window_cleanly(simulator: SimulatedDevice) -> None:
     command = [sys.executable, "-m", "trex_gui", "--port", simulator.url]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         while simulator.show()["counters"]["packets"] < 20:
             assert process.poll() is None
-        process.send_signal(number)
-        assert process.wait(10) == 0
+            time.sleep(0.05)
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(30) == 0
 
 
 def test_a_settings_file_given_at_the_start_waits_for_the_board(

@@ -110,6 +110,7 @@ def main(argv: list[str] | None = None) -> int:
         from trex_gui.tour import Tour  # noqa: PLC0415
 
         tour = Tour(program, arguments.tour)
+        tour.finished.connect(lambda ok: program.end() if ok else app.exit(1))
         QTimer.singleShot(0, tour.start)
     if arguments.tour is not None:
         QTimer.singleShot(0, lambda: program.connect_to_demo("trex"))

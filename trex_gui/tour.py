@@ -1,24 +1,25 @@
 """A look at every page and at the wizard without a person: pictures of them, light and dark."""
 
 import sys
-import time
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, QTimer
+from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.aracna.link.messages import Play, Step
 from trex_gui.model.device import Link
 from trex_gui.protocol.flags import CHANNELS
+from trex_gui.runtime import now, runtime
 from trex_gui.views.theme import Scheme, theme
 from trex_gui.window import Program
 
 _SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simulated board
 _SETTLE_MS = 2500
 _STEP_MS = 200
+_STOP_MS = 100  # for the stop to be sent
 _PATIENCE_MS = 30_000  # a machine may be busy, and a stop is proved on a quiet line only
 _ROBOT_STEP = 2.5  # seconds; long enough that every picture shows it on its way
 _DEAD_SERVO = 3
@@ -36,9 +37,14 @@ class Tour(QObject):
     what was learned is not taken. At last it looks at the pages of the simulated robot: at rest,
     in motion, and waiting for a servo that has died.
 
-    `folder` is made when it is missing. The program ends with exit code 0 when all pictures
-    are written, with 1 when the board did not come up or the wizard did not go on.
+    `folder` is made when it is missing.
+
+    Signals:
+        finished: whether all pictures are written; else the board did not come up, or the wizard
+            did not go on.
     """
+
+    finished = Signal(bool)
 
     def __init__(self, program: Program, folder: Path) -> None:
         super().__init__()
@@ -46,16 +52,22 @@ class Tour(QObject):
         self._folder = folder
         self._steps = self._make_steps()
         self._waiting: tuple[Do, float] | None = None
-        self._deadline = QTimer(self)
-        self._deadline.setSingleShot(True)
-        self._deadline.setInterval(_PATIENCE_MS)
-        self._deadline.timeout.connect(lambda: QCoreApplication.exit(1))
+        self._timer = self._single_shot(self._step)
+        self._has_all = False
+        self._end = self._single_shot(lambda: self.finished.emit(self._has_all))
+        self._deadline = self._single_shot(lambda: self.finished.emit(False))
+
+    def _single_shot(self, act: Callable[[], object]) -> QTimer:
+        timer = runtime().timer(self)
+        timer.setSingleShot(True)
+        timer.timeout.connect(act)
+        return timer
 
     def start(self) -> None:
         """Begin, as soon as the board is there."""
         self._folder.mkdir(parents=True, exist_ok=True)
         self._program.window.resize(*_SIZE)
-        self._deadline.start()
+        self._deadline.start(_PATIENCE_MS)
         self._program.device.state_changed.connect(self._on_state_changed)
 
     def _on_state_changed(self) -> None:
@@ -66,22 +78,20 @@ class Tour(QObject):
             motors.set_speed(1, 90)
             motors.set_speed(2, -60)
             motors.set_auxiliary(40)
-            QTimer.singleShot(_SETTLE_MS, self._step)
+            self._timer.start(_SETTLE_MS)
 
     def _step(self) -> None:
-        step, begun = self._waiting or (next(self._steps, None), time.monotonic())
+        step, begun = self._waiting or (next(self._steps, None), now())
         self._waiting = None
-        if step is None:
+        is_done = step is None or step() is not False
+        if step is None or (not is_done and now() > begun + _PATIENCE_MS / 1000):
+            self._has_all = is_done
             self._program.device.motors.stop()
-            QTimer.singleShot(100, self._program.end)
+            self._end.start(_STOP_MS)
             return
-        if step() is False:
-            if time.monotonic() > begun + _PATIENCE_MS / 1000:
-                self._program.device.motors.stop()
-                QTimer.singleShot(100, lambda: QCoreApplication.exit(1))
-                return
+        if not is_done:
             self._waiting = step, begun
-        QTimer.singleShot(_STEP_MS, self._step)
+        self._timer.start(_STEP_MS)
 
     def _make_steps(self) -> Iterator[Do]:
         yield from self._look_at_pages()

@@ -27,6 +27,8 @@ from trex_gui.runtime import Runtime
 START = 1000.0
 """Virtual seconds at which every test begins."""
 
+FRAME = 0.25
+
 LOOK = 0.01
 """Virtual seconds between two looks at a condition that a test waits for."""
 
@@ -70,7 +72,7 @@ class VirtualRuntime(Runtime):
     def __init__(self) -> None:
         self.ports: dict[str, Port] = {}
         self.make_process: Callable[[QObject], QProcess] | None = None
-        self._now = self._until = START
+        self._now = self._until = self._painted = START
         self._events: list[tuple[float, int, Event]] = []
         self._order = itertools.count()
         self._main = greenlet.getcurrent()
@@ -159,6 +161,7 @@ class VirtualRuntime(Runtime):
     def advance(self, seconds: float) -> None:
         """Let time pass."""
         self._run(self._now + seconds, lambda: False)
+        deliver()
 
     def run_until(self, condition: Callable[[], object], seconds: float) -> bool:
         """Let time pass until a condition holds, at most so long; return whether it does."""
@@ -168,6 +171,7 @@ class VirtualRuntime(Runtime):
             if self._now >= end:
                 return False
             self._run(min(end, self._now + LOOK), lambda: False)
+        deliver()
         return True
 
     def _spawn(self, key: object, function: Callable[[], object]) -> greenlet.greenlet:
@@ -220,13 +224,14 @@ class VirtualRuntime(Runtime):
                 assert action is not None
                 action()
                 if with_gui:
-                    deliver()
+                    QCoreApplication.sendPostedEvents(None, QEvent.Type.MetaCall)
+                    if self._now >= self._painted + FRAME:
+                        self._painted = self._now
+                        deliver()
         finally:
             self._until = before
             for entry in held:
                 heapq.heappush(self._events, entry)
-        if with_gui:
-            deliver()
         return done()
 
 

@@ -4,6 +4,7 @@ The board latches a bit until somebody reads it, and reading clears it; so whoev
 the news, and nothing of it may be lost.
 """
 
+import math
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 
@@ -11,19 +12,26 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.link.telemetry import StatusNews
 from trex_gui.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
+from trex_gui.runtime import now
 
 Bit = Status | UartError
 
 
 @dataclass(frozen=True, slots=True)
 class ErrorEntry:
-    """One bit and its history; `last` is `None` while it was never seen."""
+    """One bit and its history.
+
+    Attributes:
+        last: when it was seen last, by the calendar; `None` while it was never seen.
+        seen_at: the same in seconds of the program's clock, which nobody sets.
+    """
 
     bit: Bit
     name: str
     meaning: str
     count: int = 0
     last: datetime | None = None
+    seen_at: float = -math.inf
 
 
 class ErrorLog(QObject):
@@ -49,7 +57,7 @@ class ErrorLog(QObject):
 
         Serial timeouts and other UART errors concern both: they may have shut it down.
         """
-        now = datetime.now(UTC)
+        since = now() - seconds
         of_motor = {
             1: Status.MOTOR1_FAULT | Status.MOTOR1_OVER_LIMIT,
             2: Status.MOTOR2_FAULT | Status.MOTOR2_OVER_LIMIT,
@@ -57,18 +65,18 @@ class ErrorLog(QObject):
         return [
             entry
             for entry in self._entries
-            if entry.last is not None
-            and (now - entry.last).total_seconds() < seconds
-            and (isinstance(entry.bit, UartError) or entry.bit & of_motor)
+            if entry.seen_at > since and (isinstance(entry.bit, UartError) or entry.bit & of_motor)
         ]
 
     def take(self, news: StatusNews) -> None:
         """Count the bits of one look at the status."""
-        now = datetime.now(UTC).astimezone()
+        today = datetime.now(UTC).astimezone()
         for index, entry in enumerate(self._entries):
             seen = news.status if isinstance(entry.bit, Status) else news.uart
             if seen & entry.bit:
-                self._entries[index] = replace(entry, count=entry.count + 1, last=now)
+                self._entries[index] = replace(
+                    entry, count=entry.count + 1, last=today, seen_at=now()
+                )
         self.changed.emit()
 
     def reset(self) -> None:
