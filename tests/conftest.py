@@ -27,6 +27,7 @@ from tests.support.simulator import SimulatedDevice, SimulatorProcess, StartSimu
 from tests.support.virtual import Stage
 from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot, VirtualRuntime
+from tests.support.window import WindowDriver
 from trex_gui.emulator.firmware import Board
 from trex_gui.model.device import Link
 from trex_gui.runtime import use_runtime
@@ -263,3 +264,16 @@ def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
     program.window.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert program.device.link is Link.NONE
+
+
+@pytest.fixture
+def window(program: Program, qtbot: QtBot) -> WindowDriver:
+    """The window, with nothing connected."""
+    return WindowDriver(program, qtbot)
+
+
+@pytest.fixture
+def connected_window(window: WindowDriver, quick_simulator: SimulatedDevice) -> WindowDriver:
+    """The window, connected to a simulated board whose bytes take no time."""
+    window.connect(quick_simulator.url)
+    return window

@@ -1,0 +1,208 @@
+"""What a user does and sees in a window, by the object names of its widgets.
+
+`WidgetDriver` finds, reads and operates widgets below a root; `WindowDriver` is one for the whole
+program. A page object is a `WidgetDriver` for one page, panel or dialog, with the gestures that
+only this page has. All work in virtual and in real time: the `qtbot` that they get decides.
+"""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QComboBox,
+    QDialog,
+    QLabel,
+    QLineEdit,
+    QScrollArea,
+    QSlider,
+    QStyle,
+    QStyleOptionSlider,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from trex_gui.model.connection import Link
+from trex_gui.window import Program
+
+WidgetT = TypeVar("WidgetT", bound=QWidget)
+
+TIMEOUT_MS = 30_000
+"""Milliseconds that a user waits for anything."""
+
+LEFT = Qt.MouseButton.LeftButton
+
+
+class WidgetDriver:
+    """A part of a window.
+
+    Attributes:
+        root: what contains it.
+        qtbot: lets time pass.
+    """
+
+    def __init__(self, root: QWidget, qtbot: QtBot) -> None:
+        self.root = root
+        self.qtbot = qtbot
+
+    # --- Find and read ------------------------------------------------------------------
+
+    def find(self, kind: type[WidgetT], name: str) -> WidgetT:
+        """Return the widget with this object name; fail without one."""
+        widget = self.root.findChild(kind, name)
+        assert isinstance(widget, kind), f"{self.root.objectName()} has no {name}"
+        return widget
+
+    def has(self, name: str) -> bool:
+        """Return whether a widget with this object name can be seen."""
+        widget = self.root.findChild(QWidget, name)
+        return widget is not None and widget.isVisible()
+
+    def text(self, name: str) -> str:
+        """Return the text of a label."""
+        return self.find(QLabel, name).text()
+
+    def button(self, name: str) -> QAbstractButton:
+        return self.find(QAbstractButton, name)
+
+    def combo(self, name: str) -> QComboBox:
+        return self.find(QComboBox, name)
+
+    def is_enabled(self, name: str) -> bool:
+        return self.find(QWidget, name).isEnabled()
+
+    # --- Wait ---------------------------------------------------------------------------
+
+    def wait(self, condition: Callable[[], object], timeout: int = TIMEOUT_MS) -> None:
+        """Let time pass until a condition holds; `timeout` in milliseconds."""
+        self.qtbot.waitUntil(lambda: bool(condition()), timeout=timeout)
+
+    def wait_for_text(self, name: str, part: str) -> None:
+        """Wait until a label contains a text."""
+
+        def contains() -> None:
+            assert part in self.text(name)
+
+        self.qtbot.waitUntil(contains, timeout=TIMEOUT_MS)
+
+    # --- Operate ------------------------------------------------------------------------
+
+    def click(self, name: str) -> None:
+        """Click a button or a check box once it can be seen, scrolling to it."""
+        button = self.button(name)
+        self.wait(button.isVisible)
+        assert button.isEnabled(), f"{name} is disabled"
+        self.scroll_to(button)
+        place = QPoint(min(8, button.width() // 2), button.height() // 2)
+        QTest.mouseClick(button, LEFT, pos=place)
+
+    def scroll_to(self, widget: QWidget) -> None:
+        """Bring a widget into view."""
+        parent = widget.parentWidget()
+        while parent is not None and not isinstance(parent, QScrollArea):
+            parent = parent.parentWidget()
+        if parent is not None:
+            parent.ensureWidgetVisible(widget)
+
+    def select(self, name: str, data: object) -> None:
+        """Select the entry of a combo box with this data, as a user does who opens it."""
+        combo = self.combo(name)
+        index = next((i for i in range(combo.count()) if combo.itemData(i) == data), -1)
+        assert index >= 0, f"{name} has no {data}"
+        combo.setCurrentIndex(index)
+        combo.activated.emit(index)  # offscreen there is no list to open
+
+    def type_into(self, name: str, text: str, *, enter: bool = True) -> None:
+        """Replace the text of an editor."""
+        editor = self.find(QWidget, name)
+        assert isinstance(editor, QAbstractSpinBox | QLineEdit), name
+        editor.setFocus()
+        editor.selectAll()
+        QTest.keyClicks(editor, text)
+        if enter:
+            QTest.keyClick(editor, Qt.Key.Key_Return)
+
+    def handle_of(self, slider: QSlider, value: int | None = None) -> QPoint:
+        """Return where the handle of a slider is, or would be for a value."""
+        option = QStyleOptionSlider()
+        slider.initStyleOption(option)
+        if value is not None:
+            option.sliderPosition = option.sliderValue = value
+        kind, part = QStyle.ComplexControl.CC_Slider, QStyle.SubControl.SC_SliderHandle
+        return slider.style().subControlRect(kind, option, part, slider).center()
+
+    def drag(self, name: str, value: int, *, release: bool = True) -> QSlider:
+        """Drag the handle of a slider to a value with the mouse."""
+        slider = self.find(QSlider, name)
+        start, end = self.handle_of(slider), self.handle_of(slider, value)
+        QTest.mousePress(slider, LEFT, pos=start)
+        for step in range(1, 11):
+            QTest.mouseMove(slider, start + (end - start) * step / 10)
+        if release:
+            QTest.mouseRelease(slider, LEFT, pos=end)
+        return slider
+
+    def press_escape(self) -> None:
+        QTest.keyClick(self.root, Qt.Key.Key_Escape)
+
+
+class WindowDriver(WidgetDriver):
+    """The whole program."""
+
+    def __init__(self, program: Program, qtbot: QtBot) -> None:
+        super().__init__(program.window, qtbot)
+        self.program = program
+        self.window = program.window
+        self.device = program.device
+        self.motors = program.device.motors
+        self.robot = program.robot
+
+    # --- Connect ------------------------------------------------------------------------
+
+    def connect(self, url: str) -> None:
+        """Choose the port of a TReX and wait until the board is read."""
+        self.select("portCombo", self.program.ports.add_typed(url))
+        self.wait(lambda: self.device.link is Link.UP)
+
+    def connect_to_demo(self, kind: str = "trex") -> None:
+        """Choose the simulated TReX or Aracna and wait until it is read."""
+        self.program.connect_to_demo(kind)
+        model = self.device if kind == "trex" else self.robot
+        self.wait(lambda: model.link is Link.UP)
+
+    def disconnect(self) -> None:
+        self.trigger("disconnect")
+        self.wait(lambda: self.program.switchboard.current.link is Link.NONE)
+
+    # --- Look around --------------------------------------------------------------------
+
+    def open_page(self, name: str) -> WidgetDriver:
+        """Turn to the page with this object name; return what is on it."""
+        tabs = self.window.pages
+        for index in range(tabs.count()):
+            area = tabs.widget(index)
+            page = area.findChild(QWidget, name) if area is not None else None
+            if page is not None:
+                tabs.setCurrentIndex(index)
+                return WidgetDriver(page, self.qtbot)
+        raise AssertionError(f"no page {name}")
+
+    def dialog(self, name: str) -> WidgetDriver:
+        """Return the dialog with this object name."""
+        return WidgetDriver(self.find(QDialog, name), self.qtbot)
+
+    def action(self, key: str) -> QAction:
+        """Return the menu entry with this key."""
+        action = self.window.findChild(QAction, f"{key}Action")
+        assert isinstance(action, QAction), key
+        return action
+
+    def trigger(self, key: str) -> None:
+        """Choose a menu entry."""
+        action = self.action(key)
+        assert action.isEnabled(), f"{key} is disabled"
+        action.trigger()
