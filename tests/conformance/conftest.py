@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from tests.conformance.ends import End, ParserEnd, WireEnd
-from tests.conformance.trex import VARIANTS, Trex, Variant
+from tests.conformance.trex import VARIANTS, Trex, Variant, in_gate
 
 
 @pytest.fixture(autouse=True)
@@ -13,7 +13,7 @@ def _own_settings() -> None:
     """Nothing in here remembers settings, and a folder a test costs as much as the test."""
 
 
-@pytest.fixture(params=VARIANTS, ids=str)
+@pytest.fixture(params=in_gate(VARIANTS), ids=str)
 def trex(request: pytest.FixtureRequest) -> Iterator[Trex]:
     """A board as new, in serial mode; in each of the variants that the test does not narrow."""
     variant: Variant = request.param

@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
@@ -44,6 +44,15 @@ VARIANTS = [
 ]
 
 
+def in_gate(variants: Sequence[Variant]) -> list[Any]:
+    """Mark variants slow whose traits are an odd combination; each pair of traits is left."""
+    odd = [(one.end == "wire") ^ one.expanded ^ one.crc for one in variants]
+    return [
+        pytest.param(one, marks=pytest.mark.slow) if is_odd and not all(odd) else one
+        for one, is_odd in zip(variants, odd, strict=True)
+    ]
+
+
 def only(
     choose: Callable[[Variant], bool] = lambda _: True,
     *,
@@ -57,7 +66,7 @@ def only(
         for variant in VARIANTS
         if choose(variant)
     ]
-    return pytest.mark.parametrize("trex", chosen, ids=str, indirect=True)
+    return pytest.mark.parametrize("trex", in_gate(chosen), ids=str, indirect=True)
 
 
 def remainder(message: bytes, polynomial: int) -> int:

@@ -9,6 +9,7 @@ import pytest
 
 from tests.emulator.ports import a_board
 from tests.link.helpers import among, outcomes
+from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.motors import Direction
@@ -129,7 +130,7 @@ def test_a_board_is_found_again_wherever_it_may_be(orders: list[str]) -> None:
         a_board_is_found_again_at(line, orders)
 
 
-@pytest.mark.parametrize("line", EACH_ONCE, ids=lambda line: line.text())
+@pytest.mark.parametrize("line", sampled(EACH_ONCE, every=3), ids=lambda line: line.text())
 def test_a_board_is_found_again_at_whatever_settings_it_was_given(
     line: LineSettings, orders: list[str]
 ) -> None:
@@ -292,6 +293,12 @@ def test_nothing_that_a_person_asks_reaches_a_board_at_settings_that_nobody_know
 
 # --- Nothing moves ----------------------------------------------------------------------
 
+some_or_all_lines = pytest.mark.parametrize(
+    "lines",
+    [EVERYWHERE[::6], pytest.param(EVERYWHERE, marks=pytest.mark.slow)],
+    ids=["some lines", "all lines"],
+)
+
 
 @pytest.mark.parametrize(
     ("old", "expected"),
@@ -302,11 +309,12 @@ def test_nothing_that_a_person_asks_reaches_a_board_at_settings_that_nobody_know
     ],
     ids=lambda line: line.text(),
 )
+@some_or_all_lines
 def test_looking_gives_no_order_to_a_board_at_any_settings(
-    old: LineSettings, expected: LineSettings, orders: list[str]
+    old: LineSettings, expected: LineSettings, lines: list[LineSettings], orders: list[str]
 ) -> None:
     """Its answers get lost: question is asked, of a board that may be anywhere."""
-    for line in EVERYWHERE:
+    for line in lines:
         if line.stop_bits == 2:
             continue
         place = Place(LinkSettings("virtual", old))
@@ -329,9 +337,12 @@ def look(place: Place, seen: list[bool]) -> None:
     seen.append(runs(place.board))
 
 
-def test_stops_at_the_old_settings_start_no_motor_of_a_board_at_others() -> None:
+@some_or_all_lines
+def test_stops_at_the_old_settings_start_no_motor_of_a_board_at_others(
+    lines: list[LineSettings],
+) -> None:
     """Motors were driven, and the stop that is sent again and again is not proved."""
-    for line in EVERYWHERE:
+    for line in lines:
         if line.stop_bits == 2 or line == OLD.line:
             continue
         place = Place()

@@ -13,6 +13,7 @@ from itertools import product
 import pytest
 
 from tests.emulator.ports import a_board
+from tests.support.matrix import sampled
 from tests.support.virtual import VirtualTransport
 from trex_gui.emulator import sampling
 from trex_gui.emulator.firmware import Board
@@ -86,7 +87,7 @@ def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 # --- The whole search -------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("settings", BOARDS, ids=lambda settings: settings.text())
+@pytest.mark.parametrize("settings", sampled(BOARDS, every=5), ids=lambda settings: settings.text())
 def test_every_board_is_found_with_its_settings_and_not_one_order_is_heard(
     settings: LineSettings, orders: list[str]
 ) -> None:
@@ -103,7 +104,9 @@ def test_every_board_is_found_with_its_settings_and_not_one_order_is_heard(
         assert wire.closed
 
 
-@pytest.mark.parametrize("settings", ONE_STOP_BIT, ids=lambda settings: settings.text())
+@pytest.mark.parametrize(
+    "settings", sampled(ONE_STOP_BIT, every=5), ids=lambda settings: settings.text()
+)
 def test_a_search_whose_answers_get_lost_moves_nothing_either(
     settings: LineSettings, orders: list[str]
 ) -> None:
@@ -126,7 +129,14 @@ def a_full_search_moves_nothing(settings: LineSettings, orders: list[str]) -> No
 
 @pytest.mark.parametrize(
     "settings",
-    [LineSettings(9600), LineSettings(38400, Detection.ODD), LineSettings(76800, Detection.ODD)],
+    sampled(
+        [
+            LineSettings(9600),
+            LineSettings(38400, Detection.ODD),
+            LineSettings(76800, Detection.ODD),
+        ],
+        every=3,
+    ),
     ids=lambda settings: settings.text(),
 )
 def test_the_full_search_moves_nothing_either(settings: LineSettings, orders: list[str]) -> None:

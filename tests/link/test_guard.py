@@ -5,6 +5,7 @@ import math
 import pytest
 
 from tests.link.helpers import among, is_stopped, moving, outcomes, run_for, seen_at, staged
+from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.link.guard import PULSE_INTERVAL, Guard
 from trex_gui.link.messages import (
@@ -181,7 +182,7 @@ def test_who_was_told_that_a_stop_is_not_proved_is_told_when_it_is(stage: Stage)
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 @pytest.mark.parametrize("echo", [False, True])
-@pytest.mark.parametrize("share", [step / 12 for step in range(12)])
+@pytest.mark.parametrize("share", sampled([step / 12 for step in range(12)], every=5))
 def test_a_stop_while_connecting_waits_for_one_transaction_only(
     baud: int, share: float, echo: bool
 ) -> None:
