@@ -13,4 +13,5 @@ def becomes(look: Callable[[], object], wanted: object) -> bool:
     while look() != wanted:
         if time.monotonic() > end:
             return False
+        time.sleep(0.02)
     return True

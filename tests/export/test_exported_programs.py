@@ -1,5 +1,9 @@
-"""Exported programs, compiled where they have to be, at work on a simulated board."""
+"""Exported programs, compiled where they have to be, at work on a simulated board.
 
+The gate runs each language once through all that it does; the rest takes long.
+"""
+
+import itertools
 import signal
 import subprocess
 import sys
@@ -29,6 +33,7 @@ from tests.export.programs import (
     obedient,
     settings_for,
 )
+from tests.support.matrix import sampled
 from trex_gui.export.language import Language
 from trex_gui.link.settings import LinkSettings
 from trex_gui.protocol.flags import InputSource
@@ -72,9 +77,10 @@ def watched(program: Program, board: Board) -> tuple[set[tuple[int, int]], str]:
     return seen, said
 
 
-@pytest.mark.parametrize("model", ["trex", "trexjr"])
-@pytest.mark.parametrize("crc", [False, True], ids=["plain", "crc"])
-@pytest.mark.parametrize("expanded", [False, True], ids=["compact", "expanded"])
+@pytest.mark.parametrize(
+    ("expanded", "crc", "model"),
+    sampled(itertools.product((True, False), (True, False), ("trex", "trexjr")), every=8),
+)
 @every_language
 def test_a_program_applies_checks_writes_nothing_twice_and_drives(
     language: Language, expanded: bool, crc: bool, model: str, boards: Boards, tmp_path: Path
@@ -122,6 +128,7 @@ def test_the_demonstration_turns_each_motor_slowly_and_ends_with_a_stop(
     assert "status is 0" in said
 
 
+@pytest.mark.slow
 @every_language
 def test_a_program_moves_nothing_unless_it_is_told_to(
     language: Language, boards: Boards, tmp_path: Path
@@ -174,6 +181,7 @@ def test_every_way_of_driving_does_what_it_says(
     assert board.errors == 0
 
 
+@pytest.mark.slow
 @every_language
 def test_currents_and_faults_can_be_read(
     language: Language, boards: Boards, tmp_path: Path
@@ -191,6 +199,7 @@ def test_currents_and_faults_can_be_read(
         assert trex.do("status") in (["0"], ["16"])  # reading clears, while it lasts it returns
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("ours", "theirs"), [("trex", "trexjr"), ("trexjr", "trex")])
 @every_language
 def test_settings_for_another_kind_of_board_are_not_written(
@@ -208,6 +217,7 @@ def test_settings_for_another_kind_of_board_are_not_written(
     assert board.motors == (0, 0)
 
 
+@pytest.mark.slow
 @every_language
 def test_a_board_in_another_mode_is_left_alone(
     language: Language, boards: Boards, tmp_path: Path
@@ -223,6 +233,7 @@ def test_a_board_in_another_mode_is_left_alone(
     assert board.writes == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("why", ["silent", "other framing", "other number"])
 @every_language
 def test_a_board_that_does_not_answer_is_reported_with_the_line_in_force(
@@ -246,6 +257,7 @@ def test_a_board_that_does_not_answer_is_reported_with_the_line_in_force(
     assert "Traceback" not in process.stdout
 
 
+@pytest.mark.slow
 @every_language
 def test_a_parameter_that_the_board_lacks_is_named(
     language: Language, boards: Boards, tmp_path: Path
@@ -261,6 +273,7 @@ def test_a_parameter_that_the_board_lacks_is_named(
     assert board.motors == (0, 0)
 
 
+@pytest.mark.slow
 @every_language
 def test_a_new_device_number_is_followed(
     language: Language, boards: Boards, tmp_path: Path
@@ -276,6 +289,7 @@ def test_a_new_device_number_is_followed(
         assert board.has(settings)
 
 
+@pytest.mark.slow
 @every_language
 def test_calibrations_for_the_other_inputs_are_said_to_wait(
     language: Language, boards: Boards, tmp_path: Path
@@ -291,6 +305,7 @@ def test_calibrations_for_the_other_inputs_are_said_to_wait(
     assert board.writes == 0
 
 
+@pytest.mark.slow
 @every_language
 def test_a_board_that_falls_silent_is_no_success(
     language: Language, boards: Boards, tmp_path: Path
@@ -307,6 +322,7 @@ def test_a_board_that_falls_silent_is_no_success(
     assert board.writes == 0
 
 
+@pytest.mark.slow
 @on_a_computer
 def test_what_the_rs232_connector_sends_back_is_no_answer(
     language: Language, boards: Boards, tmp_path: Path
@@ -336,6 +352,7 @@ def test_ctrl_c_stops_the_motors(language: Language, boards: Boards, tmp_path: P
     assert becomes(lambda: board.braking, (127, 127))  # it may hear of it behind the end
 
 
+@pytest.mark.slow
 @every_language
 def test_other_rates_and_stop_bits_are_set_on_the_port(
     language: Language, boards: Boards, tmp_path: Path
@@ -348,6 +365,7 @@ def test_other_rates_and_stop_bits_are_set_on_the_port(
     assert board.errors == 0
 
 
+@pytest.mark.slow
 @on_a_computer
 def test_wrong_usage_and_a_missing_port_are_told_apart(language: Language, tmp_path: Path) -> None:
     program = made_ready(tmp_path, settings_for(link()), link(), language)
@@ -377,6 +395,7 @@ def text_of_arduino(folder: Path, settings: Settings, line: LinkSettings) -> Non
         compile_([*CPP, standard, "-fsyntax-only", f'-DSKETCH="{sketch}"', main])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiled", [text_of_c, text_of_arduino])
 @pytest.mark.parametrize("part", ["nothing", "parameters", "calibrations", "left out"])
 def test_settings_with_only_a_part_compile(
@@ -398,6 +417,7 @@ def test_settings_with_only_a_part_compile(
         compiled(tmp_path, settings, link(expanded=expanded, crc=expanded))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiled", [text_of_c, text_of_arduino])
 @pytest.mark.parametrize("stop_bits", [1, 2])
 @pytest.mark.parametrize("detection", list(Detection), ids=lambda value: value.name.lower())
@@ -408,6 +428,7 @@ def test_every_kind_of_line_compiles(
     compiled(tmp_path, settings_for(line), line)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("baud", [14400, 28800, 76800])
 def test_a_rate_that_the_system_lacks_is_said_by_the_compiler(baud: int, tmp_path: Path) -> None:
     if sys.platform != "linux":
