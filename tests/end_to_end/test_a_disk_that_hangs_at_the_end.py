@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.matrix import sampled
+
 pytestmark = [
     pytest.mark.realtime,
     pytest.mark.skipif(sys.platform == "win32", reason="needs named pipes"),
@@ -56,7 +58,7 @@ sys.exit(code)
 """
 
 
-@pytest.mark.parametrize("what", ["table", "transcript"])
+@pytest.mark.parametrize("what", sampled(["table", "transcript"], every=2))
 def test_the_program_ends_though_a_file_that_is_written_takes_nothing(
     what: str, tmp_path: Path
 ) -> None:

@@ -168,17 +168,17 @@ def make_sure() -> Callable[[Path], None]:
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 @pytest.mark.timeout(120)
-@pytest.mark.parametrize("disk", ["0.2", "never"])
+@pytest.mark.parametrize("disk", ["0.05", pytest.param("never", marks=pytest.mark.slow)])
 def test_a_signal_while_it_is_recorded_ends_the_program_in_good_order(
     disk: str,
-    simulator: SimulatedDevice,
+    quick_simulator: SimulatedDevice,
     tmp_path: Path,
     make_sure: Callable[[Path], None],
 ) -> None:
     path = tmp_path / "a.trexrec"
     command = [sys.executable, "-m", "tests.support.recording_window"]
     with subprocess.Popen(
-        [*command, simulator.url, str(path), disk],
+        [*command, quick_simulator.url, str(path), disk],
         cwd=Path(__file__).parents[2],
         env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path)},
         stdout=subprocess.PIPE,
@@ -257,6 +257,7 @@ def test_stop_reaches_the_board_while_a_full_disk_is_recorded_to(
 
 
 @pytest.mark.realtime
+@pytest.mark.slow
 @pytest.mark.timeout(240)
 def test_a_motor_keeps_turning_while_an_hour_of_csv_is_opened(
     connected: Program, quick_simulator: SimulatedDevice, tmp_path: Path, qtbot: QtBot

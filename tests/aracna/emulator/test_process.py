@@ -13,8 +13,6 @@ from click.testing import CliRunner
 from tests.support.aracna import AracnaProcess
 from trex_gui.emulator.server import main
 
-pytestmark = pytest.mark.realtime
-
 PATIENCE = 20.0
 VERSION = b".q1,8\r\n"
 
@@ -40,6 +38,7 @@ def open_port(process: AracnaProcess, baud: int = 38400) -> serial.Serial:
     return serial.serial_for_url(process.url, baudrate=baud, timeout=PATIENCE)
 
 
+@pytest.mark.realtime
 @needs_pty
 def test_it_says_hello_after_a_reset_and_answers_a_second_later(start: Start) -> None:
     robot = start()
@@ -56,6 +55,7 @@ def test_it_says_hello_after_a_reset_and_answers_a_second_later(start: Start) ->
     assert robot.show()["state"] == "idle"
 
 
+@pytest.mark.realtime
 @needs_pty
 def test_servos_take_their_time(start: Start) -> None:
     robot = start()
@@ -72,6 +72,8 @@ def test_servos_take_their_time(start: Start) -> None:
     assert robot.show()["servos"][0]["position"] == 624
 
 
+@pytest.mark.realtime
+@pytest.mark.slow
 @needs_pty
 def test_the_rate_that_the_host_has_set_is_seen(start: Start) -> None:
     robot = start()
@@ -79,10 +81,12 @@ def test_the_rate_that_the_host_has_set_is_seen(start: Start) -> None:
         port.timeout = 1.5
         port.write(b".q\n")
         while robot.show()["counters"]["line"]["garbled"] == 0:
-            pass
+            time.sleep(0.02)
         assert VERSION not in port.read(50)
 
 
+@pytest.mark.realtime
+@pytest.mark.slow
 def test_two_motors_over_tcp(start: Start) -> None:
     robot = start("--motors", "2", "--tcp", "127.0.0.1:0", "--unpaced")
     with open_port(robot) as port:
@@ -94,6 +98,8 @@ def test_two_motors_over_tcp(start: Start) -> None:
     assert (shown["version"], shown["motors"], len(shown["servos"])) == (0, 2, 2)
 
 
+@pytest.mark.realtime
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial 3.5
 def test_a_remote_serial_port_shows_the_hosts_parity(start: Start) -> None:
     robot = start("--rfc2217", "127.0.0.1:0")
@@ -108,6 +114,7 @@ def test_a_remote_serial_port_shows_the_hosts_parity(start: Start) -> None:
             answer += port.read(50)
 
 
+@pytest.mark.realtime
 def test_unplugging_is_noticed_and_the_port_comes_back(start: Start) -> None:
     robot = start("--tcp", "127.0.0.1:0")
     host, number = robot.url.removeprefix("socket://").split(":")
@@ -121,6 +128,7 @@ def test_unplugging_is_noticed_and_the_port_comes_back(start: Start) -> None:
     socket.create_connection((host, int(number)), PATIENCE).close()
 
 
+@pytest.mark.realtime
 def test_quit_ends_it() -> None:
     done = subprocess.run(
         [sys.executable, "-m", "trex_gui.emulator", "--aracna", "--tcp", "127.0.0.1:0"],
