@@ -75,6 +75,7 @@ def virtual_time(request: pytest.FixtureRequest) -> Iterator[VirtualRuntime]:
     before = use_runtime(virtual)
     yield virtual
     use_runtime(before)
+    assert virtual.is_idle, "a thread of the program lives on"
 
 
 def _is_real(request: pytest.FixtureRequest) -> bool:

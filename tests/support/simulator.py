@@ -4,14 +4,15 @@ import json
 import subprocess
 import sys
 import tempfile
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 _OWN_PLACES = {"--link", "--tcp", "--rfc2217"}
 
 
-class SimulatedDevice(Protocol):
+class SimulatedDevice(ABC):
     """A simulated device and its control line.
 
     Attributes:
@@ -20,24 +21,31 @@ class SimulatedDevice(Protocol):
 
     url: str
 
+    @abstractmethod
+    def obey(self, line: str) -> str:
+        """Send a control line; return the answer."""
+
+    @abstractmethod
+    def end(self) -> None:
+        """End it, as pulling the plug would."""
+
     def do(self, line: str) -> str:
         """Send a control line; return what follows `ok`."""
-        ...
+        answer = self.obey(line)
+        assert answer.startswith("ok"), f"{line}: {answer}"
+        return answer.removeprefix("ok").strip()
 
     def show(self) -> dict[str, Any]:
         """What the device is and does."""
-        ...
-
-    def end(self) -> None:
-        """End it, as pulling the plug would."""
-        ...
+        state: dict[str, Any] = json.loads(self.do("show"))
+        return state
 
 
 StartSimulator = Callable[..., SimulatedDevice]
 """Starts a simulator with these options of `trex-sim`."""
 
 
-class SimulatorProcess:
+class SimulatorProcess(SimulatedDevice):
     """`trex-sim` in a process of its own, and its control line.
 
     Its pseudo-terminal has a name of its own: the number of one that was unplugged may become
@@ -56,19 +64,11 @@ class SimulatorProcess:
         assert ready.startswith("ready "), ready
         self.url = ready.removeprefix("ready ")
 
-    def do(self, line: str) -> str:
-        """Send a control line; return what follows `ok`."""
+    def obey(self, line: str) -> str:
         assert self._process.stdin is not None
         self._process.stdin.write(f"{line}\n")
         self._process.stdin.flush()
-        answer = self._answer()
-        assert answer.startswith("ok"), f"{line}: {answer}"
-        return answer.removeprefix("ok").strip()
-
-    def show(self) -> dict[str, Any]:
-        """What the board is and does."""
-        state: dict[str, Any] = json.loads(self.do("show"))
-        return state
+        return self._answer()
 
     def end(self) -> None:
         self._process.terminate()

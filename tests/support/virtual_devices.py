@@ -1,16 +1,15 @@
 """Simulated devices in virtual time, at the other end of ports that the program opens."""
 
 import errno
-import json
 import math
 import shutil
 from collections import deque
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import click
 from PySide6.QtCore import QByteArray, QObject, QProcess
 
+from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.emulator import server
 from trex_gui.emulator.serving import GOODBYE
@@ -24,7 +23,7 @@ _SLICE = 0.02  # seconds between two looks whether the cable is still in
 _HANDING_OVER = 1.5  # seconds for which the program waits for a port of its own
 
 
-class VirtualSimulator:
+class VirtualSimulator(SimulatedDevice):
     """What `trex-sim` simulates, without a process: the same options, the same control lines.
 
     Attributes:
@@ -47,36 +46,21 @@ class VirtualSimulator:
         if self.simulation.demos:
             self._move_sticks()
 
-    # --- For tests ----------------------------------------------------------------------
-
-    def do(self, line: str) -> str:
-        """Send a control line; return what follows `ok`."""
-        answer = self.obey(line)
-        assert answer.startswith("ok"), f"{line}: {answer}"
-        return answer.removeprefix("ok").strip()
-
-    def show(self) -> dict[str, Any]:
-        """What the board is and does."""
-        state: dict[str, Any] = json.loads(self.do("show"))
-        return state
-
     def end(self) -> None:
-        """End it, as the end of its process would."""
         self.line.unplug()
         self.runtime.ports.pop(self.url, None)
 
-    # --- For what stands in for its process ---------------------------------------------
-
-    def obey(self, text: str) -> str:
-        """Obey a control line and return the whole answer."""
+    def obey(self, line: str) -> str:
         self.catch_up()
         was_plugged = self.line.plugged
-        answer = self.simulation.control(text)
+        answer = self.simulation.control(line)
         if was_plugged and not self.line.plugged:
             self.line.drop_unsent()
         elif self.line.plugged and not was_plugged:
             answer = f"{answer} {self.url}"
         return answer
+
+    # --- For the ends of its wire -------------------------------------------------------
 
     def catch_up(self) -> None:
         """Bring the line to the present."""

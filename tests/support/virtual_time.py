@@ -246,7 +246,7 @@ class VirtualCondition:
 
     def __init__(self, runtime: VirtualRuntime) -> None:
         self._runtime = runtime
-        self._waiting: deque[Callable[[bool], None]] = deque()
+        self._waiting: deque[Callable[[], None]] = deque()
 
     def __enter__(self) -> bool:
         return True
@@ -271,7 +271,7 @@ class VirtualCondition:
                 is_over, notified = True, by_notify
                 task.switch()
 
-        def on_notify(_: bool) -> None:
+        def on_notify() -> None:
             self._runtime.at(self._runtime.now(), lambda: wake(by_notify=True))
 
         self._waiting.append(on_notify)
@@ -288,7 +288,7 @@ class VirtualCondition:
 
     def notify(self) -> None:
         if self._waiting:
-            self._waiting.popleft()(True)
+            self._waiting.popleft()()
 
 
 class VirtualTimer(QTimer):
