@@ -30,9 +30,12 @@ def test_the_version_is_told_without_qt(capsys: pytest.CaptureFixture[str]) -> N
     assert __version__ in capsys.readouterr().out
 
 
-def test_a_wrong_option_is_wrong_usage() -> None:
+@pytest.mark.parametrize(
+    "words", [["--nonsense"], ["--timeout", "-1"], ["--timeout", "61"], ["--timeout", "soon"]]
+)
+def test_a_wrong_option_is_wrong_usage(words: list[str]) -> None:
     with pytest.raises(SystemExit) as ending:
-        main(["--nonsense"])
+        main(words)
     assert ending.value.code == 2
 
 
@@ -73,7 +76,7 @@ def test_tour_ends_the_program(tmp_path: Path) -> None:
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_a_signal_ends_the_window_cleanly(simulator: SimulatedDevice) -> None:
-    command = [sys.executable, "-m", "trex_gui", "--port", simulator.url]
+    command = [sys.executable, "-m", "trex_gui", "--port", simulator.url, "--timeout", "2"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         while simulator.show()["counters"]["packets"] < 20:
             assert process.poll() is None
