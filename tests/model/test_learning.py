@@ -12,7 +12,6 @@ from tests.support.simulator import SimulatedDevice
 from trex_gui.learning.problems import Kind
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import Written
-from trex_gui.model import standing
 from trex_gui.model.device import Device, Link
 from trex_gui.model.learning import Learning, Step
 from trex_gui.protocol.errors import NoReply, TrexError
@@ -200,13 +199,6 @@ def test_a_current_that_goes_on_after_the_stop_has_to_be_looked_at(bench: Bench)
     bench.until_step(Step.NEUTRAL)
 
 
-@pytest.fixture
-def slow_to_doubt(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Wait longer for a current to end than a computer stands still."""
-    monkeypatch.setattr(standing, "_PATIENCE_MS", 20_000)
-
-
-@pytest.mark.usefixtures("slow_to_doubt")
 def test_a_current_that_ends_a_moment_after_the_stop_holds_nothing_up(bench: Bench) -> None:
     bench.simulator.do("current 1 2.0")
     bench.learning.begin_test((1,))

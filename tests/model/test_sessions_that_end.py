@@ -14,7 +14,6 @@ from trex_gui.aracna.model.robot import Robot
 from trex_gui.link.inbox import QueueInbox
 from trex_gui.link.messages import Close, Closed
 from trex_gui.link.settings import LinkSettings
-from trex_gui.model import session_thread
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Port, PortKind, Ports
@@ -70,10 +69,7 @@ def test_a_session_without_a_last_word_leaves_turning_what_was_driven(qtbot: QtB
     assert line.last.may_move
 
 
-def test_the_last_word_of_a_session_that_ends_too_late_is_told(
-    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(session_thread, "_PATIENCE_MS", 10)
+def test_the_last_word_of_a_session_that_ends_too_late_is_told(qtbot: QtBot) -> None:
     goes_on = threading.Event()
     line = SessionThread()
     line.start(Noting(Closed(None, may_move=False), goes_on).make, may_move=True)
@@ -86,10 +82,7 @@ def test_the_last_word_of_a_session_that_ends_too_late_is_told(
     qtbot.waitUntil(line.shut_down)
 
 
-def test_the_last_word_of_a_session_that_was_given_up_ends_no_other(
-    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(session_thread, "_PATIENCE_MS", 10)
+def test_the_last_word_of_a_session_that_was_given_up_ends_no_other(qtbot: QtBot) -> None:
     goes_on = threading.Event()
     line = SessionThread()
     line.start(Noting(Closed(None), goes_on).make, may_move=False)

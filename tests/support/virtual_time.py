@@ -28,6 +28,7 @@ START = 1000.0
 """Virtual seconds at which every test begins."""
 
 FRAME = 0.25
+"""Virtual seconds between two times that Qt paints, which costs more than all the rest."""
 
 LOOK = 0.01
 """Virtual seconds between two looks at a condition that a test waits for."""

@@ -8,7 +8,7 @@ import array
 import platform
 import sys
 import time
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from typing import Protocol
 
 # struct termios2 of Linux: four flag words, line discipline and control characters in five
@@ -29,7 +29,9 @@ class _Port(Protocol):
     def fileno(self) -> int: ...
 
 
-def rates_of(port: _Port, wanted: Collection[int]) -> frozenset[int] | None:
+def rates_of(
+    port: _Port, wanted: Collection[int], clock: Callable[[], float] = time.monotonic
+) -> frozenset[int] | None:
     """Return those of the wanted rates that an open port can do; `None`: it cannot be known.
 
     Each is set and read back, then the port is as it was. Nothing is sent, but nothing may be
@@ -38,18 +40,20 @@ def rates_of(port: _Port, wanted: Collection[int]) -> frozenset[int] | None:
     if sys.platform != "linux" or not platform.machine().lower().startswith(_PROCESSORS):
         return None
     try:
-        return _try_out(port.fileno(), wanted)
+        return _try_out(port.fileno(), wanted, clock)
     except (AttributeError, OSError, ValueError):
         return None
 
 
-def _try_out(handle: int, wanted: Collection[int]) -> frozenset[int] | None:
+def _try_out(
+    handle: int, wanted: Collection[int], clock: Callable[[], float]
+) -> frozenset[int] | None:
     before = _get(handle)
     possible = set()
-    deadline = time.monotonic() + _LONGEST
+    deadline = clock() + _LONGEST
     try:
         for rate in wanted:
-            if time.monotonic() > deadline:
+            if clock() > deadline:
                 return None
             real = _real_rate(handle, before, rate)
             if abs(real - rate) <= _FARTHEST_OFF * rate:
