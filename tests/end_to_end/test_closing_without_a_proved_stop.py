@@ -136,15 +136,16 @@ def test_a_window_that_has_proved_its_stop_just_closes(
 
 @pytest.mark.realtime
 def test_a_program_that_a_signal_ends_without_a_proved_stop_says_so_and_fails(
-    simulator: SimulatorProcess, tmp_path: Path
+    quick_simulator: SimulatorProcess, tmp_path: Path
 ) -> None:
-    window = DrivingWindow(simulator, tmp_path)
+    window = DrivingWindow(quick_simulator, tmp_path)
     try:
-        simulator._process.send_signal(signal.SIGSTOP)
+        window.drive()
+        quick_simulator._process.send_signal(signal.SIGSTOP)
         window.process.send_signal(signal.SIGTERM)
         _, errors = window.process.communicate(timeout=PATIENCE)
     finally:
-        simulator._process.send_signal(signal.SIGCONT)
+        quick_simulator._process.send_signal(signal.SIGCONT)
         window.end()
     assert WARNING in errors
     assert window.process.returncode == UNSTOPPED
