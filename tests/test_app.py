@@ -75,10 +75,10 @@ def test_tour_ends_the_program(tmp_path: Path) -> None:
 
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_a_signal_ends_the_window_cleanly(simulator: SimulatedDevice) -> None:
-    command = [sys.executable, "-m", "trex_gui", "--port", simulator.url, "--timeout", "2"]
+def test_a_signal_ends_the_window_cleanly(quick_simulator: SimulatedDevice) -> None:
+    command = [sys.executable, "-m", "trex_gui", "--port", quick_simulator.url, "--timeout", "0.1"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-        while simulator.show()["counters"]["packets"] < 20:
+        while quick_simulator.show()["counters"]["packets"] < 20:
             assert process.poll() is None
             time.sleep(0.05)
         process.send_signal(signal.SIGTERM)
