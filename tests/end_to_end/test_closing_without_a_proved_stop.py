@@ -138,7 +138,7 @@ def test_a_window_that_has_proved_its_stop_just_closes(
 def test_a_program_that_a_signal_ends_without_a_proved_stop_says_so_and_fails(
     quick_simulator: SimulatorProcess, tmp_path: Path
 ) -> None:
-    window = DrivingWindow(quick_simulator, tmp_path)
+    window = DrivingWindow(quick_simulator, tmp_path, patience="usual")
     try:
         window.drive()
         quick_simulator._process.send_signal(signal.SIGSTOP)

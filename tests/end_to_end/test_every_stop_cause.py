@@ -156,7 +156,7 @@ def run_trexcmd(command: str, simulator: SimulatedDevice, *words: str) -> None:
     """Run `trexcmd` to its end."""
     program = [sys.executable, "-m", "trex_gui.cli", command, *words]
     subprocess.run(
-        [*program, "--port", simulator.url, "--timeout", "1"],
+        [*program, "--port", simulator.url, "--timeout", "0.3"],
         check=True,
         capture_output=True,
         timeout=PATIENCE,
