@@ -1,0 +1,124 @@
+"""The page on which channels are calibrated by pointing."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QListWidget, QTabBar, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.calibration_moves import Handle
+from trex_gui.model.device import Device, Link
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.views.pages.calibration import page
+from trex_gui.views.theme import theme
+from trex_gui.views.widgets.curve_plot import CurvePlot
+
+
+class CalibrationPage(WidgetDriver):
+    """The page, in the main window or by itself."""
+
+    def __init__(self, widget: page.CalibrationPage, device: Device, qtbot: QtBot) -> None:
+        super().__init__(widget, qtbot)
+        self.widget = widget
+        self.device = device
+
+    def connect(self, url: str) -> None:
+        self.device.connect_to(LinkSettings(url))
+        self.wait(lambda: self.device.link is Link.UP)
+        self.wait(lambda: self.device.telemetry.raw is not None)
+
+    def disconnect(self) -> None:
+        self.device.disconnect_line()
+        self.wait(lambda: self.device.link is Link.NONE)
+
+    # --- Read ---------------------------------------------------------------------------
+
+    @property
+    def plot(self) -> CurvePlot:
+        return self.find(CurvePlot, "curvePlot")
+
+    @property
+    def note(self) -> str:
+        return self.text("calibrationNote")
+
+    @property
+    def live(self) -> str:
+        """What is said of the live input."""
+        return self.find(QWidget, "curveLegend").accessibleDescription()
+
+    @property
+    def marked_handle(self) -> str:
+        """The handle beside which there is a message; empty without one."""
+        handle = self.plot.message_at
+        return "" if handle is None else handle.value
+
+    def row(self, channel: int) -> str:
+        """Return the text of a channel in the list."""
+        return self.find(QListWidget, "calibrationChannels").item(channel - 1).text()
+
+    def shown(self, channel: int = 1) -> Calibration:
+        shown = self.device.calibrations.shown(channel)
+        assert shown is not None
+        return shown
+
+    # --- Operate ------------------------------------------------------------------------
+
+    def select_channel(self, channel: int) -> None:
+        view = self.find(QListWidget, "calibrationChannels")
+        place = view.visualItemRect(view.item(channel - 1)).center()
+        QTest.mouseClick(view.viewport(), LEFT, pos=place)
+        assert self.widget.channel == channel
+
+    def select_source(self, index: int) -> None:
+        bar = self.find(QTabBar, "sourceTabs")
+        QTest.mouseClick(bar, LEFT, pos=bar.tabRect(index).center())
+
+    def drag_handle(self, handle: Handle, count: int, *, release: bool = True) -> None:
+        """Drag a handle of the curve to a count."""
+        self.widget.grab()  # lets the layout settle
+        viewport = self.find(QWidget, "curveViewport")
+        start = self.plot.place_of(handle).toPoint()
+        end = QPoint(round(self.plot.x_of(count)), start.y())
+        QTest.mousePress(viewport, LEFT, pos=start)
+        for share in (0.5, 1.0):
+            QTest.mouseMove(viewport, start + (end - start) * share)
+        if release:
+            self.release_handle()
+
+    def release_handle(self) -> None:
+        QTest.mouseRelease(self.find(QWidget, "curveViewport"), LEFT)
+
+    def action(self, key: str) -> QAction:
+        """Return the entry of the page's menu with this key."""
+        assert self.is_enabled("changeButton")
+        action = self.widget.findChild(QAction, f"{key}Action")
+        assert isinstance(action, QAction), key
+        assert action.isVisible(), key
+        return action
+
+    def apply(self) -> None:
+        """Write all edits, without the window that shows them before."""
+        self.device.apply()
+        self.wait(lambda: not self.device.applying)
+
+
+@contextmanager
+def calibration_page(qtbot: QtBot) -> Iterator[CalibrationPage]:
+    """Show the page by itself, without the main window."""
+    app = QApplication.instance()
+    assert isinstance(app, QApplication)
+    theme().install(app)
+    device = Device()
+    widget = page.CalibrationPage(device)
+    qtbot.addWidget(widget)
+    widget.resize(1050, 600)
+    widget.show()
+    try:
+        yield CalibrationPage(widget, device, qtbot)
+    finally:
+        qtbot.waitUntil(device.shut_down, timeout=TIMEOUT_MS)

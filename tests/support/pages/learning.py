@@ -1,0 +1,212 @@
+"""The dialog that learns channels and tests the sticks, and a user with a transmitter."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QApplication, QSpinBox
+from pytestqt.qtbot import QtBot
+
+from tests.support.people import Person, Stick
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import TIMEOUT_MS, WidgetDriver
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.device import Device, Link
+from trex_gui.model.learning import Learning
+from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.runtime import now
+from trex_gui.views.learning.dialog import LearnDialog
+from trex_gui.views.theme import theme
+from trex_gui.views.widgets.channel_bar import ChannelBar
+
+HOLD_SECONDS = 0.45
+"""How long a user holds a stick: long enough for an end and for a rest."""
+
+
+class LearningDialog(WidgetDriver):
+    """Learns the channels of a simulated board.
+
+    Attributes:
+        transmitter: what the sticks put out.
+        stored_before: what the board stored in the beginning.
+    """
+
+    def __init__(
+        self, dialog: LearnDialog, device: Device, simulator: SimulatedDevice, qtbot: QtBot
+    ) -> None:
+        super().__init__(dialog, qtbot)
+        self.dialog = dialog
+        self.device = device
+        self.simulator = simulator
+        self.transmitter = Person(simulator, {})
+        self.stored_before = self.stored()
+
+    # --- Read ---------------------------------------------------------------------------
+
+    @property
+    def head(self) -> str:
+        return self.text("learnHead")
+
+    def problem(self, channel: int) -> str:
+        return self.text(f"learnProblem{channel}")
+
+    def can_click(self, name: str) -> bool:
+        return self.has(name) and self.is_enabled(name)
+
+    def bar(self, channel: int) -> ChannelBar:
+        """Return the bar that shows the input of a channel."""
+        name = f"Raw input of channel {channel}"
+        bars = self.dialog.findChildren(ChannelBar)
+        return next(bar for bar in bars if bar.accessibleName() == name)
+
+    def stored(self) -> dict[str, Any]:
+        """Return everything that the board keeps, and how often it wrote any of it."""
+        shown = self.simulator.show()
+        found = {key: shown[key] for key in ("parameters", "calibrations", "learned")}
+        return {**found, "writes": shown["counters"]["eeprom_writes"]}
+
+    def assert_nothing_changed(self) -> None:
+        assert self.stored() == self.stored_before
+        assert self.device.pending == 0
+
+    def assert_learned(self, channel: int) -> None:
+        """The ends within 1 % of the travel and 5 deviations, the rest within 1.5 of the truth."""
+        found = self.device.calibrations.stored(channel)
+        assert found is not None
+        stick = self.transmitter.sticks[channel]
+        low, rest, high = stick.truth()
+        noise = max(1.0, stick.noise * stick.source.counts_per_unit)
+        bound = 0.01 * (high - low) + 5 * noise
+        assert abs(found.neutral - rest) <= 1.5 * noise, channel
+        if rest - low > bound:
+            assert 0 < found.minimum - low <= bound, channel
+        else:  # it rests there: the end is as far out as the input can be
+            assert found.minimum <= stick.source.lowest_count, channel
+        if high - rest > bound:
+            assert 0 < high - found.maximum <= bound, channel
+        else:
+            assert found.maximum >= stick.source.highest_count, channel
+        stored, source = self.stored(), stick.source.value.lower()
+        assert stored["calibrations"][f"{source}_channel_{channel}"] == {
+            "minimum": found.minimum,
+            "neutral": found.neutral,
+            "maximum": found.maximum,
+            "deadband": found.deadband,
+        }
+        assert stored["learned"][source] & 1 << channel - 1, channel
+
+    # --- Wait and click -----------------------------------------------------------------
+
+    def wait_for_head(self, part: str) -> None:
+        self.wait_for_text("learnHead", part)
+
+    def click(self, name: str) -> None:
+        """Click a button once it can be clicked."""
+
+        def can_click() -> None:
+            assert self.can_click(name), f"{name} cannot be clicked: {self.head}"
+
+        self.qtbot.waitUntil(can_click, timeout=TIMEOUT_MS)
+        QCoreApplication.sendPostedEvents()  # buttons that come and go are laid out
+        super().click(name)
+
+    def set_value(self, field: str, channel: int, count: int) -> None:
+        """Change a value in the review."""
+        self.find(QSpinBox, f"learn{field}Edit{channel}").setValue(count)
+
+    def scale_font(self, factor: float) -> None:
+        font = self.dialog.font()
+        font.setPointSizeF(font.pointSizeF() * factor)
+        self.dialog.setFont(font)
+
+    # --- Move sticks --------------------------------------------------------------------
+
+    def use(self, sticks: dict[int, Stick], crosstalk: float = 0.0) -> None:
+        """Take a transmitter with these sticks, and wait until its signals come in."""
+        self.transmitter = Person(self.simulator, sticks, crosstalk)
+        self.wait(lambda: self.transmitter.rests(self.device.telemetry.raw_of))
+
+    def hold(self) -> None:
+        """Wait for as many measurements as make an end."""
+        inputs = self.device.telemetry.inputs
+        self.wait(lambda: len(inputs.times) > 0)
+        end = float(inputs.times[-1]) + HOLD_SECONDS
+        self.wait(lambda: float(inputs.times[-1]) > end)
+
+    def push(self, *positions: float) -> None:
+        """Hold every stick somewhere, one place after the other, then let go."""
+        for position in positions:
+            for channel in self.transmitter.sticks:
+                self.transmitter.put(channel, position)
+            self.hold()
+        self.transmitter.let_go()
+        self.hold()
+
+    def move_until(self, condition: Callable[[], bool], move: Callable[[float], None]) -> None:
+        """Wait for a condition; meanwhile `move` gets the seconds that have passed."""
+        begun = now()
+
+        def holds() -> bool:
+            move(now() - begun)
+            return condition()
+
+        self.wait(holds)
+
+    # --- Go from step to step -----------------------------------------------------------
+
+    def start_learning(self, *channels: int) -> None:
+        self.dialog.learn(channels)
+        self.wait_for_head("Let go of every stick")
+
+    def sample_rest(self) -> None:
+        self.click("learnNextButton")
+        self.wait_for_head("forward or right first")
+
+    def finish_travel(self) -> None:
+        self.click("learnNextButton")
+        self.wait(self.button("learnTakeButton").isVisible)
+
+    def go_to_travel(self, *channels: int) -> None:
+        self.start_learning(*channels)
+        self.sample_rest()
+
+    def go_to_review(self, *channels: int) -> None:
+        self.go_to_travel(*channels)
+        self.push(1, -1)
+        self.finish_travel()
+
+    def start_test(self, *channels: int) -> None:
+        self.dialog.test(channels)
+        self.wait_for_head("Push every stick")
+
+    def take_and_apply(self) -> None:
+        """Take the values and write them, without the window that shows them before."""
+        self.click("learnTakeButton")
+        assert not self.dialog.isVisible()
+        self.apply()
+
+    def apply(self) -> None:
+        self.device.apply()
+        self.wait(lambda: self.device.pending == 0 and not self.device.applying)
+
+
+@contextmanager
+def learning_dialog(
+    simulator: SimulatedDevice, qtbot: QtBot, line: LineSettings | None = None
+) -> Iterator[LearningDialog]:
+    """Connect to a simulated board and give the dialog by itself, without the main window."""
+    app = QApplication.instance()
+    assert isinstance(app, QApplication)
+    theme().install(app)
+    device = Device()
+    device.connect_to(LinkSettings(simulator.url, line or LineSettings()))
+    qtbot.waitUntil(lambda: device.link is Link.UP, timeout=TIMEOUT_MS)
+    dialog = LearnDialog(Learning(device, device))
+    qtbot.addWidget(dialog)
+    try:
+        yield LearningDialog(dialog, device, simulator, qtbot)
+    finally:
+        dialog.close()
+        device.motors.stop()
+        qtbot.waitUntil(device.shut_down, timeout=TIMEOUT_MS)
