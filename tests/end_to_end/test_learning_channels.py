@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.support.pages.learning import LearningDialog
-from tests.support.people import Stick
+from tests.support.transmitter import Stick
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.protocol.flags import CHANNELS

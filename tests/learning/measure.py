@@ -2,7 +2,7 @@
 
 from random import Random
 
-from tests.support.people import HOLD, Stick
+from tests.support.transmitter import HOLD, Stick
 from trex_gui.learning.neutral import Neutral, measure_neutral
 from trex_gui.learning.proposal import Proposal, propose
 from trex_gui.learning.travel import TASKS, Travel, TravelWatch

@@ -7,7 +7,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.learning.measure import neutral_of
-from tests.support.people import RATE, Stick
+from tests.support.transmitter import RATE, Stick
 from trex_gui.learning.holding import HELD, WINDOW
 from trex_gui.learning.neutral import measure_neutral
 from trex_gui.learning.problems import Kind

@@ -5,7 +5,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from tests.learning.measure import neutral_of
-from tests.support.people import Stick
+from tests.support.transmitter import Stick
 from trex_gui.learning.neutral import deadband_floor, measure_neutral
 from trex_gui.learning.problems import Kind
 from trex_gui.learning.samples import LIMITS, Sample
@@ -78,6 +78,20 @@ def test_a_drift_is_never_taken_for_rest(drift: float, seed: int) -> None:
     (problem,) = neutral_of(Stick(drift=drift, noise=0.5), seed).problems
     assert problem.kind is Kind.MOVED
     assert f"It drifted {'up' if drift > 0 else 'down'} by" in problem.text
+
+
+@pytest.mark.parametrize("source", InputSource)
+def test_drift_is_told_when_it_exceeds_its_limit(source: InputSource) -> None:
+    def problems(drift: int) -> list[Kind]:
+        middle = source.highest_count // 2
+        counts = [middle + step for step in (0, drift // 2, drift) for _ in range(25)]
+        samples = [Sample(i / 50, count) for i, count in enumerate(counts)]
+        found = measure_neutral(samples, source)
+        assert found is not None
+        return [problem.kind for problem in found.problems]
+
+    assert problems(LIMITS[source].drifted) == []
+    assert problems(LIMITS[source].drifted + 1) == [Kind.MOVED]
 
 
 def test_no_signal_is_told_with_what_to_do() -> None:

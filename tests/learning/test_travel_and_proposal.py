@@ -3,13 +3,13 @@
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from tests.learning.measure import check, learn, neutral_of, travel_of
-from tests.support.people import HOLD, Stick
+from tests.support.transmitter import HOLD, Stick
 from trex_gui.learning.problems import Kind
-from trex_gui.learning.proposal import propose
+from trex_gui.learning.proposal import Proposal, propose
 from trex_gui.learning.travel import Way
 from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.model.learned_check import Check
@@ -18,16 +18,29 @@ from trex_gui.protocol.flags import InputSource
 
 unhurried = settings(deadline=None)
 
+# A wild pulse is not told from an end that is held where the pulses behind it are lost: the board
+# repeats the last value. So a stick has one of both.
 sticks = st.builds(
-    Stick,
-    rest=st.floats(1380, 1620),
-    low=st.floats(850, 1200),
-    high=st.floats(1800, 2150),
-    noise=st.floats(0, 1.0),
-    lost=st.floats(0, 0.05),
+    lambda traits, lost, spikes: replace(
+        traits, **({"lost": lost} if lost else {"spikes": spikes})
+    ),
+    st.builds(
+        Stick,
+        rest=st.floats(1380, 1620),
+        low=st.floats(850, 1200),
+        high=st.floats(1800, 2150),
+        noise=st.floats(0, 1.0),
+        forward_is_down=st.booleans(),
+    ),
+    lost=st.sampled_from([0.0, 0.01, 0.05]),
     spikes=st.floats(0, 0.004),
-    forward_is_down=st.booleans(),
 )
+
+
+def learned(stick: Stick, channel: int = 1, *, seed: int, reversed_now: bool = False) -> Proposal:
+    """Learn a channel, unless its signal at rest is refused; test_neutral.py shows when it is."""
+    assume(not any(problem.fatal for problem in neutral_of(stick, seed).problems))
+    return learn(stick, seed=seed, reversed_now=reversed_now)
 
 
 def bound(stick: Stick) -> float:
@@ -39,7 +52,7 @@ def bound(stick: Stick) -> float:
 @unhurried
 @given(stick=sticks, seed=st.integers(0, 2**32))
 def test_the_ends_are_found_within_one_percent_of_the_travel(stick: Stick, seed: int) -> None:
-    found = learn(stick, seed=seed).calibration
+    found = learned(stick, seed=seed).calibration
     assert found is not None
     assert found.problem() is None
     low, neutral, high = stick.truth()
@@ -51,7 +64,7 @@ def test_the_ends_are_found_within_one_percent_of_the_travel(stick: Stick, seed:
 @unhurried
 @given(stick=sticks, seed=st.integers(0, 2**32))
 def test_full_output_is_surely_reached_and_none_at_rest(stick: Stick, seed: int) -> None:
-    proposal = learn(stick, seed=seed)
+    proposal = learned(stick, seed=seed)
     assert proposal.calibration is not None
     low, neutral, high = stick.truth()
     noise = 2 * stick.noise * 2.5
@@ -64,8 +77,12 @@ def test_full_output_is_surely_reached_and_none_at_rest(stick: Stick, seed: int)
 @unhurried
 @given(stick=sticks, now=st.booleans(), seed=st.integers(0, 2**32))
 def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, seed: int) -> None:
-    proposal = learn(stick, seed=seed, reversed_now=now)
+    proposal = learned(stick, seed=seed, reversed_now=now)
     assert proposal.reversed_ is stick.forward_is_down
+    suggested = (
+        ": reversed is suggested." if stick.forward_is_down else ": not reversed is suggested."
+    )
+    assert proposal.reversed_reason.endswith(suggested if stick.forward_is_down != now else "")
     assert bool(proposal.reversed_reason) is (stick.forward_is_down != now)
 
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.people import Person, Stick
 from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick, Transmitter
 from trex_gui.learning.problems import Kind
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import Written
@@ -32,7 +32,9 @@ class Bench:
         self.simulator = simulator
         self.device = Device()
         self.learning = Learning(self.device)
-        self.person = Person(simulator, {1: Stick(), 2: Stick(rest=1520, forward_is_down=True)})
+        self.person = Transmitter(
+            simulator, {1: Stick(), 2: Stick(rest=1520, forward_is_down=True)}
+        )
         self._qtbot = qtbot
         failures: list[str] = []
         self.device.failed.connect(failures.append)

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QProgressBar, QSpinBox, QTabBar
 from pytestqt.qtbot import QtBot
 
 from tests.support.pages.learning import LearningDialog, learning_dialog
-from tests.support.people import Stick
 from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick
 from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.model.device import Link
 from trex_gui.protocol.flags import CHANNELS, InputSource

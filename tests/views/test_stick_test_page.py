@@ -6,8 +6,8 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.pages.learning import LearningDialog, learning_dialog
-from tests.support.people import Stick
 from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick
 from trex_gui.model.device import Link
 from trex_gui.views.theme import theme
 from trex_gui.views.widgets.channel_bar import ChannelBar

@@ -8,8 +8,8 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QApplication, QSpinBox
 from pytestqt.qtbot import QtBot
 
-from tests.support.people import Person, Stick
 from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick, Transmitter
 from tests.support.window import TIMEOUT_MS, WidgetDriver
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Device, Link
@@ -39,7 +39,7 @@ class LearningDialog(WidgetDriver):
         self.dialog = dialog
         self.device = device
         self.simulator = simulator
-        self.transmitter = Person(simulator, {})
+        self.transmitter = Transmitter(simulator, {})
         self.stored_before = self.stored()
 
     # --- Read ---------------------------------------------------------------------------
@@ -124,7 +124,7 @@ class LearningDialog(WidgetDriver):
 
     def use(self, sticks: dict[int, Stick], crosstalk: float = 0.0) -> None:
         """Take a transmitter with these sticks, and wait until its signals come in."""
-        self.transmitter = Person(self.simulator, sticks, crosstalk)
+        self.transmitter = Transmitter(self.simulator, sticks, crosstalk)
         self.wait(lambda: self.transmitter.rests(self.device.telemetry.raw_of))
 
     def hold(self) -> None:

@@ -1,4 +1,4 @@
-"""People with a transmitter: what their sticks put out, well made or worn, steady or not."""
+"""A transmitter: what its sticks put out, well made or worn, steady or not."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -7,7 +7,6 @@ from random import Random
 from tests.support.simulator import SimulatedDevice
 from trex_gui.learning.samples import Sample
 from trex_gui.protocol.flags import InputSource
-from trex_gui.runtime import now
 
 RATE = 50.0
 """Times a second that a receiver gives a pulse, and the board a new value."""
@@ -110,8 +109,8 @@ HOLD = ((0.2, 1.0), (0.3, 1.0), (0.3, -1.0), (0.3, -1.0), (0.2, 0.0), (0.2, 0.0)
 """A stick pushed all the way, held, pulled all the way back, held, let go."""
 
 
-class Person:
-    """Somebody with a transmitter in their hands, in front of a simulated board.
+class Transmitter:
+    """A transmitter with its sticks, in front of a simulated board.
 
     With `crosstalk`, channels 1 and 2 are one stick of two axes: who pushes one of them moves
     the other by this share, unless it is pushed itself.
@@ -142,14 +141,6 @@ class Person:
             return not stick.connected or stick.lost > 0.5
         noise = 5 * stick.noise * stick.source.counts_per_unit
         return stick.connected and abs(count - stick.truth()[1]) <= 2 + noise
-
-    def wait_for(self, seconds: float, wait: Callable[[int], object]) -> None:
-        """Do nothing for a while but let the sticks drift; `wait` gets milliseconds."""
-        start = now()
-        while (past := now() - start) < seconds:
-            for channel in self.sticks:
-                self.put(channel, 0.0, past)
-            wait(20)
 
     def let_go(self, channels: Sequence[int] | None = None) -> None:
         """Take the hands off."""
