@@ -1,87 +1,55 @@
-"""A person whose board has line settings that nobody remembers."""
+"""A board whose line settings are unknown is found."""
 
 import sys
-from collections.abc import Callable
-from typing import TypeVar
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QLabel,
-    QListWidget,
-    QProgressBar,
-    QToolButton,
-    QWidget,
-)
-from pytestqt.qtbot import QtBot
+from PySide6.QtWidgets import QListWidget, QProgressBar, QToolButton
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.link.client import Client
 from trex_gui.link.discovery import attempts
 from trex_gui.link.settings import LinkSettings
-from trex_gui.model.device import Link
+from trex_gui.model.connection import Link
 from trex_gui.protocol.commands import SetParameter
 from trex_gui.protocol.line_settings import Detection, LineSettings
 from trex_gui.runtime import open_transport
 from trex_gui.views.find_dialog import FindDialog
-from trex_gui.window import Program
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
-WidgetT = TypeVar("WidgetT", bound=QWidget)
-
 EVEN = LineSettings(57600, Detection.EVEN)
 
 
-class Person:
-    """What a person can do and see, by the names of the widgets."""
+class FindBoardDialog(WidgetDriver):
+    """The dialog that finds boards; making this object opens it."""
 
-    def __init__(self, program: Program, qtbot: QtBot) -> None:
-        self.program = program
-        self.qtbot = qtbot
+    def __init__(self, window: WindowDriver) -> None:
+        window.trigger("find")
+        super().__init__(window.find(FindDialog, "findDialog"), window.qtbot)
+        self._window = window
+        self.finder = window.program.connector.finder
 
-    def find(self, kind: type[WidgetT], name: str) -> WidgetT:
-        widget = self.program.window.findChild(kind, name)
-        assert isinstance(widget, kind), name
-        return widget
-
-    def sees(self, name: str) -> bool:
-        widget = self.program.window.findChild(QWidget, name)
-        return widget is not None and widget.isVisible()
-
-    def press(self, name: str) -> None:
-        button = self.find(QAbstractButton, name)
-        assert button.isVisible(), f"{name} is hidden"
-        assert button.isEnabled(), f"{name} is greyed"
-        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-
-    def text(self, name: str) -> str:
-        return self.find(QLabel, name).text()
-
-    def wait(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=60_000)
-
-    @property
-    def dialog(self) -> FindDialog:
-        return self.find(FindDialog, "findDialog")
-
-    def look_on(self, *urls: str) -> None:
-        """Open the dialog and tick these ports alone."""
-        self.press("findButton")
-        assert self.dialog.isVisible()
+    def search(self, url: str) -> None:
+        """Open the dialog with the button of the window, check this port alone and start."""
+        self.root.close()
+        self._window.program.ports.add_typed(url)
+        self._window.click("findButton")
+        assert self.root.isVisible()
         ports = self.find(QListWidget, "findPorts")
         for row in range(ports.count()):
-            item = ports.item(row)
-            ticked = any(item.text().startswith(url) for url in urls)
-            item.setCheckState(Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked)
-        self.press("findStartButton")
+            checked = ports.item(row).text().startswith(url)
+            state = Qt.CheckState.Checked if checked else Qt.CheckState.Unchecked
+            ports.item(row).setCheckState(state)
+        self.click("findStartButton")
 
-    def wait_for_the_end(self) -> None:
-        self.wait(lambda: not self.program.connector.finder.running)
+    def is_searching(self) -> bool:
+        return self.finder.running
+
+    def wait_for_end(self) -> None:
+        self.wait(lambda: not self.is_searching(), 60_000)
 
 
 @pytest.fixture(autouse=True)
@@ -90,12 +58,12 @@ def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def person(_no_other_ports: None, program: Program, qtbot: QtBot) -> Person:
-    return Person(program, qtbot)
+def dialog(_no_other_ports: None, window: WindowDriver) -> FindBoardDialog:
+    return FindBoardDialog(window)
 
 
-def set_to(simulator: SimulatedDevice, line: LineSettings) -> None:
-    """Store UART settings in a board and switch it off and on."""
+def store(simulator: SimulatedDevice, line: LineSettings) -> None:
+    """Store line settings in a board and switch it off and on."""
     settings = LinkSettings(simulator.url)
     client = Client(open_transport(settings), settings)
     client.request(SetParameter(0x7E, line.to_wire()))
@@ -103,156 +71,114 @@ def set_to(simulator: SimulatedDevice, line: LineSettings) -> None:
     simulator.do("power cycle")
 
 
-def test_a_board_at_unknown_settings_is_found_and_connected_to(
-    person: Person, program: Program, quick_simulator: SimulatedDevice
+def test_board_at_unknown_settings_is_found_and_connected(
+    window: WindowDriver, dialog: FindBoardDialog, quick_simulator: SimulatedDevice
 ) -> None:
-    set_to(quick_simulator, LineSettings(57600))
-    program.ports.add_typed(quick_simulator.url)
-    person.look_on(quick_simulator.url)
-    bar = person.find(QProgressBar, "findProgress")
-    said: list[tuple[str, int]] = []
-    program.connector.finder.progressed.connect(
-        lambda: said.append((person.text("findProgressText"), bar.maximum()))
+    url = quick_simulator.url
+    store(quick_simulator, LineSettings(57600))
+    progress: list[tuple[str, int]] = []
+    bar = dialog.find(QProgressBar, "findProgress")
+    dialog.finder.progressed.connect(
+        lambda: progress.append((dialog.text("findProgressText"), bar.maximum()))
     )
-    assert person.find(QAbstractButton, "findCancelButton").isEnabled()
-    assert not person.find(QAbstractButton, "findStartButton").isEnabled()
-    person.wait(lambda: person.sees("connectFound0"))
-    at_115200 = [most for text, most in said if text.startswith("Looking for TReX at 115200")]
+    dialog.search(url)
+    assert dialog.is_enabled("findCancelButton")
+    assert not dialog.is_enabled("findStartButton")
+    dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
+    at_115200 = [most for text, most in progress if text.startswith("Looking for TReX at 115200")]
     assert set(at_115200) == {93}
-    assert person.text("findText0").startswith(
-        f"TReX 1.2 on {quick_simulator.url} at 57600 8N1, device 7."
-    )
-    person.wait_for_the_end()
-    assert person.text("findProgressText") == "1 board found."
-    person.press("connectFound0")
-    person.wait(lambda: program.device.link is Link.UP)
-    assert program.device.settings is not None
-    assert program.device.settings.line == LineSettings(57600)
-    assert person.find(QToolButton, "lineButton").text() == "57600 8N1"
-    shown = quick_simulator.show()
-    assert all(motor["direction"] == "brake" for motor in shown["motors"])
+    assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 8N1, device 7.")
+    dialog.wait_for_end()
+    assert dialog.text("findProgressText") == "1 board found."
+    dialog.click("connectFound0")
+    window.wait(lambda: window.device.link is Link.UP)
+    assert window.device.settings is not None
+    assert window.device.settings.line == LineSettings(57600)
+    assert window.find(QToolButton, "lineButton").text() == "57600 8N1"
+    assert all(motor["direction"] == "brake" for motor in quick_simulator.show()["motors"])
+
+    window.click("findButton")
+    ports = dialog.find(QListWidget, "findPorts")
+    texts = [ports.item(row).text() for row in range(ports.count())]
+    assert f"{url} – connected to this window" in texts
+    assert dialog.text("findBusyLabel").startswith(f"{url} is connected to this window")
+    dialog.click("findDisconnectButton")
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert not dialog.has("findBusyLabel")
+    dialog.click("findStartButton")
+    dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
+    dialog.wait_for_end()
 
 
 @pytest.mark.slow
+@pytest.mark.realtime
 @pytest.mark.timeout(120)
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
-def test_a_board_with_parity_is_found_where_parity_can_be_seen(
-    person: Person,
-    program: Program,
-    start_simulator: StartSimulator,
+def test_board_with_parity_is_found_where_parity_can_be_seen(
+    window: WindowDriver, dialog: FindBoardDialog, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced", "--rfc2217", "127.0.0.1:0")
-    set_to(simulator, EVEN)
-    program.ports.add_typed(simulator.url)
-    program.connector.finder.start([program.ports.entries[-2]])
-    person.press("findButton")
-    assert person.sees("findCancelButton")
-    person.wait_for_the_end()
-    (finding,) = program.connector.finder.findings
+    store(simulator, EVEN)
+    dialog.finder.start([window.program.ports.add_typed(simulator.url)])
+    assert dialog.has("findCancelButton")
+    dialog.wait_for_end()
+    (finding,) = dialog.finder.findings
     assert finding.text == f"TReX 1.2 on {simulator.url} at 57600 8E1, device 7."
-    person.press("connectFound0")
-    person.wait(lambda: program.device.link is Link.UP)
-    assert program.device.settings is not None
-    assert program.device.settings.line == EVEN
+    dialog.click("connectFound0")
+    window.wait(lambda: window.device.link is Link.UP)
+    assert window.device.settings is not None
+    assert window.device.settings.line == EVEN
 
 
-def test_a_search_can_be_cancelled(
-    person: Person, program: Program, quick_simulator: SimulatedDevice
+def test_search_ends_when_it_is_cancelled_or_the_dialog_closes(
+    window: WindowDriver, dialog: FindBoardDialog, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
-    program.ports.add_typed(quick_simulator.url)
-    person.look_on(quick_simulator.url)
-    person.wait(lambda: program.connector.finder.done > 1)
-    person.press("findCancelButton")
-    person.wait_for_the_end()
-    assert person.text("findProgressText") == "The search was broken off."
-    assert person.find(QAbstractButton, "findStartButton").isEnabled()
-    assert not person.sees("findText0")
+    dialog.search(quick_simulator.url)
+    dialog.wait(lambda: dialog.finder.done > 1)
+    dialog.click("findCancelButton")
+    dialog.wait_for_end()
+    assert dialog.text("findProgressText") == "The search was broken off."
+    assert dialog.is_enabled("findStartButton")
+    assert not dialog.has("findText0")
+
+    dialog.click("findStartButton")
+    assert dialog.is_searching()
+    dialog.click("findCloseButton")
+    dialog.wait_for_end()
+    assert dialog.finder.summary == "The search was broken off."
+
+    dialog.search(quick_simulator.url)
+    assert dialog.is_searching()
+    window.window.close()
+    assert not dialog.is_searching()
+    assert not dialog.root.isVisible()
     quick_simulator.do("power on")
 
 
-def test_closing_the_dialog_ends_the_search(
-    person: Person, program: Program, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("power off")
-    program.ports.add_typed(quick_simulator.url)
-    person.look_on(quick_simulator.url)
-    person.press("findCloseButton")
-    person.wait_for_the_end()
-    assert program.connector.finder.summary == "The search was broken off."
-    quick_simulator.do("power on")
-
-
-def test_closing_the_window_ends_the_search(
-    person: Person, program: Program, quick_simulator: SimulatedDevice
-) -> None:
-    quick_simulator.do("power off")
-    program.ports.add_typed(quick_simulator.url)
-    person.look_on(quick_simulator.url)
-    program.window.close()
-    assert not program.connector.finder.running
-    assert not person.dialog.isVisible()
-    quick_simulator.do("power on")
-
-
-def test_where_nobody_answers_it_says_what_to_look_at(
-    person: Person,
-    program: Program,
+def test_search_without_a_board_says_what_to_check(
+    window: WindowDriver,
     quick_simulator: SimulatedDevice,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     few = list(attempts())[:3]  # all of them take half a minute
     monkeypatch.setattr("trex_gui.link.discovery.attempts", lambda *, full: few)
-    quick_simulator.do("power off")
-    program.ports.add_typed(quick_simulator.url)
-    person.look_on(quick_simulator.url)
-    person.wait_for_the_end()
-    assert person.text("findText0").startswith(f"No TReX answers on {quick_simulator.url} at any")
-    assert not person.sees("connectFound0")
-    assert person.text("findProgressText") == "No board was found."
-    quick_simulator.do("power on")
-
-
-def test_a_port_that_another_program_has_is_told(
-    person: Person, program: Program, quick_simulator: SimulatedDevice
-) -> None:
-    other = open_transport(LinkSettings(quick_simulator.url))
-    program.ports.add_typed(quick_simulator.url)
-    person.look_on(quick_simulator.url)
-    person.wait_for_the_end()
-    other.close()
-    assert "is in use" in person.text("findText0")
-
-
-def test_the_port_of_this_window_is_not_searched_until_it_is_given_back(
-    person: Person, program: Program, quick_simulator: SimulatedDevice
-) -> None:
     url = quick_simulator.url
-    program.connector.connect_to(program.ports.add_typed(url))
-    person.wait(lambda: program.device.link is Link.UP)
-    person.press("findButton")
-    ports = person.find(QListWidget, "findPorts")
-    assert f"{url} – connected to this window" in [
-        ports.item(row).text() for row in range(ports.count())
-    ]
-    assert person.text("findBusyLabel").startswith(f"{url} is connected to this window")
-    person.press("findDisconnectButton")
-    person.wait(lambda: program.device.link is Link.NONE)
-    assert not person.sees("findBusyLabel")
-    person.press("findStartButton")
-    person.wait(lambda: person.sees("connectFound0"))
-    person.wait_for_the_end()
-
-
-def test_who_gets_no_answer_is_pointed_to_find(
-    person: Person, program: Program, quick_simulator: SimulatedDevice
-) -> None:
     quick_simulator.do("power off")
-    program.connector.connect_to(program.ports.add_typed(quick_simulator.url))
-    person.wait(lambda: program.device.link is Link.NONE)
-    assert person.text("bannerText").endswith(" Find a board (Ctrl+Shift+F) tries every setting.")
-    action = program.window.findChild(QAction, "findAction")
-    assert action is not None
-    action.trigger()
-    assert person.dialog.isVisible()
+    window.program.connector.connect_to(window.program.ports.add_typed(url))
+    window.wait_for_text("bannerText", " Find a board (Ctrl+Shift+F) tries every setting.")
+    assert window.device.link is Link.NONE
+
+    dialog = FindBoardDialog(window)
+    dialog.search(url)
+    dialog.wait_for_end()
+    assert dialog.text("findText0").startswith(f"No TReX answers on {url} at any")
+    assert not dialog.has("connectFound0")
+    assert dialog.text("findProgressText") == "No board was found."
+
+    other = open_transport(LinkSettings(url))
+    dialog.click("findStartButton")
+    dialog.wait_for_end()
+    other.close()
+    assert "is in use" in dialog.text("findText0")
     quick_simulator.do("power on")

@@ -1,8 +1,9 @@
-"""Faults that once were, across layers: each test failed before its fault was mended."""
+"""Regressions across layers: each test failed before its fault was fixed."""
 
 import logging
 
 import pytest
+from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
 from tests.link.helpers import (
@@ -31,11 +32,15 @@ from trex_gui.link.schedule import rates
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import StatusNews
 from trex_gui.link.writing import write_parameter
+from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
+from trex_gui.model.driving.motors import Motors
+from trex_gui.model.parameters import ParameterModel
+from trex_gui.model.ports import Ports
 from trex_gui.model.simulator import Simulator
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import STOP, Drive, GetMode
-from trex_gui.protocol.errors import PortUnavailable
+from trex_gui.protocol.errors import BadRequest, PortUnavailable
 from trex_gui.protocol.flags import InputSource, Status
 from trex_gui.protocol.line_settings import Detection, LineSettings
 from trex_gui.protocol.parameters import parameters_of
@@ -45,30 +50,28 @@ SPECS = parameters_of("trex", "1.2")
 
 
 @pytest.mark.parametrize("baud", [1200, 4800, 9600])
-def test_a_slow_line_is_shared_fairly(baud: int) -> None:
+def test_slow_line_is_shared_fairly(baud: int) -> None:
     wanted = rates(InputSource.RC)
     asked = simulate(wanted, on_line(baud), 100.0)
     shares = [asked[topic] / rate for topic, rate in wanted.items()]
     assert min(shares) > 0.9 * max(shares)
 
 
-@pytest.mark.parametrize("wish", [SetAuxiliary(300), SetDrive(3, Drive.at(5))], ids=str)
-def test_a_wish_that_no_motor_can_obey_does_not_end_the_session(
-    stage: Stage, wish: Request
-) -> None:
-    stage.script.at(1.0, wish).at(1.2, Ask(1, GetMode()))
+@pytest.mark.parametrize("setpoint", [SetAuxiliary(300), SetDrive(3, Drive.at(5))], ids=str)
+def test_impossible_setpoint_does_not_end_the_session(stage: Stage, setpoint: Request) -> None:
+    stage.script.at(1.0, setpoint).at(1.2, Ask(1, GetMode()))
     reports = run_for(stage, 1.5)
     assert reports[-1] == Closed(None)
 
 
-def test_a_stop_just_before_closing_is_sent(stage: Stage) -> None:
+def test_stop_just_before_closing_is_sent(stage: Stage) -> None:
     stage.script.at(1.0, Stop(1))
     run_for(stage, 1.0)
     assert STOP[0] in moving(stage.transport.sent)
 
 
 @pytest.mark.parametrize("lost", [8, 10])
-def test_a_stop_that_is_lost_whole_is_not_taken_for_proved(stage: Stage, lost: int) -> None:
+def test_lost_stop_is_not_taken_as_confirmed(stage: Stage, lost: int) -> None:
     def lose() -> None:
         stage.line.to_drop_sent = lost
 
@@ -81,7 +84,7 @@ def test_a_stop_that_is_lost_whole_is_not_taken_for_proved(stage: Stage, lost: i
 @pytest.mark.parametrize(
     "request_", [Ask(1, GetMode()), Reload(1), Write(1, (("serial_timeout", 1),)), Stop(1)], ids=str
 )
-def test_a_mistake_of_ours_in_the_middle_of_a_request_leaves_nobody_waiting(
+def test_internal_error_answers_the_current_request(
     stage: Stage, request_: Request, caplog: pytest.LogCaptureFixture
 ) -> None:
     def break_() -> None:
@@ -102,19 +105,19 @@ def test_a_mistake_of_ours_in_the_middle_of_a_request_leaves_nobody_waiting(
     ],
     ids=str,
 )
-def test_settings_that_cannot_be_do_not_keep_the_port(stage: Stage, settings: LinkSettings) -> None:
+def test_impossible_settings_release_the_port(stage: Stage, settings: LinkSettings) -> None:
     reports = run_for(stage, 1.0, settings)
     assert isinstance(reports[-1], Closed)
     assert stage.transport.closed or not stage.transport.sent
 
 
-def test_reading_again_a_board_that_was_silent_is_its_return(stage: Stage) -> None:
+def test_reload_after_silence_counts_as_power_cycle(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off).at(3.0, stage.board.power_on).at(3.0, Reload(1))
     run_for(stage, 4.0)
     assert [one.occasion for one in among(stage.reports, Connected)][1].power_cycled
 
 
-def test_bits_that_were_read_just_before_the_line_was_lost_are_reported(stage: Stage) -> None:
+def test_status_read_before_the_line_was_lost_is_reported(stage: Stage) -> None:
     gone = PortUnavailable("gone")
     stage.script.at(1.0, SetDrive(1, Drive.at(1)))  # a stop is due at the end
     stage.script.at(1.2, lambda: stage.board.set_fault(1, fault=True))
@@ -131,7 +134,7 @@ def test_bits_that_were_read_just_before_the_line_was_lost_are_reported(stage: S
     assert Status.MOTOR1_FAULT in [one.status for one in samples(stage.reports, StatusNews)]
 
 
-def test_a_device_number_whose_reply_is_lost_is_followed(stage: Stage) -> None:
+def test_new_device_number_is_used_though_its_reply_is_lost(stage: Stage) -> None:
     client = stage.client(LinkSettings("virtual", device_number=7))
     stage.line.to_drop = 1
     assert write_parameter(client.request, SPECS["device_number"], 42) == 42
@@ -157,7 +160,7 @@ def test_apply_without_a_board_does_not_lock_apply(
         device.shut_down()
 
 
-def test_a_line_that_closes_is_not_up_again_in_between(
+def test_closing_connection_does_not_come_up_in_between(
     qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     device = Device()
@@ -182,9 +185,7 @@ def test_stopping_the_simulator_is_no_failure(qtbot: QtBot) -> None:
     assert failures == []
 
 
-def test_what_is_no_number_is_refused_in_words(qtbot: QtBot) -> None:
-    from trex_gui.model.parameters import ParameterModel
-
+def test_text_that_is_no_number_is_rejected_with_a_message(qtbot: QtBot) -> None:
     model = ParameterModel()
     model.load(SPECS, {s.key: s.default for s in SPECS.readable}, {}, power_cycled=True)
     with qtbot.waitSignal(model.refused) as refused:
@@ -192,7 +193,7 @@ def test_what_is_no_number_is_refused_in_words(qtbot: QtBot) -> None:
     assert "Serial Timeout" in refused.args[0]
 
 
-def test_calibrations_edited_for_one_kind_of_board_do_not_wait_for_another(
+def test_calibration_edits_do_not_move_to_another_model(
     qtbot: QtBot, start_simulator: StartSimulator
 ) -> None:
     device = Device()
@@ -214,21 +215,13 @@ def test_calibrations_edited_for_one_kind_of_board_do_not_wait_for_another(
         device.shut_down()
 
 
-def test_polynomials_that_cannot_be_are_forgotten_though_crc_is_off(qtbot: QtBot) -> None:
-    from PySide6.QtCore import QSettings
-
-    from trex_gui.model.connector import Connector
-    from trex_gui.model.ports import Ports
-
+def test_invalid_polynomial_is_dropped_though_crc_is_off(qtbot: QtBot) -> None:
     QSettings().setValue("line/polynomial", 3)
     settings = Connector(Device(), Ports()).settings
     assert settings.polynomial >= 0x80
 
 
-def test_motors_refuse_an_auxiliary_speed_that_cannot_be(qtbot: QtBot) -> None:
-    from trex_gui.model.driving.motors import Motors
-    from trex_gui.protocol.errors import BadRequest
-
+def test_motors_reject_an_impossible_auxiliary_speed(qtbot: QtBot) -> None:
     motors = Motors()
     motors.allow(True)
     motors.arm()

@@ -1,0 +1,225 @@
+"""A board in the window: connection, pages, settings and motors."""
+
+import sys
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QSlider, QWidget
+
+from tests.support.pages.parameters import ParametersPage
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WindowDriver
+from trex_gui.link.settings import LinkSettings
+from trex_gui.model.connection import Link
+from trex_gui.protocol.calibration import Calibration
+from trex_gui.protocol.flags import InputSource
+from trex_gui.runtime import now, open_transport
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+
+
+@pytest.fixture
+def connected(window: WindowDriver, simulator: SimulatedDevice) -> WindowDriver:
+    """The window, connected to a board whose bytes take their time."""
+    window.connect(simulator.url)
+    return window
+
+
+def apply(window: WindowDriver) -> None:
+    """Open the review and write."""
+    window.click("applyButton")
+    window.click("writeButton")
+
+
+def wait_for_speed(
+    window: WindowDriver, simulator: SimulatedDevice, index: int, speed: int
+) -> None:
+    window.wait(lambda: simulator.show()["motors"][index]["direction"] != "brake")
+    window.wait(lambda: simulator.show()["motors"][index]["speed"] == speed)
+
+
+def wait_for_brake(window: WindowDriver, simulator: SimulatedDevice, index: int) -> None:
+    window.wait(lambda: simulator.show()["motors"][index]["direction"] == "brake")
+
+
+def test_pages_show_the_board_until_it_is_disconnected(
+    connected: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    window = connected
+    assert window.text("statusLabel") == "Connected to TReX 1.2."
+    status = window.open_page("statusPage")
+    assert "Serial commands control the motors" in status.text("controlValue")
+
+    channels = window.open_page("channelsPage")
+    channels.wait(lambda: channels.text("channel1Input") == "1500 µs (3750)")
+    simulator.do("channel 1 1800us")
+    channels.wait(lambda: channels.text("channel1Input") == "1800 µs (4500)")
+    bar, output = channels.find(QWidget, "channel1Bar"), channels.find(QWidget, "channel1Output")
+    channels.wait(lambda: "1800 µs" in bar.accessibleDescription())
+    remapped = simulator.show()["channels"][0]["remapped"]
+    channels.wait(lambda: str(remapped) in output.accessibleDescription())
+    simulator.do("channel 2 invalid")
+    channels.wait(lambda: channels.text("channel2Input") == "no signal")
+
+    simulator.do("power off")
+    window.wait(lambda: window.device.link is Link.SILENT)
+    assert "stopped answering" in window.text("statusLabel")
+    simulator.do("power on")
+    window.wait(lambda: window.device.link is Link.UP)
+    channels.wait(lambda: "µs" in channels.text("channel1Input"))
+
+    window.click("connectButton")
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert channels.text("channel1Input") == "N/A"
+    assert status.text("modelValue") == "N/A"
+    for name in ("parametersView", "runButton", "stopButton", "applyButton"):
+        assert not window.is_enabled(name), name
+
+
+def test_parameters_are_typed_applied_and_followed(
+    connected: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    window, device = connected, connected.device
+    page = ParametersPage(window)
+    editor = page.type_value("serial_timeout", "99 s")
+    assert editor.isVisible()
+    assert editor.text() == "99 s"
+    assert "off to 12.7 s" in page.text("parametersNotice")
+    QTest.keyClick(editor, Qt.Key.Key_Escape)
+    page.wait_for_no_editor("serial_timeout")
+    assert device.pending == 0
+    assert not window.has("unappliedLabel")
+
+    page.edit("serial_timeout", "1.5 s")
+    assert window.has("unappliedLabel")
+    assert window.text("unappliedLabel") == "There are unapplied changes."
+    assert simulator.show()["parameters"]["serial_timeout"] == 0
+    apply(window)
+    window.wait(lambda: not device.parameters.pending)
+    assert simulator.show()["parameters"]["serial_timeout"] == 15
+    assert "read back equal" in page.text("parametersNotice")
+
+    wanted = Calibration(2400, 3700, 5100, 60)
+    device.calibrations.edit(1, wanted)
+    device.parameters.edit("motor1_current_limit", 10)
+    device.parameters.edit("motor_mode", 1)
+    apply(window)
+    window.wait(lambda: device.pending == 0 and not device.applying)
+    assert device.state is not None
+    assert device.state.calibrations[1] == wanted
+    assert device.draft.stored is not None
+    assert device.draft.stored.calibrations[InputSource.RC, 1] == wanted
+    assert device.parameters.stored_of("motor1_current_limit") == 10
+
+    assert device.parameters.waiting_for_power == ("Motor Mode",)
+    assert "Motor Mode" in page.text("parametersNotice")
+    simulator.do("power off")
+    window.wait(lambda: device.link is Link.SILENT)
+    simulator.do("power on")
+    window.wait(lambda: device.parameters.waiting_for_power == ())
+    assert device.state.parameters["motor_mode"] == 1
+
+
+def test_board_in_rc_mode_takes_no_settings_and_no_speeds(
+    window: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    simulator.do("jumper mode rc")
+    simulator.do("power cycle")
+    window.connect(simulator.url)
+    motors = window.open_page("motorsPage")
+    assert not window.is_enabled("runButton")
+    assert "RC channels control the motors" in motors.text("motorsReason")
+
+    ParametersPage(window).edit("serial_timeout", "1.5 s")
+    apply(window)
+    window.wait_for_text("bannerText", "Serial Timeout")
+    assert "not in serial mode" in window.text("bannerText")
+    assert window.device.parameters.pending == (("serial_timeout", 15),)
+
+
+def test_motors_run_after_run_motor_until_they_are_stopped(
+    connected: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    window = connected
+    page = window.open_page("motorsPage")
+    slider = page.find(QSlider, "motor1Slider")
+    assert not slider.isEnabled()
+    window.click("runButton")
+    slider.setValue(80)
+    wait_for_speed(window, simulator, 0, 80)
+    assert simulator.show()["motors"][0]["direction"] == "forward"
+    page.wait(lambda: "A" in page.text("motor1Reported"))
+    window.click("stopButton")
+    wait_for_brake(window, simulator, 0)
+    assert slider.value() == 0
+    assert not slider.isEnabled()
+
+    window.wait(lambda: window.is_enabled("runButton"))
+    window.click("runButton")
+    window.motors.set_speed(2, -100)
+    wait_for_speed(window, simulator, 1, 100)
+    parameters = ParametersPage(window)
+    parameters.view.edit(parameters.index_of("serial_timeout"))
+    handle = window.window.windowHandle()
+    window.wait(lambda: handle.isActive() or handle.isExposed())
+    QTest.keyClick(handle, Qt.Key.Key_Escape)
+    wait_for_brake(window, simulator, 1)
+
+    window.wait(lambda: window.is_enabled("runButton"))
+    window.click("runButton")
+    window.motors.set_speed(1, 60)
+    wait_for_speed(window, simulator, 0, 60)
+    window.window.close()
+    wait_for_brake(window, simulator, 0)
+
+
+def test_pulled_plug_is_noticed_and_motors_brake_when_it_is_back(
+    connected: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    window = connected
+    window.click("runButton")
+    window.motors.set_speed(1, 50)
+    wait_for_speed(window, simulator, 0, 50)
+    begin = now()
+    simulator.do("line unplug")
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert now() - begin < 0.5
+    assert "gone" in window.text("bannerText")
+    assert not window.motors.armed
+    assert window.text("statusLabel") == "Not connected."
+    assert "motors may still turn" in window.text("motorStateLabel")
+    assert simulator.show()["motors"][0]["speed"] == 50
+
+    window.connect(simulator.do("line plug").split()[-1])
+    assert window.text("statusLabel") == "Connected to TReX 1.2."
+    assert simulator.show()["motors"][0]["direction"] == "brake"
+    assert "Not armed" in window.text("motorStateLabel")
+
+
+def test_board_that_cannot_be_heard_is_stopped(
+    connected: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    window = connected
+    window.click("runButton")
+    window.motors.set_speed(2, 90)
+    wait_for_speed(window, simulator, 1, 90)
+    simulator.do("line mute on")
+    window.wait(lambda: window.device.link is Link.SILENT)
+    wait_for_brake(window, simulator, 1)
+    assert window.open_page("statusPage").text("modelValue") == "N/A"
+    simulator.do("line mute off")
+    window.wait(lambda: window.device.link is Link.UP)
+    assert not window.motors.armed
+
+
+def test_missing_and_busy_ports_are_named(window: WindowDriver, simulator: SimulatedDevice) -> None:
+    connector, ports = window.program.connector, window.program.ports
+    connector.connect_to(ports.add_typed("/dev/ttyNothing7"))
+    window.wait_for_text("bannerText", "There is no port /dev/ttyNothing7")
+    assert window.device.link is Link.NONE
+
+    other = open_transport(LinkSettings(simulator.url))
+    connector.connect_to(ports.add_typed(simulator.url))
+    window.wait_for_text("bannerText", "in use")
+    other.close()

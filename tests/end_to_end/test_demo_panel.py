@@ -1,0 +1,293 @@
+"""The Demo TReX is operated on its panel, and the program shows it."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSlider,
+    QCheckBox,
+    QComboBox,
+    QDockWidget,
+    QTableWidget,
+    QWidget,
+)
+
+from tests.support.demo_panels import reached_by_tab, stand_in_order
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import LEFT, WidgetDriver, WindowDriver
+from trex_gui.model.connection import Link
+from trex_gui.model.demo_snapshot import DemoSnapshot
+from trex_gui.protocol.flags import CHANNELS, Mode
+from trex_gui.views.widgets.stick_slider import StickSlider
+
+CONTROLS = {
+    *("demoPower", "demoPowerCycle", "demoBattery", "demoMode", "demoMix", "demoSoGround"),
+    *(f"demo{what}{channel}" for what in ("Input", "NoSignal") for channel in CHANNELS),
+    *("demoAutomatic", "demoCentre", "demoLoad1", "demoLoad2", "demoFault1", "demoFault2"),
+    *("demoCable", "demoMute", "demoNoise", "demoByteError", "demoSpoil", "demoFactory"),
+}
+
+
+class DemoPanel(WidgetDriver):
+    """The panel of the Demo TReX."""
+
+    def __init__(self, window: WindowDriver) -> None:
+        super().__init__(window.find(QDockWidget, "demoPanel"), window.qtbot)
+        self._window = window
+        self._demo = window.program.connector.demo_board
+
+    @property
+    def board(self) -> DemoSnapshot:
+        snapshot = self._demo.snapshot
+        assert snapshot is not None
+        return snapshot
+
+    def wait_for(self, link: Link) -> None:
+        self.wait(lambda: self._window.device.link is link)
+
+    def drag_stick(self, name: str, share: float) -> StickSlider:
+        """Drag a slider to a share of its range."""
+        slider = self.find(StickSlider, name)
+        span = slider.maximum() - slider.minimum()
+        self.drag(name, slider.minimum() + round(share * span))
+        return slider
+
+    def choose(self, name: str, data: str) -> None:
+        """Select an entry of a combo box with the keyboard."""
+        combo = self.combo(name)
+        combo.setFocus()
+        QTest.keyClick(combo, Qt.Key.Key_Home)
+        for _ in range(combo.findData(data)):
+            QTest.keyClick(combo, Qt.Key.Key_Down)
+        assert combo.currentData() == data
+
+    def pull_cable(self) -> None:
+        self.click("demoCable")
+        self.wait_for(Link.NONE)
+        self.wait(lambda: not self.board.line.plugged)
+
+    def plug_cable(self) -> None:
+        self.click("demoCable")
+        self.wait(lambda: self.board.line.plugged)
+
+    def controls(self) -> list[QWidget]:
+        kinds = (QAbstractButton, QAbstractSlider, QComboBox)
+        return [
+            widget
+            for widget in self.root.findChildren(QWidget)
+            if isinstance(widget, kinds) and widget.objectName().startswith("demo")
+        ]
+
+
+@pytest.fixture
+def panel(window: WindowDriver) -> DemoPanel:
+    """The panel, with the Demo TReX connected."""
+    window.connect_to_demo()
+    window.wait(lambda: window.program.connector.demo_board.snapshot is not None)
+    panel = DemoPanel(window)
+    assert panel.root.isVisible()
+    return panel
+
+
+def error_counts(window: WindowDriver) -> dict[str, int]:
+    """Return what the table of the status page counts."""
+    table = window.find(QTableWidget, "errorsTable")
+    counts = {}
+    for row in range(table.rowCount()):
+        name, count = table.item(row, 0), table.item(row, 1)
+        assert name is not None
+        assert count is not None
+        counts[name.text()] = int(count.text())
+    return counts
+
+
+def test_sticks_move_the_channels(window: WindowDriver, panel: DemoPanel) -> None:
+    telemetry = window.device.telemetry
+    window.wait(lambda: telemetry.raw is not None)
+    first = telemetry.raw
+    window.wait(lambda: telemetry.raw != first)
+
+    page = window.open_page("channelsPage")
+    wanted = panel.drag_stick("demoInput1", 0.9).value()
+    assert 1900 < wanted < 2100
+    page.wait(lambda: page.text("channel1Input").startswith(f"{wanted} µs"))
+    panel.wait(lambda: panel.text("demoValue1") == f"{wanted}\u00a0µs")
+    automatic = panel.find(QCheckBox, "demoAutomatic")
+    assert automatic.checkState() is Qt.CheckState.PartiallyChecked
+
+    slider = panel.find(StickSlider, "demoInput2")
+    slider.setFocus()
+    QTest.keyClick(slider, Qt.Key.Key_End)
+    page.wait(lambda: page.text("channel2Input").startswith("2100 µs"))
+    QTest.mouseDClick(slider, LEFT)
+    page.wait(lambda: page.text("channel2Input").startswith("1500 µs"))
+
+    panel.click("demoNoSignal3")
+    page.wait_for_text("channel3Input", "no signal")
+    panel.wait(lambda: not panel.is_enabled("demoInput3"))
+    panel.click("demoNoSignal3")
+    page.wait_for_text("channel3Input", "µs")
+
+    panel.click("demoAutomatic")
+    assert window.program.connector.demo_board.automatic == set(CHANNELS)
+    slider = panel.find(StickSlider, "demoInput1")
+    before = slider.value()
+    panel.wait(lambda: slider.value() != before)
+
+
+def test_faults_are_counted_on_the_status_page(window: WindowDriver, panel: DemoPanel) -> None:
+    panel.click("demoFault2")
+    window.wait(lambda: error_counts(window)["Motor 2 fault"] > 0)
+    assert error_counts(window)["Motor 1 fault"] == 0
+    for error, name in (("framing", "Framing error"), ("overrun", "Data overrun")):
+        assert error_counts(window)[name] == 0
+        panel.choose("demoByteError", error)
+        panel.click("demoSpoil")
+        window.wait(lambda name=name: error_counts(window)[name] > 0)  # type: ignore[misc]
+
+    panel.drag_stick("demoNoise", 1)
+    panel.wait(lambda: panel.board.line.noise == pytest.approx(0.05))
+    counters = window.device.counters
+    window.wait(lambda: window.device.counters != counters)
+    panel.drag_stick("demoNoise", 0)
+    panel.wait(lambda: panel.board.line.noise == 0)
+    panel.wait_for(Link.UP)
+
+    panel.click("demoMute")
+    panel.wait_for(Link.SILENT)
+    panel.click("demoMute")
+    panel.wait_for(Link.UP)
+
+
+def test_power_and_jumpers_change_the_mode(window: WindowDriver, panel: DemoPanel) -> None:
+    panel.click("demoPower")
+    panel.wait_for(Link.SILENT)
+    assert "stopped answering" in window.text("statusLabel")
+    panel.wait_for_text("demoState", "power is off")
+    panel.click("demoPower")
+    panel.wait_for(Link.UP)
+
+    panel.click("demoCentre")
+    panel.choose("demoMode", "rc")
+    panel.wait(lambda: panel.text("demoHint") == "Power cycle to enter RC mode.")
+    page = window.open_page("statusPage")
+    assert page.text("modeValue").startswith("Serial mode")
+    panel.click("demoPowerCycle")
+    panel.wait(lambda: panel.board.mode is Mode.RC)
+    page.wait(lambda: page.text("modeValue").startswith("RC mode"))
+    panel.wait(lambda: "enter" not in panel.text("demoHint"))
+
+    panel.drag_stick("demoInput1", 1)
+    panel.click("demoPowerCycle")
+    panel.wait_for_text("demoState", "Safe-start")
+    panel.wait(lambda: panel.board.leds.green == "fast flash")
+    panel.click("demoCentre")
+    panel.wait_for_text("demoState", "The sticks control")
+
+
+def test_panel_guides_learning_and_resets_to_the_factory_state(panel: DemoPanel) -> None:
+    panel.choose("demoMode", "rc")
+    panel.click("demoMix")
+    panel.click("demoSoGround")
+    panel.wait(lambda: panel.text("demoHint") == "Power cycle to learn the inputs.")
+    panel.click("demoPowerCycle")
+    panel.wait_for_text("demoState", "take the Mix jumper off")
+    panel.click("demoMix")
+    panel.wait_for_text("demoState", "leave the sticks")
+
+    panel.choose("demoMode", "analog")
+    panel.click("demoPowerCycle")
+    panel.drag_stick("demoInput4", 0.1)
+    panel.click("demoNoSignal5")
+    panel.wait(lambda: not panel.board.channels[4].has_signal)
+    panel.click("demoFactory")
+    panel.wait(lambda: panel.board.mode is Mode.SERIAL_RC)
+    panel.wait(lambda: panel.board.channels[4].has_signal)
+    assert panel.combo("demoMode").currentData() == "serial"
+    panel.wait_for(Link.UP)
+
+
+def test_motors_draw_current_and_outlast_a_pulled_cable(
+    window: WindowDriver, panel: DemoPanel
+) -> None:
+    panel.drag_stick("demoLoad1", 0.3)
+    window.motors.arm()
+    window.motors.set_speed(1, 127)
+    panel.wait(lambda: panel.board.motors[0].speed == 127)
+    panel.wait(lambda: panel.board.motors[0].current > 5)
+    panel.wait_for_text("demoMotor1", "forward 127")
+
+    panel.pull_cable()
+    assert "motors may still turn" in window.text("motorStateLabel")
+    assert panel.text("demoMotor1").startswith("forward 127")
+    panel.plug_cable()
+    window.click("connectButton")
+    panel.wait_for(Link.UP)
+    panel.wait(lambda: panel.board.motors[0].direction == "brake")
+    panel.wait(lambda: not window.device.may_move)
+
+
+def test_cable_is_pulled_and_plugged(window: WindowDriver, panel: DemoPanel) -> None:
+    panel.pull_cable()
+    assert "is gone" in window.text("bannerText")
+    assert panel.root.isVisible()
+    panel.wait_for_text("demoState", "The cable is out")
+    assert not panel.is_enabled("demoNoise")
+
+    window.click("connectButton")
+    assert "Tick “Plugged in” on its panel" in window.text("bannerText")
+    assert window.device.link is Link.NONE
+    assert panel.root.isVisible()
+    assert window.text("statusLabel") == "Not connected."
+    assert window.is_enabled("connectButton")
+
+    panel.click("demoCable")
+    panel.wait(lambda: panel.text("demoState") == "The cable is in again. Press Connect.")
+    window.click("connectButton")
+    panel.wait_for(Link.UP)
+    panel.wait(lambda: panel.text("demoState").startswith("Serial mode."))
+    assert window.program.connector.port == window.program.ports.demo
+
+    panel.pull_cable()
+    panel.plug_cable()
+    window.select("portCombo", window.program.ports.demo)
+    panel.wait_for(Link.UP)
+
+    panel.click("demoPower")
+    panel.pull_cable()
+    panel.plug_cable()
+    panel.wait_for_text("demoState", "Switch it on")
+
+
+def test_other_board_disconnects_while_the_demo_cable_is_out(
+    window: WindowDriver, panel: DemoPanel, quick_simulator: SimulatedDevice
+) -> None:
+    panel.pull_cable()
+    window.connect(quick_simulator.url)
+    assert panel.root.isHidden()
+    connector = window.program.connector
+    connector.connect_to(window.program.ports.demo)
+    panel.wait_for(Link.NONE)
+    assert connector.port is None
+    assert "Tick “Plugged in” on its panel" in window.text("bannerText")
+    assert panel.root.isVisible()
+
+
+def test_controls_have_names_and_are_reached_by_tab(window: WindowDriver, panel: DemoPanel) -> None:
+    assert {control.objectName() for control in panel.controls()} == CONTROLS
+    for control in panel.controls():
+        interface = QAccessible.queryAccessibleInterface(control)
+        assert interface is not None
+        assert interface.text(QAccessible.Text.Name), control.objectName()
+        assert control.toolTip(), control.objectName()
+
+    window.root.activateWindow()
+    first = panel.button("demoPower")
+    first.setFocus()
+    panel.wait(first.hasFocus)
+    reached = reached_by_tab("demoFactory")
+    assert set(reached) == CONTROLS
+    assert len(reached) == len(set(reached))
+    assert stand_in_order(panel.root, reached)

@@ -1,0 +1,259 @@
+"""Settings files are opened and saved with a board connected."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QDialog, QMessageBox
+
+from tests.support.bad_files import BAD_FILES
+from tests.support.pages.settings import ComparisonDialog, SettingsFiles, answer_questions
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.window import WindowDriver
+from trex_gui.export.language import Language
+from trex_gui.protocol.calibration import Calibration
+
+ROVER = """product: TReX
+serial_timeout: 5
+motor_mode: 0
+motor1_acceleration: 7
+rc_channel_2: {minimum: 2600, neutral: 3700, maximum: 4900, deadband: 60}
+"""
+ANALOG = "analog_channel_1: {minimum: 10, neutral: 500, maximum: 1000, deadband: 9}\n"
+
+
+@pytest.fixture
+def files(connected_window: WindowDriver) -> SettingsFiles:
+    return SettingsFiles(connected_window)
+
+
+def apply(window: WindowDriver) -> None:
+    window.device.apply()
+    window.wait(lambda: window.device.pending == 0)
+
+
+def test_load_dialog_compares_the_file_with_the_board(
+    connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
+) -> None:
+    window, device = connected_window, connected_window.device
+    saved = tmp_path / "board.txt"
+    files.files.save_file(saved)
+    assert saved.read_text(encoding="utf-8").startswith("product: TReX\n")
+    dialog = files.load(saved)
+    assert "28 parameters: 0 will change, 28 match" in dialog.text("comparisonSummary")
+    assert "5 calibrations: 0 will change, 5 match" in dialog.text("comparisonSummary")
+    assert not dialog.is_enabled("takeChangesButton")
+
+    dialog = files.load(tmp_path / "rover.txt", ROVER)
+    assert "rover.txt: settings for a TReX." in dialog.text("loadHead")
+    summary = "3 parameters: 2 will change, 1 match; 1 calibration: 1 will change"
+    assert summary in dialog.text("comparisonSummary")
+    assert "stay as they are" in dialog.text("loadFoot")
+    assert "Make 3 changes edits" in dialog.button_text()
+    assert any("24 of 27 parameters are missing" in text for _, text in dialog.findings())
+    assert device.pending == 0
+
+    dialog.click("tickNoneButton")
+    assert not dialog.is_enabled("takeChangesButton")
+    device.parameters.edit("motor_mode", 1)
+    assert "3 parameters: 3 will change, 0 match" in dialog.text("comparisonSummary")
+    assert "Make 1 change an edit" in dialog.button_text()
+
+    window.disconnect()
+    window.wait_for_text("bannerText", "rover.txt was not loaded: no board is connected any more")
+    assert files.load_dialogs() == []
+
+
+def test_checked_rows_become_edits_and_a_snapshot_reverts_them(
+    connected_window: WindowDriver,
+    files: SettingsFiles,
+    quick_simulator: SimulatedDevice,
+    tmp_path: Path,
+) -> None:
+    window, device = connected_window, connected_window.device
+    dialog = files.load(tmp_path / "rover.txt", ROVER)
+    dialog.toggle("Motor 1 Acceleration")
+    with window.qtbot.waitSignal(files.files.staged):
+        dialog.click("takeChangesButton")
+    assert "2 changes are edits now" in window.text("bannerText")
+    assert window.window.pages.currentWidget().objectName() == "parametersPageArea"
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
+    window.trigger("undo")
+    assert device.pending == 0, "loading is one step"
+    window.trigger("redo")
+    apply(window)
+    parameters = quick_simulator.show()["parameters"]
+    assert (parameters["serial_timeout"], parameters["motor1_acceleration"]) == (5, 0)
+    stored = device.calibrations.stored(2)
+    assert stored is not None
+    assert (stored.minimum, stored.deadband) == (2600, 60)
+
+    (snapshot,) = device.history.snapshots()
+    files.files.open_file(snapshot.path, remember=False)
+    files.load_dialog().click("takeChangesButton")
+    assert device.parameters.pending == (("serial_timeout", 0),)
+    apply(window)
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
+    assert len(device.history.snapshots()) == 2
+
+
+def test_edits_of_every_page_are_undone_from_the_menu(connected_window: WindowDriver) -> None:
+    window, device = connected_window, connected_window.device
+    undo = window.action("undo")
+    assert not undo.isEnabled()
+    device.parameters.edit("serial_timeout", 5)
+    device.calibrations.edit(2, Calibration(2600, 3700, 4900, 60))
+    assert undo.text().endswith("Calibration of channel 2")
+    window.trigger("undo")
+    assert undo.text().endswith("Serial Timeout")
+    window.trigger("undo")
+    assert device.pending == 0
+    assert not undo.isEnabled()
+    window.trigger("redo")
+    window.trigger("redo")
+    assert device.pending == 2
+
+
+def test_bad_files_change_nothing_and_name_the_lines(
+    connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
+) -> None:
+    path = tmp_path / "bad.txt"
+    for bad in BAD_FILES:
+        path.write_bytes(bad.data)
+        files.files.open_file(path)
+        if bad.is_text:
+            dialog = files.load_dialog()
+            assert "Nothing was changed" in dialog.text("loadTrouble"), bad.name
+            line = "" if bad.line is None else str(bad.line)
+            assert any(
+                line == at and bad.words.lower() in text.lower() for at, text in dialog.findings()
+            ), bad.name
+            assert not dialog.is_enabled("takeChangesButton"), bad.name
+            dialog.root.close()
+        else:
+            assert files.load_dialogs() == [], bad.name
+            assert "bad.txt was not opened" in connected_window.text("bannerText"), bad.name
+            assert bad.words in connected_window.text("bannerText"), bad.name
+        assert connected_window.device.pending == 0, bad.name
+
+    files.files.open_file(tmp_path / "nowhere.txt")
+    assert "nowhere.txt was not opened" in connected_window.text("bannerText")
+
+
+def test_load_dialog_explains_what_does_not_fit(
+    connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
+) -> None:
+    device = connected_window.device
+    text = "product: TReX\nfirmware: 1.0\nserial_timeout: 5\n"
+    dialog = files.load(tmp_path / "older.txt", text)
+    assert "with firmware 1.0; the board has" in dialog.text("loadHead")
+    assert dialog.text("comparisonSummary") == "1 parameter: 1 will change, 0 match."
+
+    dialog = files.load(tmp_path / "analog.txt", f"product: TReX\n{ANALOG}")
+    assert "analog calibrations are left out" in dialog.text("comparisonLeftOut")
+
+    text = "# small\nproduct: TReX Jr\nserial_timeout: 5\n"
+    dialog = files.load(tmp_path / "junior.txt", text)
+    assert "for another board" in dialog.text("loadTrouble")
+    line, message = dialog.findings()[0]
+    assert line == "2"
+    assert "settings of a TReX Jr" in message
+    assert not dialog.is_enabled("takeChangesButton")
+    dialog.click("editFileButton")
+    assert files.editor().document.name == "junior.txt"
+    assert device.pending == 0
+    files.files.close_all()
+
+
+def test_settings_that_the_firmware_lacks_are_left_out(
+    window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
+) -> None:
+    window.connect(start_simulator("--firmware", "1.0", "--unpaced").url)
+    text = "product: TReX\nfirmware: 1.2\nuart_response_delay: 1\nserial_timeout: 5\n"
+    dialog = SettingsFiles(window).load(tmp_path / "newer.txt", text)
+    assert "with firmware 1.2; the board has 1.0" in dialog.text("loadHead")
+    assert "firmware 1.0 does not have it" in dialog.text("comparisonLeftOut")
+    dialog.click("takeChangesButton")
+    assert window.device.parameters.pending == (("serial_timeout", 5),)
+
+
+def test_editor_compares_with_the_board_and_sends_to_it(
+    connected_window: WindowDriver,
+    files: SettingsFiles,
+    quick_simulator: SimulatedDevice,
+    tmp_path: Path,
+) -> None:
+    window = connected_window
+    path = tmp_path / "rover.txt"
+    path.write_text("product: TReX\nserial_timeout: 0\n", encoding="utf-8")
+    files.files.edit_file(path)
+    editor = files.editor()
+    editor.editor.compare_with_board()
+    comparison = ComparisonDialog(editor.find(QDialog, "compareDialog"), window.qtbot)
+    assert "1 match" in comparison.text("comparisonSummary")
+    window.device.parameters.edit("serial_timeout", 5)
+    comparison.wait_for_text("comparisonSummary", "0 match")
+    window.device.discard_edits()
+
+    editor.edit("serial_timeout", 9)
+    editor.action("Send").trigger()
+    dialog = files.load_dialog()
+    assert not dialog.has("editFileButton")
+    dialog.click("takeChangesButton")
+    apply(window)
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 9
+    assert path.read_text(encoding="utf-8") == "product: TReX\nserial_timeout: 0\n"
+    window.disconnect()
+    assert not editor.action("Send").isEnabled()
+    files.files.close_all()
+
+
+def test_saving_keeps_comments_and_asks_before_replacing(
+    connected_window: WindowDriver,
+    files: SettingsFiles,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    path = tmp_path / "rover.txt"
+    text = f"product: TReX\n# my rover\nserial_timeout: 9  # for the bench\n{ANALOG}"
+    path.write_text(text, encoding="utf-8")
+    connected_window.device.parameters.edit("serial_timeout", 5)
+    files.files.save_file(path)
+    after = path.read_text(encoding="utf-8")
+    assert after.startswith(text.replace("9  # for", "5  # for"))
+    assert "motor_mode: 0" in after
+    kept = "analog calibrations, which the board does not show now, were kept"
+    assert kept in connected_window.text("bannerText")
+
+    for text in ("Dear diary\n", "product: TReX Jr\n"):
+        path.write_text(text, encoding="utf-8")
+        questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+        files.files.save_file(path)
+        assert "Replace it?" in questions[0], text
+        assert path.read_text(encoding="utf-8") == text
+        answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
+        files.files.save_file(path)
+        assert "motor_mode: 0" in path.read_text(encoding="utf-8"), text
+
+
+def test_settings_are_exported_as_code_and_printed(
+    connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
+) -> None:
+    window = connected_window
+    window.device.parameters.edit("serial_timeout", 5)
+    for language in Language:
+        path = tmp_path / f"board{language.suffix}"
+        files.files.export_file(path, language)
+        text = path.read_text(encoding="utf-8")
+        assert "Serial Timeout" in text, language
+        assert "0.5 s" in text, language
+        assert f"{path} applies and checks" in window.text("bannerText")
+    files.files.export_file(tmp_path / "missing" / "board.py", Language.PYTHON)
+    assert "was not written" in window.text("bannerText")
+
+    window.trigger("print")
+    preview = window.root.findChild(QDialog, "printPreviewDialog")
+    if preview is None:
+        assert "printing is not installed" in window.text("bannerText")
+    else:
+        assert preview.isVisible()
+        preview.close()

@@ -1,0 +1,146 @@
+"""Settings files are opened and saved in windows of their own, with nothing connected."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QListWidget, QMessageBox
+from shiboken6 import isValid
+
+from tests.support.bad_files import BAD_FILES
+from tests.support.pages.settings import SettingsFiles, answer_questions
+from tests.support.window import LEFT, WindowDriver
+
+TEXT = "product: TReX\n# my rover\nserial_timeout: 5  # 0.5 s\n"
+BEGINNINGS = (
+    ("Factory values of a TReX Jr, firmware 1.1", "motor_mode", 0),
+    ("Sample: A tank: two tracks, driven by radio with one stick", "parabolic_channels", 3),
+)
+
+
+@pytest.fixture
+def files(window: WindowDriver) -> Iterator[SettingsFiles]:
+    files = SettingsFiles(window)
+    yield files
+    files.files.close_all()
+
+
+@pytest.fixture
+def rover(tmp_path: Path) -> Path:
+    path = tmp_path / "rover.txt"
+    path.write_text(TEXT, encoding="utf-8")
+    return path
+
+
+def drop(window: WindowDriver, path: Path) -> None:
+    """Drag a file onto the window and drop it."""
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    how = (Qt.DropAction.CopyAction, data, LEFT)
+    key = Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(window.root, QDragEnterEvent(QPoint(5, 5), *how, key))
+    QApplication.sendEvent(window.root, QDropEvent(QPointF(5, 5), *how, key))
+
+
+def test_file_is_opened_edited_saved_and_closed(
+    window: WindowDriver, files: SettingsFiles, rover: Path, tmp_path: Path
+) -> None:
+    assert window.action("open").isEnabled()
+    files.files.open_file(rover)
+    editor = files.editor()
+    assert editor.root.isVisible()
+    assert editor.document.text == TEXT
+    assert not editor.action("Send").isEnabled()
+    files.files.open_file(rover)
+    assert len(files.files.editors) == 1, "it is open already"
+
+    editor.edit("serial_timeout", 15)
+    editor.action("Save").trigger()
+    assert rover.read_text(encoding="utf-8") == TEXT.replace("5  # 0.5 s", "15  # 1.5 s")
+    assert not editor.document.modified
+
+    other = tmp_path / "other.txt"
+    other.write_text(TEXT, encoding="utf-8")
+    files.files.open_file(other)
+    assert len(files.files.editors) == 2
+    editor.action("Close").trigger()
+    window.wait(lambda: not isValid(editor.root))
+    assert [each.document.name for each in files.files.editors] == ["other.txt"]
+
+
+def test_bad_file_opens_as_text_or_is_refused(
+    window: WindowDriver, files: SettingsFiles, tmp_path: Path
+) -> None:
+    path = tmp_path / "bad.txt"
+    for bad in BAD_FILES:
+        path.write_bytes(bad.data)
+        files.files.open_file(path)
+        if bad.is_text:
+            findings = files.editor().document.findings
+            assert any(bad.words in each.message and each.line == bad.line for each in findings), (
+                bad.name
+            )
+            files.files.close_all()
+        else:
+            assert not files.files.editors, bad.name
+            assert "bad.txt was not opened" in window.text("bannerText"), bad.name
+            assert bad.words in window.text("bannerText"), bad.name
+        assert path.read_bytes() == bad.data, bad.name
+
+
+def test_new_file_begins_with_the_chosen_settings(
+    window: WindowDriver, files: SettingsFiles, tmp_path: Path
+) -> None:
+    for beginning, key, value in BEGINNINGS:
+        window.trigger("new")
+        dialog = window.dialog("newSettingsDialog")
+        beginnings = dialog.find(QListWidget, "beginningsList")
+        (item,) = beginnings.findItems(beginning, Qt.MatchFlag.MatchExactly)
+        beginnings.setCurrentItem(item)
+        box = dialog.root.findChild(QDialogButtonBox)
+        assert box is not None
+        QTest.mouseClick(box.button(QDialogButtonBox.StandardButton.Ok), LEFT)
+        editor = files.editor()
+        assert editor.document.draft.parameters.value_of(key) == value, beginning
+        assert not editor.root.isWindowModified()
+        assert editor.editor.save_to(tmp_path / "mine.txt")
+        assert editor.root.windowTitle().startswith("mine.txt")
+        files.files.close_all()
+        window.wait(lambda: not window.has("newSettingsDialog"))
+
+
+def test_closing_the_program_asks_about_unsaved_files(
+    window: WindowDriver, files: SettingsFiles, rover: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files.files.open_file(rover)
+    editor = files.editor()
+    editor.edit("serial_timeout", 15)
+    questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    assert not window.window.close()
+    assert "rover.txt has changes that are not saved" in questions[0]
+    assert editor.root.isVisible()
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Discard)
+    assert window.window.close()
+    assert not files.files.editors
+    assert rover.read_text(encoding="utf-8") == TEXT
+
+
+def test_dropped_text_file_opens(window: WindowDriver, files: SettingsFiles, rover: Path) -> None:
+    drop(window, rover.with_name("rover.png"))
+    window.wait_for_text("bannerText", "rover.png was not opened")
+    assert files.files.editors == []
+    drop(window, rover)
+    window.wait(lambda: len(files.files.editors) == 1)
+
+
+def test_editor_keys_do_not_reach_the_board(window: WindowDriver) -> None:
+    """Ctrl+P applies settings there and prints here; Esc stops the motors everywhere."""
+    for key, context in (
+        ("apply", Qt.ShortcutContext.WindowShortcut),
+        ("undo", Qt.ShortcutContext.WindowShortcut),
+        ("stop", Qt.ShortcutContext.ApplicationShortcut),
+    ):
+        assert window.action(key).shortcutContext() is context, key

@@ -1,0 +1,204 @@
+"""The page of the transcript: everything that goes over the line."""
+
+import re
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QCheckBox, QFileDialog, QLineEdit, QPlainTextEdit
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.views.transcript.page import TranscriptPage
+from trex_gui.views.transcript.table import RECEIVED, SENT, WORDS
+from trex_gui.views.transcript.table_view import TranscriptView
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+
+
+class TrafficPage(WidgetDriver):
+    """The page of the transcript, open."""
+
+    def __init__(self, window: WindowDriver) -> None:
+        super().__init__(window.open_page("transcriptPage").root, window.qtbot)
+        self.view = self.find(TranscriptView, "transcriptView")
+        self._transcript = window.device.transcript
+
+    def column(self, column: int) -> list[str]:
+        """Return the texts of a column from the top."""
+        model = self.view.model()
+        return [str(model.index(row, column).data()) for row in range(self.rows)]
+
+    @property
+    def rows(self) -> int:
+        return self.view.model().rowCount()
+
+    def shows(self, text: str) -> bool:
+        """Return whether a row says this."""
+        return any(text in words for words in self.column(WORDS))
+
+    def wait_for_row(self, text: str) -> None:
+        self.wait(lambda: self.shows(text))
+
+    def row_of_signature(self) -> int:
+        """Return where the signature was requested; where a reply was late, the last time."""
+        return max(row for row, sent in enumerate(self.column(SENT)) if sent == "81")
+
+    def check(self, name: str, on: bool = True) -> None:
+        """Check or clear a box."""
+        if self.find(QCheckBox, name).isChecked() is not on:
+            self.click(name)
+        assert self.find(QCheckBox, name).isChecked() is on
+
+    def wait_for_traffic(self) -> None:
+        """Wait until 50 more transactions have taken place."""
+        before = self._transcript.everything.count
+        self.wait(lambda: self._transcript.everything.count > before + 50)
+
+    @property
+    def summary(self) -> str:
+        return self.text("transcriptSummary")
+
+    @property
+    def faults(self) -> int:
+        """Return how many the summary counts."""
+        found = re.search(r"faults: ([\d,]+)", self.summary)
+        assert found is not None
+        return int(found[1].replace(",", ""))
+
+
+@pytest.fixture
+def page(window: WindowDriver) -> TrafficPage:
+    return TrafficPage(window)
+
+
+def test_traffic_is_listed_from_connect_to_disconnect(
+    window: WindowDriver, page: TrafficPage, simulator: SimulatedDevice
+) -> None:
+    assert page.rows == 0
+    window.connect(simulator.url)
+    page.wait_for_row("get Serial Timeout → off (0)")
+    assert "Opened" in page.column(WORDS)[0]
+    row = page.row_of_signature()
+    assert page.column(RECEIVED)[row] == "54 52 65 58 31 2E 32"
+    assert page.column(WORDS)[row] == "get signature → TReX 1.2"
+    assert not page.shows("get currents"), "polling is hidden"
+
+    window.device.parameters.edit("serial_timeout", 15)
+    with window.qtbot.waitSignal(window.device.applied):
+        window.device.apply()
+    page.wait_for_row("set Serial Timeout to 1.5 s (15) → stored")
+
+    window.disconnect()
+    page.wait_for_row("Closed.")
+    assert page.shows("get Serial Timeout")
+    window.connect(simulator.url)
+    page.wait(lambda: sum("Opened" in text for text in page.column(WORDS)) == 2)
+    page.click("transcriptClearButton")
+    assert not page.shows("get Serial Timeout")
+    assert not page.shows("Closed.")
+    window.disconnect()
+    page.wait_for_row("Closed.")
+
+
+def test_traffic_is_searched_and_faults_are_listed_alone(
+    window: WindowDriver, page: TrafficPage, simulator: SimulatedDevice
+) -> None:
+    window.connect(simulator.url)
+    page.wait_for_row("get Serial Timeout")
+    QTest.keyClick(page.root, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
+    search = page.find(QLineEdit, "transcriptSearch")
+    QTest.keyClicks(search, "serial timeout")
+    # Once, or again where a reply was late.
+    page.wait(lambda: len(set(page.column(SENT))) == 1)
+    search.setText("9f 07")
+    page.wait(lambda: set(page.column(SENT)) == {"9F 07"})
+    search.setText("no board says this")
+    page.wait(lambda: page.rows == 0)
+    search.clear()
+    page.wait_for_row("get signature")
+
+    page.wait(lambda: "faults: " in page.summary)
+    before = page.faults
+    simulator.do("line drop 4")
+    page.wait(lambda: page.faults > before)
+    page.check("transcriptFaults")
+    page.wait(lambda: page.rows > 0)
+    for row in range(page.rows):
+        index = page.view.model().index(row, WORDS)
+        assert str(index.data(Qt.ItemDataRole.AccessibleTextRole)).startswith("Fault: ")
+
+
+def test_polling_is_shown_on_demand_and_can_be_paused(
+    window: WindowDriver, page: TrafficPage, simulator: SimulatedDevice
+) -> None:
+    window.connect(simulator.url)
+    page.check("transcriptPolling")
+    page.wait_for_row("get currents of both motors → motor 1: 0.00 A")
+    assert "polling is hidden" not in page.summary
+
+    bar = page.view.verticalScrollBar()
+    page.wait(lambda: bar.maximum() > 200)
+    page.wait(lambda: bar.value() == bar.maximum())
+    bar.setValue(10)
+    count = page.rows
+    page.wait(lambda: page.rows > count + 20)
+    assert bar.value() == 10, "new rows do not scroll"
+
+    page.check("transcriptPause")
+    count = page.rows
+    page.wait_for_traffic()
+    assert page.rows == count
+    assert "held still" in page.summary
+    page.check("transcriptFaults")
+    page.check("transcriptFaults", on=False)
+    assert page.rows == count, "nor does a search bring in what is newer"
+    page.check("transcriptPause", on=False)
+    page.wait(lambda: page.rows > count + 50)
+
+    page.check("transcriptPolling", on=False)
+    assert not page.shows("get currents")
+    assert "polling is hidden" in page.summary
+
+
+def test_rows_are_shown_in_full_copied_and_saved(
+    window: WindowDriver,
+    page: TrafficPage,
+    simulator: SimulatedDevice,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    window.connect(simulator.url)
+    page.wait_for_row("get Serial Timeout")
+    row = page.row_of_signature()
+    page.view.selectRow(row)
+    details = page.find(QPlainTextEdit, "transcriptDetails")
+    assert "received  54 52 65 58 31 2E 32" in details.toPlainText()
+    assert "at 19200 8N1" in details.toPlainText()
+    assert "8 bytes need 4.2 ms on this wire" in details.toPlainText()
+    details.selectAll()
+    selected = details.textCursor().selectedText()
+    page.wait_for_traffic()
+    assert page.view.currentIndex().row() == row
+    assert details.textCursor().selectedText() == selected, "to be copied"
+
+    page.view.setFocus()
+    page.click("transcriptCopyButton")
+    text = QGuiApplication.clipboard().text()
+    assert text.count("\n") == 1
+    assert text.endswith("get signature → TReX 1.2\n")
+    page.view.clearSelection()
+    page.click("transcriptCopyButton")
+    assert QGuiApplication.clipboard().text().count("\n") == page.rows
+
+    path = tmp_path / "line"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    assert isinstance(page.root, TranscriptPage)
+    with window.qtbot.waitSignal(page.root.told):
+        page.click("transcriptSaveButton")
+    text = path.with_suffix(".txt").read_text(encoding="utf-8")
+    assert "get Serial Timeout → off (0)" in text
+    assert "get currents" not in text

@@ -1,0 +1,48 @@
+"""The page of the parameters."""
+
+from PySide6.QtCore import QModelIndex, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QSpinBox
+
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.model.parameter_filter import ParameterFilter
+from trex_gui.model.parameters import Column
+from trex_gui.views.widgets.parameter_view import ParameterView
+
+
+class ParametersPage(WidgetDriver):
+    """The page of the parameters; making this object opens it."""
+
+    def __init__(self, window: WindowDriver) -> None:
+        super().__init__(window.open_page("parametersPage").root, window.qtbot)
+        self._model = window.device.parameters
+        self.view = self.find(ParameterView, "parametersView")
+
+    def index_of(self, key: str) -> QModelIndex:
+        """Return where the value of a parameter is in the view."""
+        rows = self.view.model()
+        assert isinstance(rows, ParameterFilter)
+        return rows.mapFromSource(self._model.index_of(key, Column.VALUE))
+
+    def type_value(self, key: str, text: str) -> QSpinBox:
+        """Open the editor of a parameter with the mouse, type and press Enter."""
+        index = self.index_of(key)
+        self.view.scrollTo(index)
+        place = self.view.visualRect(index).center()
+        left = Qt.MouseButton.LeftButton
+        QTest.mouseClick(self.view.viewport(), left, pos=place)
+        QTest.mouseDClick(self.view.viewport(), left, pos=place)
+        editor = self.view.indexWidget(index)
+        assert isinstance(editor, QSpinBox)
+        editor.selectAll()
+        QTest.keyClicks(editor, text)
+        QTest.keyClick(editor, Qt.Key.Key_Return)
+        return editor
+
+    def edit(self, key: str, text: str) -> None:
+        """Type a value that is accepted; the editor closes."""
+        self.type_value(key, text)
+        self.wait_for_no_editor(key)
+
+    def wait_for_no_editor(self, key: str) -> None:
+        self.wait(lambda: self.view.indexWidget(self.index_of(key)) is None)

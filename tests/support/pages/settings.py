@@ -1,0 +1,189 @@
+"""Settings in dialogs and windows: the review, the power cycle, files and the history."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDialog, QMessageBox, QTableView, QTableWidget, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import WidgetDriver, WindowDriver
+from trex_gui.model.comparison_table import ComparisonColumn, ComparisonRole
+from trex_gui.model.connection import Link
+from trex_gui.views.settings_editor.window import SettingsEditor
+
+
+class ComparisonDialog(WidgetDriver):
+    """A dialog with a table of settings, two values of each."""
+
+    @property
+    def table(self) -> QTableView:
+        return self.find(QTableView, "comparisonTable")
+
+    def rows(self) -> list[list[str]]:
+        """Return the text of every cell."""
+        model = self.table.model()
+        return [
+            [str(model.index(row, column).data()) for column in range(model.columnCount())]
+            for row in range(model.rowCount())
+        ]
+
+    def values(self) -> dict[str, tuple[str, str]]:
+        """Return both values of each setting by its key."""
+        model = self.table.model()
+        keys = [model.index(row, 0).data(ComparisonRole.KEY) for row in range(model.rowCount())]
+        return {key: (row[1], row[2]) for key, row in zip(keys, self.rows(), strict=True)}
+
+    def toggle(self, setting: str) -> None:
+        """Check or clear the box of a setting with the keyboard."""
+        row = [row[0] for row in self.rows()].index(setting)
+        self.table.setCurrentIndex(self.table.model().index(row, ComparisonColumn.SETTING))
+        QTest.keyClick(self.table, Qt.Key.Key_Space)
+
+
+class ReviewDialog(ComparisonDialog):
+    """The review of edits before they are written, and the result of writing."""
+
+    def __init__(self, window: WindowDriver) -> None:
+        super().__init__(window.dialog("reviewDialog").root, window.qtbot)
+        self._window = window
+
+    @property
+    def head(self) -> str:
+        return self.text("reviewHead")
+
+    def open(self) -> None:
+        self._window.click("applyButton")
+        self.wait(self.root.isVisible)
+
+    def write(self) -> None:
+        """Open the review, write what is checked and wait for the result."""
+        self.open()
+        self.click("writeButton")
+        self.wait_for_text("reviewHead", "read back equal")
+
+    def close(self) -> None:
+        self.click("reviewCloseButton")
+        assert not self.root.isVisible()
+
+
+class SimulatedPower:
+    """The power switch of a simulated board, and how the program follows it."""
+
+    def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
+        self._window = window
+        self._simulator = simulator
+
+    def off(self) -> None:
+        self._simulator.do("power off")
+        self._window.wait(lambda: self._window.device.link is Link.SILENT)
+
+    def on(self) -> None:
+        self._simulator.do("power on")
+        self._window.wait(lambda: self._window.device.link is Link.UP)
+
+    def cycle(self) -> None:
+        self.off()
+        self.on()
+
+
+class LoadDialog(ComparisonDialog):
+    """The dialog that compares a settings file with the board."""
+
+    def findings(self) -> list[tuple[str, str]]:
+        """Return line and message of each finding."""
+        table = self.find(QTableWidget, "findingsTable")
+        cells = [[table.item(row, column) for column in (1, 3)] for row in range(table.rowCount())]
+        return [(line.text(), text.text()) for line, text in cells if line and text]
+
+    def button_text(self) -> str:
+        return self.button("takeChangesButton").text().replace("&", "")
+
+
+class SettingsFiles:
+    """Settings files as the window opens them."""
+
+    def __init__(self, window: WindowDriver) -> None:
+        self._window = window
+        self.files = window.program.desk.files
+
+    def load(self, path: Path, data: str | bytes | None = None) -> LoadDialog:
+        """Open a file, written with `data` before if given; return the dialog that it opens."""
+        if data is not None:
+            path.write_bytes(data if isinstance(data, bytes) else data.encode())
+        self.files.open_file(path)
+        return self.load_dialog()
+
+    def load_dialogs(self) -> list[LoadDialog]:
+        """Return the load dialogs that can be seen."""
+        dialogs = self._window.root.findChildren(QDialog, "loadSettingsDialog")
+        return [LoadDialog(each, self._window.qtbot) for each in dialogs if each.isVisible()]
+
+    def load_dialog(self) -> LoadDialog:
+        """Return the only load dialog that can be seen."""
+        (dialog,) = self.load_dialogs()
+        return dialog
+
+    def editor(self) -> "SettingsEditorWindow":
+        """Return the only editor."""
+        (editor,) = self.files.editors
+        return SettingsEditorWindow(editor, self._window.qtbot)
+
+
+class SettingsEditorWindow(WidgetDriver):
+    """The window of one settings file."""
+
+    def __init__(self, editor: SettingsEditor, qtbot: QtBot) -> None:
+        super().__init__(editor, qtbot)
+        self.editor = editor
+        self.document = editor.document
+
+    def action(self, key: str) -> QAction:
+        """Return the menu entry with this key."""
+        action = self.root.findChild(QAction, f"editor{key}Action")
+        assert isinstance(action, QAction), key
+        return action
+
+    def edit(self, key: str, value: int) -> None:
+        """Change a parameter to a wire value."""
+        self.document.draft.parameters.edit(key, value)
+
+
+class HistoryDialog(ComparisonDialog):
+    """The dialog of snapshots."""
+
+    def __init__(self, window: WindowDriver) -> None:
+        super().__init__(window.dialog("historyDialog").root, window.qtbot)
+        self._window = window
+
+    def open(self) -> None:
+        self._window.trigger("history")
+        self.wait(self.root.isVisible)
+
+    def count(self) -> int:
+        """Return how many snapshots are listed."""
+        return self.find(QTableView, "snapshotView").model().rowCount()
+
+    def select_snapshot(self, row: int) -> None:
+        self.find(QTableView, "snapshotView").selectRow(row)
+
+    def check_only(self, setting: str) -> None:
+        self.click("tickNoneButton")
+        self.toggle(setting)
+
+
+def answer_questions(
+    monkeypatch: pytest.MonkeyPatch, button: QMessageBox.StandardButton
+) -> list[str]:
+    """Press this button in every question; return the questions."""
+    questions: list[str] = []
+
+    def question(_window: QWidget, _title: str, text: str, *_: object) -> object:
+        questions.append(text)
+        return button
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    return questions
