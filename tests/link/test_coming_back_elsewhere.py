@@ -427,3 +427,10 @@ def test_a_board_that_is_there_is_seen_at_once() -> None:
     place = Place(replace(OLD, line=CRC))
     assert look_at(place.transport, place.old, echo=False)
     assert not look_at(place.transport, OLD, echo=False)
+
+
+def test_board_with_another_number_is_not_taken_for_the_expected_one() -> None:
+    place = Place()
+    number = place.board.eeprom["device_number"]
+    assert look_at(place.transport, replace(OLD, device_number=number), echo=False)
+    assert not look_at(place.transport, replace(OLD, device_number=number + 1), echo=False)

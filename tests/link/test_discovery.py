@@ -418,6 +418,12 @@ def test_several_boards_of_two_models_are_told_apart_by_the_full_search() -> Non
     ]
 
 
+def test_board_with_a_number_of_its_own_is_found_beside_two_that_share_one() -> None:
+    boards = [a_board(9), a_board(9, model="trexjr"), a_board(12)]
+    found = only(search(wire_of(*boards), full=True))
+    assert (str(found.signature), found.settings.device_number) == ("TReX 1.2", 12)
+
+
 def test_nothing_but_an_echo_is_told() -> None:
     board = a_board()
     board.power_off()

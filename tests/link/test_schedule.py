@@ -98,9 +98,11 @@ def test_an_unknown_topic_does_not_matter() -> None:
     assert schedule.next(0.0) is Topic.MODE
 
 
-def test_currents_are_asked_as_often_as_each_source_renews_them() -> None:
+def test_values_are_asked_as_often_as_each_source_renews_them() -> None:
     assert rates(InputSource.RC)[Topic.CURRENTS] == 80
     assert rates(InputSource.ANALOG)[Topic.CURRENTS] == 50
+    for source in InputSource:
+        assert rates(source)[Topic.RAW] == rates(source)[Topic.REMAPPED] == 50
 
 
 @pytest.mark.parametrize("source", list(InputSource))

@@ -127,6 +127,20 @@ def test_the_port_is_set_as_the_line_is(terminal: tuple[int, str], opened: Open)
     assert attributes[2] & termios.CSTOPB
 
 
+def test_adapter_is_asked_not_to_hold_bytes_back(
+    terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[bool] = []
+
+    def set_mode(_port: serial.Serial, low_latency: bool) -> None:
+        asked.append(low_latency)
+        raise OSError(errno.ENOTTY, "a terminal has no latency")
+
+    monkeypatch.setattr(serial.Serial, "set_low_latency_mode", set_mode)
+    opened(terminal[1])
+    assert asked == [True]
+
+
 def test_bytes_pass_as_they_are(terminal: tuple[int, str], opened: Open) -> None:
     master, path = terminal
     transport = opened(path)

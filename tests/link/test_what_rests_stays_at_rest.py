@@ -240,6 +240,7 @@ def test_a_stop_is_told_once_a_muted_board_is_heard_again_and_nothing_else_drive
     [
         (Status.MOTOR1_FAULT, UartError(0)),
         (Status.UART_ERROR, UartError.TIMEOUT),
+        (Status.UART_ERROR, UartError.FRAMING),  # UART-Error Shutdown is on from the factory
     ],
 )
 def test_what_the_board_has_stopped_itself_is_not_started_again(

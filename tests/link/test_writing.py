@@ -245,6 +245,13 @@ def test_serial_settings_come_after_the_others_of_their_kind(stage: Stage) -> No
     assert written_keys(stage.transport.sent)[0] == "motor1_acceleration"
 
 
+def test_setting_that_no_board_has_is_reported_before_the_others(stage: Stage) -> None:
+    wanted = [("motor1_acceleration", 1), ("serial_timeout", 1), ("colour", 1)]
+    results = write_all(stage.client().request, SPECS, wanted)
+    assert [result.what for result in results if result.error] == ["colour"]
+    assert results[0].what == "colour"
+
+
 def test_each_result_says_what_was_read_back(stage: Stage) -> None:
     results = write_all(
         stage.client().request, SPECS, [("serial_timeout", 5)], [(2, LEARNED), (3, LEARNED)]

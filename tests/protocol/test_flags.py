@@ -146,6 +146,16 @@ def test_a_source_has_its_unit_and_its_end(source: InputSource, unit: str, highe
 
 
 @pytest.mark.parametrize(
+    ("source", "least", "most"), [(InputSource.RC, 500.0, 2500.0), (InputSource.ANALOG, 0.0, 5.0)]
+)
+def test_counts_reach_from_the_least_value_to_the_most(
+    source: InputSource, least: float, most: float
+) -> None:
+    assert source.physical(source.lowest_count) == least
+    assert source.physical(source.highest_count) == most
+
+
+@pytest.mark.parametrize(
     ("letter", "is_serial", "source"),
     [
         ("R", False, InputSource.RC),

@@ -81,7 +81,7 @@ def test_a_calibration_that_the_board_would_refuse_is_not_sent() -> None:
         SetCalibration(1, Calibration(5000, 3750, 5000, 75)).data()
 
 
-@pytest.mark.parametrize("ending", ["2a 55", "55 55", "2a 2a", "00 00"])
+@pytest.mark.parametrize("ending", ["2A 55", "55 55", "2A 2A", "00 00"])
 def test_other_format_bytes_make_no_write(ending: str) -> None:
-    with pytest.raises(BadRequest, match="ends in 55 2A"):
+    with pytest.raises(BadRequest, match=f"ends in 55 2A, not {ending}$"):
         SetParameter.from_packet(0xAF, bytes.fromhex("07 05" + ending))

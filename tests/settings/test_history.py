@@ -94,6 +94,18 @@ def test_what_another_program_saved_at_the_same_time_is_left_to_it(history: Hist
     assert {snapshot.path for snapshot in history.snapshots()} == {own, other}
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
+def test_snapshot_whose_file_is_gone_does_not_keep_another_from_being_taken(
+    history: History,
+) -> None:
+    history.keep(1)
+    gone = take(history)
+    gone.unlink()
+    gone.symlink_to(history.folder / "elsewhere")
+    own = take(history, 1)
+    assert [snapshot.path for snapshot in history.snapshots()] == [own]
+
+
 def test_without_a_bound_nothing_goes(history: History) -> None:
     history.keep(None)
     for minutes in range(12):

@@ -367,6 +367,12 @@ def test_a_rate_that_the_port_can_do_is_proposed(
         assert bool(one.proposal) == bool(one.change)
 
 
+def test_next_faster_rate_is_proposed_where_the_port_has_no_slower_one() -> None:
+    context = Context(port_rates=[115200, 9600, 19200])
+    (found,) = advise(trex(uart_settings=uart(2400)), context)
+    assert found.change == {"uart_settings": uart(9600)}
+
+
 def test_values_that_the_board_would_refuse_are_not_judged() -> None:
     broken = Settings(
         TREX_JR,

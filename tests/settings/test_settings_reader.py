@@ -330,6 +330,7 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         ("product: TReX\nx: [" + "1, " * 60000 + "]\n", 2, "more here than any board"),
         (b"product: TReX\nfirm\x00ware: 1\n", 2, "binary"),
         (b"\x7fELF\x02\x01\x01\x00", 1, "binary"),
+        (b"\x00product: TReX\n", 1, "binary"),
         ("product: TReX\n".encode("utf-16"), 1, "binary"),
         (b"product: TReX\n# 30 \xb5s\n", 2, "not UTF-8"),
         ("product: TReX\n# \ud800\n", 2, "not UTF-8"),

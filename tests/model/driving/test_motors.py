@@ -3,10 +3,12 @@
 from collections.abc import Callable
 
 import pytest
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from trex_gui.link.messages import MotorRequest, SetAuxiliary, SetDrive, SetDrives
 from trex_gui.model.driving.held import HeldDrive
+from trex_gui.model.driving.lockout import remember_lockout
 from trex_gui.model.driving.motors import LOCKOUT, Motors
 from trex_gui.protocol.commands import Drive
 from trex_gui.protocol.errors import BadRequest
@@ -251,6 +253,14 @@ def test_a_stop_of_the_program_locks_nothing_and_says_why(armed: Asked) -> None:
     assert armed.motors.stop_reason == ""
 
 
+@pytest.mark.parametrize(("chosen", "kept"), [(60.0, 10.0), (4.5, 4.5), (0.0, 0.0), (-1.0, 0.0)])
+def test_lockout_is_remembered_within_its_limits(
+    qapp: QApplication, chosen: float, kept: float
+) -> None:
+    remember_lockout(chosen)
+    assert Motors().lockout == kept
+
+
 # --- Ceiling and link -------------------------------------------------------------------
 
 
@@ -428,6 +438,12 @@ def test_pad_and_keys_ask_both_motors_in_one_message(armed: Asked, *, linked: bo
         drive.let_go()
     assert len(armed.wishes) == 6
     assert {type(wish) for wish in armed.wishes} == {SetDrives}
+
+
+def test_held_control_drives_linked_motors_straight(armed: Asked) -> None:
+    armed.motors.set_linked(True)
+    HeldDrive(armed.motors, "pad").steer(0.5, 0.3)
+    assert armed.motors.drive(1) == armed.motors.drive(2) == Drive.at(64)
 
 
 def test_a_ceiling_slows_both_motors_in_one_message(armed: Asked) -> None:

@@ -1,21 +1,47 @@
 """Wishes and stops between the window and a board that runs in a process of its own."""
 
 import threading
+from itertools import pairwise
 
 import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.link.messages import Halted
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.link.explain import BEYOND_A_STOP
+from trex_gui.link.messages import Halted, Pulse, Request
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Connection
 from trex_gui.model.device import Device, Link
 from trex_gui.model.driving.motors import Motors
 from trex_gui.model.driving.orders import Driving
+from trex_gui.protocol.errors import TrexError
 from trex_gui.runtime import now, runtime
 from trex_gui.window import Program
 
 STOOD_STILL = "The window did not respond for a second."
+
+
+class RecordingConnection(Connection):
+    """A connection that keeps the requests it is given."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._requests: list[Request] = []
+
+    def submit(self, request: Request) -> bool:
+        self._requests.append(request)
+        return True
+
+    @property
+    def heartbeats(self) -> list[float]:
+        """When each heartbeat was sent."""
+        return [
+            request.sent
+            for request in self._requests
+            if isinstance(request, Pulse) and request.sent is not None
+        ]
 
 
 @pytest.fixture
@@ -91,3 +117,61 @@ def test_a_stop_that_is_not_proved_is_not_said_to_have_stopped_anything(qtbot: Q
         connection.halted.emit(Halted(STOOD_STILL, proved=False))
     assert said.args == [f"{STOOD_STILL} A stop was sent, and is not confirmed yet."]
     assert motors.stop_reason == STOOD_STILL
+
+
+def test_armed_motors_send_heartbeats_at_a_steady_rate(
+    qtbot: QtBot, virtual_time: VirtualRuntime
+) -> None:
+    connection, motors = RecordingConnection(), Motors()
+    driving = Driving(motors, connection)
+    assert not driving.may_move
+    motors.allow(True)
+    motors.arm()
+    virtual_time.advance(10.0)
+    moments = connection.heartbeats
+    gaps = [later - earlier for earlier, later in pairwise(moments)]
+    assert max(gaps) < Timeouts().heartbeat / 2, "one may be late or lost"
+    assert min(gaps) > 0.05, "they are no load for the line"
+    motors.stop()
+    virtual_time.advance(1.0)
+    assert connection.heartbeats == moments
+
+
+def test_confirmed_stop_is_reported_once_and_without_a_warning(
+    device: Device,
+    quick_simulator: SimulatedDevice,
+    qtbot: QtBot,
+    virtual_time: VirtualRuntime,
+) -> None:
+    outcomes: list[TrexError | None] = []
+    failures: list[str] = []
+    device.failed.connect(failures.append)
+    device.connect_to(LinkSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: device.motors.can_arm)
+    device.stop_motors(outcomes.append)
+    qtbot.waitUntil(lambda: outcomes == [None])
+    device.stop_motors(lambda _error: None)
+    virtual_time.advance(1.0)
+    assert outcomes == [None]
+    assert failures == []
+
+
+def test_stop_says_that_it_does_not_reach_what_channels_drive(
+    rc_device: Device, qtbot: QtBot
+) -> None:
+    with qtbot.waitSignal(rc_device.failed) as said:
+        rc_device.motors.stop()
+    assert said.args == [BEYOND_A_STOP]
+
+
+def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
+    device: Device, start_simulator: StartSimulator, qtbot: QtBot
+) -> None:
+    failures: list[str] = []
+    device.failed.connect(failures.append)
+    for simulator in (start_simulator("--unpaced"), start_simulator("--unpaced")):
+        device.connect_to(LinkSettings(simulator.url))
+        qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm)
+        device.disconnect_line()
+        qtbot.waitUntil(lambda: device.link is Link.NONE)
+    assert failures == []

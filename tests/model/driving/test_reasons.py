@@ -3,9 +3,13 @@
 import itertools
 
 import pytest
+from pytestqt.qtbot import QtBot
 
+from tests.support.simulator import SimulatedDevice
+from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Link
-from trex_gui.model.driving.reasons import Kind, Situation, reason_for
+from trex_gui.model.device import Device
+from trex_gui.model.driving.reasons import Kind, Situation, reason_for, situation_of
 from trex_gui.protocol.flags import Mode, UartError
 
 
@@ -114,3 +118,43 @@ def test_motors_are_said_to_obey_only_where_they_do() -> None:
 def test_all_reasons_can_be_met() -> None:
     met = {reason_for(situation).kind for situation in _EVERYTHING}
     assert met == set(Kind)
+
+
+# --- What the models know ---------------------------------------------------------------
+
+
+def test_situation_follows_the_override_switch(
+    rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
+) -> None:
+    assert situation_of(rc_device).by_serial is False
+    assert "perhaps held" not in reason_for(situation_of(rc_device)).text
+    rc_board.do("channel 5 1000us")
+    qtbot.waitUntil(lambda: situation_of(rc_device).by_serial is True)
+    assert reason_for(situation_of(rc_device)).kind is Kind.NOT_ARMED
+
+
+def test_channel_is_missing_only_after_it_was_read(
+    rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
+) -> None:
+    assert rc_device.telemetry.raw is None
+    assert situation_of(rc_device).missing == ()
+    for channel in (1, 2):  # the board requires the first of them
+        rc_board.do(f"channel {channel} silent")
+    qtbot.waitUntil(lambda: situation_of(rc_device).missing == (1,))
+
+
+def test_fault_names_the_motor_that_has_it(
+    rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
+) -> None:
+    rc_board.do("fault 2 on")
+    qtbot.waitUntil(lambda: situation_of(rc_device).faults == (2,))
+
+
+def test_situation_tells_the_serial_timeout_of_the_board(
+    device: Device, quick_simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    assert situation_of(device).timeout == ""
+    quick_simulator.do("eeprom serial_timeout 5")
+    quick_simulator.do("power cycle")
+    device.connect_to(LinkSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: situation_of(device).timeout == "0.5 s")
