@@ -1,74 +1,55 @@
 """Windows that may cover the main one stop the motors with the mouse, too."""
 
-from collections.abc import Callable
 from pathlib import Path
 
-import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible, QAction
+from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton, QWidget
-from pytestqt.qtbot import QtBot
+from PySide6.QtWidgets import QAbstractButton, QPushButton, QWidget
 
 from tests.recording.samples import an_hour, write
+from tests.support.pages.motors import BRAKE, MotorsPage
 from tests.support.simulator import SimulatedDevice
-from trex_gui.link.settings import LinkSettings
+from tests.support.window import LEFT, WindowDriver
 from trex_gui.model.device import Link
 from trex_gui.settings.files import save
 from trex_gui.settings.writer import write_settings
-from trex_gui.window import Program
 
 
-def _action(program: Program, key: str) -> None:
-    action = program.window.findChild(QAction, f"{key}Action")
-    assert action is not None, key
-    action.trigger()
-
-
-def _child(program: Program, name: str) -> QWidget:
-    dialog = program.window.findChild(QWidget, name)
-    assert dialog is not None
-    return dialog
-
-
-def playback(program: Program, folder: Path) -> QWidget:
+def open_playback(window: WindowDriver, folder: Path) -> QWidget:
     write(folder / "a.trexrec", list(an_hour(5)))
-    program.desk.recordings.open_file(folder / "a.trexrec")
-    (window,) = program.desk.recordings.windows
-    return window
+    window.program.desk.recordings.open_file(folder / "a.trexrec")
+    (playback,) = window.program.desk.recordings.windows
+    return playback
 
 
-def editor(program: Program, folder: Path) -> QWidget:
-    shown = program.device.draft.shown
+def open_editor(window: WindowDriver, folder: Path) -> QWidget:
+    shown = window.device.draft.shown
     assert shown is not None
     save(folder / "a.txt", write_settings(shown))
-    window = program.desk.files.edit_file(folder / "a.txt")
-    assert window is not None
-    return window
+    editor = window.program.desk.files.edit_file(folder / "a.txt")
+    assert editor is not None
+    return editor
 
 
-def history(program: Program, folder: Path) -> QWidget:
-    _action(program, "history")
-    return _child(program, "historyDialog")
+def open_history(window: WindowDriver, folder: Path) -> QWidget:
+    window.trigger("history")
+    return window.dialog("historyDialog").root
 
 
-def review(program: Program, folder: Path) -> QWidget:
-    program.device.parameters.edit("serial_timeout", 9)
-    _action(program, "apply")
-    return _child(program, "reviewDialog")
+def open_review(window: WindowDriver, folder: Path) -> QWidget:
+    window.device.parameters.edit("serial_timeout", 9)
+    window.trigger("apply")
+    return window.find(QWidget, "reviewDialog")
 
 
-def defaults(program: Program, folder: Path) -> QWidget:
-    _action(program, "defaults")
-    return _child(program, "defaultsDialog")
+def open_defaults(window: WindowDriver, folder: Path) -> QWidget:
+    window.trigger("defaults")
+    return window.find(QWidget, "defaultsDialog")
 
 
-def bench(program: Program, folder: Path) -> QWidget:
-    _action(program, "bench")
-    return _child(program, "benchDialog")
-
-
-WINDOWS = [playback, editor, history, review, defaults, bench]
+def open_bench(window: WindowDriver, folder: Path) -> QWidget:
+    window.trigger("bench")
+    return window.find(QWidget, "benchDialog")
 
 
 def stop_button(window: QWidget) -> QPushButton:
@@ -80,47 +61,43 @@ def stop_button(window: QWidget) -> QPushButton:
     return button
 
 
-def spoken(button: QPushButton) -> str:
+def spoken(button: QAbstractButton) -> str:
     return QAccessible.queryAccessibleInterface(button).text(QAccessible.Text.Name)
 
 
-@pytest.mark.parametrize("opened", WINDOWS, ids=lambda opened: opened.__name__)
-def test_the_red_button_of_a_window_stops_the_motors(
-    opened: Callable[[Program, Path], QWidget],
-    program: Program,
-    quick_simulator: SimulatedDevice,
-    tmp_path: Path,
-    qtbot: QtBot,
+def test_red_button_of_every_window_stops_the_motors(
+    connected_window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    device = program.device
-    device.connect_to(LinkSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP, timeout=10_000)
-    window = opened(program, tmp_path)
-    qtbot.waitUntil(window.isVisible)
-    button = stop_button(window)
-    main = program.window.findChild(QPushButton, "stopButton")
-    assert main is not None
-    assert spoken(button) == spoken(main) == "Stop motor"
-    device.motors.accelerate = False
+    page = MotorsPage(connected_window, quick_simulator)
+    page.motors.lockout = 0
+    page.motors.accelerate = False
+    assert spoken(page.button("stopButton")) == "Stop motor"
+    opened: list[tuple[QWidget, QPushButton]] = []
+    for open_window in (
+        open_playback,
+        open_editor,
+        open_history,
+        open_review,
+        open_defaults,
+        open_bench,
+    ):
+        case = open_window.__name__
+        window = open_window(page, tmp_path)
+        page.wait(window.isVisible)
+        button = stop_button(window)
+        assert spoken(button) == "Stop motor", case
+        page.motors.arm()
+        page.motors.set_speed(1, 60)
+        page.wait_for_targets(("forward", 60), None, case)
+        QTest.mousePress(button, LEFT)
+        page.wait_for_targets(BRAKE, BRAKE, case)
+        page.wait(lambda: quick_simulator.show()["motors"][0]["direction"] == "brake")
+        assert not page.is_armed(), case
+        QTest.mouseRelease(button, LEFT)
+        opened.append((window, button))
 
-    def motor() -> dict[str, object]:
-        motors = quick_simulator.show()["motors"]
-        found: dict[str, object] = motors[0]
-        return found
-
-    def turns() -> bool:
-        if not device.motors.armed:  # also after a stop because the window was slow
-            device.motors.arm()
-            device.motors.set_speed(1, 60)
-        return motor()["target_speed"] == 60
-
-    qtbot.waitUntil(turns, timeout=20_000)
-    QTest.mousePress(button, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: motor()["direction"] == "brake", timeout=10_000)
-    assert not device.motors.armed
-    QTest.mouseRelease(button, Qt.MouseButton.LeftButton)
-    device.disconnect_line()
-    qtbot.waitUntil(lambda: device.link is Link.NONE, timeout=10_000)
-    assert not button.isEnabled()
-    device.discard_edits()
-    window.close()
+    page.device.disconnect_line()
+    page.wait(lambda: page.device.link is Link.NONE)
+    for window, button in opened:
+        assert not button.isEnabled(), window.objectName()
+        window.close()

@@ -1,265 +1,191 @@
-"""Everything in the window that stops the motors, against a simulated board in its own process."""
-
-import sys
-from collections.abc import Callable
+"""Everything in the window that stops the motors of a simulated board."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt, QTimer
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QApplication,
-    QLabel,
-    QMessageBox,
-    QPushButton,
-    QSlider,
-    QStyle,
-    QStyleOptionSlider,
-    QWidget,
-)
-from pytestqt.qtbot import QtBot
+from PySide6.QtWidgets import QMessageBox, QSlider
 
-from tests.end_to_end.test_every_stop_cause import is_stopped
+from tests.support.pages.motors import MotorsPage, is_stopped
 from tests.support.simulator import SimulatedDevice
-from trex_gui.link.settings import LinkSettings
+from tests.support.window import LEFT, WindowDriver
 from trex_gui.model.device import Link
-from trex_gui.window import Program
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-
-MOTORS_PAGE = 3
 
 
-class Desk:
-    """A window that drives a board."""
+class DrivingWindow(MotorsPage):
+    """The Motors page of a board that drives both kinds of motors, on a line with a baud rate."""
 
-    def __init__(self, program: Program, qtbot: QtBot, simulator: SimulatedDevice) -> None:
-        self.program, self.qtbot, self.simulator = program, qtbot, simulator
-        self.motors = program.device.motors
-        program.device.connect_to(LinkSettings(simulator.url))
-        qtbot.waitUntil(lambda: program.device.link is Link.UP and self.motors.can_arm)
-        self.arm()
-
-    def arm(self) -> None:
-        self.program.window.pages.setCurrentIndex(MOTORS_PAGE)
-        self.motors.arm()
+    def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
+        window.connect(simulator.url)
+        super().__init__(window, simulator)
+        self.motors.lockout = 0
         self.motors.accelerate = False
-        assert self.motors.armed
+        self.drive()
+
+    def drive(self) -> None:
+        self.show_page()
+        self.wait(lambda: self.motors.can_arm and not self.motors.locked_for)
+        self.motors.arm()
+        assert self.is_armed()
         self.motors.set_speed(1, 60)
         self.motors.set_auxiliary(50)
-        self.qtbot.waitUntil(self.drives)
+        self.wait(self.is_driving)
 
-    def drives(self) -> bool:
+    def is_driving(self) -> bool:
         shown = self.simulator.show()
         return (shown["motors"][0]["speed"], shown["aux"]["speed"]) == (60, 50)
 
-    def button(self, name: str) -> QPushButton:
-        found = self.program.window.findChild(QPushButton, name)
-        assert found is not None, name
-        return found
-
-    def text(self, name: str) -> str:
-        found = self.program.window.findChild(QLabel, name)
-        assert found is not None, name
-        return found.text()
-
-    def slider(self) -> QSlider:
-        found = self.program.window.findChild(QSlider, "motor1Slider")
-        assert found is not None
-        return found
-
-    def expect_stop(self) -> None:
-        self.qtbot.waitUntil(lambda: is_stopped(self.simulator))
-        assert not self.motors.armed
-        assert self.motors.drive(1) is None
-        assert self.slider().value() == 0
+    def expect_stop(self, cause: str) -> None:
+        """Check that the stop is on its way at once, and wait until the board has obeyed."""
+        assert not self.is_armed(), cause
+        self.wait(lambda: is_stopped(self.simulator))
+        assert self.motors.drive(1) is None, cause
+        assert self.slider_value("motor1Slider") == 0, cause
 
 
 @pytest.fixture
-def desk(program: Program, qtbot: QtBot, simulator: SimulatedDevice) -> Desk:
-    return Desk(program, qtbot, simulator)
-
-
-def press_escape() -> None:
-    """Press Esc wherever the keyboard is, as the system brings it."""
-    window = QApplication.focusWindow()
-    assert window is not None
-    QTest.keyClick(window, Qt.Key.Key_Escape)
+def driving(window: WindowDriver, simulator: SimulatedDevice) -> DrivingWindow:
+    return DrivingWindow(window, simulator)
 
 
 # --- What stops -------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("page", range(6))
-def test_the_red_button_stops_on_every_page(desk: Desk, page: int) -> None:
-    stop = desk.button("stopButton")
-    if page != MOTORS_PAGE:
-        desk.program.window.pages.setCurrentIndex(page)
-    assert desk.motors.armed
-    assert not is_stopped(desk.simulator)
-    assert stop.isVisible()
-    QTest.mousePress(stop, Qt.MouseButton.LeftButton)  # when it is pressed, not when it is let go
-    desk.expect_stop()
-    QTest.mouseRelease(stop, Qt.MouseButton.LeftButton)
+def test_red_button_stops_on_every_page_as_soon_as_it_is_pressed(driving: DrivingWindow) -> None:
+    stop = driving.button("stopButton")
+    tabs = driving.window.pages
+    pages = list(filter(tabs.isTabVisible, range(tabs.count())))
+    assert len(pages) >= 6
+    for index in pages:
+        tabs.setCurrentIndex(index)
+        page = tabs.tabText(index)
+        assert driving.is_armed(), page
+        assert driving.is_driving(), page
+        assert stop.isVisible(), page
+        QTest.mousePress(stop, LEFT)
+        driving.expect_stop(page)
+        QTest.mouseRelease(stop, LEFT)
+        driving.drive()
 
 
-def test_the_red_button_obeys_the_keyboard(desk: Desk) -> None:
-    stop = desk.button("stopButton")
+def test_every_way_to_stop_in_the_window_stops_the_motors(driving: DrivingWindow) -> None:
+    stop = driving.button("stopButton")
     stop.setFocus()
     QTest.keyClick(stop, Qt.Key.Key_Space)
-    desk.expect_stop()
+    driving.expect_stop("space on the red button")
+    driving.drive()
+    driving.press_escape()
+    driving.expect_stop("Esc")
+    driving.drive()
+    driving.trigger("stop")
+    driving.expect_stop("menu")
 
-
-def test_escape_stops(desk: Desk) -> None:
-    press_escape()
-    desk.expect_stop()
-
-
-def test_the_menu_stops(desk: Desk) -> None:
-    action = desk.program.window.findChild(QAction, "stopAction")
-    assert action is not None
-    action.trigger()
-    desk.expect_stop()
-
-
-def test_escape_stops_in_a_modal_dialog(desk: Desk) -> None:
-    box = QMessageBox(desk.program.window)
+    driving.drive()
+    box = QMessageBox(driving.window)
     box.setText("Anything")
-    seen: list[bool] = []
+    box.setWindowModality(Qt.WindowModality.ApplicationModal)
+    box.show()
+    driving.wait(box.isActiveWindow)
+    driving.press_escape()
+    driving.expect_stop("Esc in a modal dialog")
+    box.close()
 
-    def press() -> None:
-        press_escape()
-        seen.append(desk.motors.armed)
-
-    QTimer.singleShot(100, press)
-    box.exec()
-    assert seen == [False]
-    desk.expect_stop()
-
-
-def handle_of(slider: QSlider) -> QPoint:
-    """Where the handle of a slider is."""
-    option = QStyleOptionSlider()
-    slider.initStyleOption(option)
-    return (
-        slider.style()
-        .subControlRect(
-            QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
-        )
-        .center()
-    )
+    driving.drive()
+    driving.motors.hold("drive pad")
+    driving.motors.set_speed(1, 90, "drive pad")
+    driving.motors.lose("drive pad", "The Motors page was left.")
+    driving.expect_stop("lost control")
+    driving.wait_for_text("motorStateLabel", "The Motors page was left.")
 
 
-def test_escape_stops_while_a_slider_is_dragged_and_dragging_on_drives_nothing(desk: Desk) -> None:
-    slider = desk.slider()
-    start = handle_of(slider)
-    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
-    QTest.mouseMove(slider, start + QPoint(20, 0))
-    assert desk.motors.armed
-    press_escape()
-    for step in range(20):
-        QTest.mouseMove(slider, start + QPoint(20 + step, 0))
-    desk.qtbot.waitUntil(lambda: is_stopped(desk.simulator))
-    desk.qtbot.wait(200)
-    assert is_stopped(desk.simulator), "a drag that goes on comes too late"
-    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton)
-    assert is_stopped(desk.simulator)
+def test_drag_that_goes_on_after_escape_drives_nothing(driving: DrivingWindow) -> None:
+    slider = driving.find(QSlider, "motor1Slider")
+    for lockout in (0, 3):
+        driving.motors.lockout = lockout
+        start = driving.handle_of(slider)
+        QTest.mousePress(slider, LEFT, pos=start)
+        QTest.mouseMove(slider, start + QPoint(20, 0))
+        assert driving.is_armed()
+        driving.press_escape()
+        for step in range(20):
+            QTest.mouseMove(slider, start + QPoint(20 + step, 0))
+        driving.wait(lambda: is_stopped(driving.simulator))
+        driving.let_nothing_happen(0.2)
+        assert is_stopped(driving.simulator), "a drag that goes on comes too late"
+        QTest.mouseRelease(slider, LEFT)
+        driving.let_nothing_happen(0.1)
+        assert is_stopped(driving.simulator)
+        driving.drive()
 
 
-def test_a_held_control_that_is_lost_stops(desk: Desk) -> None:
-    desk.motors.hold("drive pad")
-    desk.motors.set_speed(1, 90, "drive pad")
-    desk.motors.lose("drive pad", "The Motors page was left.")
-    desk.expect_stop()
-    desk.qtbot.waitUntil(lambda: "The Motors page was left." in desk.text("motorStateLabel"))
+def test_disconnecting_and_closing_stop_the_motors(driving: DrivingWindow) -> None:
+    driving.trigger("disconnect")
+    driving.wait(lambda: is_stopped(driving.simulator))
+    driving.wait(lambda: driving.device.link is Link.NONE)
+    driving.connect(driving.simulator.url)
+    driving.drive()
+    driving.window.close()
+    driving.wait(lambda: is_stopped(driving.simulator))
 
 
-@pytest.mark.parametrize(
-    "leave",
-    [
-        lambda desk: desk.program.device.disconnect_line(),
-        lambda desk: desk.program.window.close(),
-    ],
-    ids=["disconnect", "close"],
-)
-def test_leaving_stops(desk: Desk, leave: Callable[[Desk], object]) -> None:
-    leave(desk)
-    desk.qtbot.waitUntil(lambda: is_stopped(desk.simulator))
-
-
-def test_a_stop_that_is_pressed_while_the_board_is_still_read_is_sent(
-    program: Program, qtbot: QtBot, simulator: SimulatedDevice
+def test_stop_that_is_pressed_while_the_board_is_read_is_sent(
+    window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
-    program.device.connect_to(LinkSettings(simulator.url))
-    assert program.device.link is Link.OPENING
-    stop = program.window.findChild(QPushButton, "stopButton")
-    assert stop is not None
-    assert stop.isEnabled()
-    QTest.mousePress(stop, Qt.MouseButton.LeftButton)
-    QTest.mouseRelease(stop, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: simulator.show()["counters"]["packets"] > 2)
-    qtbot.waitUntil(lambda: is_stopped(simulator))
-    qtbot.waitUntil(lambda: program.device.link is Link.UP)
+    window.select("portCombo", window.program.ports.add_typed(simulator.url))
+    assert window.device.link is Link.OPENING
+    window.click("stopButton")
+    window.wait(lambda: simulator.show()["counters"]["packets"] > 2)
+    window.wait(lambda: is_stopped(simulator))
+    window.wait(lambda: window.device.link is Link.UP)
 
 
 # --- The lock, and what is said ---------------------------------------------------------
 
 
-def test_after_a_stop_nothing_can_be_armed_for_a_while_and_the_bar_counts_down(
-    desk: Desk,
+def test_motors_cannot_be_armed_while_the_bar_counts_down_after_stop(
+    driving: DrivingWindow,
 ) -> None:
-    desk.motors.lockout = 6.0
-    run = desk.button("runButton")
-    QTest.mouseClick(desk.button("stopButton"), Qt.MouseButton.LeftButton)
+    driving.motors.lockout = 6.0
+    run = driving.button("runButton")
+    driving.click("stopButton")
     assert not run.isEnabled()
-    desk.motors.arm()
-    assert not desk.motors.armed
-    desk.qtbot.waitUntil(lambda: "Motors are locked for" in desk.text("motorStateLabel"))
-    desk.expect_stop()
-    desk.qtbot.waitUntil(run.isEnabled)
-    desk.arm()
+    driving.motors.arm()
+    driving.expect_stop("red button")
+    driving.wait_for_text("motorStateLabel", "Motors are locked for")
+    driving.wait(run.isEnabled)
+    assert not driving.motors.locked_for
+    driving.drive()
 
 
-def test_the_window_says_that_the_boards_own_timeout_is_off_and_sets_it_with_a_click(
-    desk: Desk,
-) -> None:
-    device = desk.program.device
-    desk.motors.stop()
-    desk.expect_stop()
-    notice = desk.program.window.findChild(QWidget, "timeoutNotice")
-    assert notice is not None
-    assert notice.isVisible()
+def test_serial_timeout_that_is_off_is_set_with_a_click(driving: DrivingWindow) -> None:
+    device = driving.device
+    driving.motors.stop()
+    driving.expect_stop("program")
+    assert driving.has("timeoutNotice")
     assert device.serial_timeout_s == 0
     device.parameters.edit("motor1_acceleration", 9)
     pending = device.pending
-    button = desk.button("timeoutButton")
-    assert button.accessibleName()
-    with desk.qtbot.waitSignal(device.applied):
-        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    assert desk.simulator.show()["parameters"]["serial_timeout"] == 5
+    assert driving.button("timeoutButton").accessibleName()
+    with driving.qtbot.waitSignal(device.applied):
+        driving.click("timeoutButton")
+    assert driving.simulator.show()["parameters"]["serial_timeout"] == 5
     assert device.serial_timeout_s == pytest.approx(0.5)
-    assert not notice.isVisible()
-    assert device.pending == pending == 1, "other edits go on waiting"
+    assert not driving.has("timeoutNotice")
+    assert device.pending == pending == 1, "other edits stay pending"
     assert len(device.history.snapshots()) == 1
 
 
-def test_a_stop_that_channels_drive_through_is_not_called_one(
-    program: Program, qtbot: QtBot, quick_simulator: SimulatedDevice
+def test_stop_that_channels_drive_through_is_not_called_one(
+    window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     for line in ("jumper mode rc", "power cycle"):
         quick_simulator.do(line)
-    device = program.device
-    device.connect_to(LinkSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP)
-    qtbot.waitUntil(lambda: not quick_simulator.show()["safe_start"])  # it has seen it at rest
+    window.connect(quick_simulator.url)
+    page = MotorsPage(window, quick_simulator)
+    page.wait(lambda: not quick_simulator.show()["safe_start"])  # the stick has been at rest
     quick_simulator.do("channel 1 1900us")
-    qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] > 50)
-    press_escape()
-    banner = program.window.findChild(QLabel, "bannerText")
-    state = program.window.findChild(QLabel, "motorStateLabel")
-    assert banner is not None
-    assert state is not None
-    qtbot.waitUntil(lambda: "Let go of the sticks, or cut the power." in banner.text())
+    page.wait(lambda: quick_simulator.show()["motors"][0]["speed"] > 50)
+    page.press_escape()
+    page.wait_for_text("bannerText", "Let go of the sticks, or cut the power.")
     assert quick_simulator.show()["motors"][0]["speed"] > 50
-    qtbot.waitUntil(lambda: "Stop does not reach what they drive" in state.text())
-    assert "Stopped" not in state.text()
+    page.wait_for_text("motorStateLabel", "Stop does not reach what they drive")
+    assert "Stopped" not in page.text("motorStateLabel")

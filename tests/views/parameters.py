@@ -1,52 +1,51 @@
-"""The parameter table in the hands of a person, for tests."""
-
-from typing import TypeVar
+"""A parameter table of its own, for tests of the table and its editors."""
 
 from PySide6.QtCore import QModelIndex, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import LEFT, WidgetDriver
 from trex_gui.model.adviser import Adviser
 from trex_gui.model.parameter_filter import ParameterFilter
-from trex_gui.model.parameters import Column
+from trex_gui.model.parameters import Column, Role
 from trex_gui.model.settings_draft import SettingsDraft
 from trex_gui.protocol.parameters import ParameterSet
 from trex_gui.settings.document import Settings
 from trex_gui.views.widgets.parameter_table import ParameterTable
 from trex_gui.views.widgets.parameter_view import ParameterView
 
-WidgetT = TypeVar("WidgetT", bound=QWidget)
 
+class ParametersDriver(WidgetDriver):
+    """A table of parameters on a draft of settings.
 
-class Person:
-    """Has a draft of settings in a table of its own before them."""
+    Attributes:
+        rejected: the messages about input that was rejected.
+    """
 
     def __init__(self, qtbot: QtBot) -> None:
-        self.qtbot = qtbot
         self.draft = SettingsDraft()
         self.model = self.draft.parameters
         self.table = ParameterTable(self.draft, Adviser(self.draft))
-        self.refused: list[str] = []
-        self.table.refused.connect(self.refused.append)
+        super().__init__(self.table, qtbot)
+        self.rejected: list[str] = []
+        self.table.refused.connect(self.rejected.append)
         qtbot.addWidget(self.table)
         self.table.resize(1050, 700)
         self.table.show()
         self.view = self.find(ParameterView, "parametersView")
 
     def load(self, specs: ParameterSet, **other: int) -> None:
-        """Let a board have the factory's values, except for some."""
+        """Load a board with factory defaults, except for some."""
         values = {spec.key: spec.default for spec in specs.readable} | other
         self.model.load(specs, values, {}, power_cycled=True)
         self.draft.loaded.emit()
 
     def open_file(self, specs: ParameterSet, **given: int) -> None:
+        """Load a settings file with these parameters only."""
         self.draft.take_settings(Settings(specs.model, specs.firmware, given))
 
-    def find(self, kind: type[WidgetT], name: str) -> WidgetT:
-        found = self.table.findChild(kind, name)
-        assert isinstance(found, kind), name
-        return found
+    # --- Rows ---------------------------------------------------------------------------
 
     @property
     def rows(self) -> ParameterFilter:
@@ -54,29 +53,55 @@ class Person:
         assert isinstance(rows, ParameterFilter)
         return rows
 
+    @property
+    def headings(self) -> list[QModelIndex]:
+        return [self.rows.index(row, 0) for row in range(self.rows.rowCount())]
+
+    @property
+    def open_groups(self) -> list[str]:
+        return [row.data(Role.GROUP) for row in self.headings if self.view.isExpanded(row)]
+
+    @property
+    def current(self) -> str:
+        """The key of the current parameter."""
+        return self.table.current_key
+
+    def search(self, words: str) -> None:
+        """Replace the words in the search field."""
+        self.type_into("parameterSearch", words, enter=False)
+        if not words:
+            QTest.keyClick(self.find(QWidget, "parameterSearch"), Qt.Key.Key_Delete)
+
     def place_of(self, index: QModelIndex) -> QPoint:
         self.view.scrollTo(index)
         return self.view.visualRect(index).center()
 
-    def click(self, key: str, column: Column) -> None:
+    def click_cell(self, key: str, column: Column) -> None:
         place = self.place_of(self.rows.index_of(key, column))
-        QTest.mouseClick(self.view.viewport(), Qt.MouseButton.LeftButton, pos=place)
+        QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
 
     def go_to(self, key: str, column: Column = Column.VALUE) -> None:
         self.view.setCurrentIndex(self.rows.index_of(key, column))
 
-    def press(self, key: Qt.Key) -> None:
-        QTest.keyClick(self.view, key)
+    def press(self, key: Qt.Key, modifier: Qt.KeyboardModifier | None = None) -> None:
+        QTest.keyClick(self.view, key, modifier or Qt.KeyboardModifier.NoModifier)
+
+    def focus_view(self) -> None:
+        self.table.activateWindow()
+        self.view.setFocus()
+        self.wait(self.view.hasFocus)
+
+    # --- Editors ------------------------------------------------------------------------
 
     def open_with_mouse(self, key: str, column: Column = Column.VALUE) -> QWidget:
-        """Click a cell twice; return the editor that opens."""
+        """Double-click a cell; return the editor that opens."""
         place = self.place_of(self.rows.index_of(key, column))
-        left = Qt.MouseButton.LeftButton
-        QTest.mouseClick(self.view.viewport(), left, pos=place)
-        QTest.mouseDClick(self.view.viewport(), left, pos=place)
+        QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
+        QTest.mouseDClick(self.view.viewport(), LEFT, pos=place)
         return self.editor(key)
 
     def open_with_keys(self, key: str) -> QWidget:
+        """Press F2 on a parameter; return the editor that opens."""
         self.go_to(key)
         self.press(Qt.Key.Key_F2)
         return self.editor(key)
@@ -94,7 +119,7 @@ class Person:
         self.wait_for_no_editor(key)
 
     def wait_for_no_editor(self, key: str) -> None:
-        self.qtbot.waitUntil(lambda: not self.is_editing(key))
+        self.wait(lambda: not self.is_editing(key))
 
     def wait_for_value(self, key: str, wire: int | None) -> None:
-        self.qtbot.waitUntil(lambda: self.model.value_of(key) == wire)
+        self.wait(lambda: self.model.value_of(key) == wire)

@@ -4,23 +4,27 @@ import sys
 
 import pytest
 from PySide6.QtWidgets import QWidget
-from pytestqt.qtbot import QtBot
 
-from trex_gui.model.device import Link
-from trex_gui.window import Program
+from tests.support.window import WindowDriver
 
 
-@pytest.mark.timeout(300)  # paints every widget 60 times, on a computer with much else to do
-def test_repainting_every_page_loses_no_references_to_none(program: Program, qtbot: QtBot) -> None:
-    program.connector.connect_to(program.ports.demo)
-    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=20_000)
-    tabs = program.window.pages
-    qtbot.waitUntil(lambda: program.device.telemetry.raw is not None)
-    before = sys.getrefcount(None)
+def repaint_pages(window: WindowDriver, times: int) -> None:
+    """Repaint every widget of every page so many times, with new telemetry each time."""
+    tabs = window.window.pages
     for index in range(tabs.count()):
         tabs.setCurrentIndex(index)
-        for _ in range(60):
-            program.device.telemetry.updated.emit()
+        for _ in range(times):
+            window.device.telemetry.updated.emit()
             for widget in tabs.currentWidget().findChildren(QWidget):
                 widget.repaint()
-    assert sys.getrefcount(None) > before - 100
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize("times", [6, pytest.param(60, marks=pytest.mark.slow)])
+def test_repainting_loses_no_references_to_none(window: WindowDriver, times: int) -> None:
+    window.connect_to_demo()
+    window.wait(lambda: window.device.telemetry.raw is not None)
+    repaint_pages(window, 1)  # buffers that are made once hold many references
+    before = sys.getrefcount(None)
+    repaint_pages(window, times)
+    assert sys.getrefcount(None) > before - times, "one is lost with each repaint"

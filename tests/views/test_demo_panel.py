@@ -1,4 +1,4 @@
-"""The panel of the Demo TReX: when it is there, what it says, how it takes the hand."""
+"""The panel of the Demo TReX: its texts, its LEDs and sliders, and when it is shown."""
 
 import sys
 from collections.abc import Callable
@@ -6,11 +6,13 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
-from PySide6.QtGui import QAction, QWheelEvent
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.virtual_time import VirtualRuntime
+from tests.support.window import WindowDriver
 from trex_gui.emulator.control import control
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
@@ -60,7 +62,7 @@ RC = replace(
 
 
 @pytest.mark.parametrize("flicker", ["on", "off"])
-def test_the_led_of_packets_is_told_without_its_flicker(flicker: str) -> None:
+def test_led_of_packets_is_shown_without_its_flicker(flicker: str) -> None:
     assert led_patterns(replace(SERIAL, leds=DemoLeds("on", flicker))) == ("on", PACKETS)
     assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
 
@@ -80,7 +82,7 @@ def test_the_led_of_packets_is_told_without_its_flicker(flicker: str) -> None:
         ),
     ],
 )
-def test_what_a_led_means_is_told(snapshot: DemoSnapshot, pattern: str, meaning: str) -> None:
+def test_led_pattern_is_explained(snapshot: DemoSnapshot, pattern: str, meaning: str) -> None:
     assert meaning in led_meaning(snapshot, pattern)
 
 
@@ -98,7 +100,7 @@ def test_what_a_led_means_is_told(snapshot: DemoSnapshot, pattern: str, meaning:
         (replace(SERIAL, special_start="dreaming"), "Dreaming."),
     ],
 )
-def test_what_the_board_does_is_one_line(snapshot: DemoSnapshot, words: str) -> None:
+def test_state_of_the_board_is_one_line(snapshot: DemoSnapshot, words: str) -> None:
     assert words in state_text(snapshot)
 
 
@@ -121,7 +123,7 @@ def test_what_the_board_does_is_one_line(snapshot: DemoSnapshot, words: str) -> 
         ),
     ],
 )
-def test_a_jumper_that_waits_for_power_is_told(snapshot: DemoSnapshot, hint: str) -> None:
+def test_moved_jumper_is_said_to_wait_for_power(snapshot: DemoSnapshot, hint: str) -> None:
     assert jumper_hint(snapshot) == hint
 
 
@@ -134,7 +136,7 @@ def test_a_jumper_that_waits_for_power_is_told(snapshot: DemoSnapshot, hint: str
         ("brake", 0, "coast, 3.1\u00a0A"),
     ],
 )
-def test_what_a_motor_does_is_told(direction: str, speed: int, text: str) -> None:
+def test_motor_text_names_speed_and_current(direction: str, speed: int, text: str) -> None:
     motor = DemoMotor(direction, speed, current=3.14, load=3.0, stall=30.0, fault=False)
     assert motor_text(motor) == text
 
@@ -152,7 +154,7 @@ def test_what_a_motor_does_is_told(direction: str, speed: int, text: str) -> Non
         ("fast flash", 0.01, 0.1),
     ],
 )
-def test_a_pattern_is_lit_and_dark_in_turn(pattern: str, lit: float, dark: float) -> None:
+def test_pattern_is_lit_and_dark_in_turn(pattern: str, lit: float, dark: float) -> None:
     assert is_lit(pattern, lit)
     assert is_lit(pattern, lit + 3)
     assert not is_lit(pattern, dark)
@@ -166,11 +168,11 @@ def test_alternating_leds_are_never_lit_together() -> None:
 
 
 @pytest.mark.parametrize(("pattern", "lit"), [("on", True), ("off", False), ("purple", False)])
-def test_what_is_no_pattern_stays(pattern: str, lit: bool) -> None:
+def test_steady_pattern_does_not_blink(pattern: str, lit: bool) -> None:
     assert is_lit(pattern, 0.3) is is_lit(pattern, 0.8) is lit
 
 
-def test_leds_blink_and_say_why(qtbot: QtBot) -> None:
+def test_leds_blink_and_are_explained(qtbot: QtBot) -> None:
     leds = Leds()
     qtbot.addWidget(leds)
     leds.show()
@@ -184,9 +186,7 @@ def test_leds_blink_and_say_why(qtbot: QtBot) -> None:
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_a_lit_led_looks_unlike_a_dark_one_without_colour(
-    qtbot: QtBot, qapp: QApplication, scheme: str
-) -> None:
+def test_lit_led_differs_without_colour(qtbot: QtBot, qapp: QApplication, scheme: str) -> None:
     theme().install(qapp)
     theme().set_scheme("dark" if scheme == "dark" else "light")
     leds = Leds()
@@ -204,6 +204,23 @@ def test_a_lit_led_looks_unlike_a_dark_one_without_colour(
     assert pictures[0][0] == pictures[0][1]
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="closeEvent of native windows differs")
+def test_hidden_leds_do_not_blink(qtbot: QtBot, virtual_time: VirtualRuntime) -> None:
+    leds = Leds()
+    qtbot.addWidget(leds)
+    leds.show_patterns(("off", "blink 4/s"), ("", ""), ("", ""))
+    with qtbot.waitExposed(leds):
+        leds.show()
+    green = leds.lamps[1]
+    qtbot.waitUntil(lambda: green.lit)
+    QApplication.sendEvent(leds, QEvent(QEvent.Type.HideToParent))
+    leds.hide()
+    lit = green.lit
+    for _ in range(10):
+        virtual_time.advance(0.06)
+        assert green.lit is lit
+
+
 # --- Slider and note --------------------------------------------------------------------
 
 
@@ -216,7 +233,7 @@ def slider(qtbot: QtBot) -> StickSlider:
     return slider
 
 
-def test_a_double_click_goes_to_rest(slider: StickSlider, qtbot: QtBot) -> None:
+def test_double_click_moves_slider_to_neutral(slider: StickSlider, qtbot: QtBot) -> None:
     slider.setValue(2000)
     with qtbot.waitSignal(slider.valueChanged):
         QTest.mouseDClick(slider, Qt.MouseButton.LeftButton)
@@ -224,9 +241,7 @@ def test_a_double_click_goes_to_rest(slider: StickSlider, qtbot: QtBot) -> None:
     assert not slider.isSliderDown()
 
 
-def test_following_is_silent_and_leaves_a_held_handle_alone(
-    slider: StickSlider, qtbot: QtBot
-) -> None:
+def test_follow_is_silent_and_leaves_a_held_handle_alone(slider: StickSlider, qtbot: QtBot) -> None:
     with qtbot.assertNotEmitted(slider.valueChanged):
         slider.follow(1800)
         slider.set_scale(900, 2100, 1400)
@@ -251,7 +266,7 @@ def wheel(widget: QWidget) -> None:
     QApplication.sendEvent(widget, event)
 
 
-def test_the_wheel_turns_only_what_has_the_focus(slider: StickSlider, qtbot: QtBot) -> None:
+def test_wheel_moves_a_focused_slider_only(slider: StickSlider, qtbot: QtBot) -> None:
     slider.clearFocus()
     wheel(slider)
     assert slider.value() == 1500
@@ -262,7 +277,7 @@ def test_the_wheel_turns_only_what_has_the_focus(slider: StickSlider, qtbot: QtB
     assert slider.value() > 1500
 
 
-def test_the_wheel_passes_over_a_list(qtbot: QtBot) -> None:
+def test_wheel_changes_a_focused_list_only(qtbot: QtBot) -> None:
     combo = CalmComboBox()
     qtbot.addWidget(combo)
     combo.addItems(["a", "b", "c"])
@@ -278,9 +293,7 @@ def test_the_wheel_passes_over_a_list(qtbot: QtBot) -> None:
     assert combo.currentIndex() == 0
 
 
-def test_a_note_keeps_its_room_and_stands_out_when_it_alarms(
-    qtbot: QtBot, qapp: QApplication
-) -> None:
+def test_alarming_note_stands_out_in_the_same_room(qtbot: QtBot, qapp: QApplication) -> None:
     theme().install(qapp)
     note = Note(2)
     qtbot.addWidget(note)
@@ -294,7 +307,7 @@ def test_a_note_keeps_its_room_and_stands_out_when_it_alarms(
     assert note.palette().color(note.foregroundRole()) == theme().color("window_text")
 
 
-# --- When it is there -------------------------------------------------------------------
+# --- Visibility -------------------------------------------------------------------------
 
 
 def panel_of(program: Program) -> DemoPanel:
@@ -303,137 +316,95 @@ def panel_of(program: Program) -> DemoPanel:
     return panel
 
 
-def action_of(program: Program) -> QAction:
-    action = program.window.findChild(QAction, "demoAction")
-    assert isinstance(action, QAction)
-    return action
-
-
 @pytest.fixture
 def panel(program: Program) -> DemoPanel:
     return panel_of(program)
 
 
-def test_without_the_demo_there_is_no_panel(program: Program, panel: DemoPanel) -> None:
-    assert panel.isHidden()
-    assert not action_of(program).isEnabled()
-
-
-def test_the_panel_comes_and_goes_with_the_demo(program: Program, panel: DemoPanel) -> None:
-    program.connector.connect_to(program.ports.demo)
-    assert panel.isVisible()
-    assert program.window.dockWidgetArea(panel) is Qt.DockWidgetArea.RightDockWidgetArea
-    assert action_of(program).isEnabled()
-    assert action_of(program).isChecked()
-    program.connector.disconnect_port()
-    assert panel.isHidden()
-
-
-def test_the_panel_goes_when_another_port_is_chosen(program: Program, panel: DemoPanel) -> None:
-    program.connector.connect_to(program.ports.demo)
-    program.connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
-    assert panel.isHidden()
-
-
-def test_a_closed_panel_stays_closed_until_the_menu_brings_it_back(
-    program: Program, panel: DemoPanel
-) -> None:
-    program.connector.connect_to(program.ports.demo)
-    panel.close()
-    assert not action_of(program).isChecked()
-    program.connector.disconnect_port()
-    program.connector.connect_to(program.ports.demo)
-    assert panel.isHidden()
-    action_of(program).trigger()
-    assert panel.isVisible()
-    assert action_of(program).isChecked()
-    action_of(program).trigger()
-    assert panel.isHidden()
-
-
 @pytest.fixture
-def restart(program: Program, qtbot: QtBot) -> Callable[[], Program]:
+def restart(program: Program, qtbot: QtBot) -> Callable[[Program], Program]:
     """End the program and begin it again."""
 
-    def again() -> Program:
-        program.window.close()
-        second = build()
-        qtbot.addWidget(second.window)
-        second.window.show()
-        return second
+    def again(before: Program) -> Program:
+        before.window.close()
+        if before is not program:
+            before.connector.shut_down()
+        after = build()
+        qtbot.addWidget(after.window)
+        after.window.show()
+        return after
 
     return again
 
 
-def test_that_it_was_closed_is_remembered(
-    program: Program, panel: DemoPanel, restart: Callable[[], Program]
-) -> None:
-    program.connector.connect_to(program.ports.demo)
+def test_panel_is_there_with_the_demo_unless_closed(window: WindowDriver, panel: DemoPanel) -> None:
+    connector, action = window.program.connector, window.action("demo")
+    demo = window.program.ports.demo
+    assert panel.isHidden()
+    assert not action.isEnabled()
+
+    connector.connect_to(demo)
+    assert panel.isVisible()
+    assert window.window.dockWidgetArea(panel) is Qt.DockWidgetArea.RightDockWidgetArea
+    assert action.isEnabled()
+    assert action.isChecked()
+    assert not window.is_enabled("demoInput1"), "the simulator is being started"
+    assert "is being started" in window.text("demoState")
+    connector.disconnect_port()
+    assert panel.isHidden()
+
+    connector.connect_to(demo)
+    assert panel.isVisible()
+    connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
+    assert panel.isHidden()
+
+    connector.connect_to(demo)
     panel.close()
-    second = restart()
-    second.connector.connect_to(second.ports.demo)
-    assert panel_of(second).isHidden()
-    second.connector.shut_down()
+    assert not action.isChecked()
+    connector.disconnect_port()
+    connector.connect_to(demo)
+    assert panel.isHidden(), "it was closed"
+    action.trigger()
+    assert panel.isVisible()
+    assert action.isChecked()
+    action.trigger()
+    assert panel.isHidden()
 
 
-def test_its_place_is_remembered(
-    program: Program, panel: DemoPanel, restart: Callable[[], Program]
+def test_panel_is_restored_at_the_next_start(
+    program: Program, panel: DemoPanel, restart: Callable[[Program], Program]
 ) -> None:
     program.connector.connect_to(program.ports.demo)
     program.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, panel)
-    second = restart()
+
+    second = restart(program)
     assert panel_of(second).isHidden()
     second.connector.connect_to(second.ports.demo)
     assert panel_of(second).isVisible()
     where = second.window.dockWidgetArea(panel_of(second))
     assert where is Qt.DockWidgetArea.LeftDockWidgetArea
-    second.connector.shut_down()
 
-
-def test_the_window_takes_back_the_room_that_it_gave(
-    program: Program, panel: DemoPanel, qtbot: QtBot
-) -> None:
-    program.window.setGeometry(0, 0, 780, 620)  # of the 800 that the screen has
-    before = program.window.width()
-    program.connector.connect_to(program.ports.demo)
-    qtbot.waitUntil(panel.isVisible)
-    program.connector.disconnect_port()
-    qtbot.waitUntil(lambda: program.window.width() == before)
+    panel_of(second).close()
+    third = restart(second)
+    third.connector.connect_to(third.ports.demo)
+    assert panel_of(third).isHidden(), "it was closed"
+    third.connector.shut_down()
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support")  # said by offscreen
-def test_a_floating_panel_does_not_outlive_the_window(
-    program: Program, panel: DemoPanel, qtbot: QtBot
+def test_panel_leaves_with_its_room_and_with_the_window(
+    window: WindowDriver, panel: DemoPanel
 ) -> None:
-    program.connector.connect_to(program.ports.demo)
+    connector, demo = window.program.connector, window.program.ports.demo
+    window.window.setGeometry(0, 0, 780, 620)  # of the 800 that the screen has
+    before = window.window.width()
+    connector.connect_to(demo)
+    window.wait(panel.isVisible)
+    connector.disconnect_port()
+    window.wait(lambda: window.window.width() == before)
+
+    connector.connect_to(demo)
     panel.setFloating(True)
-    program.window.close()
+    window.window.close()
     assert panel.isHidden()
     assert QSettings().value("window/state") is not None
-
-
-def test_while_the_board_starts_nothing_can_be_handled(program: Program, panel: DemoPanel) -> None:
-    program.connector.connect_to(program.ports.demo)
-    slider = panel.findChild(StickSlider, "demoInput1")
-    assert slider is not None
-    assert not slider.isEnabled()
-    state = panel.findChild(Note, "demoState")
-    assert state is not None
-    assert "is being started" in state.text()
-
-
-@pytest.mark.skipif(sys.platform == "win32", reason="closeEvent of native windows differs")
-def test_nothing_moves_that_nobody_sees(program: Program, qtbot: QtBot) -> None:
-    leds = Leds()
-    qtbot.addWidget(leds)
-    leds.show_patterns(("off", "blink 4/s"), ("", ""), ("", ""))
-    with qtbot.waitExposed(leds):
-        leds.show()
-    green = leds.lamps[1]
-    qtbot.waitUntil(lambda: green.lit)
-    QApplication.sendEvent(leds, QEvent(QEvent.Type.HideToParent))
-    leds.hide()
-    lit = green.lit
-    with qtbot.assertNotEmitted(theme().changed, wait=300):
-        pass
-    assert green.lit is lit

@@ -1,4 +1,4 @@
-"""Every parameter of every board, edited through its own editor as a person does."""
+"""Every parameter of every board, edited through its own editor as a parameters does."""
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
-from tests.views.parameters import Person
+from tests.views.parameters import ParametersDriver
 from trex_gui.model.parameters import Column
 from trex_gui.protocol.device_table import device_table
 from trex_gui.protocol.flags import channels_in
@@ -18,10 +18,10 @@ SPECS = parameters_of("trexjr", "1.2")
 
 
 @pytest.fixture
-def person(qtbot: QtBot) -> Person:
-    person = Person(qtbot)
-    person.load(SPECS)
-    return person
+def parameters(qtbot: QtBot) -> ParametersDriver:
+    parameters = ParametersDriver(qtbot)
+    parameters.load(SPECS)
+    return parameters
 
 
 def new_in(model_key: str, firmware: str) -> list[ParameterSpec]:
@@ -31,7 +31,7 @@ def new_in(model_key: str, firmware: str) -> list[ParameterSpec]:
     return [spec for spec in parameters_of(model_key, firmware).readable if spec not in tried]
 
 
-def test_every_parameter_of_every_board_is_tried() -> None:
+def test_each_parameter_of_each_board_is_tried() -> None:
     tried = {(key, spec.key) for key, version in BOARDS for spec in new_in(key, version)}
     boards = ((key, parameters_of(key, version)) for key, version in BOARDS)
     assert tried == {(key, spec.key) for key, specs in boards for spec in specs.readable}
@@ -103,138 +103,129 @@ def enter(editor: QWidget, spec: ParameterSpec, wire: int) -> None:
         BOARDS[-1],
     ],
 )
-def test_every_parameter_takes_its_lowest_its_highest_and_another_value(
+def test_each_parameter_takes_its_extreme_values(
     qtbot: QtBot, model_key: str, firmware: str
 ) -> None:
-    person = Person(qtbot)
-    person.load(parameters_of(model_key, firmware))
+    parameters = ParametersDriver(qtbot)
+    parameters.load(parameters_of(model_key, firmware))
     for spec in new_in(model_key, firmware):
         for number, wire in enumerate(values_to_try(spec)):
-            opening = person.open_with_mouse if number % 2 else person.open_with_keys
+            opening = parameters.open_with_mouse if number % 2 else parameters.open_with_keys
             enter(opening(spec.key), spec, wire)
-            person.wait_for_value(spec.key, wire)
+            parameters.wait_for_value(spec.key, wire)
             expected = () if wire == spec.default else ((spec.key, wire),)
-            assert person.model.pending == expected
-            if person.is_editing(spec.key):
-                person.close_editor(spec.key)
-        person.model.restore(spec.key)
-    assert not person.refused
+            assert parameters.model.pending == expected
+            if parameters.is_editing(spec.key):
+                parameters.close_editor(spec.key)
+        parameters.model.restore(spec.key)
+    assert not parameters.rejected
 
 
 @pytest.mark.parametrize(("model_key", "firmware"), BOARDS)
-def test_every_number_refuses_what_is_out_of_its_range_and_names_the_limits(
+def test_each_number_out_of_range_is_rejected_with_its_limits(
     qtbot: QtBot, model_key: str, firmware: str
 ) -> None:
-    person = Person(qtbot)
-    person.load(parameters_of(model_key, firmware))
+    parameters = ParametersDriver(qtbot)
+    parameters.load(parameters_of(model_key, firmware))
     no_numbers = {Kind.CHOICE, Kind.CHANNELS, Kind.UART}
     for spec in new_in(model_key, firmware):
         if spec.kind not in no_numbers:
-            type_number(person.open_with_mouse(spec.key), "99999")
-            assert person.is_editing(spec.key)
-            assert spec.text(spec.maximum) in person.refused[-1]
-            assert spec.name in person.refused[-1]
-            person.close_editor(spec.key)
-            assert not person.model.pending
+            type_number(parameters.open_with_mouse(spec.key), "99999")
+            assert parameters.is_editing(spec.key)
+            assert spec.text(spec.maximum) in parameters.rejected[-1]
+            assert spec.name in parameters.rejected[-1]
+            parameters.close_editor(spec.key)
+            assert not parameters.model.pending
 
 
-def test_a_number_goes_up_and_down_with_the_arrows(person: Person) -> None:
-    editor = person.open_with_keys("serial_timeout")
-    QTest.keyClick(editor, Qt.Key.Key_Up)
-    QTest.keyClick(editor, Qt.Key.Key_Up)
-    QTest.keyClick(editor, Qt.Key.Key_Down)
-    QTest.keyClick(editor, Qt.Key.Key_Return)
-    person.wait_for_value("serial_timeout", 1)
+def test_keys_change_a_number(parameters: ParametersDriver) -> None:
+    editor = parameters.open_with_keys("serial_timeout")
+    for key in (Qt.Key.Key_Up, Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Return):
+        QTest.keyClick(editor, key)
+    parameters.wait_for_value("serial_timeout", 1)
+    parameters.wait_for_no_editor("serial_timeout")
 
-
-def test_a_digit_on_the_row_begins_to_type(person: Person) -> None:
-    person.go_to("serial_timeout")
-    QTest.keyClicks(person.view, "1")
-    editor = person.editor("serial_timeout")
+    parameters.go_to("serial_timeout")
+    QTest.keyClicks(parameters.view, "1")
+    editor = parameters.editor("serial_timeout")
     QTest.keyClicks(editor, ".5 s")
     QTest.keyClick(editor, Qt.Key.Key_Return)
-    person.wait_for_value("serial_timeout", 15)
+    parameters.wait_for_value("serial_timeout", 15)
+    parameters.wait_for_no_editor("serial_timeout")
 
-
-@pytest.mark.parametrize(
-    ("typed", "wire"),
-    [("500 ms", 25), ("3.2 s", 4), ("12.7s", 1), ("0,1 s", 127), ("100 ms", 127), ("4", 4)],
-)
-def test_an_acceleration_may_be_typed_as_time_to_full_speed(
-    person: Person, typed: str, wire: int
-) -> None:
-    editor = person.open_with_mouse("motor1_acceleration")
-    type_number(editor, typed)
-    person.wait_for_value("motor1_acceleration", wire)
-
-
-@pytest.mark.parametrize("typed", ["20 s", "10 ms", "0 s"])
-def test_a_time_to_full_speed_that_cannot_be_is_refused(person: Person, typed: str) -> None:
-    editor = person.open_with_mouse("motor1_acceleration")
-    type_number(editor, typed)
-    assert "reaches full speed in 12.7 s to 100 ms" in person.refused[-1]
-    assert person.is_editing("motor1_acceleration")
-
-
-def test_an_acceleration_left_as_it_is_stays(person: Person) -> None:
-    for wire in (0, 1, 2, 7, 40, 41, 63, 64, 99, 101, 124, 125, 126, 127):
-        person.model.edit("motor1_acceleration", wire)
-        QTest.keyClick(person.open_with_keys("motor1_acceleration"), Qt.Key.Key_Return)
-        person.wait_for_no_editor("motor1_acceleration")
-        assert person.model.value_of("motor1_acceleration") == wire
-
-
-def test_escape_leaves_the_value(person: Person) -> None:
-    editor = person.open_with_mouse("serial_timeout")
+    editor = parameters.open_with_mouse("serial_timeout")
     QTest.keyClicks(editor, "5")
-    person.close_editor("serial_timeout")
-    assert not person.model.pending
+    parameters.close_editor("serial_timeout")
+    assert parameters.model.value_of("serial_timeout") == 15, "Escape keeps the value"
 
 
-def test_an_editor_stays_within_the_table(person: Person) -> None:
-    person.table.resize(700, 500)
-    editor = person.open_with_mouse("uart_settings", Column.NAME)
-    assert editor.geometry().right() < person.view.viewport().width()
+def test_acceleration_may_be_typed_as_time_to_full_speed(parameters: ParametersDriver) -> None:
+    key = "motor1_acceleration"
+    for typed, wire in (
+        ("500 ms", 25),
+        ("3.2 s", 4),
+        ("12.7s", 1),
+        ("0,1 s", 127),
+        ("4", 4),
+        ("100 ms", 127),
+    ):
+        type_number(parameters.open_with_mouse(key), typed)
+        parameters.wait_for_no_editor(key)
+        assert parameters.model.value_of(key) == wire, typed
+
+    for typed in ("20 s", "10 ms", "0 s"):
+        parameters.rejected.clear()
+        type_number(parameters.open_with_mouse(key), typed)
+        assert "reaches full speed in 12.7 s to 100 ms" in parameters.rejected[-1], typed
+        assert parameters.is_editing(key), typed
+        parameters.close_editor(key)
+        assert parameters.model.value_of(key) == 127, typed
+
+
+def test_acceleration_is_kept_by_return(parameters: ParametersDriver) -> None:
+    for wire in (0, 1, 2, 7, 40, 41, 63, 64, 99, 101, 124, 125, 126, 127):
+        parameters.model.edit("motor1_acceleration", wire)
+        QTest.keyClick(parameters.open_with_keys("motor1_acceleration"), Qt.Key.Key_Return)
+        parameters.wait_for_no_editor("motor1_acceleration")
+        assert parameters.model.value_of("motor1_acceleration") == wire
+
+
+def test_editor_stays_within_the_table(parameters: ParametersDriver) -> None:
+    parameters.table.resize(700, 500)
+    editor = parameters.open_with_mouse("uart_settings", Column.NAME)
+    assert editor.geometry().right() < parameters.view.viewport().width()
     assert editor.width() >= editor.sizeHint().width()
 
 
-# --- Where a file gives nothing ---------------------------------------------------------
-
-
-def test_looking_into_what_is_not_given_gives_nothing(person: Person) -> None:
-    person.open_file(SPECS, serial_timeout=5)
-    for key in ("device_number", "motor_mode", "required_channels", "uart_settings"):
-        person.open_with_mouse(key)
-        person.go_to("serial_timeout")
-        person.wait_for_no_editor(key)
-    assert not person.model.modified
-
-
-@pytest.mark.parametrize(
-    "key", ["device_number", "motor_mode", "required_channels", "uart_settings"]
-)
-def test_enter_gives_the_default_that_the_editor_shows(person: Person, key: str) -> None:
-    person.open_file(SPECS, serial_timeout=5)
-    editor = person.open_with_keys(key)
-    QTest.keyClick(editor, Qt.Key.Key_Return)
-    person.wait_for_value(key, SPECS[key].default)
-    person.draft.undo.undo()
-    assert not person.model.modified
+# --- Parameters that a file does not give -----------------------------------------------
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-def test_a_choice_that_is_what_stands_there_gives_it(person: Person) -> None:
-    person.open_file(SPECS, serial_timeout=5)
-    editor = person.open_with_mouse("motor_mode")
-    assert isinstance(editor, QComboBox)
-    editor.showPopup()
-    QTest.keyClick(editor.view(), Qt.Key.Key_Return)
-    person.wait_for_value("motor_mode", 0)
+def test_parameter_not_given_takes_only_confirmed_values(parameters: ParametersDriver) -> None:
+    parameters.open_file(SPECS, serial_timeout=5)
+    keys = ("device_number", "motor_mode", "required_channels", "uart_settings")
+    for key in keys:
+        parameters.open_with_mouse(key)
+        parameters.go_to("serial_timeout")
+        parameters.wait_for_no_editor(key)
+    assert not parameters.model.modified
 
+    for key in keys:
+        QTest.keyClick(parameters.open_with_keys(key), Qt.Key.Key_Return)
+        parameters.wait_for_value(key, SPECS[key].default)
+        parameters.wait_for_no_editor(key)
+        parameters.draft.undo.undo()
+        assert not parameters.model.modified, key
 
-def test_ticks_and_typing_give_what_they_mean(person: Person) -> None:
-    person.open_file(SPECS, serial_timeout=5)
-    tick(person.open_with_mouse("ignored_channels"), 0b101)
-    type_number(person.open_with_mouse("device_number"), "9")
-    person.qtbot.waitUntil(lambda: len(person.model.pending) == 2)
-    assert dict(person.model.pending) == {"ignored_channels": 5, "device_number": 9}
+    combo = parameters.open_with_mouse("motor_mode")
+    assert isinstance(combo, QComboBox)
+    combo.showPopup()
+    QTest.keyClick(combo.view(), Qt.Key.Key_Return)
+    parameters.wait_for_value("motor_mode", 0)
+    parameters.wait_for_no_editor("motor_mode")
+    parameters.draft.undo.undo()
+
+    tick(parameters.open_with_mouse("ignored_channels"), 0b101)
+    type_number(parameters.open_with_mouse("device_number"), "9")
+    parameters.wait(lambda: len(parameters.model.pending) == 2)
+    assert dict(parameters.model.pending) == {"ignored_channels": 5, "device_number": 9}

@@ -1,0 +1,150 @@
+"""What the window reports when the program stops the motors by itself: what is confirmed."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from tests.support.causes import Causes, watched
+from tests.support.pages.motors import is_stopped
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import TIMEOUT_MS, WindowDriver
+from trex_gui.link.explain import BEYOND_A_STOP
+from trex_gui.model.device import Link
+
+LOCKED = "The screen was locked"
+MISTAKEN = "The program made a mistake (ValueError)"
+NOT_ARMED = "Not armed: nothing is sent before Run motor."
+
+
+def stopped(reason: str) -> str:
+    """Return what the banner says once the stop is confirmed."""
+    return f"{reason}, so the motors were stopped."
+
+
+@pytest.fixture
+def causes(window: WindowDriver, qtbot: QtBot, qapp: QApplication) -> Iterator[Causes]:
+    with watched(window.program, qtbot, qapp) as causes:
+        yield causes
+
+
+def drive(window: WindowDriver, simulator: SimulatedDevice | None = None) -> None:
+    """Let a motor run."""
+    window.wait(lambda: window.device.link is Link.UP and window.motors.can_arm)
+    window.motors.arm()
+    window.motors.set_speed(1, 60)
+    window.wait(lambda: window.device.may_move)
+    if simulator is not None:
+        window.wait(lambda: simulator.show()["motors"][0]["speed"] == 60)
+
+
+def wait_for_banner(window: WindowDriver, causes: Causes, text: str) -> None:
+    def check() -> None:
+        assert causes.banner == text
+
+    window.qtbot.waitUntil(check, timeout=TIMEOUT_MS)
+
+
+def test_stop_of_the_demo_is_reported_once_it_is_confirmed(
+    window: WindowDriver, causes: Causes
+) -> None:
+    window.connect_to_demo()
+    for cause, reason in (
+        (causes.lock_the_screen, LOCKED),
+        (causes.make_a_mistake, MISTAKEN),
+    ):
+        drive(window)
+        causes.told.clear()
+        cause()
+        wait_for_banner(window, causes, stopped(reason))
+        assert not window.device.may_move, reason
+        first, *_, last = causes.told
+        assert first == f"{reason}. The stop was sent, and is not confirmed yet."
+        assert last == causes.banner
+
+
+def test_window_gives_the_reason_of_a_stop_and_goes_on(
+    connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
+) -> None:
+    window = connected_window
+    drive(window, quick_simulator)
+    causes.lock_the_screen()
+    wait_for_banner(window, causes, stopped(LOCKED))
+    assert window.text("motorStateLabel") == f"Stopped. {LOCKED}."
+    assert f"Stop: {LOCKED}." in [event.text for event in window.device.events.all]
+    assert not causes.mistakes
+
+    drive(window, quick_simulator)
+    causes.make_a_mistake()
+    wait_for_banner(window, causes, stopped(MISTAKEN))
+    assert causes.mistakes == [ValueError]
+    assert is_stopped(quick_simulator)
+    drive(window, quick_simulator)
+
+
+def test_no_stop_is_claimed_while_the_board_does_not_reply(
+    connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
+) -> None:
+    window = connected_window
+    drive(window, quick_simulator)
+    quick_simulator.do("line mute on")
+    causes.lock_the_screen()
+    unconfirmed = (
+        f"{LOCKED}. The stop was sent, but the board does not confirm it. If a motor still turns, "
+        "cut its power."
+    )
+    wait_for_banner(window, causes, unconfirmed)
+    assert not [text for text in causes.told if "were stopped" in text]
+    assert window.device.may_move
+    quick_simulator.do("line mute off")
+    wait_for_banner(window, causes, stopped(LOCKED))
+    window.wait(lambda: not window.device.may_move)
+    assert is_stopped(quick_simulator)
+
+    drive(window, quick_simulator)
+    quick_simulator.do("line unplug")
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert window.device.may_move
+    causes.told.clear()
+    causes.lock_the_screen()
+    out_of_reach = (
+        "No board is connected that could be stopped, and motors may still turn: cut their power."
+    )
+    wait_for_banner(window, causes, f"{LOCKED}. {out_of_reach}")
+    assert len(causes.told) == 1
+
+
+def test_board_lost_with_the_stop_is_not_claimed_to_have_stopped(
+    connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
+) -> None:
+    window = connected_window
+    drive(window, quick_simulator)
+    quick_simulator.do("line unplug")
+    causes.lock_the_screen()  # before the window has seen that the cable is gone, or after
+    window.wait(lambda: window.device.link is Link.NONE and causes.told)
+    window.wait(lambda: not causes.told[-1].endswith("is not confirmed yet."))
+    assert not [text for text in causes.told if "were stopped" in text]
+    assert causes.told[-1].endswith("cut its power.") or causes.told[-1].endswith("their power.")
+
+
+def test_no_stop_is_claimed_where_nothing_can_be_stopped(
+    window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
+) -> None:
+    causes.lock_the_screen()
+    causes.make_a_mistake()
+    window.wait(lambda: causes.told)
+    assert causes.told == [f"{MISTAKEN}."]
+    wait_for_banner(window, causes, f"{MISTAKEN}.")
+
+    window.connect(quick_simulator.url)
+    window.wait(lambda: window.motors.can_arm)
+    assert window.text("motorStateLabel") == NOT_ARMED, "no stop of a board connected later"
+
+    for line in ("jumper mode rc", "power off", "power on"):
+        quick_simulator.do(line)
+    window.wait(lambda: window.device.link is Link.UP and not window.motors.can_arm)
+    causes.lock_the_screen()
+    wait_for_banner(window, causes, f"{LOCKED}. {BEYOND_A_STOP}")  # channels drive
+    for line in ("jumper mode serial", "power off", "power on"):
+        quick_simulator.do(line)

@@ -1,0 +1,167 @@
+"""The Motors page, and what the motors of a simulated board do meanwhile."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit, QSlider, QWidget
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_time import VirtualQtBot
+from tests.support.window import LEFT, WindowDriver
+
+BRAKE = ("brake", 127)
+
+FULL = ("forward", 127)
+
+
+def is_stopped(simulator: SimulatedDevice) -> bool:
+    """Return whether both motors brake fully, stay so, and the auxiliary motor is off."""
+    shown = simulator.show()
+    braked = {"direction": "brake", "speed": 127, "target_direction": "brake", "target_speed": 127}
+    return shown["aux"] == {"speed": 0, "target_speed": 0} and all(
+        {key: motor[key] for key in braked} == braked for motor in shown["motors"]
+    )
+
+
+Gesture = Callable[[], object]
+"""What a hand does."""
+
+
+class MotorsPage(WindowDriver):
+    """The window on its Motors page, connected to a simulated board.
+
+    Attributes:
+        simulator: the board.
+    """
+
+    def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
+        super().__init__(window.program, window.qtbot)
+        self.simulator = simulator
+        self.show_page()
+        self.activate()
+
+    def show_page(self) -> None:
+        self.open_page("motorsPage")
+
+    def activate(self) -> None:
+        """Bring the window to the front."""
+        self.window.activateWindow()
+        self.wait(self.window.isActiveWindow)
+
+    def let_nothing_happen(self, seconds: float) -> None:
+        """Let time pass in which nothing is to change; a check follows."""
+        assert isinstance(self.qtbot, VirtualQtBot)
+        self.qtbot.runtime.advance(seconds)
+
+    # --- Arm and stop -------------------------------------------------------------------
+
+    def arm(self) -> None:
+        """Click Run motor as soon as it is offered."""
+        self.wait(self.button("motorsRunButton").isEnabled)
+        self.click("motorsRunButton")
+        self.wait(self.pad.isEnabled)
+
+    def is_armed(self) -> bool:
+        return self.motors.armed
+
+    def press_escape(self) -> None:
+        """Press Esc where the keyboard is, as the system does."""
+        window = QApplication.focusWindow()
+        assert window is not None
+        QTest.keyClick(window, Qt.Key.Key_Escape)
+
+    # --- What the board does ------------------------------------------------------------
+
+    def target(self, motor: int) -> tuple[str, int]:
+        """Return direction and speed that the board last took for a motor."""
+        shown = self.simulator.show()["motors"][motor - 1]
+        return shown["target_direction"], shown["target_speed"]
+
+    @property
+    def auxiliary_target(self) -> int:
+        speed: int = self.simulator.show()["aux"]["target_speed"]
+        return speed
+
+    def wait_for_targets(
+        self, first: tuple[str, int] | None, second: tuple[str, int] | None, case: object = ""
+    ) -> None:
+        """Wait until the board takes this for its motors; `None`: anything."""
+
+        def check() -> None:
+            for motor, wanted in enumerate((first, second), 1):
+                if wanted is not None:
+                    said = self.text(f"motor{motor}Asked"), self.text("motorsReason")
+                    assert self.target(motor) == wanted, (case, *said)
+
+        self.qtbot.waitUntil(check, timeout=20_000)
+
+    def wait_for_brake(self, case: object = "") -> None:
+        """Wait until both motors are to brake fully."""
+        self.wait_for_targets(BRAKE, BRAKE, case)
+
+    # --- Pad ----------------------------------------------------------------------------
+
+    @property
+    def pad(self) -> QWidget:
+        return self.find(QWidget, "drivePad")
+
+    def place_in_pad(self, forward: float, turn: float) -> QPoint:
+        """Return where the pad means this; its ends are beyond what the knob can reach."""
+        middle, reach = self.pad.rect().center(), min(self.pad.width(), self.pad.height()) / 2
+        return middle + QPoint(round(turn * reach), round(-forward * reach))
+
+    def hold_pad(self, forward: float, turn: float) -> None:
+        QTest.mousePress(self.pad, LEFT, pos=self.pad.rect().center())
+        self.move_pad(forward, turn)
+
+    def move_pad(self, forward: float, turn: float) -> None:
+        QTest.mouseMove(self.pad, self.place_in_pad(forward, turn))
+
+    def release_pad(self, place: QPoint | None = None) -> None:
+        QTest.mouseRelease(self.pad, LEFT, pos=place or self.pad.rect().center())
+
+    # --- Sliders ------------------------------------------------------------------------
+
+    def hold_slider(self, name: str, value: int) -> QSlider:
+        """Drag the handle of a slider and keep the button down."""
+        return self.drag(name, value, release=False)
+
+    def move_slider(self, name: str, value: int) -> None:
+        """Move the mouse over a slider to where its handle would be for a value."""
+        slider = self.find(QSlider, name)
+        QTest.mouseMove(slider, self.handle_of(slider, value))
+
+    def release_slider(self, name: str, place: QPoint | None = None) -> None:
+        slider = self.find(QSlider, name)
+        QTest.mouseRelease(slider, LEFT, pos=place or self.handle_of(slider))
+
+    def slider_value(self, name: str) -> int:
+        return self.find(QSlider, name).value()
+
+    # --- Keys ---------------------------------------------------------------------------
+
+    def press_key(self, key: Qt.Key) -> None:
+        QTest.keyPress(self.window.windowHandle(), key)
+
+    def release_key(self, key: Qt.Key) -> None:
+        QTest.keyRelease(self.window.windowHandle(), key)
+
+    def click_key(self, key: Qt.Key) -> None:
+        self.press_key(key)
+        self.release_key(key)
+
+    # --- Other windows ------------------------------------------------------------------
+
+    @contextmanager
+    def another_window(self) -> Iterator[None]:
+        """Bring another window to the front, and at the end this one."""
+        other = QLineEdit()
+        self.qtbot.addWidget(other)
+        other.show()
+        other.activateWindow()
+        self.wait(lambda: not self.window.isActiveWindow())
+        yield
+        other.close()
+        self.activate()

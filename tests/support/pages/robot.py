@@ -1,0 +1,206 @@
+"""The window with an Aracna: its pages, its playback and the simulated robot behind them."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QItemSelectionModel, QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QLineEdit,
+    QListView,
+    QListWidget,
+    QMenu,
+    QSlider,
+    QSpinBox,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import LEFT, WindowDriver
+from trex_gui.aracna.link.messages import Moving, SpeedsHeld
+from trex_gui.model.connection import Link
+from trex_gui.window import Program
+
+ROBOT_PAGE, POSES_PAGE, LOG_PAGE = range(3)
+
+
+class RobotWindow(WindowDriver):
+    """The whole program, with the gestures for an Aracna.
+
+    Attributes:
+        simulator: the process of the simulated robot.
+        goals: the goals of every motion that was sent, in order.
+        speeds: the speeds that the robot has confirmed, in order.
+    """
+
+    def __init__(self, program: Program, qtbot: QtBot) -> None:
+        super().__init__(program, qtbot)
+        self.simulator = program.robot_way.simulator
+        self.goals: list[tuple[int, ...]] = []
+        self.speeds: list[tuple[int, ...]] = []
+        self._silences = 0
+        self.robot.link_changed.connect(self._count_silences)
+        self.robot.reported.connect(self._note)
+
+    def _count_silences(self) -> None:
+        if self.robot.link is Link.SILENT:
+            self._silences += 1
+
+    def _note(self, report: object) -> None:
+        if isinstance(report, Moving):
+            self.goals.append(report.goals)
+        elif isinstance(report, SpeedsHeld):
+            self.speeds.append(report.held)
+
+    # --- Connect ------------------------------------------------------------------------
+
+    @property
+    def port(self) -> str:
+        """The port that the list shows."""
+        return self.combo("portCombo").currentText()
+
+    def is_idle(self) -> bool:
+        """Return whether no device is connected."""
+        return self.program.switchboard.is_idle
+
+    def choose_demo(self, kind: str = "aracna") -> None:
+        """Choose a simulated device in the list of ports and wait until it is read."""
+        self.select("portCombo", self.program.ports.demo_of(kind))
+        self.wait_until_up(kind)
+
+    def wait_until_up(self, kind: str = "aracna") -> None:
+        """Wait until the TReX or the Aracna is read."""
+        model = self.device if kind == "trex" else self.robot
+        self.wait(lambda: model.link is Link.UP)
+
+    def press_connect(self, kind: str = "aracna") -> None:
+        """Press Connect and wait until the device is read."""
+        self.click("connectButton")
+        self.wait_until_up(kind)
+
+    def press_disconnect(self) -> None:
+        self.click("connectButton")
+        self.wait(self.is_idle)
+
+    def wait_for_silence(self, cause: Callable[[], object]) -> None:
+        """Do something and wait until the robot did not respond; after a reset it is brief."""
+        before = self._silences
+        cause()
+        self.wait(lambda: self._silences > before)
+
+    # --- The simulated robot ------------------------------------------------------------
+
+    def control(self, line: str) -> str:
+        """Send a control line to the simulator; return its answer."""
+        answers: list[str] = []
+        self.simulator.send(line, answers.append)
+        self.wait(lambda: answers)
+        assert answers[0].startswith("ok"), answers
+        return answers[0].removeprefix("ok").strip()
+
+    def simulated(self) -> dict[str, Any]:
+        """Return the state of the simulated robot."""
+        state: dict[str, Any] = json.loads(self.control("show"))
+        return state
+
+    def servos_turn(self) -> bool:
+        return any(servo["moving"] for servo in self.simulated()["servos"])
+
+    # --- Move ---------------------------------------------------------------------------
+
+    def wait_for_motion(self, before: int) -> None:
+        """Wait until more than so many motions were sent, and the last one is over."""
+        self.wait(lambda: len(self.goals) > before and self.robot.known.moving is None)
+
+    def move(self) -> None:
+        """Press Move and wait for the robot's answer."""
+        before = self.robot.known.moved
+        self.click("aracnaMoveButton")
+        self.wait(lambda: self.robot.known.moved not in (None, before))
+
+    def block_and_lose_motor(self, motor: int) -> None:
+        """Let a motor die on its way; one that is dead before does not take its speed."""
+        self.control(f"servo {motor} block")
+        slider = self.find(QSlider, f"aracnaSlider{motor}")
+        self.drag(slider.objectName(), slider.value() - 32)
+        self.click("aracnaMoveButton")
+        self.wait(lambda: self.robot.known.moving is not None)
+        self.control(f"servo {motor} dead")
+        self.control(f"servo {motor} free")
+        self.wait(lambda: self.robot.known.stuck is not None)
+
+    def goal_box(self, motor: int) -> QSpinBox:
+        return self.find(QSpinBox, f"aracnaGoal{motor}")
+
+    # --- Pages --------------------------------------------------------------------------
+
+    def show_page(self, index: int) -> None:
+        """Turn to a page of the robot by its menu entry."""
+        self.trigger(f"aracna_page{index}")
+        assert self.program.aracna.pages.currentIndex() == index
+
+    def choose_row(self, list_name: str, text: str) -> None:
+        """Choose the row of a list that begins with a text."""
+        view = self.find(QListView, list_name)
+        model = view.model()
+        rows = [model.index(row, 0) for row in range(model.rowCount())]
+        index = next(each for each in rows if str(each.data()).startswith(text))
+        view.scrollTo(index)
+        view.selectionModel().setCurrentIndex(
+            index, QItemSelectionModel.SelectionFlag.ClearAndSelect
+        )
+
+    def type_into_row(self, list_name: str, text: str) -> None:
+        """Type into the editor that is open in a list, and confirm it."""
+        editor = self.find(QListView, list_name).findChild(QLineEdit)
+        assert editor is not None, f"no row of {list_name} is edited"
+        editor.selectAll()
+        QTest.keyClicks(editor, text)
+        QTest.keyClick(editor, Qt.Key.Key_Return)
+
+    def logged(self) -> list[str]:
+        """Return the lines of the log without their times, the newest first."""
+        log = self.find(QListWidget, "aracnaLog")
+        return [log.item(row).text().partition("  ")[2] for row in range(log.count())]
+
+    @property
+    def menus(self) -> list[str]:
+        """The titles of the menus that are offered."""
+        return [
+            menu.title().replace("&", "")
+            for action in self.window.menuBar().actions()
+            if action.isVisible() and isinstance(menu := action.menu(), QMenu)
+        ]
+
+    # --- Mouse and keys -----------------------------------------------------------------
+
+    def move_handle(self, slider: QSlider, value: int) -> None:
+        """Move the handle of a slider that is held to a value."""
+        QTest.mouseMove(slider, self.handle_of(slider, value))
+
+    def release_handle(self, slider: QSlider) -> None:
+        QTest.mouseRelease(slider, LEFT, pos=self.handle_of(slider))
+
+    def type_unconfirmed(self, name: str, text: str) -> None:
+        """Type into a box and leave the focus there, without Return."""
+        self.wait(lambda: self.has(name))
+        self.window.activateWindow()
+        editor = self.find(QWidget, name)
+        editor.setFocus()
+        self.wait(editor.hasFocus)
+        self.type_into(name, text, enter=False)
+
+    def drop(self, *paths: Path) -> bool:
+        """Drag files over the window and release them; return whether it takes them."""
+        data = QMimeData()
+        data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+        how = (Qt.DropAction.CopyAction, data, LEFT, Qt.KeyboardModifier.NoModifier)
+        enter = QDragEnterEvent(QPoint(9, 9), *how)
+        QApplication.sendEvent(self.window, enter)
+        if enter.isAccepted():
+            QApplication.sendEvent(self.window, QDropEvent(QPointF(9, 9), *how))
+        return enter.isAccepted()
