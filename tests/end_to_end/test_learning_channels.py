@@ -8,8 +8,8 @@ from collections.abc import Callable
 import pytest
 
 from tests.support.pages.learning import LearningDialog
-from tests.support.transmitter import Stick
 from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick
 from tests.support.window import WindowDriver
 from trex_gui.protocol.flags import CHANNELS
 from trex_gui.views.learning.dialog import LearnDialog
