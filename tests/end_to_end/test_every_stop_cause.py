@@ -152,17 +152,6 @@ def wait_until_stopped(simulator: SimulatedDevice, cause: str) -> None:
         assert is_stopped(simulator), f"{cause}: a motor runs again"
 
 
-def run_trexcmd(command: str, simulator: SimulatedDevice, *words: str) -> None:
-    """Run `trexcmd` to its end."""
-    program = [sys.executable, "-m", "trex_gui.cli", command, *words]
-    subprocess.run(
-        [*program, "--port", simulator.url, "--timeout", "0.3"],
-        check=True,
-        capture_output=True,
-        timeout=PATIENCE,
-    )
-
-
 # --- In the program ---------------------------------------------------------------------
 
 
@@ -276,14 +265,16 @@ def test_trexcmd_stops_what_a_killed_window_left_running(
     window.process.wait(PATIENCE)
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
     assert is_driven(quick_simulator)
-    run_trexcmd("stop", quick_simulator)
+    stop = [sys.executable, "-m", "trex_gui.cli", "stop", "--port", quick_simulator.url]
+    subprocess.run([*stop, "--timeout", "0.3"], check=True, capture_output=True, timeout=PATIENCE)
     assert is_stopped(quick_simulator)
 
 
 def test_board_with_a_serial_timeout_stops_after_kill_9(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    run_trexcmd("set", quick_simulator, "serial_timeout", "0.5 s")
+    quick_simulator.do("eeprom serial_timeout 5")
+    quick_simulator.do("power cycle")
     window = start()
     window.drive()
     window.process.kill()
