@@ -1,6 +1,5 @@
 """Bench tests in the window: the motor runs only while the button is held."""
 
-import sys
 from collections.abc import Callable
 
 import pytest
@@ -16,8 +15,6 @@ from trex_gui.model.bench import Phase, Plan
 from trex_gui.views.bench.dialog import BenchDialog
 from trex_gui.views.bench.hold_button import HoldButton
 from trex_gui.views.bench.opener import BenchOpener
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 class BenchTestDialog(WidgetDriver):

@@ -1,14 +1,8 @@
 """Motors that were left turning behind a lost line, and a board at another port."""
 
-import sys
-
-import pytest
-
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.model.connection import Link
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 def lose(window: WindowDriver, board: SimulatedDevice) -> None:

@@ -1,7 +1,5 @@
 """A board in the window: connection, pages, settings and motors."""
 
-import sys
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -15,8 +13,6 @@ from trex_gui.model.connection import Link
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
 from trex_gui.runtime import now, open_transport
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 @pytest.fixture

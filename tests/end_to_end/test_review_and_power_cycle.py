@@ -1,7 +1,5 @@
 """Settings are reviewed before they are written and followed until they are active."""
 
-import sys
-
 import pytest
 
 from tests.support.held_line import before_storing
@@ -14,8 +12,6 @@ from trex_gui.model.comparison_table import ComparisonColumn
 from trex_gui.model.connection import Link
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.line_settings import Detection, LineSettings
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 LINES = (
     LineSettings(115200),

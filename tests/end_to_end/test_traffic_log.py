@@ -1,7 +1,6 @@
 """The page of the transcript: everything that goes over the line."""
 
 import re
-import sys
 from pathlib import Path
 
 import pytest
@@ -15,8 +14,6 @@ from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.views.transcript.page import TranscriptPage
 from trex_gui.views.transcript.table import RECEIVED, SENT, WORDS
 from trex_gui.views.transcript.table_view import TranscriptView
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 class TrafficPage(WidgetDriver):

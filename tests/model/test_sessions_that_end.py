@@ -1,6 +1,5 @@
 """The last word of a session, and requests while it ends."""
 
-import sys
 import threading
 from collections.abc import Callable, Iterator
 
@@ -108,7 +107,6 @@ def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     return device
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 def test_a_board_that_does_not_prove_its_stop_may_move_when_the_line_is_closed(
     quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:

@@ -85,7 +85,8 @@ class WidgetDriver:
         """Wait until a label contains a text."""
 
         def contains() -> None:
-            assert part in self.text(name)
+            text = self.text(name)
+            assert part in text, f"{name}: {text}"
 
         self.qtbot.waitUntil(contains, timeout=TIMEOUT_MS)
 

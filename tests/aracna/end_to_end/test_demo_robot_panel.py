@@ -1,6 +1,5 @@
 """The panel of the Demo Aracna: it shows the simulated robot, and handles it like a real one."""
 
-import sys
 from dataclasses import replace
 
 import pytest
@@ -18,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from tests.end_to_end.test_names_for_a_screen_reader import assert_named
+from tests.support.accessible_names import assert_named
 from tests.support.demo_panels import reached_by_tab, stand_in_order
 from tests.support.pages.robot import RobotWindow
 from tests.support.window import WidgetDriver
@@ -28,8 +27,6 @@ from trex_gui.aracna.views.demo.panel import DemoRobotView
 from trex_gui.model.connection import Link
 from trex_gui.views.widgets.leds import Lamp
 from trex_gui.views.widgets.stick_slider import StickSlider
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 class DemoRobotPanel(WidgetDriver):

@@ -1,8 +1,5 @@
 """One window for a TReX and an Aracna: the workspace is that of the port."""
 
-import sys
-
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
@@ -12,8 +9,6 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Link
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
 ARACNA_MENUS = ["File", "Device", "Aracna", "Poses", "Window", "Help"]

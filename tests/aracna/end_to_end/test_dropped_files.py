@@ -1,6 +1,5 @@
 """Files that are dropped on the window or named at the start: each goes where it belongs."""
 
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -9,8 +8,6 @@ from PySide6.QtWidgets import QMessageBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
 from trex_gui.model.connection import Link
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 POSES = "Test:8:1024:1024:1024:1024:1024:1024:1024:1024\nPose=low:100,100,100,100,100,100,100,100\n"
 OTHER_POSES = POSES.replace("low", "other")

@@ -1,7 +1,5 @@
 """Find, on ports that lead to a robot, to a board or to nothing."""
 
-import sys
-
 import pytest
 from PySide6.QtWidgets import QDialog, QLabel
 
@@ -10,8 +8,6 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.link.discovery import attempts
 from trex_gui.link.settings import LinkSettings
 from trex_gui.runtime import open_transport
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 @pytest.fixture(autouse=True)

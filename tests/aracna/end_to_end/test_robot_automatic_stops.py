@@ -1,7 +1,6 @@
 """What the window says when the program halts an Aracna by itself: its link has no stop."""
 
 import re
-import sys
 from collections.abc import Callable, Iterator
 
 import pytest
@@ -11,8 +10,6 @@ from pytestqt.qtbot import QtBot
 from tests.support.causes import Causes, watched
 from tests.support.pages.robot import RobotWindow
 from tests.support.virtual_time import VirtualRuntime
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 LOCKED = "The screen was locked"
 MISTAKE = "The program made a mistake (ValueError)"

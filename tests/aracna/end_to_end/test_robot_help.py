@@ -1,15 +1,11 @@
 """F1: the maker's guide of a TReX, and help on an Aracna."""
 
-import sys
-
 import pytest
 from PySide6.QtCore import QUrl
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QDialog, QTextBrowser
 
 from tests.support.pages.robot import RobotWindow
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 GUIDE = "https://www.pololu.com/docs/0J1"
 

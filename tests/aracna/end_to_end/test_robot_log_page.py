@@ -1,13 +1,7 @@
 """The Log page shows the quality of the line to the robot."""
 
-import sys
-
-import pytest
-
 from tests.support.pages.robot import LOG_PAGE, RobotWindow
 from trex_gui.model.connection import Link
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 def test_log_page_counts_requests_and_failures_of_the_line(connected_window: RobotWindow) -> None:

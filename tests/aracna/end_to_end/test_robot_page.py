@@ -1,7 +1,5 @@
 """The page of the robot, operated with mouse and keys at the Demo Aracna."""
 
-import sys
-
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
@@ -12,8 +10,6 @@ from tests.support.window import LEFT
 from trex_gui.aracna.link.messages import Play, Step
 from trex_gui.aracna.views.page.drawing import RobotDrawing
 from trex_gui.model.connection import Link
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 def spin_box(window: RobotWindow, name: str) -> QSpinBox:

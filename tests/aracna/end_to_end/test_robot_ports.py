@@ -1,7 +1,5 @@
 """What the list of ports shows is what Connect connects to, whichever device it leads to."""
 
-import sys
-
 import pytest
 from PySide6.QtCore import Qt
 from serial.tools.list_ports_common import ListPortInfo
@@ -11,8 +9,6 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import app
 from trex_gui.model.connection import Link
 from trex_gui.model.ports import Ports
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
 NONE = "Not connected"

@@ -1,6 +1,5 @@
 """Poses are captured and gone to, and gaits are played, with a robot connected."""
 
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -12,8 +11,6 @@ from trex_gui.aracna.link.messages import Moving
 from trex_gui.runtime import now
 from trex_gui.system.stopper import Stopper
 from trex_gui.watching import Watching
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 @pytest.fixture

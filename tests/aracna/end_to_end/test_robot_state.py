@@ -1,14 +1,10 @@
 """The window says no more of the robot than is known, and refuses what could not be done."""
 
-import sys
-
 import pytest
 
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
 from trex_gui.aracna.link import session
 from trex_gui.model.connection import Link
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 UNSURE = "Not known: what was sent last goes on to its goal."
 AT_REST = "At rest: nothing is sent."

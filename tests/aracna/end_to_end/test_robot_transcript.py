@@ -1,14 +1,8 @@
 """The transcript of the line to a robot, apart from that of a board."""
 
-import sys
-
-import pytest
-
 from tests.support.pages.robot import RobotWindow
 from trex_gui.views.transcript.table import RECEIVED, SENT, WORDS
 from trex_gui.views.transcript.table_view import TranscriptView
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 def column(window: RobotWindow, column: int) -> list[str]:

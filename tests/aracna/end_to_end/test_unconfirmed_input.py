@@ -1,16 +1,12 @@
 """What stands in a box is used, whether it was confirmed or not."""
 
-import sys
 from pathlib import Path
 
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QListView, QSpinBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
 from trex_gui.aracna.poses.ppr import read_ppr
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 def move_by_key(window: RobotWindow) -> None:

@@ -1,6 +1,5 @@
 """A session with the simulated robot is recorded and opened again: everything comes back equal."""
 
-import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -32,8 +31,6 @@ from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
 from trex_gui.model.events import EventKind
 from trex_gui.recording.recording import Marker
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 PATIENCE = 15_000
 RECORDED = (

@@ -1,7 +1,6 @@
 """Recording a session with the simulated robot while it runs."""
 
 import csv
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,8 +13,6 @@ from trex_gui.aracna.model.robot import Robot
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 def rows(path: Path) -> list[dict[str, str]]:

@@ -1,6 +1,5 @@
 """The robot as the window sees it, at the simulated one in a process of its own."""
 
-import sys
 import threading
 from collections.abc import Callable, Iterator
 
@@ -17,8 +16,6 @@ from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.runtime import now
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 LOW = (300,) * 8
 HIGH = (400,) * 8

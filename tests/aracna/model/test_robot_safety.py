@@ -1,6 +1,5 @@
 """What keeps the robot from going as nobody wants: speeds, limits, motors that are waited for."""
 
-import sys
 from collections.abc import Iterator
 
 import pytest
@@ -10,8 +9,6 @@ from tests.aracna.model.test_robot import HIGH, LOW, Watched, steps
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.aracna.link.messages import Play, SpeedsHeld
 from trex_gui.aracna.model.robot import Robot
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 @pytest.fixture

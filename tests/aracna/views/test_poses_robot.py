@@ -1,6 +1,5 @@
 """What the panel asks for, at a simulated robot in a process of its own."""
 
-import sys
 from collections.abc import Iterator
 
 import pytest
@@ -14,8 +13,6 @@ from trex_gui.aracna.poses.sequence import SequenceStep
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 
 class Wired(Stage):

@@ -23,7 +23,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.aracna.recordings import MOTORS, T0
 from tests.aracna.views.recording_stage import PATIENCE, STORY, click, find, opened, text
-from tests.end_to_end.test_names_for_a_screen_reader import assert_named
+from tests.support.accessible_names import assert_named
 from trex_gui.aracna.views.page.drawing import RobotDrawing
 from trex_gui.aracna.views.recording.window import RobotPlaybackWindow
 from trex_gui.recording.recording import Marker

@@ -1,20 +1,8 @@
-"""Everything that takes the focus, or is a table or a plot, has a name for a screen reader."""
+"""Whether everything that a screen reader comes to has a name."""
 
-import sys
-from pathlib import Path
-
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QAbstractScrollArea, QHeaderView, QScrollArea, QWidget
-
-from tests.recording.samples import an_hour, write
-from tests.support.simulator import SimulatedDevice
-from tests.support.window import WindowDriver
-from trex_gui.views.driving.gamepad_panel import GamepadPanel
-from trex_gui.views.find_dialog import FindDialog
-
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
 _OFTEN_SILENT = {"bannerText"}
 """Empty most of the time, and can take the focus at any time."""
@@ -66,39 +54,3 @@ def nameless(root: QWidget) -> list[str]:
 def assert_named(root: QWidget) -> None:
     found = nameless(root)
     assert not found, "\n".join(found)
-
-
-def test_window_has_names_with_and_without_a_board(
-    window: WindowDriver, quick_simulator: SimulatedDevice
-) -> None:
-    pages = window.window.pages
-    for index in range(pages.count()):
-        pages.setCurrentIndex(index)
-    window.find(GamepadPanel, "gamepadPanel")
-    assert_named(window.root)
-
-    window.trigger("find")
-    find = window.find(FindDialog, "findDialog")
-    assert_named(find)
-    find.close()
-
-    window.connect(quick_simulator.url)
-    for index in range(pages.count()):
-        pages.setCurrentIndex(index)
-    window.trigger("bench")
-    bench = window.dialog("benchDialog")
-    for plot in ("benchCurrents", "benchSpeeds"):
-        viewport = bench.find(QWidget, plot)
-        assert takes_part(viewport)
-        assert not is_part(viewport)
-    assert_named(window.root)  # with the windows that belong to it
-    bench.root.close()
-
-
-def test_recording_window_has_names(window: WindowDriver, tmp_path: Path) -> None:
-    write(tmp_path / "minute.trexrec", list(an_hour(60)))
-    window.program.desk.recordings.open_file(tmp_path / "minute.trexrec")
-    recording = window.program.desk.recordings.windows[0]
-    window.wait(lambda: recording.playback.is_loaded)
-    assert_named(recording)
-    recording.close()
