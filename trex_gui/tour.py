@@ -1,7 +1,7 @@
 """A look at every page and at the wizard without a person: pictures of them, light and dark."""
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -24,7 +24,6 @@ _PATIENCE_MS = 30_000  # a machine may be busy, and a stop is proved on a quiet 
 _ROBOT_STEP = 2.5  # seconds; long enough that every picture shows it on its way
 _DEAD_SERVO = 3
 _HELD_STEPS = 6  # a stick that is held longer than a second is at an end
-_SCHEMES: tuple[Scheme, ...] = ("light", "dark")
 
 Do = Callable[[], object]
 """A step of the tour; one that answers `False` could not be done yet and is tried again."""
@@ -46,8 +45,11 @@ class Tour(QObject):
 
     finished = Signal(bool)
 
-    def __init__(self, program: Program, folder: Path) -> None:
+    def __init__(
+        self, program: Program, folder: Path, schemes: Sequence[Scheme] = ("light", "dark")
+    ) -> None:
         super().__init__()
+        self._schemes = schemes
         self._program = program
         self._folder = folder
         self._steps = self._make_steps()
@@ -102,7 +104,7 @@ class Tour(QObject):
         """Look at the pages, or at the first one; `state` goes into the names of the pictures."""
         window = self._program.window
         tabs = window.pages
-        for scheme in _SCHEMES:
+        for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
             for index in range(1 if first_only else tabs.count()):
                 yield partial(tabs.setCurrentIndex, index)
@@ -170,7 +172,7 @@ class Tour(QObject):
 
     def _look_at_wizard(self, name: str) -> Iterator[Do]:
         dialog = self._program.window.findChild(QWidget, "learnDialog")
-        for scheme in _SCHEMES:
+        for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
             if dialog is not None:
                 yield partial(self._write, dialog, f"{name}-{scheme}.png")
