@@ -43,8 +43,8 @@ MUTATE = ROOT / "packaging" / "mutate.py"
 
 CORES = max(2, min(4, os.cpu_count() or 1))
 VIRTUAL = ("-m", "not realtime", "-n", str(CORES), "--dist", "worksteal")
-REALTIME = ("-m", "realtime", "-n", str(2 * CORES), "--dist", "worksteal")
-"""How the tests are shared out: in virtual time they compute, in real time they mostly wait."""
+REALTIME = ("-m", "realtime", "-n", str(CORES + 1), "--dist", "worksteal")
+"""How the tests are shared out: in virtual time they compute, in real time they also wait."""
 
 NO_TESTS = 5
 """The status of pytest where none was selected."""

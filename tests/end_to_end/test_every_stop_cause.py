@@ -177,7 +177,13 @@ def test_motors_stop_at_every_mistake_and_loss_that_the_window_survives(
 
 
 @pytest.mark.parametrize(
-    "cause", ["mistake_in_the_line", "end_of_the_line_thread", "disconnect_line", "close"]
+    "cause",
+    [
+        "mistake_in_the_line",
+        "end_of_the_line_thread",
+        "close",
+        pytest.param("disconnect_line", marks=pytest.mark.slow),
+    ],
 )
 def test_motors_stop_when_the_line_ends(
     cause: str, start: StartWindow, quick_simulator: SimulatedDevice
@@ -188,7 +194,7 @@ def test_motors_stop_when_the_line_ends(
     wait_until_stopped(quick_simulator, cause)
 
 
-@pytest.mark.parametrize("cause", ["hang", "hang_computing"])
+@pytest.mark.parametrize("cause", ["hang_computing", pytest.param("hang", marks=pytest.mark.slow)])
 def test_motors_stop_while_the_window_hangs(
     cause: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
@@ -201,14 +207,13 @@ def test_motors_stop_while_the_window_hangs(
 # --- From outside -----------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT], ids=lambda n: n.name)
 def test_motors_stop_at_a_signal_and_the_program_ends_well(
-    number: signal.Signals, start: StartWindow, quick_simulator: SimulatedDevice
+    start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
     window.drive()
-    window.process.send_signal(number)
-    wait_until_stopped(quick_simulator, number.name)
+    window.process.send_signal(signal.SIGTERM)
+    wait_until_stopped(quick_simulator, "SIGTERM")
     assert window.process.wait(PATIENCE) == 0
 
 
