@@ -54,15 +54,6 @@ class DemoPanel(WidgetDriver):
         self.drag(name, slider.minimum() + round(share * span))
         return slider
 
-    def choose(self, name: str, data: str) -> None:
-        """Select an entry of a combo box with the keyboard."""
-        combo = self.combo(name)
-        combo.setFocus()
-        QTest.keyClick(combo, Qt.Key.Key_Home)
-        for _ in range(combo.findData(data)):
-            QTest.keyClick(combo, Qt.Key.Key_Down)
-        assert combo.currentData() == data
-
     def pull_cable(self) -> None:
         self.click("demoCable")
         self.wait_for(Link.NONE)

@@ -63,15 +63,6 @@ class DemoRobotPanel(WidgetDriver):
         for _ in range(steps):
             QTest.keyClick(slider, Qt.Key.Key_Right)
 
-    def choose(self, name: str, data: str) -> None:
-        """Choose an entry of a list with the keyboard."""
-        combo = self.combo(name)
-        combo.setFocus()
-        QTest.keyClick(combo, Qt.Key.Key_Home)
-        for _ in range(combo.findData(data)):
-            QTest.keyClick(combo, Qt.Key.Key_Down)
-        assert combo.currentData() == data
-
     def dropped(self) -> int:
         """Return how many bytes were lost on the wire."""
         return int(self.window.simulated()["counters"]["line"]["dropped"])
