@@ -8,7 +8,7 @@ only this page has. All work in virtual and in real time: the `qtbot` that they 
 from collections.abc import Callable
 from typing import TypeVar
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QObject, QPoint, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -29,7 +29,7 @@ from pytestqt.qtbot import QtBot
 from trex_gui.model.connection import Link
 from trex_gui.window import Program
 
-WidgetT = TypeVar("WidgetT", bound=QWidget)
+ObjectT = TypeVar("ObjectT", bound=QObject)
 
 TIMEOUT_MS = 30_000
 """Milliseconds that a user waits for anything."""
@@ -51,11 +51,21 @@ class WidgetDriver:
 
     # --- Find and read ------------------------------------------------------------------
 
-    def find(self, kind: type[WidgetT], name: str) -> WidgetT:
-        """Return the widget with this object name; fail without one."""
-        widget = self.root.findChild(kind, name)
-        assert isinstance(widget, kind), f"{self.root.objectName()} has no {name}"
-        return widget
+    def find(self, kind: type[ObjectT], name: str) -> ObjectT:
+        """Return the widget or action with this object name; fail without one."""
+        found = self.root.findChild(kind, name)
+        assert isinstance(found, kind), f"{self.root.objectName()} has no {name}"
+        return found
+
+    def find_all(self, kind: type[ObjectT]) -> list[ObjectT]:
+        """Return all objects of a type."""
+        return self.root.findChildren(kind)
+
+    def find_only(self, kind: type[ObjectT]) -> ObjectT:
+        """Return the single object of a type."""
+        found = self.find_all(kind)
+        assert len(found) == 1, f"{self.root.objectName()} has {len(found)} {kind.__name__}"
+        return found[0]
 
     def has(self, name: str) -> bool:
         """Return whether a widget with this object name can be seen."""
@@ -207,9 +217,7 @@ class WindowDriver(WidgetDriver):
 
     def action(self, key: str) -> QAction:
         """Return the menu entry with this key."""
-        action = self.window.findChild(QAction, f"{key}Action")
-        assert isinstance(action, QAction), key
-        return action
+        return self.find(QAction, f"{key}Action")
 
     def trigger(self, key: str) -> None:
         """Choose a menu entry."""
