@@ -56,19 +56,18 @@ TREX: list[tuple[Said, str, bool]] = [
     ((b"\xff", b""), "null command: nothing", False),
     ((b"\x12", b""), "no packet of a TReX: a data byte outside a packet", False),
     ((b"\xc2\x00\xca\x00", b""), "set motor 1 to forward 0; set motor 2 to forward 0", False),
+    ((b"\xc2\x00\x82", b"r"), "set motor 1 to forward 0; get mode → serial mode, RC inputs", False),
     ((b"", b"\x55\x55"), "bytes that nobody asked for", True),
 ]
 
 
 @pytest.mark.parametrize(("said", "text", "is_fault"), TREX, ids=lambda value: str(value)[:40])
-def test_an_exchange_with_a_trex_in_words(said: Said, text: str, is_fault: bool) -> None:
+def test_trex_exchange_is_decoded(said: Said, text: str, is_fault: bool) -> None:
     assert told(TrexWording(), pieces_of([said])) == [(text, is_fault)]
 
 
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
-def test_pieces_of_any_size_make_the_same_rows_of_a_trex(
-    talk: list[tuple[Said, str, bool]], cut: int
-) -> None:
+def test_fragmented_bytes_decode_to_same_rows(talk: list[tuple[Said, str, bool]], cut: int) -> None:
     # Bytes behind an answer that is whole begin a row of their own, wherever they were cut.
     said = [one[0] for one in talk if one[0][0] and not one[2]]
     whole = told(TrexWording(), pieces_of(said))
@@ -76,7 +75,7 @@ def test_pieces_of_any_size_make_the_same_rows_of_a_trex(
     assert len(whole) == len(said)
 
 
-def test_every_byte_stands_in_one_row_and_no_other() -> None:
+def test_every_byte_appears_in_exactly_one_row() -> None:
     said = [one[0] for one in TREX]
     rows = rows_of(TrexWording(), pieces_of(said, 1))
     assert b"".join(row.sent for row in rows) == b"".join(sent for sent, _ in said)
@@ -85,7 +84,7 @@ def test_every_byte_stands_in_one_row_and_no_other() -> None:
 
 @pytest.mark.parametrize("command", [GetSignature(), GetMode(), SetParameter(7, 15)], ids=str)
 @pytest.mark.parametrize("number", [None, 7])
-def test_a_checksum_is_judged_in_question_and_answer(
+def test_reply_with_wrong_crc_is_decoded_as_fault(
     command: Command[object], number: int | None
 ) -> None:
     sent = Framing(number, CRC.polynomial).encode(command)
@@ -99,7 +98,7 @@ def test_a_checksum_is_judged_in_question_and_answer(
     assert "the CRC is" in text
 
 
-def test_an_answer_that_comes_late_belongs_to_its_question() -> None:
+def test_late_bytes_are_assigned_to_their_request() -> None:
     assembler = Assembler(TrexWording())
     assembler.feed([Piece(1.0, Way.SENT, b"\x81"), Piece(1.1, Way.RECEIVED, b"TRe")])
     (row,) = assembler.feed([Piece(1.4, Way.RECEIVED, b"X1.2")])
@@ -107,7 +106,7 @@ def test_an_answer_that_comes_late_belongs_to_its_question() -> None:
     assert row.seconds == pytest.approx(0.4)
 
 
-def test_units_are_those_of_the_board_that_answers() -> None:
+def test_decoded_units_are_those_of_board_model() -> None:
     wording = TrexWording()
     junior = device_table().model("trexjr")
     wording.board = Signature(junior, "1.2")
@@ -115,7 +114,7 @@ def test_units_are_those_of_the_board_that_answers() -> None:
     assert f"motor 1: {10 * junior.current_unit:.2f} A" in text
 
 
-def test_what_is_polled_is_told_from_what_is_asked() -> None:
+def test_polls_are_distinguished_from_user_requests() -> None:
     polled = [b"\x82", b"\x86\x1f", b"\x8f", b"\xff", b"\x80\x07\x04"]
     asked = [b"\x81", b"\x9f\x07", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
     assert all(map(TrexWording().is_routine, polled))
@@ -123,12 +122,12 @@ def test_what_is_polled_is_told_from_what_is_asked() -> None:
 
 
 @given(STRANGE_TALK, st.integers(1, 24))
-def test_no_bytes_are_too_strange_for_words(talk: list[Said], cut: int) -> None:
+def test_arbitrary_bytes_can_be_decoded(talk: list[Said], cut: int) -> None:
     assert_sayable(TrexWording(), pieces_of(talk, cut))
 
 
 @pytest.mark.parametrize("sent", [b"\x84", b"\x85", b"\x8d"])
-def test_on_a_line_that_echoes_an_echo_is_no_answer(sent: bytes) -> None:
+def test_echo_is_not_taken_for_reply(sent: bytes) -> None:
     assembler = Assembler(TrexWording())
     assembler.note_settings(LinkSettings("virtual"), echo=True)
     (row,) = assembler.feed([Piece(1.0, Way.SENT, sent), Piece(1.1, Way.RECEIVED, sent)])

@@ -12,6 +12,7 @@ import re
 import select
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol
 
@@ -126,12 +127,13 @@ class Transport(Protocol):
 
 
 class SerialTransport:
-    """A port that pyserial opened."""
+    """A port that pyserial opened; `clock` returns seconds and never goes backwards."""
 
-    def __init__(self, settings: LinkSettings) -> None:
+    def __init__(self, settings: LinkSettings, clock: Callable[[], float] = time.monotonic) -> None:
         self._url = settings.url
         self._name = settings.name or settings.url
-        self._port = _open(settings)
+        self._clock = clock
+        self._port = _open(settings, clock)
         self._latency = latency_of(settings.url)
 
     @property
@@ -163,7 +165,7 @@ class SerialTransport:
             raise self._gone(error) from error
 
     def clock(self) -> float:
-        return time.monotonic()
+        return self._clock()
 
     def write(self, data: bytes) -> None:
         try:
@@ -188,11 +190,11 @@ class SerialTransport:
 
     def read(self, size: int, seconds: float) -> bytes:
         received = bytearray()
-        deadline = time.monotonic() + seconds
+        deadline = self._clock() + seconds
         try:
             while len(received) < size:
                 received += self._port.read(size - len(received))
-                if time.monotonic() >= deadline:
+                if self._clock() >= deadline:
                     # Whoever comes late finds here what came in time.
                     there = min(self._port.in_waiting, size - len(received))
                     received += self._port.read(there) if there > 0 else b""
@@ -204,12 +206,12 @@ class SerialTransport:
     def discard(self) -> bytes:
         stale = bytearray()
         reads = 0
-        deadline = time.monotonic() + _LONGEST_STALE
+        deadline = self._clock() + _LONGEST_STALE
         try:
             while waiting := self._port.in_waiting:
                 stale += self._port.read(waiting)
                 reads += 1
-                if reads > _MANY_READS and time.monotonic() > deadline:
+                if reads > _MANY_READS and self._clock() > deadline:
                     raise BadReply(
                         f"It sends without being asked ({stale[:12].hex(' ').upper()} …)."
                     )
@@ -273,7 +275,7 @@ def _is_file(url: str) -> bool:
     return "://" not in url and sys.platform != "win32"
 
 
-def _open(settings: LinkSettings) -> serial.Serial:
+def _open(settings: LinkSettings, clock: Callable[[], float]) -> serial.Serial:
     line = settings.line
     try:
         port = serial.serial_for_url(settings.url, do_not_open=True)
@@ -288,7 +290,7 @@ def _open(settings: LinkSettings) -> serial.Serial:
             port.write_timeout = _NO_ROOM
         if _is_file(settings.url):
             port.exclusive = True
-        _open_when_free(port, settings.url)
+        _open_when_free(port, settings.url, clock)
     except PORT_ERRORS as error:
         raise PortUnavailable(why_not_open(settings.url, line, error)) from error
     # FTDI adapters hold bytes back up to 16 ms; the Linux driver can be asked not to.
@@ -297,17 +299,17 @@ def _open(settings: LinkSettings) -> serial.Serial:
     return port
 
 
-def _open_when_free(port: serial.Serial, url: str) -> None:
+def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -> None:
     """Open a port; wait a moment for a line of this program that is about to give it back.
 
     That one may still be proving that the motors stand. Nobody else is waited for.
     """
-    deadline = time.monotonic() + _HANDING_OVER
+    deadline = clock() + _HANDING_OVER
     while True:
         try:
             port.open()
         except PORT_ERRORS as error:
-            is_late = time.monotonic() >= deadline
+            is_late = clock() >= deadline
             if is_late or _errno(error) not in _BUSY or is_locked_elsewhere(url):
                 raise
             time.sleep(_SLICE)
