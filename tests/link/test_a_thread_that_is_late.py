@@ -44,7 +44,7 @@ class _Late:
         return getattr(self._module, name)
 
 
-def test_bytes_that_were_written_are_written_however_late_their_writer_is(
+def test_write_succeeds_although_its_thread_is_late(
     ends: tuple[int, SerialTransport], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     far, transport = ends
@@ -59,7 +59,7 @@ def test_bytes_that_were_written_are_written_however_late_their_writer_is(
     assert os.read(far, 16) == b"\x81\x82"
 
 
-def test_an_answer_that_came_in_time_is_read_however_late_its_reader_is(
+def test_timely_reply_is_read_although_thread_is_late(
     ends: tuple[int, SerialTransport], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     far, transport = ends
@@ -75,7 +75,7 @@ def test_an_answer_that_came_in_time_is_read_however_late_its_reader_is(
     assert transport.read(6, 0.001) == b"answer"
 
 
-def test_a_port_that_takes_nothing_is_given_up(ends: tuple[int, SerialTransport]) -> None:
+def test_write_to_blocked_port_raises_port_unavailable(ends: tuple[int, SerialTransport]) -> None:
     _far, transport = ends
     with pytest.raises(PortUnavailable):
         transport.write(bytes(1_000_000))

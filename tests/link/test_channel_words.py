@@ -18,7 +18,7 @@ from trex_gui.protocol.flags import InputSource, Mode
 USUAL = Calibration(2500, 3750, 5000, 75)
 
 
-def test_each_channel_says_what_it_does_in_rc_mode() -> None:
+def test_rc_mode_text_names_function_of_each_channel() -> None:
     said = [
         what_it_does(channel, Mode.RC, joint=False, ignored=False) for channel in (1, 2, 3, 4, 5)
     ]
@@ -29,7 +29,7 @@ def test_each_channel_says_what_it_does_in_rc_mode() -> None:
     assert "mix jumper" in said[0]
 
 
-def test_a_mix_jumper_that_was_seen_is_told() -> None:
+def test_known_mix_jumper_state_is_described() -> None:
     said = {
         (channel, mixed): what_it_does(channel, Mode.RC, joint=False, ignored=False, mixed=mixed)
         for channel in (1, 2, 3)
@@ -43,33 +43,33 @@ def test_a_mix_jumper_that_was_seen_is_told() -> None:
     assert "joint" in what_it_does(1, Mode.RC, joint=True, ignored=False, mixed=True)
 
 
-def test_in_serial_mode_it_is_only_measured() -> None:
+def test_serial_mode_text_says_channel_is_only_measured() -> None:
     assert "only measured" in what_it_does(2, Mode.SERIAL_RC, joint=False, ignored=False)
 
 
-def test_in_joint_mode_channel_2_does_nothing() -> None:
+def test_joint_mode_text_says_channel_2_does_nothing() -> None:
     assert "nothing" in what_it_does(2, Mode.RC, joint=True, ignored=False)
     assert "both drivers" in what_it_does(1, Mode.ANALOG, joint=True, ignored=False)
     assert "flip" in what_it_does(4, Mode.RC, joint=True, ignored=False)
 
 
-def test_an_ignored_channel_is_held() -> None:
+def test_ignored_channel_is_described_as_held() -> None:
     assert "at neutral" in what_it_does(1, Mode.RC, joint=False, ignored=True)
     assert "held off" in what_it_does(5, Mode.SERIAL_RC, joint=False, ignored=True)
 
 
-def test_a_switch_says_where_it_switches() -> None:
+def test_switch_channel_text_contains_its_threshold() -> None:
     words = what_it_does(4, Mode.RC, joint=False, ignored=False, switches_at="below 1250 µs")
     assert "while the input is below 1250 µs" in words
 
 
-def test_the_way_to_the_other_source_depends_on_the_mode() -> None:
+def test_input_source_instruction_depends_on_mode() -> None:
     assert "Channel Input Source" in way_to(InputSource.ANALOG, Mode.SERIAL_RC)
     assert "mode jumper to analog" in way_to(InputSource.ANALOG, Mode.RC)
     assert "mode jumper to RC" in way_to(InputSource.RC, Mode.ANALOG)
 
 
-def test_the_boards_codes_are_explained() -> None:
+def test_result_codes_of_board_are_explained() -> None:
     bad = why_not_stored(Rejected("Calibration of channel 2", ResultCode.BAD_VALUE))
     assert "code 2" in bad
     assert "minimum is not above neutral" in bad
@@ -79,7 +79,7 @@ def test_the_boards_codes_are_explained() -> None:
     assert why_not_stored(NoReply("no reply")) == "no reply."
 
 
-def test_a_wrong_order_is_told_in_units() -> None:
+def test_wrong_calibration_order_is_described_in_units() -> None:
     rc = InputSource.RC
     assert wrong_order(USUAL, rc) == ""
     assert "Minimum (1600 µs)" in wrong_order(Calibration(4000, 3750, 5000, 75), rc)
@@ -87,7 +87,7 @@ def test_a_wrong_order_is_told_in_units() -> None:
     assert "both be 2.50 V" in wrong_order(Calibration(512, 512, 512, 0), InputSource.ANALOG)
 
 
-def test_a_deadband_that_swallows_a_side_is_a_concern() -> None:
+def test_deadband_reaching_minimum_is_a_concern() -> None:
     assert concern(USUAL, InputSource.RC) == ""
     assert "reaches minimum" in concern(Calibration(3700, 3750, 5000, 75), InputSource.RC)
 
@@ -106,7 +106,7 @@ def test_a_deadband_that_swallows_a_side_is_a_concern() -> None:
         (Calibration(2500, 7000, 9000, 75), InputSource.RC, "Neutral (2800 µs) is beyond"),
     ],
 )
-def test_what_no_input_can_be_is_a_concern(
+def test_calibration_beyond_input_range_is_a_concern(
     calibration: Calibration, source: InputSource, words: str
 ) -> None:
     said = concern(calibration, source)
@@ -116,11 +116,11 @@ def test_what_no_input_can_be_is_a_concern(
     assert ("a voltage is 0.00 V to 5.00 V" in said) is (source is InputSource.ANALOG)
 
 
-def test_the_ends_of_what_an_input_can_be_are_no_concern() -> None:
+def test_ends_of_input_range_are_no_concern() -> None:
     assert concern(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
     assert concern(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""
 
 
-def test_learned_says_what_it_means() -> None:
+def test_learned_text_names_own_or_factory_calibration() -> None:
     assert "of its own" in learned_words(True)
     assert "factory" in learned_words(False)

@@ -48,24 +48,24 @@ REAL_TIME = 0.06
 # --- Replies ----------------------------------------------------------------------------
 
 
-def test_a_reply_comes_back_as_what_it_means(stage: Stage) -> None:
+def test_request_returns_decoded_reply(stage: Stage) -> None:
     client = stage.client()
     assert str(client.request(GetSignature())) == "TReX 1.2"
     assert client.request(GetMode()) is Mode.SERIAL_RC
     assert client.request(GetParameter(0)) == 7
 
 
-def test_a_write_to_eeprom_is_waited_for(stage: Stage) -> None:
+def test_request_waits_for_eeprom_write(stage: Stage) -> None:
     wanted = Calibration(2400, 3700, 5100, 80)
     assert stage.client().request(SetCalibration(2, wanted)) is ResultCode.OK
     assert stage.board.calibration(2) == wanted
 
 
-def test_a_refused_write_is_a_reply_like_any_other(stage: Stage) -> None:
+def test_rejected_write_returns_its_result_code(stage: Stage) -> None:
     assert stage.client().request(SetParameter(0x7E, 0x0F)) is ResultCode.BAD_VALUE
 
 
-def test_a_value_that_does_not_fit_is_refused_before_a_byte_is_sent(stage: Stage) -> None:
+def test_out_of_range_value_is_rejected_before_sending(stage: Stage) -> None:
     with pytest.raises(BadRequest, match="0 to 127, not 300"):
         stage.client().request(DriveAuxiliary(300))
     assert stage.transport.sent == b""
@@ -73,13 +73,13 @@ def test_a_value_that_does_not_fit_is_refused_before_a_byte_is_sent(stage: Stage
 
 @pytest.mark.parametrize("number", [None, 7])
 @pytest.mark.parametrize("detection", list(Detection))
-def test_every_kind_of_packet_is_understood(number: int | None, detection: Detection) -> None:
+def test_every_packet_format_is_understood(number: int | None, detection: Detection) -> None:
     stage, settings = staged(detection=detection)
     client = stage.client(LinkSettings("virtual", settings.line, device_number=number))
     assert client.request(GetParameter(0x7E)) == settings.line.to_wire()
 
 
-def test_another_device_number_gets_no_answer(stage: Stage) -> None:
+def test_wrong_device_number_gets_no_reply(stage: Stage) -> None:
     client = stage.client(LinkSettings("virtual", device_number=8))
     with pytest.raises(NoReply):
         client.request(GetMode())
@@ -99,7 +99,7 @@ def test_another_device_number_gets_no_answer(stage: Stage) -> None:
     ],
     ids=str,
 )
-def test_a_silent_board_costs_the_time_on_the_wire_and_an_allowance(
+def test_timeout_is_wire_time_plus_allowance(
     baud: int, command: Command[object], size: int, board_needs: float
 ) -> None:
     stage, settings = staged(baud)
@@ -113,7 +113,7 @@ def test_a_silent_board_costs_the_time_on_the_wire_and_an_allowance(
     assert wire + board_needs <= took <= wire + board_needs + stage.transport.latency + 0.01
 
 
-def test_a_silent_board_on_a_local_port_is_noticed_in_a_tenth_of_a_second() -> None:
+def test_request_on_local_port_times_out_within_100_ms() -> None:
     stage, settings = staged(115200)
     stage.board.power_off()
     stage.transport.latency = REAL_TIME
@@ -122,7 +122,7 @@ def test_a_silent_board_on_a_local_port_is_noticed_in_a_tenth_of_a_second() -> N
     assert stage.line.now < 0.1
 
 
-def test_patience_is_added_to_every_deadline(stage: Stage) -> None:
+def test_extra_timeout_is_added_to_deadline(stage: Stage) -> None:
     stage.board.power_off()
     client = stage.client(LinkSettings("virtual", timeouts=Timeouts(extra=2.0)))
     with pytest.raises(NoReply):
@@ -131,13 +131,13 @@ def test_patience_is_added_to_every_deadline(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize("baud", [1200, 2400, 9600, 115200])
-def test_the_longest_reply_is_not_given_up_on_a_slow_line(baud: int) -> None:
+def test_longest_reply_arrives_before_timeout(baud: int) -> None:
     stage, settings = staged(baud)
     stage.transport.latency = 0.0
     assert len(stage.client(settings).request(GetRawChannels())) == 5
 
 
-def test_a_late_reply_is_still_taken_within_the_allowance() -> None:
+def test_delayed_reply_within_allowance_is_accepted() -> None:
     stage, settings = staged()
     stage.board.eeprom.write("uart_response_delay", 1)
     stage.board.power_cycle()
@@ -148,7 +148,7 @@ def test_a_late_reply_is_still_taken_within_the_allowance() -> None:
 # --- What must not be taken for a reply -------------------------------------------------
 
 
-def test_what_came_before_a_request_is_no_answer_to_it(stage: Stage) -> None:
+def test_bytes_before_request_are_discarded_as_stale(stage: Stage) -> None:
     client = stage.client()
     stage.line.inject(b"A\x2a\x55")
     stage.line.advance(0.1)
@@ -156,7 +156,7 @@ def test_what_came_before_a_request_is_no_answer_to_it(stage: Stage) -> None:
     assert client.counters.stale == 3
 
 
-def test_an_answer_that_came_too_late_is_not_taken_for_the_next_one(stage: Stage) -> None:
+def test_late_reply_before_next_request_is_discarded(stage: Stage) -> None:
     client = stage.client()
     stage.line.mute = True
     with pytest.raises(NoReply):
@@ -167,7 +167,7 @@ def test_an_answer_that_came_too_late_is_not_taken_for_the_next_one(stage: Stage
     assert client.request(GetParameter(0)) == 7
 
 
-def test_an_answer_that_comes_while_the_next_question_is_on_its_way_is_not_taken_for_its_own(
+def test_late_reply_during_next_request_is_discarded(
     stage: Stage,
 ) -> None:
     stage.transport.latency = REAL_TIME
@@ -193,7 +193,7 @@ def silenced(stage: Stage, questions: int) -> Client:
     return client
 
 
-def test_of_answers_that_were_held_up_and_come_together_none_is_taken_for_the_last_ones(
+def test_burst_of_late_replies_is_rejected(
     stage: Stage,
 ) -> None:
     client = silenced(stage, 3)
@@ -205,7 +205,7 @@ def test_of_answers_that_were_held_up_and_come_together_none_is_taken_for_the_la
     assert client.counters.stale >= 3
 
 
-def test_an_answer_behind_answers_that_were_lost_is_taken(stage: Stage) -> None:
+def test_reply_after_lost_replies_is_accepted(stage: Stage) -> None:
     client = silenced(stage, 3)
     assert client.request(GetParameter(0)) == 7
     begun = stage.line.now
@@ -213,7 +213,7 @@ def test_an_answer_behind_answers_that_were_lost_is_taken(stage: Stage) -> None:
     assert stage.line.now - begun < REAL_TIME, "whose the answers are is known again"
 
 
-def test_what_awaits_no_answer_does_not_wait_for_a_late_one(stage: Stage) -> None:
+def test_motor_command_does_not_wait_for_late_reply(stage: Stage) -> None:
     stage.transport.latency = REAL_TIME
     client = stage.client()
     stage.line.mute = True
@@ -224,20 +224,20 @@ def test_what_awaits_no_answer_does_not_wait_for_a_late_one(stage: Stage) -> Non
     assert stage.line.now == begun
 
 
-def test_half_a_reply_is_none_and_is_named(stage: Stage) -> None:
+def test_incomplete_reply_is_reported_with_its_bytes(stage: Stage) -> None:
     stage.line.to_drop = 3
     with pytest.raises(NoReply, match=r"Only 58 31 2E 32 came in answer to 81\."):
         stage.client().request(GetSignature())
 
 
-def test_a_reply_that_means_nothing_is_a_bad_one(stage: Stage) -> None:
+def test_undecodable_reply_raises_bad_reply(stage: Stage) -> None:
     stage.board.power_off()
     stage.line.inject(b"?")
     with pytest.raises(BadReply, match="3F"):
         stage.client().request(GetMode())
 
 
-def test_a_reply_with_a_wrong_crc_is_a_bad_one() -> None:
+def test_reply_with_wrong_crc_raises_bad_reply() -> None:
     stage, settings = staged(detection=Detection.CRC7)
     client = stage.client(settings)
     stage.board.power_off()
@@ -246,7 +246,7 @@ def test_a_reply_with_a_wrong_crc_is_a_bad_one() -> None:
         client.request(GetParameter(0))
 
 
-def test_after_a_damaged_reply_the_line_is_let_run_dry(stage: Stage) -> None:
+def test_remaining_bytes_of_bad_reply_are_discarded(stage: Stage) -> None:
     client = stage.client()
     stage.board.power_off()
     stage.line.inject(b"Hello there")
@@ -259,7 +259,7 @@ def test_after_a_damaged_reply_the_line_is_let_run_dry(stage: Stage) -> None:
 # --- Motor commands ---------------------------------------------------------------------
 
 
-def test_a_motor_command_returns_at_once(stage: Stage) -> None:
+def test_motor_command_returns_immediately(stage: Stage) -> None:
     stage.client().request(DriveMotor(1, Drive.at(50)))
     assert stage.line.now == 0.0
     stage.line.advance(0.01)
@@ -267,7 +267,7 @@ def test_a_motor_command_returns_at_once(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize("baud", [1200, 115200])
-def test_the_next_request_waits_until_a_motor_command_has_left(baud: int) -> None:
+def test_request_waits_until_motor_command_is_sent(baud: int) -> None:
     stage, settings = staged(baud)
     client = stage.client(settings)
     client.request(DriveBoth(Drive.at(50), Drive.at(-50)))
@@ -275,14 +275,14 @@ def test_the_next_request_waits_until_a_motor_command_has_left(baud: int) -> Non
     assert stage.line.now == pytest.approx(settings.line.seconds(3 + 2))
 
 
-def test_many_motor_commands_do_not_pile_up_in_the_port(stage: Stage) -> None:
+def test_motor_commands_do_not_queue_up_in_port(stage: Stage) -> None:
     client = stage.client()
     for speed in range(100):
         client.request(DriveMotor(1, Drive.at(speed)))
         assert stage.line.backlog <= 0.0011
 
 
-def test_draining_waits_for_the_last_bit(stage: Stage) -> None:
+def test_drain_waits_for_last_bit(stage: Stage) -> None:
     client = stage.client()
     client.request(DriveMotor(2, Drive(Direction.REVERSE, 100)))
     client.drain()
@@ -293,7 +293,7 @@ def test_draining_waits_for_the_last_bit(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize("echo", [True, False])
-def test_the_rs232_side_is_told_by_its_echo(board: Board, *, echo: bool) -> None:
+def test_rs232_side_is_detected_by_its_echo(board: Board, *, echo: bool) -> None:
     stage = Stage(board, echo=echo)
     client = stage.client()
     client.echo = not echo
@@ -302,20 +302,20 @@ def test_the_rs232_side_is_told_by_its_echo(board: Board, *, echo: bool) -> None
     assert set(stage.transport.sent) == {0xFF}
 
 
-def test_looking_for_an_echo_is_not_misled_by_old_bytes(stage: Stage) -> None:
+def test_echo_detection_ignores_old_bytes(stage: Stage) -> None:
     stage.line.inject(b"\xff\xff")
     stage.line.advance(0.1)
     assert stage.client().detect_echo() is False
 
 
-def test_the_echo_is_taken_off_every_reply(board: Board) -> None:
+def test_echo_is_removed_from_replies(board: Board) -> None:
     client = Stage(board, echo=True).client()
     assert client.request(GetMode()) is Mode.SERIAL_RC
     assert client.request(SetParameter(7, 5)) is ResultCode.OK
     assert client.request(GetParameter(7)) == 5
 
 
-def test_the_echo_of_a_motor_command_is_not_left_behind(board: Board) -> None:
+def test_echo_of_motor_command_is_consumed(board: Board) -> None:
     stage = Stage(board, echo=True)
     client = stage.client()
     client.request(DriveBoth(Drive.at(1), Drive.at(2)))
@@ -323,7 +323,7 @@ def test_the_echo_of_a_motor_command_is_not_left_behind(board: Board) -> None:
     assert client.counters.stale == 0
 
 
-def test_a_damaged_echo_makes_the_reply_a_bad_one(board: Board) -> None:
+def test_corrupted_echo_raises_bad_reply(board: Board) -> None:
     stage = Stage(board, echo=True)
     stage.line.to_drop = 1
     with pytest.raises(BadReply, match="echo should be 9F 07"):
@@ -333,21 +333,21 @@ def test_a_damaged_echo_makes_the_reply_a_bad_one(board: Board) -> None:
 # --- Device numbers ---------------------------------------------------------------------
 
 
-def test_a_board_is_followed_to_its_new_device_number(stage: Stage) -> None:
+def test_client_follows_new_device_number(stage: Stage) -> None:
     client = stage.client(LinkSettings("virtual", device_number=7))
     assert client.request(SetParameter(0, 42)) is ResultCode.OK
     assert client.settings.device_number == 42
     assert client.request(GetParameter(0)) == 42
 
 
-def test_a_refused_device_number_is_not_followed() -> None:
+def test_client_ignores_rejected_device_number() -> None:
     stage, _ = staged(mode="rc")
     client = stage.client(LinkSettings("virtual", device_number=7))
     assert client.request(SetParameter(0, 42)) is ResultCode.NOT_SERIAL_MODE
     assert client.request(GetParameter(0)) == 7
 
 
-def test_the_compact_protocol_stays_compact_when_the_number_changes(stage: Stage) -> None:
+def test_compact_protocol_is_kept_after_number_change(stage: Stage) -> None:
     client = stage.client()
     client.request(SetParameter(0, 42))
     assert client.settings.device_number is None
@@ -357,7 +357,7 @@ def test_the_compact_protocol_stays_compact_when_the_number_changes(stage: Stage
 # --- Counters ---------------------------------------------------------------------------
 
 
-def test_the_counters_tell_what_the_line_has_seen(stage: Stage) -> None:
+def test_counters_count_requests_timeouts_and_bad_replies(stage: Stage) -> None:
     client = stage.client()
     client.request(GetMode())
     stage.line.inject(b"\x00")
@@ -374,7 +374,7 @@ def test_the_counters_tell_what_the_line_has_seen(stage: Stage) -> None:
     assert counters.stale == 1
 
 
-def test_the_slowest_round_trip_is_the_slowest_that_succeeded(stage: Stage) -> None:
+def test_slowest_round_trip_ignores_timeouts(stage: Stage) -> None:
     client = stage.client()
     client.request(GetMode())
     quick = client.counters.slowest
@@ -391,13 +391,13 @@ def test_the_slowest_round_trip_is_the_slowest_that_succeeded(stage: Stage) -> N
 # --- The end of a line ------------------------------------------------------------------
 
 
-def test_a_line_that_is_gone_is_said_to_be(stage: Stage) -> None:
+def test_request_on_lost_port_raises_port_unavailable(stage: Stage) -> None:
     stage.transport.fail = PortUnavailable("The line is gone.")
     with pytest.raises(PortUnavailable, match="is gone"):
         stage.client().request(GetMode())
 
 
-def test_closing_gives_the_port_back(stage: Stage) -> None:
+def test_close_closes_port(stage: Stage) -> None:
     stage.client().close()
     assert stage.transport.closed
 
@@ -425,7 +425,7 @@ QUESTIONS: list[Command[object]] = [
     echo=st.booleans(),
     number=st.sampled_from([None, 7]),
 )
-def test_with_crc_a_request_is_answered_rightly_or_not_at_all(
+def test_crc_rejects_replies_with_few_corrupted_bytes(
     *,
     seed: int,
     noise: float,
@@ -457,7 +457,7 @@ def test_with_crc_a_request_is_answered_rightly_or_not_at_all(
 
 @modest
 @given(garbage=st.binary(max_size=40), question=st.sampled_from(QUESTIONS))
-def test_bytes_from_nowhere_are_never_fatal(garbage: bytes, question: Command[object]) -> None:
+def test_client_recovers_from_unsolicited_bytes(garbage: bytes, question: Command[object]) -> None:
     stage = Stage(Board(eeprom=Eeprom()))
     client = stage.client()
     stage.line.inject(garbage)

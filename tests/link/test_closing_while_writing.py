@@ -119,7 +119,7 @@ def moments(case: Case) -> tuple[float, ...]:
 
 
 @every_case
-def test_everything_is_told_to_be_stored_or_not_tried(name: str) -> None:
+def test_close_reports_each_setting_as_stored_or_skipped(name: str) -> None:
     counts = set()
     for moment in moments(CLOSED[name]):
         writing = closed_at(CLOSED[name], moment)
@@ -137,7 +137,7 @@ def test_everything_is_told_to_be_stored_or_not_tried(name: str) -> None:
 
 
 @every_case
-def test_line_settings_and_polynomial_are_not_parted(name: str) -> None:
+def test_line_settings_and_polynomial_stay_together(name: str) -> None:
     for moment in moments(CLOSED[name]):
         writing = closed_at(CLOSED[name], moment)
         stored, case = writing.attempt.stored, writing.attempt.case
@@ -150,7 +150,7 @@ def test_line_settings_and_polynomial_are_not_parted(name: str) -> None:
         require_reachable(writing.attempt)
 
 
-def test_what_was_not_tried_can_be_written_later() -> None:
+def test_skipped_settings_can_be_written_later() -> None:
     case = CLOSED["everything"]
     for moment in moments(case)[::15]:
         writing = closed_at(case, moment)
@@ -159,7 +159,7 @@ def test_what_was_not_tried_can_be_written_later() -> None:
         assert attempt.stored == case.after
 
 
-def test_a_write_that_had_not_begun_is_not_begun() -> None:
+def test_close_cancels_write_that_has_not_started() -> None:
     attempt = begun(CLOSED["everything"])
     attempt.stage.script.at(0.0, Close())
     assert "closed before this was done" in str(run(attempt).outcome.error)
@@ -170,14 +170,14 @@ def test_a_write_that_had_not_begun_is_not_begun() -> None:
 
 
 @pytest.mark.parametrize(("case", "longest"), [*((one, 0.3) for one in ALL), (SLOWEST, 2.0)])
-def test_closing_waits_for_one_setting_or_the_pair(case: Case, longest: float) -> None:
+def test_close_waits_for_at_most_one_setting_or_pair(case: Case, longest: float) -> None:
     """`Line.shut_down` gives it three seconds."""
     share = max(1, len(moments(case)) // 12)
     for moment in moments(case)[::share]:
         assert closed_at(case, moment).when(Closed) - moment < longest
 
 
-def test_closing_does_not_wait_long_for_a_board_that_falls_silent_meanwhile() -> None:
+def test_close_does_not_wait_long_for_unresponsive_board() -> None:
     for moment in moments(BY_WAY_OF_FACTORY)[::3]:
         attempt = begun(BY_WAY_OF_FACTORY)
         attempt.at(moment, attempt.board.power_off)
@@ -207,7 +207,7 @@ def stopped_first(attempt: Attempt, moment: float) -> Writing:
     return writing
 
 
-def test_motors_do_not_wait_for_what_is_still_written() -> None:
+def test_close_stops_motors_before_remaining_writes() -> None:
     case = CLOSED["everything"]
     for moment in moments(case)[20::5]:
         attempt = driven(case, moment)
@@ -216,7 +216,7 @@ def test_motors_do_not_wait_for_what_is_still_written() -> None:
         assert all(motor.direction is Direction.BRAKE for motor in attempt.board.motors)
 
 
-def test_the_stop_goes_out_once_where_it_is_proved() -> None:
+def test_close_sends_one_confirmed_stop() -> None:
     case = CLOSED["everything"]
     attempt = driven(case, moments(case)[40])
     run(attempt)
@@ -226,7 +226,7 @@ def test_the_stop_goes_out_once_where_it_is_proved() -> None:
     assert GetStatus() in commands(attempt.stage.transport.sent)
 
 
-def test_a_wish_is_not_obeyed_while_the_rest_is_written() -> None:
+def test_close_drops_setpoints_during_remaining_writes() -> None:
     case = BY_WAY_OF_FACTORY
     for moment in moments(case)[::5]:
         attempt = begun(case)
@@ -238,7 +238,7 @@ def test_a_wish_is_not_obeyed_while_the_rest_is_written() -> None:
         assert attempt.board.aux.speed == 0
 
 
-def test_a_stop_that_comes_with_closing_goes_first_and_is_answered() -> None:
+def test_stop_at_close_is_sent_first_and_confirmed() -> None:
     case = CLOSED["everything"]
     for moment in moments(case)[::10]:
         attempt = begun(case)

@@ -125,15 +125,13 @@ def moment_of_end(new: LineSettings) -> float:
 
 @pytest.mark.slow
 @pytest.mark.timeout(600)
-def test_a_board_is_found_again_wherever_it_may_be(orders: list[str]) -> None:
+def test_board_reconnects_at_every_line_setting(orders: list[str]) -> None:
     for line in EVERYWHERE:
         a_board_is_found_again_at(line, orders)
 
 
 @pytest.mark.parametrize("line", sampled(EACH_ONCE, every=3), ids=lambda line: line.text())
-def test_a_board_is_found_again_at_whatever_settings_it_was_given(
-    line: LineSettings, orders: list[str]
-) -> None:
+def test_board_reconnects_at_expected_line_settings(line: LineSettings, orders: list[str]) -> None:
     a_board_is_found_again_at(line, orders)
 
 
@@ -151,7 +149,9 @@ def a_board_is_found_again_at(line: LineSettings, orders: list[str]) -> None:
     [LineSettings(57600, Detection.CRC7), LineSettings(38400, Detection.ODD), LineSettings(9600)],
     ids=lambda line: line.text(),
 )
-def test_wherever_it_was_before(old: LineSettings, orders: list[str]) -> None:
+def test_board_reconnects_from_various_old_line_settings(
+    old: LineSettings, orders: list[str]
+) -> None:
     for line in EVERYWHERE[::17]:
         new = LinkSettings("virtual", line)
         place = Place(LinkSettings("virtual", old)).go(new, new=new)
@@ -160,13 +160,13 @@ def test_wherever_it_was_before(old: LineSettings, orders: list[str]) -> None:
 
 
 @pytest.mark.parametrize("polynomial", [0x80, 0x91, 0xA6, 0xFF])
-def test_a_board_is_found_again_with_another_polynomial(polynomial: int) -> None:
+def test_board_reconnects_with_new_polynomial(polynomial: int) -> None:
     old = replace(OLD, line=CRC)
     new = replace(old, polynomial=polynomial)
     assert the_return(Place(old).go(new, new=new)).settings == new
 
 
-def test_a_board_that_is_addressed_by_number_is_found_again_with_another() -> None:
+def test_board_reconnects_with_new_device_number() -> None:
     place = Place(replace(OLD, device_number=7))
     new = LinkSettings("virtual", CRC, 100)
     place.script.at(1.2, Write(1, (("device_number", 100), ("uart_settings", CRC.to_wire()))))
@@ -174,13 +174,13 @@ def test_a_board_that_is_addressed_by_number_is_found_again_with_another() -> No
     assert outcomes(place.reports)[1].error is None
 
 
-def test_on_the_rs232_side_too() -> None:
+def test_board_reconnects_on_rs232_side() -> None:
     new = replace(OLD, line=CRC)
     back = the_return(Place(echo=True).go(new, new=new))
     assert (back.settings, back.echo) == (new, True)
 
 
-def test_a_board_is_found_again_where_what_it_stores_says_that_it_will_be() -> None:
+def test_board_reconnects_at_settings_derived_from_stored_ones() -> None:
     place = Place()
     place.script.at(1.0, Write(1, (("uart_settings", CRC.to_wire()), ("crc7_polynomial", 0x11))))
     place.script.at(1.3, Reload(2))
@@ -191,13 +191,13 @@ def test_a_board_is_found_again_where_what_it_stores_says_that_it_will_be() -> N
     assert after_power_cycle(OLD, reloaded.state.parameters, "1.2") == coming == returned.settings
 
 
-def test_a_power_cut_while_settings_are_stored_leaves_the_factorys() -> None:
+def test_board_reconnects_at_factory_line_settings() -> None:
     old = replace(OLD, line=LineSettings(9600))
     place = Place(old).go(replace(OLD, line=CRC), new=OLD)
     assert the_return(place).settings == OLD
 
 
-def test_a_board_that_comes_back_unchanged_is_back_and_expected_still() -> None:
+def test_unchanged_board_keeps_reconnect_candidates() -> None:
     new = replace(OLD, line=CRC)
     place = Place().go(new, new=OLD)
     place.script.at(5.0, place.board.power_off).at(5.0, lambda: place.store(new))
@@ -206,7 +206,7 @@ def test_a_board_that_comes_back_unchanged_is_back_and_expected_still() -> None:
     assert [each.settings for each in place.connections] == [OLD, OLD, new]
 
 
-def test_what_has_come_true_is_not_expected_any_more() -> None:
+def test_reconnect_clears_candidates() -> None:
     new = replace(OLD, line=CRC)
     place = Place().go(new, new=new)
     place.script.at(6.0, place.board.power_off)
@@ -218,7 +218,7 @@ def test_what_has_come_true_is_not_expected_any_more() -> None:
     assert sent.replace(packet, b"") == b""
 
 
-def test_what_was_expected_can_be_forgotten() -> None:
+def test_reconnect_candidates_can_be_cleared() -> None:
     new = replace(OLD, line=CRC)
     place = Place().go(new, new=new)
     place.script.at(ON - 0.1, Expect(()))
@@ -226,7 +226,7 @@ def test_what_was_expected_can_be_forgotten() -> None:
     assert len(place.connections) == 1
 
 
-def test_counters_go_on(orders: list[str]) -> None:
+def test_counters_continue_after_reconnect(orders: list[str]) -> None:
     new = replace(OLD, line=CRC)
     place = Place().go(new, new=new)
     the_return(place)
@@ -237,7 +237,7 @@ def test_counters_go_on(orders: list[str]) -> None:
 # --- What it costs ----------------------------------------------------------------------
 
 
-def test_a_round_of_looking_takes_a_second_and_a_half_at_most() -> None:
+def test_round_of_reconnect_probes_takes_at_most_1500_ms() -> None:
     place = Place().go(replace(OLD, line=CRC), new=OLD)
     place.transport.latency = 0.06  # as of a local port
     asked: list[tuple[float, LineSettings | None]] = []
@@ -256,7 +256,7 @@ def test_a_round_of_looking_takes_a_second_and_a_half_at_most() -> None:
     assert max(lengths) < 1.5
 
 
-def test_stops_and_the_end_are_served_between_two_questions() -> None:
+def test_stop_and_close_are_served_between_probes() -> None:
     place = Place().go(replace(OLD, line=CRC), new=OLD)
     place.transport.latency = 0.06
     place.script.at(ON + 0.01, place.board.power_off)
@@ -277,7 +277,7 @@ def test_stops_and_the_end_are_served_between_two_questions() -> None:
     assert place.line.now < 9.4
 
 
-def test_nothing_that_a_person_asks_reaches_a_board_at_settings_that_nobody_knows() -> None:
+def test_requests_are_rejected_while_reconnecting() -> None:
     place = Place().go(replace(OLD, line=CRC), new=OLD)
     place.script.at(ON + 0.01, place.board.power_off)
     marks: list[int] = []
@@ -310,10 +310,10 @@ some_or_all_lines = pytest.mark.parametrize(
     ids=lambda line: line.text(),
 )
 @some_or_all_lines
-def test_looking_gives_no_order_to_a_board_at_any_settings(
+def test_reconnect_probes_command_no_motor_at_any_settings(
     old: LineSettings, expected: LineSettings, lines: list[LineSettings], orders: list[str]
 ) -> None:
-    """Its answers get lost: question is asked, of a board that may be anywhere."""
+    """Every reply is lost, so every probe is sent, to a board at any line settings."""
     for line in lines:
         if line.stop_bits == 2:
             continue
@@ -338,7 +338,7 @@ def look(place: Place, seen: list[bool]) -> None:
 
 
 @some_or_all_lines
-def test_stops_at_the_old_settings_start_no_motor_of_a_board_at_others(
+def test_stop_retry_at_old_settings_starts_no_motor(
     lines: list[LineSettings],
 ) -> None:
     """Motors were driven, and the stop that is sent again and again is not proved."""
@@ -361,7 +361,7 @@ def test_stops_at_the_old_settings_start_no_motor_of_a_board_at_others(
 # --- Places -----------------------------------------------------------------------------
 
 
-def test_the_factorys_settings_are_the_last_place_to_look() -> None:
+def test_factory_settings_are_probed_last() -> None:
     old, new = replace(OLD, line=CRC, name="here"), LinkSettings("", LineSettings(9600))
     assert places_to_look(old, [new]) == (
         old,
@@ -370,16 +370,16 @@ def test_the_factorys_settings_are_the_last_place_to_look() -> None:
     )
 
 
-def test_no_place_is_looked_at_twice() -> None:
+def test_reconnect_candidates_are_unique() -> None:
     new = replace(OLD, line=CRC)
     assert places_to_look(OLD, [new, OLD, new]) == (OLD, new)
 
 
-def test_a_polynomial_is_nothing_where_there_is_no_crc() -> None:
+def test_polynomial_is_ignored_without_crc() -> None:
     assert places_to_look(OLD, [replace(OLD, polynomial=0x91)]) == (OLD,)
 
 
-def test_a_question_that_another_place_takes_for_an_order_is_left_out() -> None:
+def test_probe_readable_as_motor_command_is_skipped() -> None:
     """81 2E at 14400 baud is F0 0E at 38400 with odd parity."""
     unsafe = next(
         polynomial
@@ -394,7 +394,7 @@ def test_a_question_that_another_place_takes_for_an_order_is_left_out() -> None:
     assert old in places_to_look(old, [replace(OLD, line=LineSettings(9600))])
 
 
-def test_a_place_that_the_port_cannot_be_set_to_is_passed_over() -> None:
+def test_unsupported_line_settings_are_skipped() -> None:
     place = Place(replace(OLD, line=LineSettings(9600))).go(replace(OLD, line=CRC), new=OLD)
     tune = place.transport.tune
 
@@ -407,7 +407,7 @@ def test_a_place_that_the_port_cannot_be_set_to_is_passed_over() -> None:
     assert the_return(place).settings == OLD
 
 
-def test_a_port_that_goes_away_meanwhile_ends_the_session() -> None:
+def test_port_loss_while_reconnecting_ends_session() -> None:
     gone = PortUnavailable("It is gone.")
     place = Place().go(replace(OLD, line=CRC), new=OLD)
     place.script.at(ON + 0.01, place.board.power_off)
@@ -416,20 +416,20 @@ def test_a_port_that_goes_away_meanwhile_ends_the_session() -> None:
     assert place.line.now < 5.0
 
 
-def test_behind_a_network_port_of_fixed_rate_nothing_else_is_asked() -> None:
+def test_fixed_rate_port_probes_only_its_own_settings() -> None:
     place = Place().go(replace(OLD, line=CRC), new=OLD)
     place.transport.can_be_tuned = False
     assert the_return(place).settings == OLD
     assert bytes(place.transport.sent).count(b"\xff") <= 2  # when the line was opened
 
 
-def test_a_board_that_is_there_is_seen_at_once() -> None:
+def test_probe_finds_board_only_at_its_line_settings() -> None:
     place = Place(replace(OLD, line=CRC))
     assert look_at(place.transport, place.old, echo=False)
     assert not look_at(place.transport, OLD, echo=False)
 
 
-def test_board_with_another_number_is_not_taken_for_the_expected_one() -> None:
+def test_probe_ignores_board_with_wrong_device_number() -> None:
     place = Place()
     number = place.board.eeprom["device_number"]
     assert look_at(place.transport, replace(OLD, device_number=number), echo=False)

@@ -88,7 +88,7 @@ def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 @pytest.mark.parametrize("settings", sampled(BOARDS, every=5), ids=lambda settings: settings.text())
-def test_every_board_is_found_with_its_settings_and_not_one_order_is_heard(
+def test_search_finds_every_board_and_commands_no_motor(
     settings: LineSettings, orders: list[str]
 ) -> None:
     for shutdown in (0, 1):
@@ -107,7 +107,7 @@ def test_every_board_is_found_with_its_settings_and_not_one_order_is_heard(
 @pytest.mark.parametrize(
     "settings", sampled(ONE_STOP_BIT, every=5), ids=lambda settings: settings.text()
 )
-def test_a_search_whose_answers_get_lost_moves_nothing_either(
+def test_search_without_replies_commands_no_motor(
     settings: LineSettings, orders: list[str]
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
@@ -139,13 +139,13 @@ def a_full_search_moves_nothing(settings: LineSettings, orders: list[str]) -> No
     ),
     ids=lambda settings: settings.text(),
 )
-def test_the_full_search_moves_nothing_either(settings: LineSettings, orders: list[str]) -> None:
+def test_full_search_commands_no_motor(settings: LineSettings, orders: list[str]) -> None:
     a_full_search_moves_nothing(settings, orders)
 
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-def test_the_full_search_moves_nothing_on_any_board(orders: list[str]) -> None:
+def test_full_search_commands_no_motor_on_any_board(orders: list[str]) -> None:
     for settings in BOARDS:
         a_full_search_moves_nothing(settings, orders)
 
@@ -260,7 +260,7 @@ def orders_obeyed(questions: Sequence[Attempt], own: LineSettings, *, crc: bool)
 
 
 @pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
-def test_no_order_of_the_questions_makes_an_order_to_a_motor(own: LineSettings) -> None:
+def test_no_probe_sequence_forms_a_motor_command(own: LineSettings) -> None:
     # One stop bit more is only a longer rest behind a byte; two bytes have one between them.
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
         assert not orders_obeyed(list(attempts()), own, crc=crc)
@@ -268,13 +268,13 @@ def test_no_order_of_the_questions_makes_an_order_to_a_motor(own: LineSettings) 
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-def test_no_order_of_the_questions_of_the_full_search_does() -> None:
+def test_no_full_search_sequence_forms_a_motor_command() -> None:
     for own in OWN:
         for crc in (False, True) if own.detection is Detection.NONE else (False,):
             assert not orders_obeyed(list(attempts(full=True)), own, crc=crc)
 
 
-def test_whatever_a_board_has_begun_to_hear_is_over_when_the_search_asks() -> None:
+def test_flush_byte_ends_partial_packets() -> None:
     begun = [(first, *rest) for first in range(0x80, 0xF2) for rest in ((), (1,), (1, 2))]
     for own in OWN:
         left, obeyed = hear(begun, RINSE, RINSE_LINE, own, crc=False)
@@ -282,7 +282,7 @@ def test_whatever_a_board_has_begun_to_hear_is_over_when_the_search_asks() -> No
         assert not obeyed
 
 
-def test_without_the_byte_between_them_the_questions_do_start_motors() -> None:
+def test_probes_without_flush_byte_can_start_motors() -> None:
     """The danger is real: else the tests above would say nothing."""
     for own, order in (
         (LineSettings(19200, Detection.ODD), "f0 01"),  # though 81 is all that is sent
@@ -303,24 +303,24 @@ def test_without_the_byte_between_them_the_questions_do_start_motors() -> None:
 # --- What it asks, and in which order ---------------------------------------------------
 
 
-def test_the_likely_settings_come_first() -> None:
+def test_likely_line_settings_are_probed_first() -> None:
     first = [attempt.line for attempt in attempts()][:5]
     assert first == [LineSettings(baud) for baud in (19200, 115200, 9600, 38400, 57600)]
 
 
-def test_everything_a_board_can_be_set_to_is_asked_once() -> None:
+def test_every_line_setting_is_probed_once() -> None:
     asked = [attempt.line for attempt in attempts()]
     assert len(asked) == len(set(asked)) == len(BOARDS)
     assert set(asked) == set(BOARDS)
 
 
-def test_only_the_signature_is_ever_asked() -> None:
+def test_search_requests_only_signatures() -> None:
     assert {attempt.question[:1] for attempt in attempts(full=True)} == {b"\x81"}
     plain = [attempt for attempt in attempts() if attempt.line.detection is not Detection.CRC7]
     assert {attempt.question for attempt in plain} == {b"\x81"}
 
 
-def test_each_question_has_its_separator_and_time_to_be_answered_in() -> None:
+def test_flush_byte_precedes_each_probe() -> None:
     wire = wire_of(a_board())
     wire.line.mute = True
     search(wire)
@@ -329,7 +329,7 @@ def test_each_question_has_its_separator_and_time_to_be_answered_in() -> None:
     assert wire.tuned[0:-1:2] == [RINSE_LINE] * len(BOARDS)
 
 
-def test_the_port_is_not_left_at_the_rate_that_resets_some_boards() -> None:
+def test_search_leaves_port_at_default_line_settings() -> None:
     wire = wire_of(a_board())
     wire.line.mute = True
     search(wire)
@@ -339,7 +339,7 @@ def test_the_port_is_not_left_at_the_rate_that_resets_some_boards() -> None:
 # --- What it tells ----------------------------------------------------------------------
 
 
-def test_progress_names_what_is_asked_next() -> None:
+def test_progress_names_next_probe() -> None:
     steps: list[Step] = []
     wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
     find(VIRTUAL, lambda _settings: wire, steps.append)
@@ -347,7 +347,7 @@ def test_progress_names_what_is_asked_next() -> None:
     assert {step.total for step in steps} == {88}
 
 
-def test_a_search_can_be_cancelled() -> None:
+def test_search_can_be_cancelled() -> None:
     steps: list[Step] = []
     wire = wire_of(a_board())
     wire.line.mute = True
@@ -357,7 +357,7 @@ def test_a_search_can_be_cancelled() -> None:
     assert wire.closed
 
 
-def test_asking_for_each_number_is_told_and_can_be_cancelled() -> None:
+def test_device_number_scan_reports_progress_and_cancels() -> None:
     steps: list[Step] = []
     wire = wire_of(a_board(9))
     result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) > 11, full=True)
@@ -366,7 +366,7 @@ def test_asking_for_each_number_is_told_and_can_be_cancelled() -> None:
     assert [step.number for step in steps] == [None, *range(11)]
 
 
-def test_behind_a_network_port_of_fixed_rate_one_question_is_asked() -> None:
+def test_fixed_rate_port_is_probed_once() -> None:
     wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
     wire.can_be_tuned = False
     result = search(wire)
@@ -374,21 +374,21 @@ def test_behind_a_network_port_of_fixed_rate_one_question_is_asked() -> None:
     assert "set at the other end" in result.verdict()
 
 
-def test_a_trex_jr_on_the_rs232_side_is_found_by_its_number() -> None:
+def test_trex_jr_on_rs232_side_is_found_with_its_number() -> None:
     wire = wire_of(a_board(12, LineSettings(57600).to_wire(), "trexjr"), echo=True)
     found = only(search(wire))
     assert (str(found.signature), found.device_number, found.echo) == ("TReX Jr 1.2", 12, True)
 
 
 @pytest.mark.parametrize("chosen", [28800, 38400])
-def test_old_firmware_that_runs_at_half_the_rate_is_explained(chosen: int) -> None:
+def test_half_baud_rate_of_old_firmware_is_explained(chosen: int) -> None:
     board = Board("trex", "1.1", eeprom=a_board(settings=LineSettings(chosen).to_wire()).eeprom)
     found = only(search(wire_of(board)))
     assert found.settings.line == LineSettings(chosen // 2)
     assert f"set to {chosen} baud" in found.note
 
 
-def test_settings_that_wait_for_power_are_told() -> None:
+def test_line_settings_pending_power_cycle_are_reported() -> None:
     board = a_board()
     board.set_parameter(0x7E, LineSettings(115200).to_wire())
     board.advance(0.1)
@@ -397,7 +397,7 @@ def test_settings_that_wait_for_power_are_told() -> None:
     assert found.note.startswith("Switched off and on, it will run at 115200 baud")
 
 
-def test_another_polynomial_is_found_by_the_full_search_only() -> None:
+def test_other_polynomial_is_found_only_by_full_search() -> None:
     line = LineSettings(19200, Detection.CRC7)
     for polynomial in (0x83, 0xA6, 0xFF):
         board = a_board(settings=line.to_wire(), crc7_polynomial=polynomial & 0x7F)
@@ -406,7 +406,7 @@ def test_another_polynomial_is_found_by_the_full_search_only() -> None:
         assert found.settings == LinkSettings("virtual", line, polynomial=polynomial)
 
 
-def test_several_boards_of_two_models_are_told_apart_by_the_full_search() -> None:
+def test_full_search_distinguishes_boards_of_two_models() -> None:
     boards = [a_board(9), a_board(12, model="trexjr")]
     result = search(wire_of(*boards))
     assert not result.found
@@ -418,13 +418,13 @@ def test_several_boards_of_two_models_are_told_apart_by_the_full_search() -> Non
     ]
 
 
-def test_board_with_a_number_of_its_own_is_found_beside_two_that_share_one() -> None:
+def test_board_with_unique_number_is_found_among_duplicates() -> None:
     boards = [a_board(9), a_board(9, model="trexjr"), a_board(12)]
     found = only(search(wire_of(*boards), full=True))
     assert (str(found.signature), found.settings.device_number) == ("TReX 1.2", 12)
 
 
-def test_nothing_but_an_echo_is_told() -> None:
+def test_echo_without_reply_is_reported() -> None:
     board = a_board()
     board.power_off()
     result = search(wire_of(board, echo=True))
@@ -432,7 +432,7 @@ def test_nothing_but_an_echo_is_told() -> None:
     assert "comes back" in result.verdict()
 
 
-def test_silence_is_told_with_what_to_look_at() -> None:
+def test_missing_reply_diagnosis_suggests_checking_power() -> None:
     board = a_board()
     board.power_off()
     verdict = search(wire_of(board)).verdict()
@@ -440,7 +440,7 @@ def test_silence_is_told_with_what_to_look_at() -> None:
     assert "power" in verdict
 
 
-def test_another_device_is_told() -> None:
+def test_unknown_device_is_reported_with_its_bytes() -> None:
     board = a_board()
     board.power_off()
     wire = wire_of(board)
@@ -450,7 +450,7 @@ def test_another_device_is_told() -> None:
     assert "not answer as a TReX does: 45 52 52" in verdict
 
 
-def test_a_board_that_waits_for_firmware_is_told() -> None:
+def test_board_waiting_for_firmware_is_reported() -> None:
     board = a_board()
     board.power_off()
     wire = wire_of(board, echo=True)
@@ -464,7 +464,7 @@ def test_a_board_that_waits_for_firmware_is_told() -> None:
     assert "waits for new firmware" in search(wire).verdict()
 
 
-def test_rates_that_the_port_cannot_have_are_left_out() -> None:
+def test_unsupported_baud_rates_are_skipped() -> None:
     wire = wire_of(a_board(settings=LineSettings(4800).to_wire()))
     wire.unable = frozenset({14400, 76800})
     result = search(wire)
@@ -472,7 +472,7 @@ def test_rates_that_the_port_cannot_have_are_left_out() -> None:
     assert {line.baud for line in result.skipped} == {14400, 76800}
 
 
-def test_a_port_that_goes_away_ends_the_search() -> None:
+def test_port_loss_ends_search() -> None:
     wire = wire_of(a_board())
     wire.fail = PortUnavailable("It is gone.")
     with pytest.raises(PortUnavailable):
@@ -480,7 +480,7 @@ def test_a_port_that_goes_away_ends_the_search() -> None:
     assert wire.closed
 
 
-def test_a_noisy_line_is_searched_to_the_end() -> None:
+def test_search_finds_board_on_noisy_line() -> None:
     wire = wire_of(a_board(settings=LineSettings(1200).to_wire()))
     wire.line.noise = 0.02
     assert only(search(wire)).settings.line.baud == 1200

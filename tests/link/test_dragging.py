@@ -13,7 +13,7 @@ _RATE = 1000
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_each_packet_of_a_drag_carries_the_newest_position_and_the_last_one_arrives(
+def test_drag_sends_newest_positions_and_delivers_last_one(
     baud: int,
 ) -> None:
     stage, settings = staged(baud)

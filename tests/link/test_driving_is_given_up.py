@@ -5,7 +5,7 @@ from trex_gui.link.messages import Arm, Connected, Occasion, SetDrive
 from trex_gui.protocol.commands import Drive, DriveMotor
 
 
-def test_a_changed_mode_stops_the_motors_and_wishes_of_that_time_are_dropped() -> None:
+def test_mode_change_stops_motors_and_drops_setpoints() -> None:
     stage, _ = staged()
 
     def restart() -> None:
@@ -23,7 +23,7 @@ def test_a_changed_mode_stops_the_motors_and_wishes_of_that_time_are_dropped() -
     assert stopped == [True]
 
 
-def test_a_proved_wish_is_not_sent_again() -> None:
+def test_confirmed_setpoint_is_not_resent() -> None:
     stage, _ = staged()
     stage.script.at(1.0, SetDrive(1, Drive.at(50))).at(2.0, SetDrive(1, Drive.brake(127)))
     run_for(stage, 4.0)

@@ -42,7 +42,7 @@ def pulses(stage: Stage, start: float, end: float) -> None:
 # --- The lock after a stop --------------------------------------------------------------
 
 
-def test_wishes_that_come_after_a_stop_with_a_lock_are_dropped(stage: Stage) -> None:
+def test_setpoints_during_lockout_are_dropped(stage: Stage) -> None:
     stage.script.at(1.0, Stop(1, lockout=3.0))
     for step in range(20):
         stage.script.at(1.0 + step * 0.1, SetDrive(1, Drive.at(100)))
@@ -53,7 +53,7 @@ def test_wishes_that_come_after_a_stop_with_a_lock_are_dropped(stage: Stage) -> 
 
 
 @pytest.mark.parametrize("lockout", [0.0, 1.0, math.inf])
-def test_wishes_are_dropped_until_somebody_arms_the_motors(stage: Stage, lockout: float) -> None:
+def test_setpoints_after_stop_are_dropped_until_armed(stage: Stage, lockout: float) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80))).at(1.2, Stop(1, lockout))
     stage.script.at(1.2, SetDrive(1, Drive.at(80))).at(2.5, SetDrive(1, Drive.at(40)))
     dropped = seen_at(stage, 2.8, lambda: is_stopped(stage.board))
@@ -64,14 +64,14 @@ def test_wishes_are_dropped_until_somebody_arms_the_motors(stage: Stage, lockout
     assert obeyed == [50]
 
 
-def test_arming_ends_the_lock_since_it_is_younger_than_the_stop(stage: Stage) -> None:
+def test_arming_ends_lockout_of_earlier_stop(stage: Stage) -> None:
     stage.script.at(1.0, Stop(1, lockout=3.0)).at(1.2, Arm()).at(1.2, SetDrive(1, Drive.at(40)))
     speeds = seen_at(stage, 1.4, lambda: stage.board.motors[0].speed)
     run_for(stage, 1.5)
     assert speeds == [40]
 
 
-def test_motor_commands_that_were_asked_for_are_refused_while_locked(stage: Stage) -> None:
+def test_requested_motor_commands_are_rejected_in_lockout(stage: Stage) -> None:
     stage.script.at(1.0, Ask(1, GetMode())).at(1.0, Ask(2, DriveMotor(1, Drive.at(99))))
     stage.script.at(1.0, Stop(3, lockout=1.0)).at(1.5, Ask(4, DriveMotor(1, Drive.at(99))))
     run_for(stage, 1.8)
@@ -83,7 +83,7 @@ def test_motor_commands_that_were_asked_for_are_refused_while_locked(stage: Stag
     assert DriveMotor(1, Drive.at(99)) not in moving(stage.transport.sent)
 
 
-def test_a_shorter_lock_does_not_end_a_longer_one() -> None:
+def test_shorter_lockout_does_not_end_longer_one() -> None:
     now = 0.0
     guard = Guard(lambda: now)
     guard.stop(3.0)
@@ -98,7 +98,7 @@ def test_a_shorter_lock_does_not_end_a_longer_one() -> None:
 # --- Nobody there -----------------------------------------------------------------------
 
 
-def test_armed_motors_stop_when_no_sign_of_life_comes_for_a_second(stage: Stage) -> None:
+def test_armed_motors_stop_after_heartbeat_timeout(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80))).at(1.0, SetAuxiliary(30))
     before = seen_at(stage, 1.0 + HEARTBEAT - 0.05, lambda: stage.board.motors[0].speed)
     after = seen_at(stage, 1.0 + HEARTBEAT + 0.05, lambda: is_stopped(stage.board))
@@ -112,7 +112,7 @@ def test_armed_motors_stop_when_no_sign_of_life_comes_for_a_second(stage: Stage)
     assert is_stopped(stage.board), "late wishes count no more"
 
 
-def test_signs_of_life_keep_motors_running(stage: Stage) -> None:
+def test_heartbeats_keep_motors_running(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
     pulses(stage, 1.0, 5.0)
     speeds = seen_at(stage, 5.2, lambda: stage.board.motors[0].speed)
@@ -121,13 +121,13 @@ def test_signs_of_life_keep_motors_running(stage: Stage) -> None:
     assert not among(reports, Halted)
 
 
-def test_a_window_that_never_armed_anything_is_not_missed(stage: Stage) -> None:
+def test_missing_heartbeat_is_ignored_if_never_armed(stage: Stage) -> None:
     reports = run_for(stage, 5.0)
     assert not among(reports, Halted)
     assert not moving(stage.transport.sent)
 
 
-def test_motors_of_a_lost_window_stop_in_the_middle_of_a_long_reading() -> None:
+def test_heartbeat_timeout_stops_motors_during_reload() -> None:
     stage, settings = staged(1200)
     stage.script.at(4.0, Arm()).at(4.0, SetDrive(1, Drive.at(80))).at(4.5, Reload(1))
     after = seen_at(stage, 4.0 + HEARTBEAT + 0.5, lambda: is_stopped(stage.board))
@@ -139,7 +139,7 @@ def test_motors_of_a_lost_window_stop_in_the_middle_of_a_long_reading() -> None:
 # --- Again and again --------------------------------------------------------------------
 
 
-def test_a_stop_that_was_given_up_is_sent_on_until_it_is_proved(stage: Stage) -> None:
+def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
     """A line that spoils what it carries to the board, but not what it brings back."""
 
     def spoil(number: int) -> None:
@@ -154,7 +154,7 @@ def test_a_stop_that_was_given_up_is_sent_on_until_it_is_proved(stage: Stage) ->
     assert is_stopped(stage.board)
 
 
-def test_who_was_told_that_a_stop_is_not_proved_is_told_when_it_is(stage: Stage) -> None:
+def test_late_confirmation_of_failed_stop_is_reported(stage: Stage) -> None:
     def lose_our_ears() -> None:
         stage.line.mute = True
 
@@ -183,7 +183,7 @@ def test_who_was_told_that_a_stop_is_not_proved_is_told_when_it_is(stage: Stage)
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 @pytest.mark.parametrize("echo", [False, True])
 @pytest.mark.parametrize("share", sampled([step / 12 for step in range(12)], every=5))
-def test_a_stop_while_connecting_waits_for_one_transaction_only(
+def test_stop_while_connecting_waits_for_one_transaction(
     baud: int, share: float, echo: bool
 ) -> None:
     """The probes for an echo, signature, mode, parameters, calibrations: all of opening."""

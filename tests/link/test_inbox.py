@@ -11,7 +11,7 @@ from trex_gui.link.messages import Stop
 pytestmark = pytest.mark.realtime
 
 
-def test_an_empty_inbox_waits_as_long_as_it_was_told() -> None:
+def test_empty_inbox_waits_for_its_timeout() -> None:
     inbox = QueueInbox()
     for _ in range(20):  # a busy computer adds to some
         begun = time.monotonic()
@@ -24,7 +24,7 @@ def test_an_empty_inbox_waits_as_long_as_it_was_told() -> None:
     assert took < 0.5
 
 
-def test_a_request_wakes_who_waits() -> None:
+def test_request_wakes_waiting_reader() -> None:
     inbox = QueueInbox()
     timer = threading.Timer(0.05, inbox.put, [Stop(1)])
     begun = time.monotonic()
@@ -34,7 +34,7 @@ def test_a_request_wakes_who_waits() -> None:
     timer.join()
 
 
-def test_what_was_put_first_is_taken_first() -> None:
+def test_requests_are_taken_in_order() -> None:
     inbox = QueueInbox()
     for number in range(3):
         inbox.put(Stop(number))
@@ -42,7 +42,7 @@ def test_what_was_put_first_is_taken_first() -> None:
 
 
 @pytest.mark.parametrize("seconds", [1e-9, 1e-6, 1e-5])
-def test_the_shortest_wait_ends(seconds: float) -> None:
+def test_very_short_wait_ends(seconds: float) -> None:
     """A new one, and one that a request has come through, which is what a session waits at."""
     rounds = 4000
     ended: list[int] = []

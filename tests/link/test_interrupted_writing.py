@@ -341,7 +341,7 @@ def passes_the_factory_line(case: Case) -> bool:
 
 
 @every_case
-def test_a_power_cut_at_any_moment_loses_one_value_at_most(name: str) -> None:
+def test_power_cut_loses_only_values_being_written(name: str) -> None:
     for moment in moments(name):
         attempt = Attempt(CASES[name])
         attempt.at(moment, attempt.board.power_off).run()
@@ -351,7 +351,7 @@ def test_a_power_cut_at_any_moment_loses_one_value_at_most(name: str) -> None:
 
 
 @every_case
-def test_a_power_cut_of_a_moment_does_no_more_harm(name: str) -> None:
+def test_brief_power_cut_loses_only_values_being_written(name: str) -> None:
     """The writing may still go on when the board is back."""
     for moment in some(moments(name)):
         attempt = Attempt(CASES[name])
@@ -368,7 +368,7 @@ def test_a_power_cut_of_a_moment_does_no_more_harm(name: str) -> None:
 
 
 @every_case
-def test_a_cable_pulled_at_any_moment_leaves_every_value_old_or_new(name: str) -> None:
+def test_unplugged_cable_leaves_every_value_valid(name: str) -> None:
     for moment in some(moments(name)):
         attempt = Attempt(CASES[name])
         attempt.at(moment, attempt.stage.line.unplug).run()
@@ -384,7 +384,7 @@ def test_a_cable_pulled_at_any_moment_leaves_every_value_old_or_new(name: str) -
 
 
 @every_case
-def test_what_a_pulled_cable_kept_back_is_written_when_it_is_back(name: str) -> None:
+def test_interrupted_write_completes_after_replugging(name: str) -> None:
     for moment in some(moments(name))[::5]:
         attempt = Attempt(CASES[name])
         attempt.at(moment, attempt.stage.line.unplug).run()
@@ -396,7 +396,7 @@ def test_what_a_pulled_cable_kept_back_is_written_when_it_is_back(name: str) -> 
 
 
 @every_case
-def test_a_port_that_goes_at_any_moment_is_told_for_all_that_was_not_tried(name: str) -> None:
+def test_port_loss_is_reported_for_all_remaining_settings(name: str) -> None:
     for moment in some(moments(name)):
         attempt = Attempt(CASES[name])
 
@@ -415,7 +415,7 @@ def test_a_port_that_goes_at_any_moment_is_told_for_all_that_was_not_tried(name:
 # --- Another board than before ----------------------------------------------------------
 
 
-def test_a_board_that_comes_back_with_other_inputs_keeps_their_calibrations() -> None:
+def test_changed_input_source_keeps_its_calibrations() -> None:
     """What is stored for the next power-up may be other inputs than those that are read now."""
     refused = 0
     for moment in some(moments("calibrations")):
@@ -432,7 +432,7 @@ def test_a_board_that_comes_back_with_other_inputs_keeps_their_calibrations() ->
     assert refused > 0
 
 
-def test_a_board_that_comes_back_with_a_mode_jumper_is_left_alone() -> None:
+def test_write_ends_when_board_returns_in_rc_mode() -> None:
     attempt = Attempt(CASES["everything"])
     attempt.board.mode_jumper = "rc"
     attempt.at(0.2, attempt.board.power_off).at(0.21, attempt.board.power_on).run()
@@ -460,7 +460,7 @@ def ended_after(case: Case, count: int) -> tuple[Stage, tuple[Written, ...]]:
 
 
 @pytest.mark.parametrize("count", [0, 1, 4, 5, 6, 20])
-def test_writing_ends_between_two_settings_when_it_is_asked_to(count: int) -> None:
+def test_cancelled_write_ends_between_settings(count: int) -> None:
     case = CASES["everything"]
     stage, results = ended_after(case, count)
     assert [result.error is None for result in results] == [
@@ -476,7 +476,7 @@ def test_writing_ends_between_two_settings_when_it_is_asked_to(count: int) -> No
 
 
 @pytest.mark.parametrize("name", ["CRC on", "CRC off", "CRC stays on"])
-def test_line_settings_and_polynomial_are_not_parted(name: str) -> None:
+def test_line_settings_and_polynomial_stay_together(name: str) -> None:
     case = CASES[name]
     stage, results = ended_after(case, 1)
     assert [result.error for result in results] == [None, None]
@@ -486,7 +486,7 @@ def test_line_settings_and_polynomial_are_not_parted(name: str) -> None:
 # --- By way of the factory's settings ---------------------------------------------------
 
 
-def test_where_crc_stays_on_the_line_goes_by_way_of_the_factorys() -> None:
+def test_line_change_with_crc_goes_via_factory_settings() -> None:
     case = CASES["CRC stays on"]
     attempt = Attempt(case).run()
     sent = commands(attempt.stage.transport.sent, 0x80 | case.before["crc7_polynomial"])
@@ -497,7 +497,7 @@ def test_where_crc_stays_on_the_line_goes_by_way_of_the_factorys() -> None:
     ]
 
 
-def test_a_line_that_may_be_left_at_the_factorys_is_told() -> None:
+def test_possible_factory_line_settings_are_reported() -> None:
     attempt = Attempt(CASES["CRC stays on"])
     writes = moments("CRC stays on")
     attempt.at(writes[len(writes) // 2], attempt.stage.line.unplug).run()
@@ -511,7 +511,7 @@ def test_a_line_that_may_be_left_at_the_factorys_is_told() -> None:
     )
 
 
-def test_a_value_that_cannot_be_written_starts_no_detour() -> None:
+def test_unwritable_line_settings_skip_factory_detour() -> None:
     case = line_and_polynomial(FAST, 0x33, 0x0F, 0x44)
     attempt = Attempt(case).run()
     errors = {result.what: result.error for result in attempt.results}

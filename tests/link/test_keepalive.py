@@ -32,9 +32,7 @@ def set_timeout(stage: Stage, tenths: int) -> None:
 @pytest.mark.parametrize(
     ("baud", "detection"), sampled(itertools.product(baud_rates(), Detection), every=5)
 )
-def test_a_tenth_of_a_second_is_enough_at_every_rate_while_armed(
-    baud: int, detection: Detection
-) -> None:
+def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection) -> None:
     stage, settings = staged(baud, detection)
     set_timeout(stage, 1)
     start = opening(baud)
@@ -52,7 +50,7 @@ def test_a_tenth_of_a_second_is_enough_at_every_rate_while_armed(
     assert fired == []
 
 
-def test_on_a_slow_line_only_questions_that_fit_are_asked_while_armed() -> None:
+def test_slow_line_omits_long_polls_while_armed() -> None:
     stage, settings = staged(1200)
     set_timeout(stage, 1)
     start = opening(1200)
@@ -66,14 +64,14 @@ def test_on_a_slow_line_only_questions_that_fit_are_asked_while_armed() -> None:
     assert [time for time in seen if time > start + 5.5] != [], "all is asked again after the stop"
 
 
-def test_without_armed_motors_nothing_is_done_for_the_timeout() -> None:
+def test_slow_line_keeps_long_polls_while_disarmed() -> None:
     stage, settings = staged(1200)
     set_timeout(stage, 1)
     reports = run_for(stage, opening(1200) + 5.0, settings)
     assert samples(reports, Raw)
 
 
-def test_a_timeout_that_is_set_while_connected_counts_at_once() -> None:
+def test_timeout_written_while_connected_applies_at_once() -> None:
     stage, settings = staged(1200)
     start = opening(1200)
     stage.script.at(start, Write(1, (("serial_timeout", 1),)))
@@ -88,7 +86,7 @@ def test_a_timeout_that_is_set_while_connected_counts_at_once() -> None:
 @pytest.mark.parametrize(
     ("baud", "tenths"), [(1200, 1), (1200, 5), (2400, 1), (2400, 2), (19200, 1), (115200, 1)]
 )
-def test_a_lost_answer_stops_no_motors_where_none_are_foretold(baud: int, tenths: int) -> None:
+def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -> None:
     stage, settings = staged(baud)
     stage.transport.latency = latency_of("/dev/ttyUSB0")
     set_timeout(stage, tenths)
@@ -116,7 +114,7 @@ def test_a_lost_answer_stops_no_motors_where_none_are_foretold(baud: int, tenths
         assert not survives
 
 
-def test_what_is_too_slow_follows_from_bytes_and_rate() -> None:
+def test_too_slow_polls_follow_from_size_and_baud_rate() -> None:
     assert too_slow(LineSettings(1200), 0.1) == {Topic.RAW}
     assert too_slow(LineSettings(1200), 0.2) == frozenset()
     assert too_slow(LineSettings(2400), 0.1) == frozenset()
@@ -125,7 +123,7 @@ def test_what_is_too_slow_follows_from_bytes_and_rate() -> None:
     assert silence(LineSettings(1200), GetRawChannels()) == pytest.approx(11 / 120 + 0.015)
 
 
-def test_at_every_rate_something_can_be_asked_in_time() -> None:
+def test_every_rate_leaves_polls_that_fit_100_ms_timeout() -> None:
     for baud, detection, stop_bits in itertools.product(baud_rates(), Detection, (1, 2)):
         line = LineSettings(baud, detection, stop_bits)
         left_out = too_slow(line, 0.1)
@@ -133,12 +131,12 @@ def test_at_every_rate_something_can_be_asked_in_time() -> None:
         assert needed.isdisjoint(left_out), line.text()
 
 
-def test_without_a_timeout_there_is_no_hurry() -> None:
+def test_longest_pause_is_unlimited_without_timeout() -> None:
     assert longest_pause(0) is None
     assert longest_pause(0.5) == pytest.approx(0.2)
 
 
-def test_the_board_is_read_before_any_of_this() -> None:
+def test_slow_line_connects_within_assumed_time() -> None:
     stage, settings = staged(1200)
     reports = run_for(stage, opening(1200), settings)
     assert among(reports, Connected)

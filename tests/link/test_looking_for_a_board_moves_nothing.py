@@ -60,7 +60,9 @@ def _board(settings: LineSettings) -> Board:
 
 @pytest.mark.parametrize("device_number", [None, 7])
 @pytest.mark.parametrize("detection", list(Detection))
-def test_at_no_rate_does_a_motor_start(detection: Detection, device_number: int | None) -> None:
+def test_connection_probes_start_no_motor_at_any_rate(
+    detection: Detection, device_number: int | None
+) -> None:
     settings = LinkSettings("virtual", LineSettings(detection=detection), device_number)
     packets = _sent_to_nobody(settings)
     assert packets

@@ -54,13 +54,13 @@ def mailbox(*requests: Request) -> Mailbox:
 # --- Slots ------------------------------------------------------------------------------
 
 
-def test_an_empty_slot_says_nothing() -> None:
+def test_empty_slots_return_no_setpoints() -> None:
     slots = DriveSlots()
     assert not slots
     assert slots.take() == []
 
 
-def test_the_newest_wish_for_a_motor_wins() -> None:
+def test_newest_setpoint_for_motor_wins() -> None:
     slots = DriveSlots()
     for speed in (10, 20, 30):
         slots.put(SetDrive(2, Drive.at(speed)))
@@ -69,14 +69,14 @@ def test_the_newest_wish_for_a_motor_wins() -> None:
     assert not slots
 
 
-def test_two_wishes_of_one_kind_share_a_packet() -> None:
+def test_setpoints_of_same_kind_share_one_packet() -> None:
     slots = DriveSlots()
     slots.put(SetDrive(2, Drive.brake(5), accelerate=True))
     slots.put(SetDrive(1, Drive.at(-10), accelerate=True))
     assert packets(slots.take()) == [DriveBoth(Drive.at(-10), Drive.brake(5), accelerate=True)]
 
 
-def test_a_jump_and_a_ramp_need_a_packet_each() -> None:
+def test_immediate_and_ramped_setpoints_use_two_packets() -> None:
     slots = DriveSlots()
     slots.put(SetDrive(1, Drive.at(10), accelerate=True))
     slots.put(SetDrive(2, Drive.at(20)))
@@ -86,14 +86,14 @@ def test_a_jump_and_a_ramp_need_a_packet_each() -> None:
     ]
 
 
-def test_the_auxiliary_motor_alone_is_a_wish() -> None:
+def test_auxiliary_setpoint_alone_makes_a_packet() -> None:
     slots = DriveSlots()
     slots.put(SetAuxiliary(0, accelerate=True))
     assert slots
     assert packets(slots.take()) == [DriveAuxiliary(0, accelerate=True)]
 
 
-def test_forgotten_wishes_are_not_sent() -> None:
+def test_cleared_setpoints_are_not_sent() -> None:
     slots = DriveSlots()
     slots.put(SetDrive(1, Drive.at(1)))
     slots.put(SetAuxiliary(1))
@@ -102,7 +102,7 @@ def test_forgotten_wishes_are_not_sent() -> None:
     assert slots.take() == []
 
 
-def test_a_wish_whose_packet_was_damaged_waits_again() -> None:
+def test_setpoint_of_corrupted_packet_is_queued_again() -> None:
     slots = DriveSlots()
     slots.put(SetDrive(1, Drive.at(1)))
     slots.put(SetAuxiliary(1))
@@ -111,7 +111,7 @@ def test_a_wish_whose_packet_was_damaged_waits_again() -> None:
     assert slots.take() == taken
 
 
-def test_a_newer_wish_is_not_replaced_by_one_that_was_damaged() -> None:
+def test_requeued_setpoint_does_not_replace_newer_one() -> None:
     slots = DriveSlots()
     damaged: list[SetDrive | SetAuxiliary] = [
         SetDrive(1, Drive.at(1)),
@@ -138,7 +138,7 @@ wishes = st.one_of(
 
 @modest
 @given(st.lists(wishes, max_size=20))
-def test_what_is_sent_is_the_newest_wish_of_each_motor(
+def test_packets_contain_newest_setpoint_of_each_motor(
     given_wishes: list[SetDrive | SetAuxiliary],
 ) -> None:
     slots = DriveSlots()
@@ -167,37 +167,37 @@ def test_jobs_keep_their_order() -> None:
     assert tuple(mailbox(*jobs).jobs) == jobs
 
 
-def test_wishes_for_both_motors_in_one_message_leave_in_one_packet() -> None:
+def test_setpoints_of_one_message_share_one_packet() -> None:
     both = SetDrives((SetDrive(1, Drive.at(9)), SetDrive(2, Drive.at(-9))))
     assert packets(mailbox(both).drives.take()) == [DriveBoth(Drive.at(9), Drive.at(-9))]
 
 
-def test_in_a_message_for_both_motors_the_newest_wish_of_each_wins_too() -> None:
+def test_newest_setpoint_wins_with_two_motor_messages() -> None:
     both = SetDrives((SetDrive(1, Drive.at(9)), SetDrive(2, Drive.at(-9))))
     older, newer = SetDrive(2, Drive.at(50)), SetDrive(1, Drive.at(7))
     assert mailbox(older, both, newer).drives.take() == [newer, SetDrive(2, Drive.at(-9))]
     assert not mailbox(both, Stop(1)).drives
 
 
-def test_stops_are_kept_apart_and_taken_once() -> None:
+def test_stops_are_queued_separately_and_taken_once() -> None:
     mail = mailbox(Reload(1), Stop(2), Stop(3))
     assert mail.take_stops() == [Stop(2), Stop(3)]
     assert mail.take_stops() == []
 
 
-def test_a_stop_wipes_out_the_wishes_before_it() -> None:
+def test_stop_discards_earlier_setpoints() -> None:
     mail = mailbox(SetDrive(1, Drive.at(9)), SetAuxiliary(9), Stop(1))
     assert not mail.drives
 
 
-def test_a_stop_wipes_out_the_wishes_after_it_until_somebody_arms() -> None:
+def test_stop_discards_later_setpoints_until_armed() -> None:
     wish = SetDrive(2, Drive.at(5))
     assert not mailbox(SetDrive(1, Drive.at(9)), Stop(1), wish).drives
     mail = mailbox(SetDrive(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), wish)
     assert mail.drives.take() == [SetDrive(2, Drive.at(5))]
 
 
-def test_a_stop_wipes_out_wishes_that_came_in_an_earlier_look() -> None:
+def test_stop_discards_setpoints_of_earlier_collect() -> None:
     bag = Bag(SetDrive(1, Drive.at(9)))
     mail = Mailbox(bag)
     mail.collect()
@@ -206,30 +206,30 @@ def test_a_stop_wipes_out_wishes_that_came_in_an_earlier_look() -> None:
     assert not mail.drives
 
 
-def test_only_the_first_look_waits() -> None:
+def test_collect_waits_only_for_first_request() -> None:
     bag = Bag(Reload(1), Reload(2))
     Mailbox(bag).collect(0.5)
     assert bag.waits == [0.5, 0.0, 0.0]
 
 
-def test_a_time_that_is_over_is_no_wait() -> None:
+def test_negative_timeout_does_not_wait() -> None:
     bag = Bag()
     Mailbox(bag).collect(-1.0)
     assert bag.waits == [0.0]
 
 
-def test_close_is_noted_and_what_came_with_it_is_kept() -> None:
+def test_close_keeps_pending_jobs() -> None:
     mail = mailbox(Reload(1), Close(), Reload(2))
     assert mail.closing
     assert mail.abandon() == [1, 2]
 
 
-def test_closing_wipes_out_wishes_before_and_after_it() -> None:
+def test_close_discards_earlier_and_later_setpoints() -> None:
     before, after = SetDrive(1, Drive.at(9)), SetAuxiliary(9)
     assert not mailbox(before, Close(), after).drives
 
 
-def test_what_is_abandoned_is_named_once() -> None:
+def test_abandon_returns_each_request_once() -> None:
     mail = mailbox(
         Ask(1, GetMode()), Stop(2), SetDrive(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
     )
@@ -238,7 +238,7 @@ def test_what_is_abandoned_is_named_once() -> None:
     assert not mail.drives
 
 
-def test_what_is_expected_last_counts() -> None:
+def test_last_reconnect_candidates_replace_earlier_ones() -> None:
     here, there = LinkSettings("here"), LinkSettings("there")
     assert mailbox().expected == ()
     assert mailbox(Expect((here,)), Stop(1), Expect((there, here))).expected == (there, here)

@@ -112,16 +112,16 @@ def there_and_back(thing: ThingT) -> ThingT:
 
 
 @pytest.mark.parametrize("request_", REQUESTS, ids=str)
-def test_every_request_arrives_as_it_was(request_: Request) -> None:
+def test_request_survives_pickling(request_: Request) -> None:
     assert there_and_back(request_) == request_
 
 
 @pytest.mark.parametrize("report", REPORTS, ids=lambda report: type(report).__name__)
-def test_every_report_arrives_as_it_was(report: Report) -> None:
+def test_report_survives_pickling(report: Report) -> None:
     assert there_and_back(report) == report
 
 
-def test_every_command_can_be_asked_from_another_process() -> None:
+def test_every_command_survives_pickling() -> None:
     for opcode, cls in COMMANDS.items():
         data = b"\x00" * (cls.data_size - 2) + b"\x55\x2a" if 0xA0 <= opcode <= 0xAF else None
         command = cls.from_packet(opcode, data or b"\x01" * cls.data_size)
@@ -129,7 +129,7 @@ def test_every_command_can_be_asked_from_another_process() -> None:
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
-def test_an_error_arrives_with_its_type_and_its_words(error: TrexError) -> None:
+def test_pickled_error_keeps_type_and_message(error: TrexError) -> None:
     for message in (Outcome(1, error=error), Closed(error), Written("motor_mode", error=error)):
         arrived = there_and_back(message).error
         assert arrived is not None
@@ -138,19 +138,19 @@ def test_an_error_arrives_with_its_type_and_its_words(error: TrexError) -> None:
         assert arrived.args == error.args
 
 
-def test_a_refusal_arrives_with_its_code() -> None:
+def test_pickled_rejection_keeps_its_code() -> None:
     copy = there_and_back(Rejected("Serial Timeout", ResultCode.BAD_VALUE))
     assert (copy.what, copy.code) == ("Serial Timeout", ResultCode.BAD_VALUE)
 
 
-def test_an_error_with_a_cause_can_be_sent() -> None:
+def test_error_with_cause_can_be_pickled() -> None:
     error = BadReply("the error")
     error.__cause__ = NoReply("the cause")
     assert str(there_and_back(error)) == "the error"
 
 
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
-def test_everything_that_a_session_reports_arrives_as_it_was(model: str) -> None:
+def test_all_reports_of_session_survive_pickling(model: str) -> None:
     stage, settings = staged(model=model)
     stage.script.at(1.0, Write(1, (("serial_timeout", 5),), ((1, LEARNED),)))
     stage.script.at(1.5, Stop(2)).at(1.6, Reload(3)).at(2.2, stage.board.power_off)
@@ -162,7 +162,7 @@ def test_everything_that_a_session_reports_arrives_as_it_was(model: str) -> None
         assert there_and_back(report) == report
 
 
-def test_a_state_that_arrived_knows_its_parameters() -> None:
+def test_pickled_state_knows_its_parameters() -> None:
     stage, settings = staged(model="trexjr", firmware="1.0")
     state = among(run_for(stage, 1.0, settings), Connected)[0].state
     copy = there_and_back(state)
@@ -170,7 +170,7 @@ def test_a_state_that_arrived_knows_its_parameters() -> None:
     assert copy.specs == state.specs
 
 
-def test_how_to_reach_a_board_can_be_sent_as_well() -> None:
+def test_link_settings_survive_pickling() -> None:
     line = LineSettings(115200, Detection.CRC7, 2)
     settings = LinkSettings("/dev/ttyUSB0", line, 7, 0x89, Timeouts(extra=0.5), "here")
     assert there_and_back(settings) == settings

@@ -14,8 +14,8 @@ from trex_gui.protocol.commands import Drive, DriveAuxiliary, DriveMotor
 from trex_gui.protocol.errors import NoReply, PortUnavailable
 
 
-class Bench:
-    """Motors on a line to a simulated board, and what they tell."""
+class MotorsHarness:
+    """`Motors` connected to a simulated board, and what they report."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
@@ -35,107 +35,107 @@ class Bench:
         self.mail.drives.put(SetDrive(1, Drive.at(speed)))
         self.motors.drive(self.client)
 
+    def advance(self, seconds: float) -> None:
+        """Let time pass and send whenever that is due, as a session does."""
+        end = self.client.transport.clock() + seconds
+        while (due := self.motors.seconds_to_drive(self.client)) is not None:
+            if self.client.transport.clock() + due > end:
+                break
+            if due > 0:
+                self.client.transport.wait(max(due, 1e-5))
+            else:
+                self.motors.drive(self.client)
+
 
 @pytest.fixture
-def bench() -> Bench:
-    return Bench(staged()[0])
+def harness() -> MotorsHarness:
+    return MotorsHarness(staged()[0])
 
 
-def test_without_a_wish_there_is_nothing_to_wait_for(bench: Bench) -> None:
-    assert bench.motors.seconds_to_drive(bench.client) is None
-    assert not bench.motors.may_move
+def test_seconds_to_drive_is_none_without_setpoint(harness: MotorsHarness) -> None:
+    assert harness.motors.seconds_to_drive(harness.client) is None
+    assert not harness.motors.may_move
 
 
-def test_the_newest_wish_goes_and_the_next_waits_for_its_turn(bench: Bench) -> None:
-    bench.stage.line.advance(1.0)
-    bench.mail.drives.put(SetDrive(1, Drive.at(10)))
-    assert (bench.motors.seconds_to_drive(bench.client) or 0) <= 0
-    bench.drive(20)
-    assert moving(bench.stage.transport.sent) == [DriveMotor(1, Drive.at(20))]
-    assert bench.motors.may_move
-    bench.mail.drives.put(SetDrive(1, Drive.at(30)))
-    seconds = bench.motors.seconds_to_drive(bench.client)
+def test_newest_setpoint_is_sent_and_next_one_waits(harness: MotorsHarness) -> None:
+    harness.stage.line.advance(1.0)
+    harness.mail.drives.put(SetDrive(1, Drive.at(10)))
+    assert (harness.motors.seconds_to_drive(harness.client) or 0) <= 0
+    harness.drive(20)
+    assert moving(harness.stage.transport.sent) == [DriveMotor(1, Drive.at(20))]
+    assert harness.motors.may_move
+    harness.mail.drives.put(SetDrive(1, Drive.at(30)))
+    seconds = harness.motors.seconds_to_drive(harness.client)
     assert seconds is not None
     assert seconds >= DRIVE_INTERVAL
 
 
-def let_time_pass(bench: Bench, seconds: float) -> None:
-    """Drive whenever that is due, as a session does."""
-    end = bench.client.transport.clock() + seconds
-    while (due := bench.motors.seconds_to_drive(bench.client)) is not None:
-        if bench.client.transport.clock() + due > end:
-            break
-        if due > 0:
-            bench.client.transport.wait(max(due, 1e-5))
-        else:
-            bench.motors.drive(bench.client)
+def test_lost_setpoint_is_resent(harness: MotorsHarness) -> None:
+    harness.stage.line.to_drop_sent = 2  # the whole packet, so the board latches nothing
+    harness.drive(20)
+    assert harness.stage.board.motors[0].target_speed == 0
+    harness.advance(4.0)
+    sent = moving(harness.stage.transport.sent)
+    assert sent == [DriveMotor(1, Drive.at(20))] * (1 + len(REPEATS))
+    assert harness.stage.board.motors[0].target_speed == 20
+    assert harness.motors.seconds_to_drive(harness.client) is None
 
 
-def test_a_wish_is_sent_again_for_a_board_that_was_deaf(bench: Bench) -> None:
-    bench.stage.line.to_drop_sent = 2  # the whole packet, so the board latches nothing
-    bench.drive(20)
-    assert bench.stage.board.motors[0].target_speed == 0
-    let_time_pass(bench, 4.0)
-    assert moving(bench.stage.transport.sent) == [DriveMotor(1, Drive.at(20))] * (1 + len(REPEATS))
-    assert bench.stage.board.motors[0].target_speed == 20
-    assert bench.motors.seconds_to_drive(bench.client) is None
-
-
-def test_a_newer_wish_takes_the_place_of_the_one_that_stands(bench: Bench) -> None:
-    bench.drive(20)
-    let_time_pass(bench, 0.2)
-    bench.mail.drives.put(SetAuxiliary(9))
-    bench.mail.drives.put(SetDrive(1, Drive.at(30)))
-    let_time_pass(bench, 4.0)
-    sent = moving(bench.stage.transport.sent)
+def test_newer_setpoint_replaces_unconfirmed_one(harness: MotorsHarness) -> None:
+    harness.drive(20)
+    harness.advance(0.2)
+    harness.mail.drives.put(SetAuxiliary(9))
+    harness.mail.drives.put(SetDrive(1, Drive.at(30)))
+    harness.advance(4.0)
+    sent = moving(harness.stage.transport.sent)
     assert sent[:2] == [DriveMotor(1, Drive.at(20))] * 2
     assert sent[2:] == [DriveMotor(1, Drive.at(30)), DriveAuxiliary(9)] * (1 + len(REPEATS))
 
 
-def test_after_a_stop_nothing_stands_any_more(bench: Bench) -> None:
-    bench.drive(20)
-    bench.stop()
-    assert bench.motors.seconds_to_drive(bench.client) is None
-    bench.drive(20)
-    bench.motors.stop_unheard(bench.client)
-    assert bench.motors.seconds_to_drive(bench.client) is None
-    bench.drive(20)
-    bench.motors.forget()
-    assert bench.motors.seconds_to_drive(bench.client) is None
+def test_no_setpoint_is_pending_after_stop(harness: MotorsHarness) -> None:
+    harness.drive(20)
+    harness.stop()
+    assert harness.motors.seconds_to_drive(harness.client) is None
+    harness.drive(20)
+    harness.motors.stop_unheard(harness.client)
+    assert harness.motors.seconds_to_drive(harness.client) is None
+    harness.drive(20)
+    harness.motors.forget()
+    assert harness.motors.seconds_to_drive(harness.client) is None
 
 
-def test_a_proved_stop_is_answered_and_nothing_may_move(bench: Bench) -> None:
-    bench.drive(90)
-    bench.stop()
-    assert bench.outcomes == [Outcome(1)]
-    assert not bench.motors.may_move
-    assert bench.stage.board.motors[0].direction is Direction.BRAKE
+def test_confirmed_stop_is_reported_and_clears_may_move(harness: MotorsHarness) -> None:
+    harness.drive(90)
+    harness.stop()
+    assert harness.outcomes == [Outcome(1)]
+    assert not harness.motors.may_move
+    assert harness.stage.board.motors[0].direction is Direction.BRAKE
 
 
-def test_a_stop_that_nobody_confirms_says_so_and_motors_may_move(bench: Bench) -> None:
-    bench.drive(90)
-    bench.stage.board.power_off()
-    bench.stop()
-    (outcome,) = bench.outcomes
+def test_unconfirmed_stop_is_reported_and_keeps_may_move(harness: MotorsHarness) -> None:
+    harness.drive(90)
+    harness.stage.board.power_off()
+    harness.stop()
+    (outcome,) = harness.outcomes
     assert isinstance(outcome, Outcome)
     assert isinstance(outcome.error, NoReply)
     assert "cut its power" in str(outcome.error)
-    assert bench.motors.may_move
+    assert harness.motors.may_move
 
 
-def test_a_stop_waits_again_when_the_line_is_gone(bench: Bench) -> None:
-    bench.drive(90)
-    bench.stage.transport.fail = PortUnavailable("gone")
+def test_stop_is_queued_again_when_port_is_lost(harness: MotorsHarness) -> None:
+    harness.drive(90)
+    harness.stage.transport.fail = PortUnavailable("gone")
     with pytest.raises(PortUnavailable):
-        bench.stop()
-    assert bench.mail.stops == [Stop(1)]
-    assert not bench.outcomes
-    assert bench.motors.may_move
+        harness.stop()
+    assert harness.mail.stops == [Stop(1)]
+    assert not harness.outcomes
+    assert harness.motors.may_move
 
 
-def test_a_board_that_was_never_driven_is_sent_no_stop_into_its_silence(bench: Bench) -> None:
-    bench.motors.stop_unheard(bench.client)
-    assert not bench.stage.transport.sent
-    bench.drive(90)
-    bench.motors.stop_unheard(bench.client)
-    assert len(moving(bench.stage.transport.sent)) == 3
+def test_unresponsive_board_is_sent_stop_only_if_driven(harness: MotorsHarness) -> None:
+    harness.motors.stop_unheard(harness.client)
+    assert not harness.stage.transport.sent
+    harness.drive(90)
+    harness.motors.stop_unheard(harness.client)
+    assert len(moving(harness.stage.transport.sent)) == 3

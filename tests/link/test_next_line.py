@@ -12,13 +12,13 @@ NOW = LinkSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeouts(extra=0.1))
 FACTORY = {spec.key: spec.default for spec in parameters_of("trex", "1.2").readable}
 
 
-def test_a_new_board_stays_where_it_is() -> None:
+def test_factory_settings_leave_line_unchanged() -> None:
     assert after_power_cycle(NOW, FACTORY, "1.2") == NOW
 
 
 @pytest.mark.parametrize("baud", baud_rates())
 @pytest.mark.parametrize("detection", list(Detection))
-def test_stored_uart_settings_are_those_of_the_line(baud: int, detection: Detection) -> None:
+def test_stored_uart_settings_become_line_settings(baud: int, detection: Detection) -> None:
     line = LineSettings(baud, detection, 2)
     coming = after_power_cycle(NOW, {"uart_settings": line.to_wire()}, "1.2")
     assert coming is not None
@@ -26,14 +26,14 @@ def test_stored_uart_settings_are_those_of_the_line(baud: int, detection: Detect
     assert (coming.url, coming.name, coming.timeouts) == (NOW.url, NOW.name, NOW.timeouts)
 
 
-def test_old_firmware_runs_two_rates_at_half() -> None:
+def test_old_firmware_runs_38400_baud_at_half_rate() -> None:
     stored = {"uart_settings": LineSettings(38400).to_wire()}
     coming = after_power_cycle(NOW, stored, "1.1")
     assert coming is not None
     assert coming.line.baud == 19200
 
 
-def test_a_stored_polynomial_gets_its_highest_bit_back() -> None:
+def test_stored_polynomial_regains_its_highest_bit() -> None:
     stored = {"uart_settings": LineSettings(19200, Detection.CRC7).to_wire()}
     coming = after_power_cycle(NOW, {**stored, "crc7_polynomial": 0x15}, "1.2")
     assert coming is not None
@@ -41,7 +41,7 @@ def test_a_stored_polynomial_gets_its_highest_bit_back() -> None:
     assert coming.framing.polynomial == 0x95
 
 
-def test_a_device_number_matters_only_to_who_uses_one() -> None:
+def test_stored_device_number_is_used_only_when_addressed() -> None:
     stored = {"device_number": 9}
     assert after_power_cycle(NOW, stored, "1.2") == NOW
     addressed = LinkSettings("/dev/ttyUSB0", device_number=7)
@@ -50,15 +50,15 @@ def test_a_device_number_matters_only_to_who_uses_one() -> None:
     assert coming.device_number == 9
 
 
-def test_nobody_can_say_where_a_value_leads_that_names_no_rate() -> None:
+def test_invalid_uart_settings_predict_no_line() -> None:
     assert after_power_cycle(NOW, {"uart_settings": 0x0F}, "1.2") is None
 
 
-def test_nowhere_else_is_looked_where_nothing_of_the_line_changes() -> None:
+def test_unchanged_line_has_no_reconnect_candidates() -> None:
     assert where_to_look(NOW, FACTORY, {**FACTORY, "serial_timeout": 5}, "1.2") == ()
 
 
-def test_a_polynomial_that_is_lost_on_the_way_is_the_factorys() -> None:
+def test_reconnect_candidates_include_factory_polynomial() -> None:
     crc = LineSettings(19200, Detection.CRC7)
     link = LinkSettings("/dev/ttyUSB0", line=crc, polynomial=0x91)
     before = {**FACTORY, "uart_settings": crc.to_wire(), "crc7_polynomial": 0x11}
@@ -67,14 +67,14 @@ def test_a_polynomial_that_is_lost_on_the_way_is_the_factorys() -> None:
     assert {place.line for place in places} == {crc}
 
 
-def test_a_number_that_is_lost_on_the_way_is_the_factorys() -> None:
+def test_reconnect_candidates_include_factory_device_number() -> None:
     link = LinkSettings("/dev/ttyUSB0", device_number=20)
     before = {**FACTORY, "device_number": 20}
     places = where_to_look(link, before, {**before, "device_number": 9}, "1.2")
     assert [place.device_number for place in places] == [9, 7]
 
 
-def test_old_and_new_line_are_both_looked_at_with_what_may_be_lost() -> None:
+def test_new_line_is_probed_with_new_and_factory_polynomial() -> None:
     crc = LineSettings(57600, Detection.CRC7)
     after = {**FACTORY, "uart_settings": crc.to_wire(), "crc7_polynomial": 0x15}
     places = where_to_look(NOW, FACTORY, after, "1.2")

@@ -44,7 +44,7 @@ def no_time() -> float:
 
 
 @linux
-def test_a_pseudo_terminal_can_do_every_rate_and_nothing_is_sent(
+def test_pseudo_terminal_supports_every_rate_and_sends_nothing(
     terminal: tuple[int, str],
 ) -> None:
     master, url = terminal
@@ -57,7 +57,7 @@ def test_a_pseudo_terminal_can_do_every_rate_and_nothing_is_sent(
 
 
 @linux
-def test_the_port_is_afterwards_as_it_was(quick_simulator: SimulatedDevice) -> None:
+def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice) -> None:
     settings = LinkSettings(quick_simulator.url)
     transport = SerialTransport(settings)
     before = port_rates._get(transport._port.fileno())
@@ -69,7 +69,7 @@ def test_the_port_is_afterwards_as_it_was(quick_simulator: SimulatedDevice) -> N
 
 
 @linux
-def test_a_pseudo_terminal_is_set_to_any_line_again_and_again(
+def test_pseudo_terminal_can_be_reconfigured_repeatedly(
     terminal: tuple[int, str],
 ) -> None:
     for line in (
@@ -107,7 +107,7 @@ class Adapter:
 
 
 @linux
-def test_a_rate_that_the_driver_rounds_cannot_be_done(
+def test_rate_far_from_driver_rate_is_unsupported(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     adapter = Adapter(monkeypatch, 9600, 19200, 57143, 75000)
@@ -119,20 +119,20 @@ def test_a_rate_that_the_driver_rounds_cannot_be_done(
 
 
 @linux
-def test_what_the_driver_refuses_cannot_be_done(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rates_are_unknown_when_driver_rejects_settings(monkeypatch: pytest.MonkeyPatch) -> None:
     adapter = Adapter(monkeypatch, 9600)
     adapter.failure = OSError(errno.EINVAL, "Invalid argument")
     assert rates_of(adapter, [9600]) is None  # nor can it be set back
 
 
 @linux
-def test_a_slow_driver_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rates_are_unknown_when_driver_is_slow(monkeypatch: pytest.MonkeyPatch) -> None:
     adapter = Adapter(monkeypatch, 9600)
     moments = iter((0.0, 0.05, 0.11, 0.2))
     assert rates_of(adapter, [9600, 19200, 38400], lambda: next(moments)) is None
 
 
-def test_other_systems_do_not_tell(
+def test_rates_are_unknown_on_other_systems(
     monkeypatch: pytest.MonkeyPatch, terminal: tuple[int, str]
 ) -> None:
     transport = SerialTransport(LinkSettings(terminal[1]))
@@ -143,13 +143,13 @@ def test_other_systems_do_not_tell(
     transport.close()
 
 
-def test_a_closed_port_does_not_tell(terminal: tuple[int, str]) -> None:
+def test_rates_of_closed_port_are_unknown(terminal: tuple[int, str]) -> None:
     transport = SerialTransport(LinkSettings(terminal[1]))
     transport.close()
     assert transport.rates() is None
 
 
-def test_a_rate_that_the_port_refuses_is_told(
+def test_failed_reconfiguration_raises_matching_error(
     terminal: tuple[int, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     transport = SerialTransport(LinkSettings(terminal[1]))

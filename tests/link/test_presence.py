@@ -15,7 +15,7 @@ def silent_at(now: float) -> Presence:
     return presence
 
 
-def test_an_answer_between_failures_keeps_the_board_there() -> None:
+def test_reply_between_failures_keeps_board_responding() -> None:
     presence = Presence(Timeouts())
     for _ in range(10):
         assert not presence.note_failure(1.0)
@@ -24,21 +24,21 @@ def test_an_answer_between_failures_keeps_the_board_there() -> None:
     assert not presence.silent
 
 
-def test_the_third_failure_in_a_row_is_silence_and_is_told_once() -> None:
+def test_third_failure_reports_not_responding_once() -> None:
     presence = silent_at(7.0)
     assert presence.silent
     assert presence.retry_at == 7.0 + Timeouts().retry
     assert not presence.note_failure(8.0)
 
 
-def test_a_board_that_was_read_again_is_there() -> None:
+def test_reading_board_again_ends_not_responding() -> None:
     presence = silent_at(7.0)
     presence.begin()
     assert not presence.silent
     assert not presence.note_failure(8.0)
 
 
-def test_a_board_is_looked_for_elsewhere_once_it_is_silent_and_expected_there() -> None:
+def test_candidates_are_scanned_only_when_not_responding() -> None:
     stage, settings = staged()
     client = stage.client(settings)
     assert not Presence(Timeouts()).looks_around(client, ELSEWHERE)
@@ -49,7 +49,7 @@ def test_a_board_is_looked_for_elsewhere_once_it_is_silent_and_expected_there() 
     assert not presence.looks_around(client, ELSEWHERE)
 
 
-def test_once_looked_for_elsewhere_a_board_may_be_anywhere_until_it_is_read() -> None:
+def test_scan_continues_until_board_is_read() -> None:
     stage, settings = staged()
     client = stage.client(settings)
     presence = silent_at(0.0)

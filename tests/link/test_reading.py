@@ -16,7 +16,7 @@ from trex_gui.protocol.line_settings import Detection
     ("model", "firmware"), [("trex", "1.0"), ("trex", "1.2"), ("trexjr", "1.0"), ("trexjr", "1.2")]
 )
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
-def test_everything_is_read_from_every_board(model: str, firmware: str, mode: str) -> None:
+def test_every_board_is_read_completely(model: str, firmware: str, mode: str) -> None:
     stage, settings = staged(model=model, firmware=firmware, mode=mode)
     state = read_everything(stage.client(settings).request)
     board = stage.board
@@ -31,14 +31,14 @@ def test_everything_is_read_from_every_board(model: str, firmware: str, mode: st
     assert state.source is board.mode.source
 
 
-def test_an_old_board_is_not_asked_for_what_it_does_not_know() -> None:
+def test_parameters_unknown_to_old_firmware_are_not_read() -> None:
     stage, settings = staged(firmware="1.0")
     state = read_everything(stage.client(settings).request)
     assert "uart_response_delay" not in state.parameters
     assert stage.board.serial.errors == 0
 
 
-def test_learned_channels_are_told(stage: Stage) -> None:
+def test_learned_channels_are_reported(stage: Stage) -> None:
     wanted = Calibration(2400, 3750, 5000, 75)
     stage.board.eeprom.write_calibration(InputSource.RC, 3, wanted)
     state = read_everything(stage.client().request)
@@ -46,7 +46,7 @@ def test_learned_channels_are_told(stage: Stage) -> None:
     assert state.calibrations[3] == wanted
 
 
-def test_progress_goes_up_to_the_end(stage: Stage) -> None:
+def test_progress_increases_to_total(stage: Stage) -> None:
     steps: list[tuple[int, int, str]] = []
     read_everything(stage.client().request, lambda *step: steps.append(step))
     done = [step[0] for step in steps]
@@ -56,7 +56,7 @@ def test_progress_goes_up_to_the_end(stage: Stage) -> None:
     assert "Serial Timeout" in [what for _, _, what in steps]
 
 
-def test_one_lost_reply_costs_a_second_try_and_no_more(stage: Stage) -> None:
+def test_lost_reply_costs_one_retry(stage: Stage) -> None:
     stage.line.to_drop = 1
     client = stage.client()
     state = read_everything(client.request)
@@ -64,7 +64,7 @@ def test_one_lost_reply_costs_a_second_try_and_no_more(stage: Stage) -> None:
     assert client.counters.silences == 1
 
 
-def test_a_noisy_line_with_crc_reads_nothing_wrong() -> None:
+def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
     for seed in range(10):
         stage, settings = staged(detection=Detection.CRC7)
         stage.line._random.seed(seed)
@@ -77,7 +77,7 @@ def test_a_noisy_line_with_crc_reads_nothing_wrong() -> None:
             assert value == stage.board.memory.stored()[key]
 
 
-def test_a_parameter_that_the_board_refuses_leaves_the_others_readable(stage: Stage) -> None:
+def test_unreadable_parameter_does_not_block_remaining_ones(stage: Stage) -> None:
     client = stage.client()
 
     def deaf_to_one(command: Command[ReplyT_co]) -> ReplyT_co:
@@ -91,7 +91,7 @@ def test_a_parameter_that_the_board_refuses_leaves_the_others_readable(stage: St
     assert len(state.parameters) == len(state.specs.readable) - 1
 
 
-def test_a_board_that_goes_on_the_way_is_no_unread_parameter(stage: Stage) -> None:
+def test_power_loss_while_reading_raises_no_reply(stage: Stage) -> None:
     def switch_off(done: int, _total: int, _what: str) -> None:
         if done == 10:
             stage.board.power_off()
@@ -100,7 +100,7 @@ def test_a_board_that_goes_on_the_way_is_no_unread_parameter(stage: Stage) -> No
         read_everything(stage.client().request, switch_off)
 
 
-def test_a_question_is_asked_three_times(stage: Stage) -> None:
+def test_request_without_reply_is_sent_three_times(stage: Stage) -> None:
     stage.board.power_off()
     client = stage.client()
     with pytest.raises(NoReply):
@@ -108,7 +108,7 @@ def test_a_question_is_asked_three_times(stage: Stage) -> None:
     assert client.counters.requests == 3
 
 
-def test_a_lost_line_is_not_asked_again(stage: Stage) -> None:
+def test_request_on_lost_port_is_not_retried(stage: Stage) -> None:
     client = stage.client()
     stage.transport.fail = PortUnavailable("gone")
     with pytest.raises(PortUnavailable):

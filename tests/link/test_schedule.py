@@ -48,13 +48,13 @@ def on_line(baud: int) -> dict[Topic, float]:
     return {topic: size * 10 / baud for topic, size in BYTES.items()}
 
 
-def test_a_schedule_that_was_not_started_asks_nothing() -> None:
+def test_unstarted_schedule_has_no_next_topic() -> None:
     schedule = Schedule()
     assert schedule.next(5.0) is None
     assert schedule.seconds_to_next(5.0) is None
 
 
-def test_a_cleared_schedule_asks_nothing() -> None:
+def test_cleared_schedule_has_no_next_topic() -> None:
     schedule = Schedule()
     schedule.start(rates(InputSource.RC), 0.0)
     schedule.clear()
@@ -62,7 +62,7 @@ def test_a_cleared_schedule_asks_nothing() -> None:
     assert schedule.seconds_to_next(5.0) is None
 
 
-def test_everything_is_due_at_the_start() -> None:
+def test_every_topic_is_due_at_start() -> None:
     schedule = Schedule()
     schedule.start(rates(InputSource.RC), 10.0)
     asked = set()
@@ -72,7 +72,7 @@ def test_everything_is_due_at_the_start() -> None:
     assert asked == set(Topic)
 
 
-def test_nothing_is_due_before_its_time() -> None:
+def test_topic_is_not_due_before_its_period() -> None:
     schedule = Schedule()
     schedule.start({Topic.MODE: 2.0}, 0.0)
     schedule.asked(Topic.MODE, 0.0)
@@ -82,7 +82,7 @@ def test_nothing_is_due_before_its_time() -> None:
     assert schedule.seconds_to_next(0.7) == 0.0
 
 
-def test_starting_again_forgets_what_was() -> None:
+def test_restart_discards_earlier_topics() -> None:
     schedule = Schedule()
     schedule.start({Topic.MODE: 1.0, Topic.RAW: 50.0}, 0.0)
     schedule.start({Topic.STATUS: 10.0}, 1.0)
@@ -91,14 +91,14 @@ def test_starting_again_forgets_what_was() -> None:
     assert schedule.next(1.05) is None
 
 
-def test_an_unknown_topic_does_not_matter() -> None:
+def test_unscheduled_topic_is_ignored() -> None:
     schedule = Schedule()
     schedule.start({Topic.MODE: 1.0}, 0.0)
     schedule.asked(Topic.RAW, 0.0)
     assert schedule.next(0.0) is Topic.MODE
 
 
-def test_values_are_asked_as_often_as_each_source_renews_them() -> None:
+def test_poll_rates_match_update_rates_of_source() -> None:
     assert rates(InputSource.RC)[Topic.CURRENTS] == 80
     assert rates(InputSource.ANALOG)[Topic.CURRENTS] == 50
     for source in InputSource:
@@ -107,14 +107,14 @@ def test_values_are_asked_as_often_as_each_source_renews_them() -> None:
 
 @pytest.mark.parametrize("source", list(InputSource))
 @pytest.mark.parametrize("baud", [19200, 57600, 115200])
-def test_every_rate_is_met_where_the_line_is_fast_enough(source: InputSource, baud: int) -> None:
+def test_fast_line_meets_every_poll_rate(source: InputSource, baud: int) -> None:
     wanted = rates(source)
     asked = simulate(wanted, on_line(baud), 20.0)
     for topic, rate in wanted.items():
         assert asked[topic] / 20.0 == pytest.approx(rate, rel=0.01, abs=0.05)
 
 
-def test_a_late_question_does_not_lower_the_rate() -> None:
+def test_late_polls_do_not_lower_rate() -> None:
     schedule = Schedule()
     schedule.start({Topic.STATUS: 10.0}, 0.0)
     asked = 0
@@ -126,7 +126,7 @@ def test_a_late_question_does_not_lower_the_rate() -> None:
     assert asked == pytest.approx(130, abs=2)
 
 
-def test_what_was_missed_in_a_long_pause_is_not_made_up_for() -> None:
+def test_polls_missed_in_pause_are_not_caught_up() -> None:
     schedule = Schedule()
     schedule.start({Topic.CURRENTS: 80.0}, 0.0)
     schedule.asked(Topic.CURRENTS, 0.0)
@@ -146,7 +146,7 @@ def test_what_was_missed_in_a_long_pause_is_not_made_up_for() -> None:
     ),
     cost=st.floats(0.0005, 0.1),
 )
-def test_nothing_starves(*, wanted: dict[Topic, float], cost: float) -> None:
+def test_no_topic_starves(*, wanted: dict[Topic, float], cost: float) -> None:
     load = max(1.0, cost * sum(wanted.values()))
     asked = simulate(wanted, dict.fromkeys(Topic, cost), 3 * load / min(wanted.values()) + 1.0)
     assert all(asked[topic] >= 2 for topic in wanted)
@@ -159,9 +159,7 @@ def test_nothing_starves(*, wanted: dict[Topic, float], cost: float) -> None:
     ),
     share=st.floats(0.01, 0.7),
 )
-def test_no_rate_is_exceeded_and_each_is_met_on_a_fast_line(
-    *, wanted: dict[Topic, float], share: float
-) -> None:
+def test_poll_rates_are_met_and_not_exceeded(*, wanted: dict[Topic, float], share: float) -> None:
     cost = share / sum(wanted.values())
     seconds = 10 / min(wanted.values())
     asked = simulate(wanted, dict.fromkeys(Topic, cost), seconds)
@@ -173,7 +171,7 @@ def test_no_rate_is_exceeded_and_each_is_met_on_a_fast_line(
 @given(
     times=st.lists(st.floats(0, 10), min_size=1, max_size=30).map(sorted),
 )
-def test_the_wait_ends_when_something_is_due(*, times: list[float]) -> None:
+def test_wait_ends_when_topic_is_due(*, times: list[float]) -> None:
     schedule = Schedule()
     schedule.start(rates(InputSource.RC), 0.0)
     for now in times:

@@ -17,7 +17,7 @@ def odd(settings: LinkSettings, *, full: bool, known: bool) -> Seeker:
     raise ZeroDivisionError("on purpose")
 
 
-def test_a_fault_while_a_port_is_searched_is_told_and_the_port_is_closed(
+def test_internal_error_in_search_is_reported_and_closes_port(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     wire = wire_of(a_board())
@@ -32,7 +32,7 @@ def test_a_fault_while_a_port_is_searched_is_told_and_the_port_is_closed(
     assert "ZeroDivisionError" in caplog.text
 
 
-def test_a_fault_while_a_port_is_opened_is_told(caplog: pytest.LogCaptureFixture) -> None:
+def test_internal_error_in_opening_port_is_reported(caplog: pytest.LogCaptureFixture) -> None:
     def open_wire(_settings: LinkSettings) -> Transport:
         raise LookupError("on purpose")
 

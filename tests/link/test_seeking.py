@@ -60,19 +60,19 @@ def search(wire: Wire, seeks: dict[str, Seek], first: str | None = None) -> Port
     return search_port(VIRTUAL, seeks, first=first, open_wire=lambda _settings: wire)
 
 
-def test_the_probable_of_each_kind_comes_before_the_rest_of_any() -> None:
+def test_likely_settings_of_all_kinds_come_first() -> None:
     parts = {"common": (5, 83), "rare": (5,)}
     assert order(parts, None) == [("common", 0), ("rare", 0), ("common", 1)]
     assert order(parts, "common") == order(parts, None)
 
 
-def test_the_kind_that_a_port_leads_to_comes_first() -> None:
+def test_expected_device_kind_comes_first() -> None:
     parts = {"common": (5, 83), "rare": (5, 9)}
     assert order(parts, "rare") == [("rare", 0), ("common", 0), ("rare", 1), ("common", 1)]
     assert order(parts, "forgotten") == order(parts, None)
 
 
-def test_the_search_goes_by_that_order_and_opens_the_port_once() -> None:
+def test_search_follows_order_and_opens_port_once() -> None:
     noted: list[str] = []
     opened: list[LinkSettings] = []
     wire = wire_of(a_board())
@@ -89,7 +89,7 @@ def test_the_search_goes_by_that_order_and_opens_the_port_once() -> None:
     assert wire.closed
 
 
-def test_progress_counts_the_questions_of_all_kinds_and_names_who_is_asked_for() -> None:
+def test_progress_counts_probes_and_names_device_kind() -> None:
     steps: list[Step] = []
     wire = wire_of(a_board())
     seeks = {"one": nobody([], "One"), "two": nobody([], "Two")}
@@ -99,7 +99,7 @@ def test_progress_counts_the_questions_of_all_kinds_and_names_who_is_asked_for()
     assert [step.kind for step in steps] == ["One"] * 2 + ["Two"] * 2 + ["One"] * 3 + ["Two"] * 3
 
 
-def test_a_trex_at_a_likely_rate_is_found_before_anything_else_is_asked() -> None:
+def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
     noted: list[str] = []
     seeks = {"trex": SEEK_TREX, "other": nobody(noted, "Other")}
     wire = wire_of(a_board(settings=LineSettings(57600).to_wire()))
@@ -110,7 +110,7 @@ def test_a_trex_at_a_likely_rate_is_found_before_anything_else_is_asked() -> Non
     assert wire.line.now < 2.5
 
 
-def test_a_trex_at_any_other_rate_is_found_after_the_others_were_asked_for() -> None:
+def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
     noted: list[str] = []
     seeks = {"trex": SEEK_TREX, "other": nobody(noted, "Other")}
     result = search(wire_of(a_board(settings=LineSettings(4800).to_wire())), seeks)
@@ -118,7 +118,7 @@ def test_a_trex_at_any_other_rate_is_found_after_the_others_were_asked_for() -> 
     assert noted == ["Other 0"]
 
 
-def test_what_talks_by_itself_is_heard_at_the_rate_at_which_a_kind_says_that_it_starts() -> None:
+def test_unsolicited_data_is_heard_at_rate_declared_by_kind() -> None:
     noted: list[str] = []
     seeks = {"trex": SEEK_TREX, "talker": nobody(noted, "Talker")}
     board = a_board()
@@ -131,7 +131,7 @@ def test_what_talks_by_itself_is_heard_at_the_rate_at_which_a_kind_says_that_it_
     assert "24 47 50 47 47 41 came at 38400 baud" in result.lines[0]
 
 
-def test_the_most_telling_comes_first_and_nothing_is_hidden() -> None:
+def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
     seeks = {
         "silent": nobody([], "Silent"),
         "known": nobody([], "Known", Telling.KNOWN),
@@ -148,7 +148,7 @@ def test_the_most_telling_comes_first_and_nothing_is_hidden() -> None:
     ]
 
 
-def test_a_search_that_is_cancelled_says_so() -> None:
+def test_cancelled_search_is_reported_as_cancelled() -> None:
     steps: list[Step] = []
     noted: list[str] = []
     wire = wire_of(a_board())
@@ -164,7 +164,7 @@ def test_a_search_that_is_cancelled_says_so() -> None:
     assert wire.closed
 
 
-def test_a_port_that_does_not_open_says_why_and_nothing_else() -> None:
+def test_unopened_port_reports_only_its_error() -> None:
     def refuse(settings: LinkSettings) -> Wire:
         raise PortUnavailable("It is in use by a terminal.")
 
@@ -174,7 +174,7 @@ def test_a_port_that_does_not_open_says_why_and_nothing_else() -> None:
 
 
 @pytest.mark.parametrize("telling", [Telling.SILENCE, Telling.STRANGE])
-def test_a_port_that_goes_away_says_so_first_and_then_what_was_heard(telling: Telling) -> None:
+def test_port_loss_is_reported_before_evidence(telling: Telling) -> None:
     wire = wire_of(a_board())
 
     class Puller(Deaf):
@@ -195,21 +195,21 @@ def test_a_port_that_goes_away_says_so_first_and_then_what_was_heard(telling: Te
     assert wire.closed
 
 
-def test_the_port_is_left_with_nothing_begun_and_not_at_the_rate_that_resets_some_boards() -> None:
+def test_search_ends_with_flush_byte_and_default_settings() -> None:
     wire = wire_of(a_board())
     search(wire, {"one": nobody([], "One")})
     assert bytes(wire.sent) == RINSE
     assert wire.tuned[-1] == LineSettings()
 
 
-def test_a_board_that_was_found_hears_nothing_more() -> None:
+def test_found_board_is_sent_no_flush_byte() -> None:
     """A byte at another rate would leave it with an error that it shows from then on."""
     wire = wire_of(a_board())
     search(wire, {"trex": SEEK_TREX})
     assert not bytes(wire.sent).endswith(RINSE)
 
 
-def test_rates_that_a_port_cannot_have_are_told() -> None:
+def test_unsupported_baud_rates_are_reported() -> None:
     board = a_board()
     board.power_off()
     wire = wire_of(board)
@@ -218,7 +218,7 @@ def test_rates_that_a_port_cannot_have_are_told() -> None:
     assert "cannot be set to 14400, 76800 baud" in line
 
 
-def test_of_all_that_came_it_is_told_how_often() -> None:
+def test_report_counts_rates_with_unknown_replies() -> None:
     board = a_board()
     board.power_off()
     wire = wire_of(board)
@@ -229,7 +229,7 @@ def test_of_all_that_came_it_is_told_how_often() -> None:
     assert "something at 88 more" in line
 
 
-def test_a_port_that_cannot_be_set_so_slowly_is_told_and_given_back() -> None:
+def test_port_without_flush_rate_is_reported_and_closed() -> None:
     wire = wire_of(a_board())
     tune = wire.tune
 

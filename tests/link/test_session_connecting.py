@@ -34,7 +34,7 @@ def connected(stage: Stage) -> Connected:
     return report
 
 
-def test_what_the_board_says_of_itself_is_reported(stage: Stage) -> None:
+def test_connection_reports_state_of_board(stage: Stage) -> None:
     stage.board.eeprom.write("serial_timeout", 15)
     run_for(stage, 1.0)
     report = connected(stage)
@@ -46,7 +46,7 @@ def test_what_the_board_says_of_itself_is_reported(stage: Stage) -> None:
     assert report.echo is False
 
 
-def test_the_last_report_is_that_the_port_is_free(stage: Stage) -> None:
+def test_last_report_is_closed(stage: Stage) -> None:
     reports = run_for(stage, 1.0)
     assert reports[-1] == Closed(None)
     assert among(reports, Closed) == [Closed(None)]
@@ -56,7 +56,7 @@ def test_the_last_report_is_that_the_port_is_free(stage: Stage) -> None:
 @pytest.mark.parametrize("baud", [1200, 115200])
 @pytest.mark.parametrize("detection", list(Detection))
 @pytest.mark.parametrize("echo", [False, True])
-def test_every_line_is_found_at_its_own_settings(
+def test_session_connects_at_settings_of_board(
     baud: int, detection: Detection, *, echo: bool
 ) -> None:
     stage, settings = staged(baud, detection, echo=echo)
@@ -67,27 +67,27 @@ def test_every_line_is_found_at_its_own_settings(
 
 
 @pytest.mark.parametrize(("model", "firmware"), [("trex", "1.0"), ("trexjr", "1.2")])
-def test_every_kind_of_board_is_known(model: str, firmware: str) -> None:
+def test_every_kind_of_board_is_identified(model: str, firmware: str) -> None:
     stage, settings = staged(model=model, firmware=firmware)
     run_for(stage, 1.0, settings)
     signature = connected(stage).state.signature
     assert (signature.model.key, signature.firmware) == (model, firmware)
 
 
-def test_a_board_is_reached_by_its_device_number(stage: Stage) -> None:
+def test_board_is_reached_by_its_device_number(stage: Stage) -> None:
     run_for(stage, 1.0, LinkSettings("virtual", device_number=7))
     assert connected(stage).state.parameters["device_number"] == 7
     assert bytes.fromhex("80 07 1F 00") in stage.transport.sent
 
 
-def test_reading_tells_how_far_it_is(stage: Stage) -> None:
+def test_reading_reports_progress(stage: Stage) -> None:
     steps = among(run_for(stage, 1.0), Progress)
     assert [step.done for step in steps] == sorted(step.done for step in steps)
     assert steps[-1].done == steps[-1].total
     assert len({step.total for step in steps[1:]}) == 1
 
 
-def test_a_line_that_spoils_a_byte_now_and_then_is_still_read() -> None:
+def test_board_is_read_over_noisy_line() -> None:
     stage, settings = staged(detection=Detection.CRC7)
     stage.line.noise = 0.005
     run_for(stage, 1.0, settings)
@@ -95,25 +95,25 @@ def test_a_line_that_spoils_a_byte_now_and_then_is_still_read() -> None:
     assert stage.line.counters["spoilt"] > 0
 
 
-def test_no_motor_is_touched_by_connecting(stage: Stage) -> None:
+def test_connecting_sends_no_motor_command(stage: Stage) -> None:
     run_for(stage, 1.0)
     assert moving(stage.transport.sent) == []
 
 
-def test_a_wish_that_comes_before_the_board_was_read_is_obeyed(stage: Stage) -> None:
+def test_setpoint_before_board_is_read_is_sent(stage: Stage) -> None:
     stage.script.at(0.0, SetDrive(1, Drive.at(30)))
     run_for(stage, 1.0)
     assert len(among(stage.reports, Connected)) == 1
     assert moving(stage.transport.sent)
 
 
-def test_the_echo_is_found_whatever_the_packets_look_like(board: Board) -> None:
+def test_echo_is_detected_with_device_number(board: Board) -> None:
     stage = Stage(board, echo=True)
     run_for(stage, 1.0, LinkSettings("virtual", device_number=7))
     assert connected(stage).echo
 
 
-def test_one_damaged_byte_does_not_hide_the_echo(board: Board) -> None:
+def test_echo_is_detected_despite_lost_byte(board: Board) -> None:
     stage = Stage(board, echo=True)
     stage.line.to_drop = 1
     run_for(stage, 1.0)
@@ -133,7 +133,7 @@ def end(stage: Stage, settings: LinkSettings | None = None) -> Closed:
     return closed
 
 
-def test_a_dead_board_is_told_with_what_to_check(stage: Stage) -> None:
+def test_missing_board_is_reported_with_checks(stage: Stage) -> None:
     stage.board.power_off()
     error = end(stage).error
     assert isinstance(error, NoReply)
@@ -141,26 +141,26 @@ def test_a_dead_board_is_told_with_what_to_check(stage: Stage) -> None:
         assert word in str(error)
 
 
-def test_a_dead_board_is_told_quickly(stage: Stage) -> None:
+def test_missing_board_is_reported_quickly(stage: Stage) -> None:
     stage.board.power_off()
     stage.transport.latency = 0.06
     end(stage)
     assert stage.line.now < 0.5
 
 
-def test_a_wrong_device_number_is_named_among_the_causes(stage: Stage) -> None:
+def test_device_number_is_named_as_possible_cause(stage: Stage) -> None:
     error = end(stage, LinkSettings("virtual", device_number=9)).error
     assert "device number is 9" in str(error)
 
 
-def test_a_name_that_people_know_stands_for_the_port(stage: Stage) -> None:
+def test_error_shows_port_name_instead_of_url(stage: Stage) -> None:
     stage.board.power_off()
     error = end(stage, LinkSettings("/dev/pts/9", name="the simulated board")).error
     assert "the simulated board" in str(error)
     assert "/dev/pts/9" not in str(error)
 
 
-def test_an_echo_alone_is_told_apart_from_silence(board: Board) -> None:
+def test_echo_without_board_is_reported(board: Board) -> None:
     stage = Stage(board, echo=True)
     board.power_off()
     error = end(stage).error
@@ -169,13 +169,13 @@ def test_an_echo_alone_is_told_apart_from_silence(board: Board) -> None:
     assert "RS-232" in str(error)
 
 
-def test_a_wrong_baud_rate_ends_in_a_sentence(stage: Stage) -> None:
+def test_wrong_baud_rate_reports_error(stage: Stage) -> None:
     settings = LinkSettings("virtual", LineSettings(9600))
     stage.line.host = settings.line
     assert isinstance(end(stage, settings).error, NoReply | BadReply)
 
 
-def test_a_missing_crc_ends_in_a_sentence() -> None:
+def test_missing_crc_reports_error() -> None:
     stage, _ = staged(detection=Detection.CRC7)
     assert isinstance(end(stage).error, NoReply | BadReply)
 
@@ -188,7 +188,7 @@ class Talker(VirtualTransport):
         return (b"ERROR unknown command\r\n" * 9)[:size]
 
 
-def test_another_device_is_told_apart_from_a_board(stage: Stage) -> None:
+def test_unknown_device_is_reported(stage: Stage) -> None:
     stage.transport = Talker(stage.line)
     error = end(stage).error
     assert isinstance(error, BadReply)
@@ -196,21 +196,21 @@ def test_another_device_is_told_apart_from_a_board(stage: Stage) -> None:
         assert words in str(error)
 
 
-def test_a_board_that_goes_while_it_is_read_is_missed(stage: Stage) -> None:
+def test_power_loss_while_reading_is_reported(stage: Stage) -> None:
     stage.script.at(0.05, stage.board.power_off)
     error = end(stage).error
     assert isinstance(error, NoReply)
     assert among(stage.reports, Progress)
 
 
-def test_closing_while_the_board_is_read_is_no_error(stage: Stage) -> None:
+def test_close_while_reading_is_no_error(stage: Stage) -> None:
     reports = run_for(stage, 0.05)
     assert reports[-1] == Closed(None)
     assert not among(reports, Connected)
     assert stage.line.now < 0.1
 
 
-def test_what_was_asked_before_a_port_would_not_open_gets_its_outcome() -> None:
+def test_requests_fail_when_port_does_not_open() -> None:
     stage = Stage(Board(eeprom=Eeprom()))
     reports: list[Report] = []
     refusal = PortUnavailable("There is no port /dev/ttyUSB9.")
@@ -226,7 +226,7 @@ def test_what_was_asked_before_a_port_would_not_open_gets_its_outcome() -> None:
     assert reports[-1] == Closed(refusal)
 
 
-def test_what_was_asked_before_no_board_was_found_gets_its_outcome(stage: Stage) -> None:
+def test_requests_fail_when_no_board_is_found(stage: Stage) -> None:
     stage.board.power_off()
     stage.script.at(0.0, Ask(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
     closed = end(stage)
@@ -235,7 +235,7 @@ def test_what_was_asked_before_no_board_was_found_gets_its_outcome(stage: Stage)
     assert all(outcome.error is closed.error for outcome in found.values())
 
 
-def test_nothing_is_sampled_before_a_board_was_found(stage: Stage) -> None:
+def test_no_samples_are_reported_without_board(stage: Stage) -> None:
     stage.board.power_off()
     end(stage)
     assert not among(stage.reports, Batch)

@@ -54,7 +54,7 @@ STOP_PACKETS = bytes.fromhex("D0 7F 7F F0 00")
 # --- Driving ----------------------------------------------------------------------------
 
 
-def test_a_wish_reaches_its_motor(stage: Stage) -> None:
+def test_setpoint_reaches_its_motor(stage: Stage) -> None:
     stage.script.at(1.0, SetDrive(2, Drive.at(-80)))
     speeds = seen_at(stage, 1.1, lambda: stage.board.motors[1].speed)
     run_for(stage, 1.2)
@@ -62,7 +62,7 @@ def test_a_wish_reaches_its_motor(stage: Stage) -> None:
     assert moving(stage.transport.sent)[0] == DriveMotor(2, Drive.at(-80))
 
 
-def test_wishes_for_both_motors_travel_together(stage: Stage) -> None:
+def test_setpoints_of_two_motors_share_one_packet(stage: Stage) -> None:
     stage.script.at(1.0, SetDrive(2, Drive.at(20), accelerate=True))
     stage.script.at(1.0, SetDrive(1, Drive.at(10), accelerate=True))
     stage.script.at(1.0, SetAuxiliary(30))
@@ -75,7 +75,7 @@ def test_wishes_for_both_motors_travel_together(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_a_fast_hand_does_not_flood_the_line(baud: int) -> None:
+def test_fast_setpoints_do_not_flood_line(baud: int) -> None:
     stage, settings = staged(baud)
     for step in range(500):
         stage.script.at(4.0 + step / 500, SetDrive(1, Drive.at(step % 100)))
@@ -86,7 +86,7 @@ def test_a_fast_hand_does_not_flood_the_line(baud: int) -> None:
     assert speeds == [499 % 100]
 
 
-def test_the_last_wish_is_in_force_at_once_on_a_fast_line() -> None:
+def test_last_setpoint_acts_immediately_on_fast_line() -> None:
     stage, settings = staged(115200)
     for step in range(100):
         stage.script.at(1.0 + step / 500, SetDrive(1, Drive.at(step)))
@@ -96,7 +96,7 @@ def test_the_last_wish_is_in_force_at_once_on_a_fast_line() -> None:
 
 
 @pytest.mark.parametrize("baud", [1200, 19200])
-def test_driving_leaves_room_for_looking(baud: int) -> None:
+def test_driving_leaves_time_for_polling(baud: int) -> None:
     stage, settings = staged(baud)
     for step in range(600):
         stage.script.at(5.0 + step / 200, SetDrive(1 + step % 2, Drive.at(step % 100)))
@@ -106,7 +106,7 @@ def test_driving_leaves_room_for_looking(baud: int) -> None:
     assert max(later - sooner for sooner, later in itertools.pairwise(between)) < 2.5
 
 
-def test_a_wish_is_obeyed_in_the_middle_of_a_long_reading() -> None:
+def test_setpoint_is_sent_during_reload() -> None:
     stage, settings = staged(1200)
     stage.script.at(4.0, Reload(1)).at(4.5, SetDrive(1, Drive.at(60)))
     speeds = seen_at(stage, 4.8, lambda: stage.board.motors[0].speed)
@@ -115,7 +115,7 @@ def test_a_wish_is_obeyed_in_the_middle_of_a_long_reading() -> None:
     assert outcomes(stage.reports)[1].error is None
 
 
-def test_a_motor_command_that_was_asked_for_is_sent(stage: Stage) -> None:
+def test_requested_motor_command_is_sent(stage: Stage) -> None:
     stage.script.at(1.0, Ask(1, DriveMotor(1, Drive.at(5))))
     run_for(stage, 1.5)
     assert outcomes(stage.reports)[1].error is None
@@ -125,7 +125,7 @@ def test_a_motor_command_that_was_asked_for_is_sent(stage: Stage) -> None:
 # --- Stop -------------------------------------------------------------------------------
 
 
-def test_a_stop_is_proved_by_an_answer(stage: Stage) -> None:
+def test_stop_is_confirmed_by_status_reply(stage: Stage) -> None:
     stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.0, SetAuxiliary(100))
     stage.script.at(1.5, Stop(1))
     stopped = seen_at(stage, 1.52, lambda: is_stopped(stage.board))
@@ -137,7 +137,7 @@ def test_a_stop_is_proved_by_an_answer(stage: Stage) -> None:
     assert sent[begin : begin + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
 
 
-def test_a_stop_needs_no_wish_before_it(stage: Stage) -> None:
+def test_stop_is_sent_without_earlier_setpoint(stage: Stage) -> None:
     stage.script.at(1.0, Stop(1))
     run_for(stage, 2.0)
     assert STOP_PACKETS in stage.transport.sent
@@ -145,7 +145,7 @@ def test_a_stop_needs_no_wish_before_it(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize(("baud", "within"), [(1200, 0.35), (9600, 0.05), (115200, 0.01)])
-def test_a_stop_acts_within_one_transaction_at_any_moment(baud: int, within: float) -> None:
+def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
     stage, settings = staged(baud)
     asked = [4.5 + number * 1.017 for number in range(1, 5)]
     for number, moment in enumerate(asked):
@@ -165,7 +165,7 @@ def test_a_stop_acts_within_one_transaction_at_any_moment(baud: int, within: flo
         assert 0 <= sent - wanted <= within
 
 
-def test_a_stop_overtakes_what_is_left_of_a_write(stage: Stage) -> None:
+def test_stop_overtakes_remaining_parameter_writes(stage: Stage) -> None:
     keys = ("serial_timeout", "motor1_acceleration", "motor2_acceleration", "aux_acceleration")
     stage.script.at(1.0, SetDrive(1, Drive.at(100)))
     stage.script.at(1.1, Write(1, tuple((key, 9) for key in keys)))
@@ -182,7 +182,7 @@ def test_a_stop_overtakes_what_is_left_of_a_write(stage: Stage) -> None:
     assert all(stage.board.eeprom[key] == 9 for key in keys)
 
 
-def test_a_stop_overtakes_what_is_left_of_writing_calibrations(stage: Stage) -> None:
+def test_stop_overtakes_remaining_calibration_writes(stage: Stage) -> None:
     wishes = tuple((channel, Calibration(2400, 3700, 5100, 80)) for channel in (1, 2, 3, 4, 5))
     stage.script.at(1.1, Write(1, calibrations=wishes)).at(1.2, Stop(2))
     run_for(stage, 2.0)
@@ -192,7 +192,7 @@ def test_a_stop_overtakes_what_is_left_of_writing_calibrations(stage: Stage) -> 
     assert list(outcomes(stage.reports)) == [2, 1]
 
 
-def test_a_stop_overtakes_what_is_left_of_a_reading(stage: Stage) -> None:
+def test_stop_overtakes_reload(stage: Stage) -> None:
     stage.script.at(1.0, Reload(1)).at(1.05, Stop(2))
     run_for(stage, 2.0)
     found = outcomes(stage.reports)
@@ -200,7 +200,7 @@ def test_a_stop_overtakes_what_is_left_of_a_reading(stage: Stage) -> None:
     assert found[1].error is None
 
 
-def test_a_stop_overtakes_everything_that_waits(stage: Stage) -> None:
+def test_stop_overtakes_queued_requests(stage: Stage) -> None:
     for number in range(1, 20):
         stage.script.at(1.0, Ask(number, GetMode()))
     stage.script.at(1.0, Stop(20))
@@ -208,34 +208,34 @@ def test_a_stop_overtakes_everything_that_waits(stage: Stage) -> None:
     assert next(iter(outcomes(stage.reports))) == 20
 
 
-def test_a_stop_while_the_board_is_still_read_is_obeyed(stage: Stage) -> None:
+def test_stop_while_connecting_stops_motors(stage: Stage) -> None:
     stage.script.at(0.1, Stop(1))
     run_for(stage, 1.0)
     assert outcomes(stage.reports)[1].error is None
     assert is_stopped(stage.board)
 
 
-def test_several_stops_at_once_are_one_and_each_gets_its_outcome(stage: Stage) -> None:
+def test_simultaneous_stops_share_packets_and_get_outcomes(stage: Stage) -> None:
     stage.script.at(1.0, Stop(1)).at(1.0, Stop(2)).at(1.0, Stop(3))
     run_for(stage, 2.0)
     assert sorted(outcomes(stage.reports)) == [1, 2, 3]
     assert moving(stage.transport.sent) == [*STOP, *STOP]
 
 
-def test_wishes_from_before_a_stop_are_forgotten(stage: Stage) -> None:
+def test_setpoints_before_stop_are_discarded(stage: Stage) -> None:
     stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.0, SetAuxiliary(9)).at(1.0, Stop(1))
     run_for(stage, 2.0)
     assert moving(stage.transport.sent) == [*STOP, *STOP]
 
 
-def test_wishes_from_after_a_stop_and_an_arming_are_obeyed(stage: Stage) -> None:
+def test_setpoint_after_stop_and_arming_is_sent(stage: Stage) -> None:
     stage.script.at(1.0, Stop(1)).at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(100)))
     speeds = seen_at(stage, 1.5, lambda: stage.board.motors[0].speed)
     run_for(stage, 2.0)
     assert speeds == [100]
 
 
-def test_a_stop_in_rc_mode_arrives_like_any_other_and_is_kept_by_the_board() -> None:
+def test_stop_in_rc_mode_is_confirmed() -> None:
     """Whoever pressed it has to be told that the channels go on: the models see to that."""
     stage, settings = staged(mode="rc")
     stage.script.at(1.0, Stop(1))
@@ -244,7 +244,7 @@ def test_a_stop_in_rc_mode_arrives_like_any_other_and_is_kept_by_the_board() -> 
 
 
 @pytest.mark.parametrize("lost", [1, 3, 5, 7, 12])
-def test_a_stop_that_loses_bytes_is_sent_again(stage: Stage, lost: int) -> None:
+def test_stop_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
     def lose() -> None:
         stage.line.to_drop_sent = lost
 
@@ -257,7 +257,7 @@ def test_a_stop_that_loses_bytes_is_sent_again(stage: Stage, lost: int) -> None:
 
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("detection", [Detection.NONE, Detection.CRC7])
-def test_a_stop_gets_through_a_noisy_line(seed: int, detection: Detection) -> None:
+def test_stop_succeeds_on_noisy_line(seed: int, detection: Detection) -> None:
     """Without a CRC what is asked behind it may arrive as a motor command.
 
     `link/calm.py` says how often; nobody has driven here, so nothing is repeated against that.
@@ -283,7 +283,7 @@ def test_a_stop_gets_through_a_noisy_line(seed: int, detection: Detection) -> No
     assert seen[-1] or detection is Detection.NONE
 
 
-def test_a_stop_that_nobody_answers_is_repeated_and_then_told(stage: Stage) -> None:
+def test_unanswered_stop_is_repeated_and_then_reported(stage: Stage) -> None:
     def silence() -> None:
         stage.line.mute = True
 
@@ -296,7 +296,7 @@ def test_a_stop_that_nobody_answers_is_repeated_and_then_told(stage: Stage) -> N
     assert stage.board.motors[0].direction is Direction.BRAKE
 
 
-def test_a_stop_on_the_rs232_side_survives_a_damaged_echo(board: Board) -> None:
+def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
     stage = Stage(board, echo=True)
 
     def lose() -> None:
@@ -311,7 +311,7 @@ def test_a_stop_on_the_rs232_side_survives_a_damaged_echo(board: Board) -> None:
 # --- Motors that may be moving ----------------------------------------------------------
 
 
-def test_what_an_earlier_session_left_running_is_stopped_before_anything_is_read(
+def test_motors_left_running_are_stopped_before_reading(
     stage: Stage,
 ) -> None:
     stage.board.serial.drive(1, Direction.FORWARD, 100)
@@ -322,14 +322,14 @@ def test_what_an_earlier_session_left_running_is_stopped_before_anything_is_read
     assert among(reports, Connected)[0].may_move is False
 
 
-def test_an_earlier_session_is_not_forgotten_when_no_board_answers(stage: Stage) -> None:
+def test_may_move_is_kept_when_no_board_replies(stage: Stage) -> None:
     stage.board.power_off()
     closed = run_after_another(stage, 5.0)[-1]
     assert isinstance(closed, Closed)
     assert closed.may_move is True
 
 
-def test_a_board_that_falls_silent_with_running_motors_is_told_to_stop_all_the_same(
+def test_unresponsive_board_with_running_motors_is_stopped(
     stage: Stage,
 ) -> None:
     def cut_our_ears() -> None:
@@ -341,7 +341,7 @@ def test_a_board_that_falls_silent_with_running_motors_is_told_to_stop_all_the_s
     assert stopped == [True]
 
 
-def test_a_board_that_comes_back_with_running_motors_is_stopped_before_it_is_read(
+def test_returning_board_with_running_motors_is_stopped(
     stage: Stage,
 ) -> None:
     def ears(*, mute: bool) -> None:
@@ -356,14 +356,14 @@ def test_a_board_that_comes_back_with_running_motors_is_stopped_before_it_is_rea
     assert reports[-1] == Closed(None)
 
 
-def test_a_stop_that_is_proved_needs_no_other_on_closing(stage: Stage) -> None:
+def test_confirmed_stop_is_not_repeated_on_close(stage: Stage) -> None:
     stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.2, Stop(1))
     reports = run_for(stage, 2.0)
     assert [one for one in moving(stage.transport.sent) if one in STOP] == [*STOP, *STOP]
     assert reports[-1] == Closed(None, may_move=False)
 
 
-def test_a_stop_on_closing_that_nobody_confirms_is_owned_up_to(stage: Stage) -> None:
+def test_unconfirmed_stop_on_close_is_reported(stage: Stage) -> None:
     def silence() -> None:
         stage.line.mute = True
 
@@ -373,7 +373,7 @@ def test_a_stop_on_closing_that_nobody_confirms_is_owned_up_to(stage: Stage) -> 
 
 
 @pytest.mark.parametrize("lost", [1, 3, 5, 7, 9, 11])
-def test_a_stop_on_closing_that_loses_bytes_is_sent_again(stage: Stage, lost: int) -> None:
+def test_stop_on_close_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
     def lose() -> None:
         stage.line.to_drop_sent = lost
 
@@ -382,7 +382,7 @@ def test_a_stop_on_closing_that_loses_bytes_is_sent_again(stage: Stage, lost: in
     assert is_stopped(stage.board)
 
 
-def test_a_wish_whose_echo_was_damaged_is_sent_again(board: Board) -> None:
+def test_setpoint_with_corrupted_echo_is_resent(board: Board) -> None:
     stage = Stage(board, echo=True)
 
     def lose() -> None:

@@ -57,7 +57,7 @@ GONE = PortUnavailable("The line is gone. Plug it in again.")
     ],
     ids=str,
 )
-def test_motors_that_were_driven_are_stopped_on_closing(stage: Stage, wish: Request) -> None:
+def test_driven_motors_are_stopped_on_close(stage: Stage, wish: Request) -> None:
     stage.script.at(1.0, wish)
     assert run_for(stage, 2.0)[-1] == Closed(None, may_move=False)
     assert commands(stage.transport.sent)[-6:] == [*STOP, GetStatus(), *STOP, GetStatus()]
@@ -66,13 +66,13 @@ def test_motors_that_were_driven_are_stopped_on_closing(stage: Stage, wish: Requ
     assert stage.board.aux.speed == 0
 
 
-def test_motors_that_were_not_driven_are_left_alone_on_closing(stage: Stage) -> None:
+def test_undriven_motors_get_no_stop_on_close(stage: Stage) -> None:
     stage.script.at(1.0, Ask(1, GetMode())).at(1.2, Write(2, (("serial_timeout", 3),)))
     run_for(stage, 2.0)
     assert moving(stage.transport.sent) == []
 
 
-def test_the_stop_has_left_the_port_before_it_is_closed() -> None:
+def test_stop_is_transmitted_before_port_is_closed() -> None:
     stage, settings = staged(1200)
     stage.script.at(5.0, SetDrive(1, Drive.at(100)))
     run_for(stage, 6.0, settings)
@@ -80,7 +80,7 @@ def test_the_stop_has_left_the_port_before_it_is_closed() -> None:
     assert stage.board.motors[0].direction is Direction.BRAKE
 
 
-def test_closing_does_not_wait_for_what_is_left_to_do(stage: Stage) -> None:
+def test_close_does_not_wait_for_queued_requests(stage: Stage) -> None:
     keys = [spec.key for spec in stage.board.memory.parameters.readable]
     stage.script.at(1.0, Write(1, tuple((key, 1) for key in keys)))
     stage.script.at(1.0, Reload(2)).at(1.0, Ask(3, GetMode()))
@@ -95,7 +95,7 @@ def test_closing_does_not_wait_for_what_is_left_to_do(stage: Stage) -> None:
 
 @pytest.mark.parametrize("after", [0.0, 0.05, 0.3, 1.0])
 @pytest.mark.parametrize("drives", [True, False])
-def test_a_board_that_does_not_answer_a_stop_holds_the_end_up_for_less_than_a_second(
+def test_unanswered_stop_delays_close_by_less_than_a_second(
     stage: Stage, after: float, *, drives: bool
 ) -> None:
     """The window waits for a second, then leaves a thread behind that holds the port."""
@@ -112,13 +112,13 @@ def test_a_board_that_does_not_answer_a_stop_holds_the_end_up_for_less_than_a_se
     assert (motor.target_direction.value, motor.target_speed) == ("brake", 127)
 
 
-def test_a_wish_that_waits_is_not_obeyed_on_closing(stage: Stage) -> None:
+def test_queued_setpoint_is_not_sent_on_close(stage: Stage) -> None:
     stage.script.at(1.0, SetDrive(1, Drive.at(100)))
     run_for(stage, 1.0)
     assert moving(stage.transport.sent) == []
 
 
-def test_closing_twice_is_closing_once(stage: Stage) -> None:
+def test_second_close_is_ignored(stage: Stage) -> None:
     stage.script.at(1.0, Close()).at(1.0, Close())
     assert len(among(run_for(stage, 2.0), Closed)) == 1
 
@@ -151,7 +151,7 @@ def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) ->
 
 @modest
 @given(calls=st.integers(0, 700), requests=st.permutations(REQUESTS))
-def test_whenever_the_line_is_lost_each_request_has_one_outcome(
+def test_each_request_has_one_outcome_when_port_is_lost(
     calls: int, requests: list[Request]
 ) -> None:
     stage = stage_that_fails(calls, GONE, requests)
@@ -167,13 +167,13 @@ def test_whenever_the_line_is_lost_each_request_has_one_outcome(
 
 
 @pytest.mark.parametrize("calls", [0, 1, 10, 100, 150, 200, 300])
-def test_a_line_that_is_lost_is_told_at_once(calls: int) -> None:
+def test_port_loss_is_reported_at_once(calls: int) -> None:
     stage = stage_that_fails(calls, GONE, [])
     assert stage.run()[-1] == Closed(GONE)
     assert stage.line.now < 3.0
 
 
-def test_requests_dropped_with_the_line_say_why(stage: Stage) -> None:
+def test_requests_fail_with_error_of_lost_port(stage: Stage) -> None:
     def unplug() -> None:
         stage.transport.fail = GONE
 
@@ -182,7 +182,7 @@ def test_requests_dropped_with_the_line_say_why(stage: Stage) -> None:
     assert {one.id: one.error for one in outcomes(reports).values()} == {1: GONE, 2: GONE, 3: GONE}
 
 
-def test_a_lost_line_does_not_keep_the_port_though_motors_run(stage: Stage) -> None:
+def test_lost_port_is_closed_while_motors_run(stage: Stage) -> None:
     def unplug() -> None:
         stage.transport.fail = GONE
 
@@ -195,7 +195,7 @@ def test_a_lost_line_does_not_keep_the_port_though_motors_run(stage: Stage) -> N
 
 
 @pytest.mark.parametrize("calls", [0, 5, 50, 150, 250])
-def test_a_mistake_of_ours_ends_the_session_properly(
+def test_internal_error_ends_session_and_closes_port(
     calls: int, caplog: pytest.LogCaptureFixture
 ) -> None:
     stage = stage_that_fails(calls, RuntimeError("a bug"), [])
@@ -209,7 +209,7 @@ def test_a_mistake_of_ours_ends_the_session_properly(
     assert stage.transport.closed
 
 
-def test_the_port_is_given_back_though_the_last_samples_cannot_be_told(
+def test_port_is_closed_when_last_samples_cannot_be_sent(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     def fail(*_: object) -> None:
@@ -222,7 +222,7 @@ def test_the_port_is_given_back_though_the_last_samples_cannot_be_told(
     assert stage.transport.closed
 
 
-def test_a_mistake_of_ours_is_logged_with_its_trace(
+def test_internal_error_is_logged_with_traceback(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     stage_that_fails(100, RuntimeError("a bug"), []).run()
@@ -230,9 +230,7 @@ def test_a_mistake_of_ours_is_logged_with_its_trace(
     assert "Traceback" in caplog.text
 
 
-def test_after_a_mistake_of_ours_driven_motors_are_stopped(
-    stage: Stage, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_internal_error_stops_driven_motors(stage: Stage, caplog: pytest.LogCaptureFixture) -> None:
     def mistake() -> None:
         raise RuntimeError("a bug")
 
@@ -248,7 +246,7 @@ def test_after_a_mistake_of_ours_driven_motors_are_stopped(
 # --- Answers ----------------------------------------------------------------------------
 
 
-def test_each_kind_of_request_has_its_outcome(stage: Stage) -> None:
+def test_each_kind_of_request_gets_an_outcome(stage: Stage) -> None:
     stage.script.at(1.0, Ask(1, GetParameter(0))).at(1.0, Reload(2)).at(1.0, Stop(3))
     stage.script.at(1.0, Write(4, (("serial_timeout", 9),)))
     reports = run_for(stage, 2.0)
@@ -262,7 +260,7 @@ def test_each_kind_of_request_has_its_outcome(stage: Stage) -> None:
     ]
 
 
-def test_reading_again_is_reported_before_its_outcome(stage: Stage) -> None:
+def test_reload_is_reported_before_its_outcome(stage: Stage) -> None:
     stage.script.at(1.0, Reload(2))
     reports = run_for(stage, 2.0)
     again = among(reports, Connected)[1]
@@ -270,14 +268,14 @@ def test_reading_again_is_reported_before_its_outcome(stage: Stage) -> None:
     assert reports.index(again) < reports.index(outcomes(reports)[2])
 
 
-def test_a_question_that_cannot_be_asked_has_an_outcome(stage: Stage) -> None:
+def test_invalid_request_gets_an_outcome(stage: Stage) -> None:
     stage.script.at(1.0, Ask(1, GetParameter(300))).at(1.1, Ask(2, GetMode()))
     found = outcomes(run_for(stage, 2.0))
     assert "0 to 127, not 300" in str(found[1].error)
     assert found[2].error is None
 
 
-def test_a_question_that_the_board_does_not_answer_has_an_outcome(stage: Stage) -> None:
+def test_unanswered_request_gets_an_outcome(stage: Stage) -> None:
     stage.script.at(1.0, Ask(1, GetParameter(0x60))).at(1.2, Ask(2, GetMode()))
     found = outcomes(run_for(stage, 2.0))
     assert "No answer to 9F 60" in str(found[1].error)

@@ -45,7 +45,7 @@ def off_and_on(stage: Stage, off: float, on: float) -> None:
 
 @pytest.mark.parametrize("latency", [0.005, 0.06])
 @pytest.mark.parametrize("baud", [9600, 19200, 115200])
-def test_a_board_without_power_is_missed_within_half_a_second(baud: int, latency: float) -> None:
+def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None:
     stage, settings = staged(baud)
     stage.transport.latency = latency
     stage.script.at(2.0, stage.board.power_off).at(4.0, Close())
@@ -53,31 +53,31 @@ def test_a_board_without_power_is_missed_within_half_a_second(baud: int, latency
     assert 2.0 < at < 2.5
 
 
-def test_silence_is_told_once(stage: Stage) -> None:
+def test_unresponsive_board_is_reported_once(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     run_for(stage, 4.0)
     assert len(among(stage.reports, Silent)) == 1
 
 
-def test_silence_is_not_the_end(stage: Stage) -> None:
+def test_unresponsive_board_does_not_end_session(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     assert run_for(stage, 3.0)[-1] == Closed(None)
 
 
-def test_nothing_is_sampled_from_a_silent_board(stage: Stage) -> None:
+def test_unresponsive_board_yields_no_samples(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     run_for(stage, 5.0)
     last = stage.reports.index(among(stage.reports, Silent)[0])
     assert not among(stage.reports[last:], Batch)
 
 
-def test_what_was_sampled_before_a_silence_is_delivered(stage: Stage) -> None:
+def test_samples_before_power_loss_are_delivered(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     run_for(stage, 5.0)
     assert max(one.time for one in samples(stage.reports, Currents)) == pytest.approx(1.0, abs=0.02)
 
 
-def test_a_single_lost_reply_is_no_silence(stage: Stage) -> None:
+def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
     def lose() -> None:
         stage.line.to_drop = 1
 
@@ -88,7 +88,7 @@ def test_a_single_lost_reply_is_no_silence(stage: Stage) -> None:
     assert among(stage.reports, Batch)[-1].counters.silences == 4
 
 
-def test_a_silent_board_is_asked_a_few_times_a_second(stage: Stage) -> None:
+def test_unresponsive_board_is_polled_slowly(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     before = seen_at(stage, 3.0, lambda: len(stage.transport.sent))
     after = seen_at(stage, 8.0, lambda: len(stage.transport.sent))
@@ -100,7 +100,7 @@ def test_a_silent_board_is_asked_a_few_times_a_second(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize("seconds", [0.6, 8.0])
-def test_a_board_that_comes_back_is_read_anew(stage: Stage, seconds: float) -> None:
+def test_returning_board_is_read_again(stage: Stage, seconds: float) -> None:
     off_and_on(stage, 1.0, 1.0 + seconds)
     run_for(stage, 2.5 + seconds)
     first, second = among(stage.reports, Connected)
@@ -112,7 +112,7 @@ def test_a_board_that_comes_back_is_read_anew(stage: Stage, seconds: float) -> N
     assert max(one.time for one in samples(stage.reports, Currents)) > 2.4 + seconds
 
 
-def test_a_board_that_comes_back_is_found_within_a_second(stage: Stage) -> None:
+def test_returning_board_is_found_within_one_second(stage: Stage) -> None:
     off_and_on(stage, 1.0, 5.0)
     stage.script.at(7.0, Close())
     reports = timed_run(stage, stage.client().settings)
@@ -120,7 +120,7 @@ def test_a_board_that_comes_back_is_found_within_a_second(stage: Stage) -> None:
     assert back - 5.0 < 1.0
 
 
-def test_values_that_waited_for_the_power_are_seen_when_the_board_is_back(stage: Stage) -> None:
+def test_values_pending_power_cycle_are_read_on_return(stage: Stage) -> None:
     stage.script.at(1.0, Write(1, (("motor_mode", 1),)))
     off_and_on(stage, 1.5, 3.0)
     run_for(stage, 4.5)
@@ -128,7 +128,7 @@ def test_values_that_waited_for_the_power_are_seen_when_the_board_is_back(stage:
     assert stage.board.memory.is_joint
 
 
-def test_a_board_that_comes_back_in_another_mode_is_told_so(stage: Stage) -> None:
+def test_mode_change_during_power_loss_is_reported(stage: Stage) -> None:
     def take_jumper() -> None:
         stage.board.mode_jumper = "rc"
 
@@ -138,7 +138,7 @@ def test_a_board_that_comes_back_in_another_mode_is_told_so(stage: Stage) -> Non
     assert (first.state.mode.is_serial, second.state.mode.is_serial) == (True, False)
 
 
-def test_a_board_may_go_and_come_back_many_times(stage: Stage) -> None:
+def test_repeated_power_losses_and_returns_are_reported(stage: Stage) -> None:
     for number in range(3):
         off_and_on(stage, 1.0 + 3 * number, 2.5 + 3 * number)
     run_for(stage, 9.5)
@@ -146,7 +146,7 @@ def test_a_board_may_go_and_come_back_many_times(stage: Stage) -> None:
     assert kinds == [Connected, *[Silent, Connected] * 3]
 
 
-def test_a_board_that_goes_while_it_is_read_again_is_missed_again(stage: Stage) -> None:
+def test_board_reconnects_after_power_loss_during_reread(stage: Stage) -> None:
     off_and_on(stage, 1.0, 3.0)
     stage.script.at(5.0, stage.board.power_on)
     send = stage.transport.write
@@ -166,14 +166,14 @@ def test_a_board_that_goes_while_it_is_read_again_is_missed_again(stage: Stage) 
 # --- Requests meanwhile -----------------------------------------------------------------
 
 
-def test_silence_and_return_move_no_motor(stage: Stage) -> None:
+def test_power_loss_and_return_send_no_motor_command(stage: Stage) -> None:
     off_and_on(stage, 1.0, 2.5)
     off_and_on(stage, 4.0, 5.5)
     run_for(stage, 7.0)
     assert moving(stage.transport.sent) == []
 
 
-def test_wishes_during_silence_are_not_kept_for_the_return(stage: Stage) -> None:
+def test_setpoints_for_unresponsive_board_are_discarded(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     stage.script.at(2.0, SetDrive(1, Drive.at(100))).at(2.1, SetDrive(2, Drive.at(100)))
     stage.script.at(2.9, SetAuxiliary(100))
@@ -183,7 +183,7 @@ def test_wishes_during_silence_are_not_kept_for_the_return(stage: Stage) -> None
     assert moving(stage.transport.sent) == []
 
 
-def test_a_wish_after_the_return_is_obeyed(stage: Stage) -> None:
+def test_setpoint_after_return_is_sent(stage: Stage) -> None:
     off_and_on(stage, 1.0, 3.0)
     stage.script.at(5.0, Arm()).at(5.0, SetDrive(1, Drive.at(100)))
     speeds = seen_at(stage, 5.1, lambda: stage.board.motors[0].speed)
@@ -191,14 +191,14 @@ def test_a_wish_after_the_return_is_obeyed(stage: Stage) -> None:
     assert speeds == [100]
 
 
-def test_a_stop_is_tried_though_the_board_is_silent(stage: Stage) -> None:
+def test_stop_is_sent_to_unresponsive_board(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off).at(2.0, Stop(1))
     run_for(stage, 3.0)
     assert isinstance(outcomes(stage.reports)[1].error, NoReply)
     assert moving(stage.transport.sent).count(STOP[0]) >= 10
 
 
-def test_questions_to_a_silent_board_are_answered_with_an_error(stage: Stage) -> None:
+def test_requests_to_unresponsive_board_fail(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     stage.script.at(2.0, Ask(1, GetMode())).at(2.0, Reload(2))
     run_for(stage, 4.0)
@@ -207,7 +207,7 @@ def test_questions_to_a_silent_board_are_answered_with_an_error(stage: Stage) ->
     assert isinstance(found[2].error, NoReply)
 
 
-def test_a_write_to_a_silent_board_gives_up_soon_and_says_so_for_each(stage: Stage) -> None:
+def test_write_to_unresponsive_board_fails_soon_for_each_key(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     keys = [spec.key for spec in stage.board.memory.parameters.readable]
     stage.script.at(2.0, Write(1, tuple((key, 0) for key in keys)))
@@ -225,7 +225,7 @@ def test_a_write_to_a_silent_board_gives_up_soon_and_says_so_for_each(stage: Sta
     assert all(isinstance(one.error, NoReply) for one in results)
 
 
-def test_a_line_that_is_lost_during_silence_ends_the_session(stage: Stage) -> None:
+def test_port_loss_with_unresponsive_board_ends_session(stage: Stage) -> None:
     gone = PortUnavailable("The line is gone.")
 
     def unplug() -> None:
@@ -236,14 +236,14 @@ def test_a_line_that_is_lost_during_silence_ends_the_session(stage: Stage) -> No
     assert stage.line.now < 3.5
 
 
-def test_only_the_mode_is_asked_until_the_board_is_back(stage: Stage) -> None:
+def test_only_mode_is_polled_until_board_returns(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     marks = seen_at(stage, 2.0, lambda: len(stage.transport.sent))
     run_for(stage, 6.0)
     assert set(map(type, commands(stage.transport.sent[marks[0] :]))) == {GetMode}
 
 
-def test_a_board_that_dies_while_its_new_mode_is_read_falls_silent(stage: Stage) -> None:
+def test_silence_while_reading_new_mode_is_reported(stage: Stage) -> None:
     def rearrange() -> None:
         stage.board.mode_jumper = "analog"
         stage.board.power_cycle()

@@ -34,7 +34,7 @@ def rates_seen(stage: Stage, seconds: float) -> dict[Topic, float]:
 
 @pytest.mark.parametrize("mode", ["serial", "analog"])
 @pytest.mark.parametrize("baud", [19200, 115200])
-def test_every_new_value_is_seen_from_19200_baud_on(baud: int, mode: str) -> None:
+def test_every_new_value_is_sampled_from_19200_baud_on(baud: int, mode: str) -> None:
     stage, settings = staged(baud, mode=mode)
     run_for(stage, 6.0, settings)
     source = InputSource.ANALOG if mode == "analog" else InputSource.RC
@@ -43,14 +43,14 @@ def test_every_new_value_is_seen_from_19200_baud_on(baud: int, mode: str) -> Non
         assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
 
 
-def test_the_status_is_looked_at_ten_times_a_second(stage: Stage) -> None:
+def test_status_is_polled_ten_times_a_second(stage: Stage) -> None:
     run_for(stage, 5.3)
     looks = sum(isinstance(command, GetStatus) for command in commands(stage.transport.sent))
     assert looks == pytest.approx(50, abs=4)
 
 
 @pytest.mark.parametrize("baud", [1200, 9600])
-def test_a_slow_line_starves_nothing(baud: int) -> None:
+def test_slow_line_starves_no_topic(baud: int) -> None:
     stage, settings = staged(baud)
     run_for(stage, 25.0, settings)
     wanted = rates(InputSource.RC)
@@ -58,20 +58,20 @@ def test_a_slow_line_starves_nothing(baud: int) -> None:
     assert min(shares) > max(shares) / 3
 
 
-def test_a_slow_line_is_kept_busy() -> None:
+def test_slow_line_is_kept_busy() -> None:
     stage, settings = staged(9600)
     run_for(stage, 5.0, settings)
     assert len(stage.transport.sent) + stage.line.counters["received"] > 0.95 * 5 * 960
 
 
-def test_a_fast_line_is_left_alone_between_the_values() -> None:
+def test_fast_line_is_idle_between_polls() -> None:
     stage, settings = staged(115200)
     run_for(stage, 5.0, settings)
     assert len(stage.transport.sent) + stage.line.counters["received"] < 5 * 1300
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_samples_come_in_batches_at_display_rate_at_most(baud: int) -> None:
+def test_batches_do_not_exceed_display_rate(baud: int) -> None:
     stage, settings = staged(baud)
     stage.script.at(5.0, Close())
     moments = [at for at, report in timed_run(stage, settings) if isinstance(report, Batch)]
@@ -80,29 +80,29 @@ def test_samples_come_in_batches_at_display_rate_at_most(baud: int) -> None:
     assert min(gaps) >= 1 / 60 - 1e-9
 
 
-def test_no_sample_waits_longer_than_two_frames(stage: Stage) -> None:
+def test_samples_are_delivered_within_two_frames(stage: Stage) -> None:
     stage.script.at(5.0, Close())
     for at, report in timed_run(stage, stage.client().settings):
         if isinstance(report, Batch):
             assert at - report.samples[0].time < 2 / 60
 
 
-def test_samples_are_in_the_order_of_their_times(stage: Stage) -> None:
+def test_samples_are_sorted_by_time(stage: Stage) -> None:
     times = [sample.time for batch in among(run_for(stage, 3.0), Batch) for sample in batch.samples]
     assert times == sorted(times)
     assert len(times) > 300
 
 
-def test_an_empty_batch_is_not_worth_a_message(stage: Stage) -> None:
+def test_empty_batches_are_not_sent(stage: Stage) -> None:
     assert all(batch.samples for batch in among(run_for(stage, 3.0), Batch))
 
 
-def test_a_batch_keeps_the_counters_of_its_moment(stage: Stage) -> None:
+def test_batch_contains_counters_of_its_moment(stage: Stage) -> None:
     requests = [batch.counters.requests for batch in among(run_for(stage, 3.0), Batch)]
     assert requests == sorted(set(requests))
 
 
-def test_inputs_and_currents_are_what_the_board_measures(stage: Stage) -> None:
+def test_samples_contain_what_board_measures(stage: Stage) -> None:
     stage.board.connect(1, Signal.pulses(2000))
     stage.board.connect(4, Signal.parse("invalid", InputSource.RC))
     stage.board.force_current(2, 3.0)
@@ -114,7 +114,7 @@ def test_inputs_and_currents_are_what_the_board_measures(stage: Stage) -> None:
     assert samples(reports, ModeSeen)[-1].mode is Mode.SERIAL_RC
 
 
-def test_looking_moves_no_motor(stage: Stage) -> None:
+def test_polling_sends_no_motor_command(stage: Stage) -> None:
     run_for(stage, 5.0)
     assert moving(stage.transport.sent) == []
 
@@ -122,11 +122,11 @@ def test_looking_moves_no_motor(stage: Stage) -> None:
 # --- Status -----------------------------------------------------------------------------
 
 
-def test_no_news_is_no_sample(stage: Stage) -> None:
+def test_clear_status_yields_no_sample(stage: Stage) -> None:
     assert samples(run_for(stage, 3.0), StatusNews) == []
 
 
-def test_a_fault_is_reported_once_for_each_time_it_was_latched(stage: Stage) -> None:
+def test_fault_is_reported_once_each_time_it_is_latched(stage: Stage) -> None:
     def pulse() -> None:
         stage.board.set_fault(1, fault=True)
         stage.board.set_fault(1, fault=False)
@@ -140,7 +140,7 @@ def test_a_fault_is_reported_once_for_each_time_it_was_latched(stage: Stage) -> 
     assert [round(one.time, 1) for one in news] == pytest.approx([1.0, 1.5], abs=0.11)
 
 
-def test_a_uart_error_is_reported_with_what_it_was(stage: Stage) -> None:
+def test_uart_error_is_reported_with_its_bits(stage: Stage) -> None:
     def spoil() -> None:
         stage.board.report_error(UartError.FRAMING)
         stage.board.report_error(UartError.PARITY)
@@ -151,7 +151,7 @@ def test_a_uart_error_is_reported_with_what_it_was(stage: Stage) -> None:
     assert news.uart == UartError.FRAMING | UartError.PARITY
 
 
-def test_faults_that_come_together_are_reported_together(stage: Stage) -> None:
+def test_simultaneous_faults_are_reported_together(stage: Stage) -> None:
     def break_down() -> None:
         for motor in (1, 2):
             stage.board.set_fault(motor, fault=True)
@@ -164,7 +164,7 @@ def test_faults_that_come_together_are_reported_together(stage: Stage) -> None:
     assert news.uart == UartError.CRC
 
 
-def test_bits_of_the_status_survive_a_second_byte_that_is_lost(stage: Stage) -> None:
+def test_status_bits_survive_lost_uart_error_byte(stage: Stage) -> None:
     board = stage.board
 
     def spoil() -> None:
@@ -184,7 +184,7 @@ def test_bits_of_the_status_survive_a_second_byte_that_is_lost(stage: Stage) -> 
     assert news[0].status == Status.MOTOR2_FAULT | Status.UART_ERROR
 
 
-def test_error_bits_whose_byte_was_lost_are_asked_for_again(stage: Stage) -> None:
+def test_lost_uart_error_request_is_repeated(stage: Stage) -> None:
     send = stage.transport.write
     asked: list[bytes] = []
 
@@ -203,7 +203,7 @@ def test_error_bits_whose_byte_was_lost_are_asked_for_again(stage: Stage) -> Non
     ]
 
 
-def test_error_bits_are_asked_for_when_the_status_itself_was_lost(stage: Stage) -> None:
+def test_uart_error_is_read_after_lost_status_reply(stage: Stage) -> None:
     send = stage.transport.write
     asked: list[bytes] = []
 
@@ -219,7 +219,7 @@ def test_error_bits_are_asked_for_when_the_status_itself_was_lost(stage: Stage) 
     assert news.uart == UartError.PARITY
 
 
-def test_what_was_latched_before_the_connection_is_news(stage: Stage) -> None:
+def test_error_latched_before_connecting_is_reported(stage: Stage) -> None:
     stage.board.report_error(UartError.TIMEOUT)
     (news,) = samples(run_for(stage, 1.0), StatusNews)
     assert news.uart == UartError.TIMEOUT
@@ -228,7 +228,7 @@ def test_what_was_latched_before_the_connection_is_news(stage: Stage) -> None:
 # --- Beside other work ------------------------------------------------------------------
 
 
-def test_telemetry_goes_on_while_single_questions_are_asked(stage: Stage) -> None:
+def test_telemetry_continues_during_single_requests(stage: Stage) -> None:
     for number in range(100):
         stage.script.at(1.0 + number / 100, Ask(number, GetMode()))
     run_for(stage, 2.0)
@@ -236,7 +236,7 @@ def test_telemetry_goes_on_while_single_questions_are_asked(stage: Stage) -> Non
     assert len(currents) > 60
 
 
-def test_telemetry_goes_on_after_a_long_write(stage: Stage) -> None:
+def test_telemetry_continues_after_long_write(stage: Stage) -> None:
     keys = [spec.key for spec in stage.board.memory.parameters if not spec.needs_power_cycle]
     wishes = tuple((key, stage.board.eeprom[key]) for key in keys if key != "factory_reset")
     stage.script.at(1.0, Write(1, wishes))
@@ -245,7 +245,7 @@ def test_telemetry_goes_on_after_a_long_write(stage: Stage) -> None:
     assert len(late) == pytest.approx(80, abs=3)
 
 
-def test_another_mode_after_a_power_cycle_is_noticed(stage: Stage) -> None:
+def test_mode_change_after_power_cycle_is_detected(stage: Stage) -> None:
     def rearrange() -> None:
         stage.board.mode_jumper = "analog"
         stage.board.power_cycle()
@@ -259,7 +259,7 @@ def test_another_mode_after_a_power_cycle_is_noticed(stage: Stage) -> None:
     assert second.state.calibrations != first.state.calibrations
 
 
-def test_after_a_change_of_mode_currents_are_asked_at_their_new_rate(stage: Stage) -> None:
+def test_mode_change_adjusts_poll_rate_of_currents(stage: Stage) -> None:
     def rearrange() -> None:
         stage.board.mode_jumper = "analog"
         stage.board.power_cycle()

@@ -46,7 +46,7 @@ def nothing() -> None:
     return None
 
 
-def test_a_motor_command_that_was_asked_for_never_follows_a_stop(stage: Stage) -> None:
+def test_requested_motor_command_never_follows_stop(stage: Stage) -> None:
     """Whichever look finds the stop: the one before the command goes out, or a later one."""
     for looks in range(4):
         stage = staged()[0]
@@ -64,7 +64,7 @@ def test_a_motor_command_that_was_asked_for_never_follows_a_stop(stage: Stage) -
         assert is_stopped(stage.board)
 
 
-def test_stops_that_come_while_one_is_proved_get_their_outcome_though_the_line_breaks(
+def test_stops_during_confirmation_get_outcome_on_port_loss(
     stage: Stage,
 ) -> None:
     def mute() -> Request:
@@ -86,7 +86,7 @@ def test_stops_that_come_while_one_is_proved_get_their_outcome_though_the_line_b
 # --- Life signs of a computer that stood still -------------------------------------------
 
 
-def test_what_a_window_says_first_after_standing_still_does_not_hide_that_it_stood() -> None:
+def test_late_heartbeat_does_not_hide_timeout() -> None:
     now = 10.0
     guard = Guard(lambda: now)
     guard.arm()
@@ -96,7 +96,7 @@ def test_what_a_window_says_first_after_standing_still_does_not_hide_that_it_sto
     assert guard.is_abandoned
 
 
-def test_a_line_that_is_late_does_not_take_the_window_for_lost() -> None:
+def test_timestamped_heartbeats_prevent_false_timeout() -> None:
     now = begun = 10.0
     guard = Guard(lambda: now)
     guard.arm()
@@ -108,7 +108,7 @@ def test_a_line_that_is_late_does_not_take_the_window_for_lost() -> None:
     assert not guard.is_abandoned
 
 
-def test_who_arms_again_is_there_again() -> None:
+def test_arming_again_clears_heartbeat_timeout() -> None:
     now = 10.0
     guard = Guard(lambda: now)
     guard.arm()

@@ -35,7 +35,7 @@ def run_taped(stage: Stage, seconds: float) -> list[Piece]:
     return tape.take()
 
 
-def test_every_byte_that_is_sent_and_received_is_noted_in_order(stage: Stage) -> None:
+def test_sent_and_received_bytes_are_logged_in_order(stage: Stage) -> None:
     stage.script.at(1.0, SetDrive(1, Drive.at(40)))
     pieces = run_taped(stage, 2.0)
     assert bytes_of(pieces, Way.SENT) == bytes(stage.transport.sent)
@@ -46,7 +46,7 @@ def test_every_byte_that_is_sent_and_received_is_noted_in_order(stage: Stage) ->
     assert stage.transport.closed
 
 
-def test_a_session_does_the_same_whether_it_is_noted_or_not() -> None:
+def test_logging_does_not_change_session() -> None:
     def run(note: Callable[[Stage], object]) -> bytes:
         stage = Stage(Board())
         note(stage)
@@ -56,7 +56,7 @@ def test_a_session_does_the_same_whether_it_is_noted_or_not() -> None:
     assert run(lambda stage: run_taped(stage, 2.0)) == run(lambda stage: run_for(stage, 2.0))
 
 
-def test_a_port_that_does_not_open_says_so_on_the_tape() -> None:
+def test_failed_opening_of_port_is_logged() -> None:
     def refuse(_settings: LinkSettings) -> VirtualTransport:
         raise PortUnavailable("It is in use.")
 
@@ -67,7 +67,7 @@ def test_a_port_that_does_not_open_says_so_on_the_tape() -> None:
 
 
 @pytest.mark.parametrize("act", ["write", "read"])
-def test_a_line_that_is_gone_says_so_on_the_tape(stage: Stage, act: str) -> None:
+def test_port_loss_is_logged(stage: Stage, act: str) -> None:
     tape = Tape()
     line = TapedTransport(stage.transport, SETTINGS, tape)
     stage.transport.fail = PortUnavailable("The line is gone.")
@@ -76,7 +76,7 @@ def test_a_line_that_is_gone_says_so_on_the_tape(stage: Stage, act: str) -> None
     assert texts_of(tape.take()) == ["The line is gone."]
 
 
-def test_other_line_settings_are_noted_once(stage: Stage) -> None:
+def test_new_line_settings_are_logged_once(stage: Stage) -> None:
     tape = Tape()
     line = TapedTransport(stage.transport, SETTINGS, tape)
     other = LineSettings(57600, Detection.CRC7)
@@ -89,7 +89,7 @@ def test_other_line_settings_are_noted_once(stage: Stage) -> None:
     assert noted[0].settings.line == other
 
 
-def test_a_tape_that_nobody_reads_is_bounded_and_counts_what_is_lost() -> None:
+def test_unread_traffic_log_is_bounded_and_counts_losses() -> None:
     tape = Tape()
     for number in range(60_000):
         tape.note(Piece(float(number), Way.SENT, b"\xff"))

@@ -50,7 +50,7 @@ def is_braked(stage: Stage) -> bool:
 
 @pytest.mark.parametrize("noise", [0.01, 0.02, 0.05])
 @pytest.mark.parametrize("seed", [13, 19, 40, 74, 93, 117])
-def test_a_motor_that_was_let_go_does_not_go_on(noise: float, seed: int) -> None:
+def test_released_motor_does_not_keep_running_on_noisy_line(noise: float, seed: int) -> None:
     stage, _ = staged()
     stage.line._random.seed(seed)
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
@@ -68,7 +68,7 @@ def test_a_motor_that_was_let_go_does_not_go_on(noise: float, seed: int) -> None
     assert longest * 0.03 < 0.25
 
 
-def test_a_question_that_became_a_command_is_undone_at_once() -> None:
+def test_request_corrupted_into_command_is_undone_at_once() -> None:
     """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
     stage, _ = staged()
     stage.script.at(1.0, Arm())
@@ -89,14 +89,14 @@ def test_a_question_that_became_a_command_is_undone_at_once() -> None:
     assert started[1] - started[0] < 0.06
 
 
-def test_before_anybody_drove_nothing_is_sent_whatever_the_line_does() -> None:
+def test_line_error_before_driving_sends_no_motor_command() -> None:
     stage, _ = staged()
     stage.script.at(1.0, lambda: setattr(stage.line, "to_drop", 1))
     run_for(stage, 2.0)
     assert not moving(stage.transport.sent)
 
 
-def test_a_quiet_line_is_told_no_rest_twice_too_often() -> None:
+def test_brake_is_sent_only_twice_on_quiet_line() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(50))).at(1.4, FULL_BRAKE)
     pulses(stage, 1.5, 5.5)
@@ -106,7 +106,7 @@ def test_a_quiet_line_is_told_no_rest_twice_too_often() -> None:
     assert moving(stage.transport.sent[: mark[0]]).count(brake) == 2
 
 
-def test_rests_are_repeated_until_the_line_is_quiet_and_then_no_more() -> None:
+def test_brake_is_repeated_until_line_is_quiet() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(50))).at(1.4, FULL_BRAKE)
     pulses(stage, 1.5, 2.8)
@@ -127,7 +127,7 @@ def test_rests_are_repeated_until_the_line_is_quiet_and_then_no_more() -> None:
     assert not moving(stage.transport.sent[marks[0] : marks[2]])
 
 
-def test_a_running_motor_is_not_told_to_rest_beside_the_one_that_rests() -> None:
+def test_idle_refresh_skips_running_motor() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(2, Drive.at(50)))
     stage.script.at(1.2, lambda: setattr(stage.line, "to_drop", 1))
@@ -141,7 +141,7 @@ def test_a_running_motor_is_not_told_to_rest_beside_the_one_that_rests() -> None
     assert DriveMotor(2, Drive.brake()) not in sent
 
 
-def test_while_motors_may_move_nothing_is_asked_that_a_bit_makes_a_command() -> None:
+def test_risky_polls_are_omitted_while_motors_may_move() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.2, lambda: setattr(stage.line, "to_drop", 1))
     before = seen_at(stage, 1.3, lambda: len(stage.transport.sent))
@@ -157,7 +157,7 @@ def test_while_motors_may_move_nothing_is_asked_that_a_bit_makes_a_command() -> 
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("noise", [0.01, 0.05])
-def test_a_stop_on_a_line_that_damages_bytes_holds(noise: float, seed: int) -> None:
+def test_stop_holds_on_noisy_line(noise: float, seed: int) -> None:
     stage, _ = staged()
     stage.line._random.seed(seed)
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
@@ -169,7 +169,7 @@ def test_a_stop_on_a_line_that_damages_bytes_holds(noise: float, seed: int) -> N
     assert 1 in outcomes(stage.reports)
 
 
-def test_a_stop_after_damage_is_sent_again_and_proved_when_the_line_is_quiet() -> None:
+def test_stop_after_line_error_is_confirmed_on_quiet_line() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
     stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
@@ -182,7 +182,7 @@ def test_a_stop_after_damage_is_sent_again_and_proved_when_the_line_is_quiet() -
     assert moving(stage.transport.sent).count(STOP[0]) > 4
 
 
-def test_a_stop_on_a_line_that_stays_bad_is_owned_up_to() -> None:
+def test_unconfirmed_stop_on_bad_line_is_reported() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
     for step in range(60):
@@ -195,7 +195,7 @@ def test_a_stop_on_a_line_that_stays_bad_is_owned_up_to() -> None:
     assert "damages bytes" in str(error)
 
 
-def test_a_stop_that_is_unproved_is_answered_when_somebody_drives_again() -> None:
+def test_unconfirmed_stop_is_reported_when_driving_again() -> None:
     stage, _ = staged()
     stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
     stage.script.at(1.7, Arm()).at(1.7, SetDrive(1, Drive.at(30)))
@@ -206,7 +206,7 @@ def test_a_stop_that_is_unproved_is_answered_when_somebody_drives_again() -> Non
     assert speeds == [30]
 
 
-def test_a_stop_is_told_once_a_muted_board_is_heard_again_and_nothing_else_drives() -> None:
+def test_stop_is_confirmed_when_board_responds_again() -> None:
     stage, _ = staged()
     stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
     stage.script.at(1.5, lambda: setattr(stage.line, "mute", True)).at(1.5, Stop(1))
@@ -243,9 +243,7 @@ def test_a_stop_is_told_once_a_muted_board_is_heard_again_and_nothing_else_drive
         (Status.UART_ERROR, UartError.FRAMING),  # UART-Error Shutdown is on from the factory
     ],
 )
-def test_what_the_board_has_stopped_itself_is_not_started_again(
-    status: Status, uart: UartError
-) -> None:
+def test_motor_stopped_by_board_is_not_restarted(status: Status, uart: UartError) -> None:
     stage, _ = staged()
 
     def stop_itself() -> None:
@@ -261,7 +259,7 @@ def test_what_the_board_has_stopped_itself_is_not_started_again(
     assert DriveMotor(1, Drive.at(50)) not in moving(stage.transport.sent[mark[0] :])
 
 
-def test_a_speed_is_not_repeated_for_longer_than_its_time() -> None:
+def test_setpoint_repetition_ends_at_time_limit() -> None:
     eeprom = Eeprom("trex")
     eeprom.write("uart_error_shutdown", 0)
     stage = Stage(Board(eeprom=eeprom))
@@ -284,7 +282,7 @@ def test_a_speed_is_not_repeated_for_longer_than_its_time() -> None:
 # --- Arming and silence -----------------------------------------------------------------
 
 
-def test_an_arming_that_crosses_a_silence_is_not_missed_later() -> None:
+def test_arming_during_power_loss_causes_no_later_stop() -> None:
     stage, _ = staged()
     stage.script.at(1.0, stage.board.power_off).at(1.8, Arm()).at(3.5, stage.board.power_on)
     run_for(stage, 6.0)

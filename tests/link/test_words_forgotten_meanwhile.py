@@ -14,7 +14,7 @@ class ForgottenMeanwhile(Exchange):
         return value
 
 
-def test_a_row_has_a_meaning_though_it_is_forgotten_meanwhile() -> None:
+def test_row_is_decoded_while_cache_is_cleared() -> None:
     row = ForgottenMeanwhile(1, 0.0, note="The line was opened.", is_over=True)
     row.words = Words("said before")
     assert TrexWording().words_of(row) == Words("said before")

@@ -44,7 +44,7 @@ LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
 @pytest.mark.parametrize("spec", SPECS.readable, ids=lambda spec: spec.key)
-def test_every_parameter_takes_its_limits(spec: ParameterSpec) -> None:
+def test_every_parameter_accepts_its_limits(spec: ParameterSpec) -> None:
     stage = Stage(Board())
     client = stage.client()
     for wire in (min(spec.valid), max(spec.valid)):
@@ -52,7 +52,7 @@ def test_every_parameter_takes_its_limits(spec: ParameterSpec) -> None:
         assert stage.board.eeprom[spec.key] == wire
 
 
-def test_a_write_is_proved_by_reading_back(stage: Stage) -> None:
+def test_write_is_confirmed_by_read_back(stage: Stage) -> None:
     write_parameter(stage.client().request, TIMEOUT, 20)
     assert commands(stage.transport.sent) == [
         SetParameter(TIMEOUT.number, 20),
@@ -60,19 +60,19 @@ def test_a_write_is_proved_by_reading_back(stage: Stage) -> None:
     ]
 
 
-def test_a_value_that_the_table_does_not_allow_is_not_sent(stage: Stage) -> None:
+def test_invalid_value_is_not_sent(stage: Stage) -> None:
     with pytest.raises(BadRequest, match="Motor Mode"):
         write_parameter(stage.client().request, SPECS["motor_mode"], 2)
     assert stage.transport.sent == b""
 
 
-def test_the_factory_reset_is_believed_without_reading_back(stage: Stage) -> None:
+def test_factory_reset_is_not_read_back(stage: Stage) -> None:
     assert write_parameter(stage.client().request, SPECS["factory_reset"], 0x7F) == 0x7F
     assert stage.board.eeprom.reset_pending
     assert commands(stage.transport.sent) == [SetParameter(0x7F, 0x7F)]
 
 
-def test_a_factory_reset_that_nobody_confirms_is_no_success(stage: Stage) -> None:
+def test_unanswered_factory_reset_fails(stage: Stage) -> None:
     stage.line.mute = True
     with pytest.raises(NoReply):
         write_parameter(stage.client().request, SPECS["factory_reset"], 0x7F)
@@ -82,7 +82,7 @@ def test_a_factory_reset_that_nobody_confirms_is_no_success(stage: Stage) -> Non
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
-def test_a_board_that_is_not_in_serial_mode_says_what_to_do(mode: str) -> None:
+def test_write_outside_serial_mode_explains_what_to_do(mode: str) -> None:
     stage, settings = staged(mode=mode)
     with pytest.raises(Rejected) as caught:
         write_parameter(stage.client(settings).request, TIMEOUT, 5)
@@ -91,7 +91,7 @@ def test_a_board_that_is_not_in_serial_mode_says_what_to_do(mode: str) -> None:
         assert words in str(caught.value)
 
 
-def test_a_value_that_the_board_refuses_is_told_as_its_word(stage: Stage) -> None:
+def test_rejected_value_is_reported_with_result_code(stage: Stage) -> None:
     generous = replace(SPECS["motor_mode"], valid=frozenset(range(128)))
     with pytest.raises(Rejected) as caught:
         write_parameter(stage.client().request, generous, 99)
@@ -99,14 +99,14 @@ def test_a_value_that_the_board_refuses_is_told_as_its_word(stage: Stage) -> Non
     assert "Motor Mode: the board refuses this value (code 2)" in str(caught.value)
 
 
-def test_a_parameter_that_the_board_does_not_have_hints_at_its_firmware() -> None:
+def test_unknown_parameter_error_mentions_firmware() -> None:
     stage, settings = staged(firmware="1.0")
     with pytest.raises(Rejected, match=r"code 1.*firmware") as caught:
         write_parameter(stage.client(settings).request, SPECS["uart_response_delay"], 1)
     assert caught.value.code is ResultCode.BAD_PARAMETER
 
 
-def test_a_refusal_is_not_repeated() -> None:
+def test_rejected_write_is_not_retried() -> None:
     stage, settings = staged(mode="rc")
     client = stage.client(settings)
     with pytest.raises(Rejected):
@@ -117,26 +117,26 @@ def test_a_refusal_is_not_repeated() -> None:
 # --- A bad line -------------------------------------------------------------------------
 
 
-def test_a_write_whose_reply_is_lost_has_succeeded_all_the_same(stage: Stage) -> None:
+def test_write_with_lost_reply_succeeds(stage: Stage) -> None:
     stage.line.to_drop = 1
     assert write_parameter(stage.client().request, TIMEOUT, 33) == 33
     assert stage.board.eeprom["serial_timeout"] == 33
 
 
-def test_a_write_none_of_whose_replies_comes_is_proved_by_reading_back(stage: Stage) -> None:
+def test_write_without_replies_is_confirmed_by_read_back(stage: Stage) -> None:
     stage.line.to_drop = 3
     client = stage.client()
     assert write_parameter(client.request, TIMEOUT, 33) == 33
     assert client.counters.silences == 3
 
 
-def test_a_write_that_is_lost_on_the_way_is_sent_again(stage: Stage) -> None:
+def test_lost_write_is_resent(stage: Stage) -> None:
     stage.line.to_drop_sent = 5
     assert write_parameter(stage.client().request, TIMEOUT, 33) == 33
     assert stage.board.memory.writes == 1
 
 
-def test_a_value_that_did_not_stick_is_noticed(stage: Stage) -> None:
+def test_wrong_read_back_of_value_is_reported(stage: Stage) -> None:
     client = stage.client()
 
     def forgetful(command: Command[ReplyT_co]) -> ReplyT_co:
@@ -148,7 +148,7 @@ def test_a_value_that_did_not_stick_is_noticed(stage: Stage) -> None:
         write_parameter(forgetful, TIMEOUT, 15)
 
 
-def test_a_calibration_that_did_not_stick_is_noticed(stage: Stage) -> None:
+def test_wrong_read_back_of_calibration_is_reported(stage: Stage) -> None:
     client = stage.client()
 
     def forgetful(command: Command[ReplyT_co]) -> ReplyT_co:
@@ -160,7 +160,7 @@ def test_a_calibration_that_did_not_stick_is_noticed(stage: Stage) -> None:
         write_calibration(forgetful, 2, LEARNED)
 
 
-def test_a_dead_board_is_not_a_success(stage: Stage) -> None:
+def test_write_to_unpowered_board_fails(stage: Stage) -> None:
     stage.board.power_off()
     with pytest.raises(NoReply):
         write_parameter(stage.client().request, TIMEOUT, 5)
@@ -174,7 +174,7 @@ def test_a_dead_board_is_not_a_success(stage: Stage) -> None:
     lost=st.integers(0, 8),
     wire=st.integers(0, 127),
 )
-def test_with_crc_a_write_that_succeeds_is_stored(
+def test_successful_write_with_crc_is_stored(
     *, seed: int, noise: float, drop: int, lost: int, wire: int
 ) -> None:
     stage, settings = staged(detection=Detection.CRC7)
@@ -191,23 +191,23 @@ def test_with_crc_a_write_that_succeeds_is_stored(
 
 
 @pytest.mark.parametrize("channel", [1, 2, 3, 4, 5])
-def test_a_calibration_is_stored_and_read_back(stage: Stage, channel: int) -> None:
+def test_calibration_is_stored_and_read_back(stage: Stage, channel: int) -> None:
     assert write_calibration(stage.client().request, channel, LEARNED) == LEARNED
     assert stage.board.calibration(channel) == LEARNED
 
 
-def test_a_calibration_that_makes_no_sense_is_not_sent(stage: Stage) -> None:
+def test_invalid_calibration_is_not_sent(stage: Stage) -> None:
     with pytest.raises(BadRequest, match="minimum 5000 is above neutral"):
         write_calibration(stage.client().request, 1, Calibration(5000, 3750, 2500, 75))
     assert stage.transport.sent == b""
 
 
-def test_a_calibration_whose_reply_is_lost_has_succeeded_all_the_same(stage: Stage) -> None:
+def test_calibration_write_with_lost_reply_succeeds(stage: Stage) -> None:
     stage.line.to_drop = 1
     assert write_calibration(stage.client().request, 1, LEARNED) == LEARNED
 
 
-def test_a_calibration_needs_serial_mode() -> None:
+def test_calibration_write_needs_serial_mode() -> None:
     stage, settings = staged(mode="rc")
     with pytest.raises(Rejected, match="Calibration of channel 1"):
         write_calibration(stage.client(settings).request, 1, LEARNED)
@@ -223,7 +223,7 @@ def written_keys(sent: bytes | bytearray) -> list[str]:
     return [spec.key for spec in specs if spec is not None]
 
 
-def test_what_needs_a_power_cycle_is_written_last_and_the_line_settings_after_all(
+def test_settings_needing_power_cycle_are_written_last(
     stage: Stage,
 ) -> None:
     wanted = [(spec.key, stage.board.eeprom[spec.key]) for spec in SPECS.readable]
@@ -239,20 +239,20 @@ def test_what_needs_a_power_cycle_is_written_last_and_the_line_settings_after_al
     assert [result.error for result in results] == [None] * len(results)
 
 
-def test_serial_settings_come_after_the_others_of_their_kind(stage: Stage) -> None:
+def test_serial_settings_are_written_after_motor_settings(stage: Stage) -> None:
     wanted = [("device_number", 9), ("serial_timeout", 1), ("motor1_acceleration", 1)]
     write_all(stage.client().request, SPECS, wanted)
     assert written_keys(stage.transport.sent)[0] == "motor1_acceleration"
 
 
-def test_setting_that_no_board_has_is_reported_before_the_others(stage: Stage) -> None:
+def test_unknown_setting_is_reported_first(stage: Stage) -> None:
     wanted = [("motor1_acceleration", 1), ("serial_timeout", 1), ("colour", 1)]
     results = write_all(stage.client().request, SPECS, wanted)
     assert [result.what for result in results if result.error] == ["colour"]
     assert results[0].what == "colour"
 
 
-def test_each_result_says_what_was_read_back(stage: Stage) -> None:
+def test_results_contain_read_back_values(stage: Stage) -> None:
     results = write_all(
         stage.client().request, SPECS, [("serial_timeout", 5)], [(2, LEARNED), (3, LEARNED)]
     )
@@ -263,7 +263,7 @@ def test_each_result_says_what_was_read_back(stage: Stage) -> None:
     )
 
 
-def test_one_bad_value_does_not_keep_the_others_back(stage: Stage) -> None:
+def test_invalid_values_do_not_block_valid_ones(stage: Stage) -> None:
     results = write_all(
         stage.client().request,
         SPECS,
@@ -283,7 +283,7 @@ def test_one_bad_value_does_not_keep_the_others_back(stage: Stage) -> None:
     assert "did you mean serial_timeout?" in str(misspelt)
 
 
-def test_nothing_more_is_tried_on_a_board_that_is_not_in_serial_mode() -> None:
+def test_write_ends_when_board_is_not_in_serial_mode() -> None:
     stage, settings = staged(mode="analog")
     client = stage.client(settings)
     wanted = [(spec.key, spec.default) for spec in SPECS.readable]
@@ -293,7 +293,7 @@ def test_nothing_more_is_tried_on_a_board_that_is_not_in_serial_mode() -> None:
     assert client.counters.requests == 1
 
 
-def test_nothing_more_is_tried_on_a_board_that_stopped_answering(stage: Stage) -> None:
+def test_write_ends_when_board_stops_responding(stage: Stage) -> None:
     client = stage.client()
     wanted = [(spec.key, spec.default) for spec in SPECS.readable]
 
@@ -308,7 +308,7 @@ def test_nothing_more_is_tried_on_a_board_that_stopped_answering(stage: Stage) -
     assert client.counters.silences <= 6
 
 
-def test_a_refused_value_does_not_end_the_writing(stage: Stage) -> None:
+def test_rejected_value_does_not_end_write(stage: Stage) -> None:
     specs = replace(
         SPECS,
         specs=tuple(
@@ -322,7 +322,7 @@ def test_a_refused_value_does_not_end_the_writing(stage: Stage) -> None:
     assert second == Written("uart_settings", 0x0A)
 
 
-def test_progress_counts_each_write_to_the_end(stage: Stage) -> None:
+def test_progress_counts_each_write(stage: Stage) -> None:
     steps: list[tuple[int, int, str]] = []
     write_all(
         stage.client().request,
@@ -339,7 +339,7 @@ def test_progress_counts_each_write_to_the_end(stage: Stage) -> None:
     ]
 
 
-def test_a_line_that_is_lost_leaves_what_was_written_before_among_the_results(
+def test_port_loss_keeps_results_of_earlier_writes(
     stage: Stage,
 ) -> None:
     def unplug(done: int, _total: int, _what: str) -> None:
@@ -352,7 +352,7 @@ def test_a_line_that_is_lost_leaves_what_was_written_before_among_the_results(
     assert [type(one.error) for one in others] == [PortUnavailable, PortUnavailable]
 
 
-def test_writing_goes_on_with_the_new_device_number(stage: Stage) -> None:
+def test_write_continues_with_new_device_number(stage: Stage) -> None:
     client = stage.client(LinkSettings("virtual", device_number=7))
     results = write_all(client.request, SPECS, [("device_number", 9), ("motor_mode", 1)])
     assert [result.error for result in results] == [None, None]
@@ -360,7 +360,7 @@ def test_writing_goes_on_with_the_new_device_number(stage: Stage) -> None:
     assert stage.board.eeprom["motor_mode"] == 1
 
 
-def test_nothing_to_write_is_nothing_sent(stage: Stage) -> None:
+def test_empty_write_sends_nothing(stage: Stage) -> None:
     assert write_all(stage.client().request, SPECS, []) == ()
     assert stage.transport.sent == b""
 
@@ -373,7 +373,7 @@ def test_nothing_to_write_is_nothing_sent(stage: Stage) -> None:
     off_after=st.integers(0, 20),
     mode=st.sampled_from(["serial", "rc"]),
 )
-def test_there_is_one_result_for_each_wish_whatever_happens(
+def test_each_requested_setting_gets_one_result(
     *, keys: list[str], channels: list[int], wire: int, off_after: int, mode: str
 ) -> None:
     stage, settings = staged(mode=mode)
