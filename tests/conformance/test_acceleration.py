@@ -27,9 +27,7 @@ def test_motor_speed_is_updated_100_times_per_second(
 
 
 @pytest.mark.parametrize("acceleration", [25, 127])
-def test_each_update_adds_a_tenth_of_the_acceleration_below_the_target(
-    trex: Trex, acceleration: int
-) -> None:
+def test_update_adds_a_tenth_of_acceleration_below_target(trex: Trex, acceleration: int) -> None:
     """CMD10 0xC4: motor speed = motor speed + acceleration/10."""
     trex.set_up(motor1_acceleration=acceleration)
     trex.tell("C2 0A")
@@ -40,7 +38,7 @@ def test_each_update_adds_a_tenth_of_the_acceleration_below_the_target(
         assert speed <= min(127, 10 + trex.most_updates * acceleration / 10)
 
 
-def test_tenths_of_a_count_add_up(trex: Trex) -> None:
+def test_tenths_of_a_count_accumulate(trex: Trex) -> None:
     """CMD10 0xC4: acceleration/10 of 5 is half a count an update, not none."""
     trex.set_up(motor1_acceleration=5)
     trex.tell("C6 7F")
@@ -49,7 +47,7 @@ def test_tenths_of_a_count_add_up(trex: Trex) -> None:
     assert min(127, trex.fewest_updates // 2) <= speed <= trex.most_updates / 2
 
 
-def test_the_acceleration_ends_at_the_target_speed(trex: Trex) -> None:
+def test_acceleration_ends_at_target_speed(trex: Trex) -> None:
     """CMD10 0xC4: if motor speed > target speed, motor speed = target speed."""
     trex.set_up(motor1_acceleration=100)
     trex.tell("C6 23")
@@ -59,7 +57,7 @@ def test_the_acceleration_ends_at_the_target_speed(trex: Trex) -> None:
     assert trex.motor(1) == ("forward", 0x23)
 
 
-def test_above_the_target_speed_the_update_merely_sets_it(trex: Trex) -> None:
+def test_update_sets_lower_target_speed_at_once(trex: Trex) -> None:
     """CMD10 0xC4: "there is no deceleration"."""
     trex.set_up(motor1_acceleration=1)
     trex.tell("C2 7F")
@@ -69,7 +67,7 @@ def test_above_the_target_speed_the_update_merely_sets_it(trex: Trex) -> None:
 
 
 @pytest.mark.parametrize(("motor", "set_", "forward", "reverse"), MOTORS)
-def test_before_the_other_direction_it_brakes_fully_for_the_brake_duration(
+def test_reversal_brakes_fully_for_brake_duration(
     trex: Trex, motor: int, set_: str, forward: str, reverse: str
 ) -> None:
     """CMD10 0xC4: "brake the motor at 100% duty cycle"; in 10 ms (forum thread 624)."""
@@ -93,7 +91,7 @@ def test_before_the_other_direction_it_brakes_fully_for_the_brake_duration(
     assert output == ("reverse", 0x30)
 
 
-def test_after_the_brake_the_speed_is_zero_and_accelerates_from_there(trex: Trex) -> None:
+def test_motor_accelerates_from_zero_after_reversal_brake(trex: Trex) -> None:
     """CMD10 0xC4: "set the motor speed to zero and accelerate from there"."""
     trex.set_up(motor1_acceleration=20, motor1_brake_duration=3)
     trex.tell("C2 7F")
@@ -106,7 +104,7 @@ def test_after_the_brake_the_speed_is_zero_and_accelerates_from_there(trex: Trex
     assert motor["direction"] == "reverse"
 
 
-def test_without_brake_duration_the_other_direction_begins_at_zero_at_once(trex: Trex) -> None:
+def test_reversal_without_brake_duration_starts_at_zero(trex: Trex) -> None:
     """CMD10 0xC4: "for the amount of time specified by its brake duration parameter"."""
     trex.set_up(motor1_acceleration=10, motor1_brake_duration=0)
     trex.tell("C2 7F")
@@ -117,7 +115,7 @@ def test_without_brake_duration_the_other_direction_begins_at_zero_at_once(trex:
     assert min(127, trex.fewest_updates - 1) <= speed <= trex.most_updates
 
 
-def test_acceleration_commands_take_part_in_current_limiting(trex: Trex) -> None:
+def test_acceleration_commands_are_current_limited(trex: Trex) -> None:
     """CMD10 0xC4: the "fixed update cycle that also takes care of the current-limiting logic"."""
     trex.set_up(motor1_current_limit=10, motor1_current_limit_p=1)
     trex.do("current 1 6")
@@ -127,7 +125,7 @@ def test_acceleration_commands_take_part_in_current_limiting(trex: Trex) -> None
     assert trex.number("84") & 0x20
 
 
-def test_set_commands_override_current_limiting_at_least_temporarily(trex: Trex) -> None:
+def test_set_commands_override_current_limit_temporarily(trex: Trex) -> None:
     """CMD10 0xC4: "set the motor speed the instant they're received"."""
     trex.set_up(motor1_current_limit=10, motor1_current_limit_p=1)
     trex.do("current 1 6")
@@ -143,7 +141,7 @@ def test_set_commands_override_current_limiting_at_least_temporarily(trex: Trex)
     assert trex.motor(1)[1] < 127
 
 
-def test_zero_requests_infinite_acceleration(trex: Trex) -> None:
+def test_zero_acceleration_reaches_target_in_one_update(trex: Trex) -> None:
     """CMD10 0xC4: "set the acceleration parameter to zero"."""
     assert trex.number("9F 0E") == trex.number("9F 0F") == 0
     trex.tell("EA 7F 70", "F1 7F")
@@ -165,7 +163,7 @@ def test_acceleration_does_not_apply_to_braking(trex: Trex, brake: str) -> None:
     assert trex.motor(1) == ("brake", 0x20)
 
 
-def test_acceleration_does_not_apply_to_a_decrease_without_change_of_direction(trex: Trex) -> None:
+def test_acceleration_does_not_apply_to_deceleration(trex: Trex) -> None:
     """CMD10 0xC4, note."""
     trex.set_up(motor2_acceleration=1)
     trex.tell("C9 7F")
@@ -174,7 +172,7 @@ def test_acceleration_does_not_apply_to_a_decrease_without_change_of_direction(t
     assert trex.motor(2) == ("reverse", 0)
 
 
-def test_the_directions_of_both_motors_are_independent(trex: Trex) -> None:
+def test_accelerate_both_handles_each_motor_independently(trex: Trex) -> None:
     """CMD10 0xE0: each has a target direction of its own, and its own parameters."""
     trex.set_up(motor1_acceleration=20, motor2_acceleration=0)
     for _ in range(20):  # a busy computer may look only when motor 1 is there too

@@ -20,26 +20,26 @@ def stored(trex: Trex, channel: int) -> tuple[int, ...]:
     return tuple(words(trex.ask(f"{0x90 + channel - 1:02X}")))
 
 
-def test_they_return_eight_bytes(trex: Trex) -> None:
+def test_calibration_reply_has_eight_bytes(trex: Trex) -> None:
     """CMD10 0x90: "take no data bytes and return 8 bytes"."""
     for command in ("90", "91", "92", "93", "94"):
         assert len(trex.everything(command)) == 8 + trex.variant.crc
 
 
-def test_they_return_minimum_neutral_maximum_and_deadband_of_the_channel(trex: Trex) -> None:
+def test_calibration_reads_back_for_each_channel(trex: Trex) -> None:
     """CMD10 0x90: 0x90 refers to channel 1, ... 0x94 to channel 5; in that order."""
     for channel in CHANNELS:
         assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
     assert {channel: stored(trex, channel) for channel in CHANNELS} == GIVEN
 
 
-def test_the_low_byte_of_each_value_is_transmitted_first(trex: Trex) -> None:
+def test_low_byte_of_each_value_is_sent_first(trex: Trex) -> None:
     """CMD10 0x90."""
     assert trex.ask(calibration(1, 0x0102, 0x0304, 0x0506, 0x0108)) == "00"
     assert trex.ask("90") == "02 01 04 03 06 05 08 01"
 
 
-def test_the_values_are_those_of_rc_or_analog_inputs(trex: Trex) -> None:
+def test_calibration_read_is_that_of_active_input_source(trex: Trex) -> None:
     """CMD10 0x90: by the mode, in serial mode by the channel input source."""
     rc, analog = (2501, 3701, 5001, 31), (101, 501, 901, 11)
     assert trex.ask(calibration(2, *rc)) == "00"
@@ -56,7 +56,7 @@ def test_the_values_are_those_of_rc_or_analog_inputs(trex: Trex) -> None:
         assert stored(trex, 2) == values, (jumper, source)
 
 
-def test_the_values_set_are_those_of_the_inputs_that_serial_mode_reads(trex: Trex) -> None:
+def test_calibration_write_applies_to_channel_input_source(trex: Trex) -> None:
     """CMD10 0xA0: RC or analog by the channel input source parameter.
 
     What it says of setting them in RC and analog mode cannot be: they need serial mode.
@@ -69,12 +69,12 @@ def test_the_values_set_are_those_of_the_inputs_that_serial_mode_reads(trex: Tre
     assert stored(trex, 1) == before
 
 
-def test_no_channel_of_a_new_board_is_learned(trex: Trex) -> None:
+def test_new_board_has_no_calibrated_channel(trex: Trex) -> None:
     """CMD10 0x95: channels "that differ from the defaults"."""
     assert trex.ask("95") == "00"
 
 
-def test_the_bits_tell_which_channels_have_been_learned_by_commands(trex: Trex) -> None:
+def test_calibration_command_sets_bit_of_its_channel(trex: Trex) -> None:
     """CMD10 0x95: bit n is channel n+1; "via commands 0xA0 - 0xA4"."""
     learned = 0
     for channel in CHANNELS:
@@ -83,7 +83,7 @@ def test_the_bits_tell_which_channels_have_been_learned_by_commands(trex: Trex) 
         assert trex.number("95") == learned
 
 
-def test_a_channel_with_default_values_is_not_learned(trex: Trex) -> None:
+def test_channel_with_default_values_has_its_bit_clear(trex: Trex) -> None:
     """CMD10 0x95: "that differ from the defaults"."""
     default = stored(trex, 3)
     assert trex.ask(calibration(3, *GIVEN[3])) == "00"
@@ -97,7 +97,7 @@ def in_the_parser(variant: Variant) -> bool:
 
 
 @only(in_the_parser)  # learning takes 15 seconds, in which nothing is on the wire
-def test_the_bits_tell_which_channels_have_been_learned_automatically(trex: Trex) -> None:
+def test_automatic_calibration_sets_bits_of_its_channels(trex: Trex) -> None:
     """CMD10 0x95; how it is done: manual page 11."""
     trex.do("jumper mix on")
     trex.do("jumper so-ground on")
@@ -120,7 +120,7 @@ def test_the_bits_tell_which_channels_have_been_learned_automatically(trex: Trex
     assert (minimum, neutral, maximum) == (2625, 3750, 4875)
 
 
-def test_the_command_sets_the_channel_and_no_other(trex: Trex) -> None:
+def test_calibration_command_sets_only_its_channel(trex: Trex) -> None:
     """CMD10 0xA0: 0xA0 refers to channel 1, ... 0xA4 to channel 5."""
     expected = {channel: stored(trex, channel) for channel in CHANNELS}
     for channel in (3, 5, 1, 4, 2):
@@ -129,7 +129,7 @@ def test_the_command_sets_the_channel_and_no_other(trex: Trex) -> None:
         assert {other: stored(trex, other) for other in CHANNELS} == expected
 
 
-def test_values_at_the_edge_of_the_restrictions_are_set(trex: Trex) -> None:
+def test_values_at_edge_of_restrictions_are_accepted(trex: Trex) -> None:
     """CMD10 0xA0: minimum <= neutral AND neutral <= maximum AND minimum < maximum."""
     for values in ((1000, 1000, 1001, 0), (1000, 1001, 1001, 0), (0, 8000, 16383, 127)):
         assert trex.ask(calibration(1, *values)) == "00"
@@ -141,7 +141,7 @@ def test_values_at_the_edge_of_the_restrictions_are_set(trex: Trex) -> None:
     [(2000, 2000, 2000, 0), (2001, 2000, 3000, 0), (1000, 3001, 3000, 0), (3000, 2500, 1000, 0)],
     ids=["maximum = minimum", "minimum > neutral", "neutral > maximum", "all reversed"],
 )
-def test_values_that_break_the_restrictions_are_a_bad_value_and_not_set(
+def test_values_beyond_restrictions_are_rejected_and_not_set(
     trex: Trex, values: tuple[int, ...]
 ) -> None:
     """CMD10 0xA0: 2 = bad value (e.g. maximum = minimum); "the calibration values were not set"."""
@@ -152,7 +152,7 @@ def test_values_that_break_the_restrictions_are_a_bad_value_and_not_set(
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
-def test_outside_serial_mode_the_answer_is_3_and_nothing_is_set(trex: Trex, mode: str) -> None:
+def test_calibration_outside_serial_mode_is_rejected_with_3(trex: Trex, mode: str) -> None:
     """CMD10 0xA0: 3 = TReX isn't in serial mode."""
     trex.restart_in(mode)
     before = stored(trex, 1)
@@ -160,7 +160,7 @@ def test_outside_serial_mode_the_answer_is_3_and_nothing_is_set(trex: Trex, mode
     assert stored(trex, 1) == before
 
 
-def test_serial_override_is_not_serial_mode(trex: Trex) -> None:
+def test_set_commands_are_rejected_with_3_in_serial_override(trex: Trex) -> None:
     """CMD10, note before 0xA0: "must be in serial mode for commands 0xA0 - 0xAF to work"."""
     trex.start("rc")
     trex.connect(c5="1000us")
@@ -169,7 +169,7 @@ def test_serial_override_is_not_serial_mode(trex: Trex) -> None:
     assert trex.ask("AF 0E 05 55 2A") == "03"
 
 
-def test_the_answer_is_sent_when_the_values_have_been_set_after_about_32_ms(trex: Trex) -> None:
+def test_calibration_is_confirmed_after_about_32_ms(trex: Trex) -> None:
     """CMD10 0xA0: "approximately 32ms if the command packet format is correct"."""
     took = []
     for attempt in range(200):  # a loaded machine adds to some
@@ -181,7 +181,7 @@ def test_the_answer_is_sent_when_the_values_have_been_set_after_about_32_ms(trex
     assert 0.030 <= min(took) < 0.036
 
 
-def test_after_the_answer_the_board_is_ready_for_the_next_command(trex: Trex) -> None:
+def test_board_is_ready_for_next_command_after_reply(trex: Trex) -> None:
     """CMD10 0xA0: "an indication that the TReX is now ready"."""
     for channel in CHANNELS:
         assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
@@ -189,7 +189,7 @@ def test_after_the_answer_the_board_is_ready_for_the_next_command(trex: Trex) ->
     assert trex.ask("85") == "00"
 
 
-def test_with_wrong_format_bytes_no_answer_comes_within_100_ms(trex: Trex) -> None:
+def test_wrong_format_bytes_get_no_reply_within_100_ms(trex: Trex) -> None:
     """CMD10 0xA0: "made it untrustworthy"; the UART error byte has "useful information"."""
     before = stored(trex, 1)
     packet = calibration(1, *GIVEN[1])
@@ -201,7 +201,7 @@ def test_with_wrong_format_bytes_no_answer_comes_within_100_ms(trex: Trex) -> No
     assert stored(trex, 1) == before
 
 
-def test_calibrations_are_kept_without_power(trex: Trex) -> None:
+def test_calibration_survives_power_cycle(trex: Trex) -> None:
     """CMD10 0xA0: set as parameters are, "saved, so it will never need to be set again"."""
     assert trex.ask(calibration(5, *GIVEN[5])) == "00"
     trex.do("power off")

@@ -26,14 +26,14 @@ def without_crc(variant: Variant) -> bool:
 
 
 @pytest.mark.parametrize(("packet", "crc"), EXAMPLES)
-def test_the_crc_is_the_remainder_of_a_long_division(packet: str, crc: int) -> None:
+def test_crc_is_remainder_of_long_division(packet: str, crc: int) -> None:
     """User's Guide 5.e: seven zero bits appended, polynomial 0x89. No board is needed."""
     assert remainder(bytes.fromhex(packet), 0x89) == crc
 
 
 @only(with_crc)
 @pytest.mark.parametrize(("packet", "crc"), EXAMPLES)
-def test_packets_with_the_crc_of_the_examples_are_taken(trex: Trex, packet: str, crc: int) -> None:
+def test_packets_with_example_crc_are_accepted(trex: Trex, packet: str, crc: int) -> None:
     """User's Guide 5.e."""
     trex.everything(bytes.fromhex(packet) + bytes([crc]))
     assert trex.ask("85") == "00"
@@ -41,7 +41,7 @@ def test_packets_with_the_crc_of_the_examples_are_taken(trex: Trex, packet: str,
 
 @only(with_crc)
 @pytest.mark.parametrize("query", ["81", "82", "84", "86 13", "87 1F", "8F", "90", "95", "9F 7D"])
-def test_a_crc_follows_every_answer(trex: Trex, query: str) -> None:
+def test_crc_follows_every_query_reply(trex: Trex, query: str) -> None:
     """CMD10 General Overview: "at the end of all data packets transmitted"."""
     *reply, crc = trex.everything(query)
     assert reply
@@ -50,13 +50,13 @@ def test_a_crc_follows_every_answer(trex: Trex, query: str) -> None:
 
 
 @only(with_crc)
-def test_a_crc_follows_the_answer_of_a_set_command(trex: Trex) -> None:
+def test_crc_follows_reply_to_set_command(trex: Trex) -> None:
     """CMD10 General Overview."""
     assert trex.everything("AF 0E 05 55 2A") == bytes([0, remainder(b"\x00", 0x89)])
 
 
 @only(with_crc)
-def test_a_crc_ends_motor_commands_too(trex: Trex) -> None:
+def test_motor_commands_need_a_crc(trex: Trex) -> None:
     """CMD10 General Overview: "every command packet"."""
     trex.tell("F0 55")
     assert trex.show()["aux"]["speed"] == 0x55
@@ -65,7 +65,7 @@ def test_a_crc_ends_motor_commands_too(trex: Trex) -> None:
 
 
 @only(with_crc)
-def test_every_bit_of_a_packet_counts(trex: Trex) -> None:
+def test_packet_with_flipped_data_bit_is_discarded(trex: Trex) -> None:
     """CMD10 0x85: a CRC that does not match is an error; no single flipped bit goes unseen."""
     packet = trex.packet("F0 7F")
     for index in range(1, len(packet)):
@@ -77,21 +77,21 @@ def test_every_bit_of_a_packet_counts(trex: Trex) -> None:
 
 
 @only(without_crc)
-def test_no_crc_is_asked_for_when_it_is_disabled(trex: Trex) -> None:
+def test_packet_without_crc_is_accepted_if_crc_is_disabled(trex: Trex) -> None:
     """CMD10 General Overview: "if cyclic redundancy check is enabled"."""
     assert trex.everything(trex.head("82")) == b"r"
     assert trex.ask("85") == "00"
 
 
 @only(with_crc)
-def test_the_polynomial_is_0x89_by_default(trex: Trex) -> None:
+def test_default_polynomial_is_0x89(trex: Trex) -> None:
     """User's Guide 5.e."""
     assert trex.number("9F 7D") | 0x80 == 0x89
 
 
 @only(with_crc)
 @pytest.mark.parametrize("value", [0x00, 0x09, 0x37, 0x7F])
-def test_the_polynomial_is_a_parameter_and_its_top_bit_always_1(trex: Trex, value: int) -> None:
+def test_polynomial_parameter_has_implied_top_bit(trex: Trex, value: int) -> None:
     """User's Guide 5.e."""
     trex.set_up(crc7_polynomial=value)
     trex.polynomial = 0x80 | value

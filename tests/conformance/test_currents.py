@@ -16,21 +16,19 @@ def draw(trex: Trex, first: float, second: float) -> None:
 
 
 @pytest.mark.parametrize(("query", "motor"), [("8D", 1), ("8E", 2)])
-def test_the_current_of_a_motor_is_one_byte_in_units_of_150_ma(
-    trex: Trex, query: str, motor: int
-) -> None:
+def test_motor_current_is_in_units_of_150_ma(trex: Trex, query: str, motor: int) -> None:
     """CMD10 0x8D, 0x8E: a value of 55 is roughly 8.25 A."""
     draw(trex, *((8.25, 0.75) if motor == 1 else (0.75, 8.25)))
     assert trex.number(query) == 55
 
 
 @pytest.mark.parametrize("query", ["8D", "8E"])
-def test_the_current_of_a_motor_takes_no_data_bytes_and_returns_one(trex: Trex, query: str) -> None:
+def test_motor_current_reply_has_one_byte(trex: Trex, query: str) -> None:
     """CMD10 0x8D, 0x8E."""
     assert len(trex.everything(query)) == 1 + trex.variant.crc
 
 
-def test_the_current_ranges_from_0_to_255(trex: Trex) -> None:
+def test_motor_current_ranges_from_0_to_255(trex: Trex) -> None:
     """CMD10 0x8D, 0x8E."""
     draw(trex, 0, 60)
     assert (trex.ask("8D"), trex.ask("8E")) == ("00", "FF")
@@ -38,7 +36,7 @@ def test_the_current_ranges_from_0_to_255(trex: Trex) -> None:
     assert (trex.ask("8D"), trex.ask("8E")) == ("FF", "00")
 
 
-def test_a_motor_that_turns_draws_what_its_load_wants(trex: Trex) -> None:
+def test_running_motor_draws_current_of_its_load(trex: Trex) -> None:
     """CMD10 0x8D: "the approximate current drawn by the motor"."""
     trex.do("load 1 6")
     trex.tell("C2 7F")
@@ -47,7 +45,7 @@ def test_a_motor_that_turns_draws_what_its_load_wants(trex: Trex) -> None:
     assert trex.number("8E") == 0
 
 
-def test_the_current_is_only_available_in_independent_motor_mode(trex: Trex) -> None:
+def test_current_reads_0_in_joint_motor_mode(trex: Trex) -> None:
     """CMD10 0x8D; inferred: it reads 0 then."""
     trex.set_up(motor_mode=1)
     trex.do("load 1 6")
@@ -58,9 +56,7 @@ def test_the_current_is_only_available_in_independent_motor_mode(trex: Trex) -> 
 
 
 @pytest.mark.parametrize(("source", "period"), SOURCES)
-def test_the_current_is_updated_80_times_a_second_with_rc_and_50_times_with_analog_inputs(
-    trex: Trex, source: int, period: float
-) -> None:
+def test_current_is_updated_at_rate_of_input_source(trex: Trex, source: int, period: float) -> None:
     """CMD10 0x8D; while the motors gain speed no two readings are alike."""
     trex.do("load 1 10")
     trex.do("load 2 10")
@@ -84,7 +80,7 @@ def test_the_current_is_updated_80_times_a_second_with_rc_and_50_times_with_anal
     assert renewed * 0.75 <= len(readings) <= renewed + 2
 
 
-def test_both_currents_are_two_bytes_motor_1_first(trex: Trex) -> None:
+def test_both_currents_are_sent_motor_1_first(trex: Trex) -> None:
     """CMD10 0x8F."""
     draw(trex, 1.5, 15)
     assert trex.everything("8F")[:2] == bytes([10, 100])

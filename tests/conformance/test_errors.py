@@ -29,12 +29,12 @@ def wrong_crc(trex: Trex, text: str) -> bytes:
     return packet[:-1] + bytes([packet[-1] ^ 0x01])
 
 
-def test_without_errors_the_byte_is_zero(trex: Trex) -> None:
+def test_uart_error_byte_is_zero_without_errors(trex: Trex) -> None:
     """CMD10 0x85."""
     assert trex.ask("85") == "00"
 
 
-def test_overruns_never_happen_to_a_host_that_waits_for_its_answers(trex: Trex) -> None:
+def test_host_waiting_for_replies_causes_no_overrun(trex: Trex) -> None:
     """CMD10 0x85: "so long as you don't transmit" before the data has come, it is fine."""
     for _ in range(5):
         for query in ("81", "86 1F", "87 1F", "8F", "90"):
@@ -46,7 +46,7 @@ def test_overruns_never_happen_to_a_host_that_waits_for_its_answers(trex: Trex) 
     assert trex.ask("85") == "00"
 
 
-def test_a_host_that_does_not_wait_overruns_read_and_send_buffer(trex: Trex) -> None:
+def test_impatient_host_overruns_read_and_send_buffer(trex: Trex) -> None:
     """CMD10 0x85: bits 1 and 0.
 
     Inferred: that it takes no more than 400 bytes, and answers to them, during a write.
@@ -63,7 +63,7 @@ def test_a_host_that_does_not_wait_overruns_read_and_send_buffer(trex: Trex) -> 
 @pytest.mark.parametrize(
     ("name", "bit"), [("framing", 0x10), ("overrun", 0x08)], ids=["frame error", "data overrun"]
 )
-def test_an_error_of_the_uart_hardware_is_passed_on(trex: Trex, name: str, bit: int) -> None:
+def test_uart_hardware_error_sets_its_bit(trex: Trex, name: str, bit: int) -> None:
     """CMD10 0x85: bits 4 and 3, "passed on to the user via the UART error byte"."""
     trex.do(f"line error {name} 1")
     trex.tell(b"\xff")
@@ -73,7 +73,7 @@ def test_an_error_of_the_uart_hardware_is_passed_on(trex: Trex, name: str, bit: 
 
 @only(without_crc_on_the_wire)
 @pytest.mark.parametrize("parity", [EVEN, ODD], ids=["even", "odd"])
-def test_a_parity_error_occurs_when_the_parity_does_not_match(trex: Trex, parity: int) -> None:
+def test_parity_mismatch_sets_parity_error(trex: Trex, parity: int) -> None:
     """CMD10 0x85: bit 2; the parity of the host is always that of the board."""
     trex.run_at(115200, parity)
     assert trex.ask("85") == "00"
@@ -83,7 +83,7 @@ def test_a_parity_error_occurs_when_the_parity_does_not_match(trex: Trex, parity
 
 
 @only(lambda variant: variant.end == "wire")  # only a UART can tell what is a parity error
-def test_a_parity_error_occurs_only_with_even_or_odd_parity(trex: Trex) -> None:
+def test_no_parity_error_occurs_without_parity(trex: Trex) -> None:
     """CMD10 0x85."""
     trex.do("line error parity 1")
     trex.tell(b"\xff")
@@ -91,7 +91,7 @@ def test_a_parity_error_occurs_only_with_even_or_odd_parity(trex: Trex) -> None:
 
 
 @only(with_crc)
-def test_a_crc_error_occurs_when_the_crc_byte_does_not_match(trex: Trex) -> None:
+def test_crc_mismatch_sets_crc_error(trex: Trex) -> None:
     """CMD10 0x85: bit 5."""
     assert trex.unanswered(wrong_crc(trex, "86 1F"))
     assert trex.ask("84") == "01"
@@ -99,7 +99,7 @@ def test_a_crc_error_occurs_when_the_crc_byte_does_not_match(trex: Trex) -> None
 
 
 @only(with_crc)
-def test_with_a_crc_error_the_entire_packet_is_discarded(trex: Trex) -> None:
+def test_packet_with_crc_error_is_discarded(trex: Trex) -> None:
     """CMD10 0x85: "discarded as untrustworthy"."""
     assert trex.unanswered(
         wrong_crc(trex, "81"),
@@ -113,26 +113,26 @@ def test_with_a_crc_error_the_entire_packet_is_discarded(trex: Trex) -> None:
 
 
 @only(with_crc)
-def test_a_packet_without_crc_is_none(trex: Trex) -> None:
+def test_packet_without_crc_is_not_executed(trex: Trex) -> None:
     """CMD10 General Overview: the CRC "must be tacked onto the end of every command packet"."""
     assert trex.unanswered(trex.head("81"))
     assert trex.ask("85") == "40"  # inferred: the question broke off the one that waits
 
 
-def test_without_cyclic_redundancy_check_there_is_no_crc_error(trex: Trex) -> None:
+def test_crc_error_occurs_only_if_crc_is_enabled(trex: Trex) -> None:
     """CMD10 0x85: "when you have enabled cyclic-redundancy checking"."""
     trex.tell(trex.head("F0 10"), b"\x55\x2a")  # a wrong CRC, or two bytes of nonsense
     assert bool(trex.number("85") & 0x20) is trex.variant.crc
 
 
-def test_a_non_existent_command_is_a_format_error(trex: Trex) -> None:
+def test_unknown_command_is_a_format_error(trex: Trex) -> None:
     """CMD10 0x85: cause 1."""
     for command in sorted(set(range(0x80, 0x100)) - KNOWN):
         trex.tell(trex.head(f"{command:02X}"))
         assert trex.ask("85") == "40", f"{command:02X}"
 
 
-def test_a_command_byte_in_the_middle_of_a_packet_is_a_format_error(trex: Trex) -> None:
+def test_command_byte_inside_packet_is_a_format_error(trex: Trex) -> None:
     """CMD10 0x85: cause 2."""
     for begun in ("86", "AF 0E 05", "D6 30", "F0"):
         trex.tell(trex.head(begun))
@@ -142,7 +142,7 @@ def test_a_command_byte_in_the_middle_of_a_packet_is_a_format_error(trex: Trex) 
     assert trex.show()["aux"]["speed"] == 0
 
 
-def test_a_bad_data_byte_is_a_format_error(trex: Trex) -> None:
+def test_invalid_data_byte_is_a_format_error(trex: Trex) -> None:
     """CMD10 0x85: cause 3.
 
     Inferred for 0x86, 0x87 and 0x9F: that channels 6 and 7 and parameter numbers that do not
@@ -156,7 +156,7 @@ def test_a_bad_data_byte_is_a_format_error(trex: Trex) -> None:
         assert trex.ask("85") == "40", bad
 
 
-def test_after_a_format_error_the_packet_is_discarded(trex: Trex) -> None:
+def test_packet_with_format_error_is_discarded(trex: Trex) -> None:
     """CMD10 0x85: "discarded as untrustworthy"."""
     trex.tell(trex.head("C2") + b"\xff")
     trex.tell(trex.head("F0") + b"\xff")
@@ -166,7 +166,7 @@ def test_after_a_format_error_the_packet_is_discarded(trex: Trex) -> None:
     assert trex.ask("9F 0E") == "00"
 
 
-def test_the_timeout_bit_is_set_when_silence_shuts_the_motors_down(trex: Trex) -> None:
+def test_serial_timeout_stops_motors_and_sets_its_bit(trex: Trex) -> None:
     """CMD10 0x85: bit 7; the unit of 100 ms is that of two clients, see trex.md."""
     assert trex.ask("AF 07 01 55 2A") == "00"
     trex.tell("DA 20 20", "F0 20")
@@ -178,7 +178,7 @@ def test_the_timeout_bit_is_set_when_silence_shuts_the_motors_down(trex: Trex) -
     assert trex.ask("85") == "80"
 
 
-def test_the_timeout_waits_for_too_much_time_between_receptions(trex: Trex) -> None:
+def test_timely_packets_prevent_serial_timeout(trex: Trex) -> None:
     """CMD10 0x85: "too much time goes by between TReX serial receptions"."""
     for _ in range(50):  # a busy computer may itself let too much time go by
         assert trex.ask("AF 07 02 55 2A") == "00"
@@ -200,7 +200,7 @@ def test_the_timeout_waits_for_too_much_time_between_receptions(trex: Trex) -> N
     assert found == "00"
 
 
-def test_the_timeout_is_only_active_when_its_parameter_is_not_zero(trex: Trex) -> None:
+def test_timeout_parameter_0_disables_serial_timeout(trex: Trex) -> None:
     """CMD10 0x85."""
     assert trex.ask("AF 07 00 55 2A") == "00"
     trex.tell("DA 20 20")
@@ -209,7 +209,7 @@ def test_the_timeout_is_only_active_when_its_parameter_is_not_zero(trex: Trex) -
     assert trex.ask("85") == "00"
 
 
-def test_the_uart_error_bits_stay_set_until_the_uart_error_byte_is_read(trex: Trex) -> None:
+def test_uart_error_bits_are_latched_until_read(trex: Trex) -> None:
     """CMD10 0x85: "latched"."""
     trex.do("line error framing 1")
     trex.tell(b"\xff")
@@ -219,7 +219,7 @@ def test_the_uart_error_bits_stay_set_until_the_uart_error_byte_is_read(trex: Tr
     assert trex.ask("85") == "50"
 
 
-def test_reading_the_uart_error_byte_clears_all_the_uart_error_bits(trex: Trex) -> None:
+def test_reading_uart_error_byte_clears_all_its_bits(trex: Trex) -> None:
     """CMD10 0x85."""
     trex.do("line error framing 1")
     trex.do("line error overrun 1")

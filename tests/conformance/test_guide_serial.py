@@ -32,20 +32,20 @@ def with_crc(variant: Variant) -> bool:
 
 
 @pytest.mark.parametrize("example", ["F0 7F", "80 07 70 7F"])
-def test_the_examples_set_the_auxiliary_motor_to_full_speed(trex: Trex, example: str) -> None:
+def test_example_packets_set_auxiliary_motor_to_full_speed(trex: Trex, example: str) -> None:
     """User's Guide 5.b: compact and Pololu protocol."""
     trex.tell(trex.signed(bytes.fromhex(example)))
     assert trex.show()["aux"]["speed"] == 127
 
 
-def test_the_board_responds_to_both_protocols_on_the_fly(trex: Trex) -> None:
+def test_board_responds_to_both_protocols_on_the_fly(trex: Trex) -> None:
     """User's Guide 5.b: no jumper or parameter says which."""
     for packet in ("82", "80 07 02", "82", "82", "80 07 02", "80 07 02"):
         assert trex.ask(trex.signed(bytes.fromhex(packet)), 1) == "72"
 
 
 @pytest.mark.parametrize("number", [0, 8, 127])
-def test_the_compact_protocol_is_obeyed_whatever_the_device_number(trex: Trex, number: int) -> None:
+def test_compact_packet_is_accepted_with_any_device_number(trex: Trex, number: int) -> None:
     """F20957: a board with number 8 answered a plain 0x81."""
     trex.set_up(device_number=number)
     assert trex.ask(trex.signed(b"\x82"), 1) == "72"
@@ -82,21 +82,19 @@ def check_the_shutdown(trex: Trex, error: str) -> None:
 
 
 @pytest.mark.parametrize("error", ERRORS)
-def test_if_the_parameter_is_set_a_serial_error_shuts_down_the_motors(
-    trex: Trex, error: str
-) -> None:
+def test_serial_error_stops_motors_if_shutdown_is_enabled(trex: Trex, error: str) -> None:
     """User's Guide 5.b: parameter 0x08."""
     check_the_shutdown(trex, error)
 
 
 @only(with_crc)
-def test_if_the_parameter_is_set_a_crc_error_shuts_down_the_motors(trex: Trex) -> None:
+def test_crc_error_stops_motors_if_shutdown_is_enabled(trex: Trex) -> None:
     """User's Guide 5.b: "if a serial error occurs"."""
     check_the_shutdown(trex, "crc")
 
 
 @pytest.mark.parametrize("error", ERRORS)
-def test_if_the_parameter_is_not_set_the_motors_run_on(trex: Trex, error: str) -> None:
+def test_serial_error_keeps_motors_if_shutdown_is_disabled(trex: Trex, error: str) -> None:
     """User's Guide 5.b."""
     trex.set_up(uart_error_shutdown=0)
     trex.tell("D6 30 40", "F0 50")
@@ -108,9 +106,7 @@ def test_if_the_parameter_is_not_set_the_motors_run_on(trex: Trex, error: str) -
 
 
 @pytest.mark.parametrize("error", ERRORS)
-def test_after_an_error_the_board_continues_running_and_accepting_commands(
-    trex: Trex, error: str
-) -> None:
+def test_board_accepts_commands_after_serial_error(trex: Trex, error: str) -> None:
     """User's Guide 5.b."""
     trex.set_up(uart_error_shutdown=1)
     spoil(trex, error)
@@ -123,7 +119,7 @@ def test_after_an_error_the_board_continues_running_and_accepting_commands(
 # 5, answers
 
 
-def test_it_never_says_anything_unasked(trex: Trex) -> None:
+def test_board_never_sends_unsolicited_bytes(trex: Trex) -> None:
     """User's Guide 5."""
     trex.set_up(serial_timeout=1)
     trex.tell("D6 30 40", "F0 50", b"\x88", b"\x01\x02")
@@ -133,7 +129,7 @@ def test_it_never_says_anything_unasked(trex: Trex) -> None:
     assert trex.unanswered()
 
 
-def test_the_null_command_has_no_answer_and_does_no_harm(trex: Trex) -> None:
+def test_null_command_has_no_reply_and_no_effect(trex: Trex) -> None:
     """C-SHARP; inferred: that it raises no error."""
     trex.tell("D6 30 40")
     assert trex.unanswered(b"\xff" * 20)
@@ -143,7 +139,7 @@ def test_the_null_command_has_no_answer_and_does_no_harm(trex: Trex) -> None:
 
 @only(on_the_wire)
 @pytest.mark.parametrize("baud", [19200, 115200])
-def test_while_it_replies_it_is_deaf(trex: Trex, baud: int) -> None:
+def test_bytes_sent_during_a_reply_are_lost(trex: Trex, baud: int) -> None:
     """User's Guide 5: bytes sent meanwhile are lost."""
     trex.run_at(baud)
     for missed in ("82", "C2 7F"):
@@ -157,7 +153,7 @@ def test_while_it_replies_it_is_deaf(trex: Trex, baud: int) -> None:
 
 
 @only(on_the_wire)
-def test_a_new_board_runs_at_19200_baud_without_error_detection(trex: Trex) -> None:
+def test_new_board_uses_19200_baud_without_error_detection(trex: Trex) -> None:
     """User's Guide 5.a."""
     trex.do("factory")
     trex.host_at(19200)
@@ -167,7 +163,7 @@ def test_a_new_board_runs_at_19200_baud_without_error_detection(trex: Trex) -> N
 
 @only(in_compact_on_the_wire)
 @pytest.mark.parametrize("baud", [1200, 9600, 14400, 19200, 28800, 38400, 57600, 115200])
-def test_it_runs_at_each_of_its_rates(trex: Trex, baud: int) -> None:
+def test_board_runs_at_each_of_its_baud_rates(trex: Trex, baud: int) -> None:
     """User's Guide 5.a: 1200 to 115200; those of the eleven that are sourced."""
     trex.run_at(baud)
     assert trex.ask("82") == "72"
@@ -176,9 +172,7 @@ def test_it_runs_at_each_of_its_rates(trex: Trex, baud: int) -> None:
 
 @only(in_compact_on_the_wire, firmware="1.0")
 @pytest.mark.parametrize(("chosen", "real"), [(38400, 19200), (28800, 14400)])
-def test_before_firmware_1_2_two_rates_are_half_of_what_is_chosen(
-    trex: Trex, chosen: int, real: int
-) -> None:
+def test_old_firmware_halves_two_baud_rates(trex: Trex, chosen: int, real: int) -> None:
     """F1491."""
     trex.run_at(chosen)
     assert trex.everything("82")[:1] != b"r"
@@ -189,7 +183,7 @@ def test_before_firmware_1_2_two_rates_are_half_of_what_is_chosen(
 
 @only(in_compact_on_the_wire, firmware="1.0")
 @pytest.mark.parametrize("baud", [rate for rate in RATES[3:] if rate not in {28800, 38400}])
-def test_before_firmware_1_2_the_other_rates_are_fine(trex: Trex, baud: int) -> None:
+def test_old_firmware_keeps_all_other_baud_rates(trex: Trex, baud: int) -> None:
     """F1491."""
     trex.run_at(baud)
     assert trex.ask("82") == "72"
@@ -199,7 +193,7 @@ def test_before_firmware_1_2_the_other_rates_are_fine(trex: Trex, baud: int) -> 
 
 
 @only(firmware="1.2")
-def test_the_response_delay_holds_answers_back_for_1_ms(trex: Trex) -> None:
+def test_response_delay_holds_replies_back_for_1_ms(trex: Trex) -> None:
     """F1491: for slow hosts."""
     assert trex.ask("AF 17 01 55 2A") == "00"
     assert trex.ask("9F 17") == "01"
@@ -213,7 +207,7 @@ def test_the_response_delay_holds_answers_back_for_1_ms(trex: Trex) -> None:
 
 
 @only(firmware="1.2")
-def test_without_the_response_delay_answers_come_at_once(trex: Trex) -> None:
+def test_replies_without_response_delay_come_at_once(trex: Trex) -> None:
     """F1491: it is an option."""
     assert trex.ask("AF 17 00 55 2A") == "00"
     took = []
@@ -226,7 +220,7 @@ def test_without_the_response_delay_answers_come_at_once(trex: Trex) -> None:
 
 
 @only(firmware="1.0")
-def test_before_firmware_1_2_there_is_no_parameter_17(trex: Trex) -> None:
+def test_old_firmware_has_no_parameter_17(trex: Trex) -> None:
     """F1491 and a client's list; inferred: the code is that of a bad number."""
     assert trex.ask("AF 17 01 55 2A") == "01"
 
@@ -235,7 +229,7 @@ def test_before_firmware_1_2_there_is_no_parameter_17(trex: Trex) -> None:
 
 
 @only(on_the_wire, echo=True)
-def test_everything_sent_on_rs_232_comes_back(trex: Trex) -> None:
+def test_rs_232_echoes_everything_sent(trex: Trex) -> None:
     """MH 15; the answer follows."""
     query, drive = trex.packet("82"), trex.packet("C2 20")
     assert trex.everything(drive) == drive
@@ -245,7 +239,7 @@ def test_everything_sent_on_rs_232_comes_back(trex: Trex) -> None:
 
 
 @only(on_the_wire, echo=True)
-def test_the_null_command_finds_out_that_there_is_an_echo(trex: Trex) -> None:
+def test_null_command_is_echoed_on_rs_232(trex: Trex) -> None:
     """C-SHARP: reading 0xFF back means RS-232."""
     assert trex.everything(b"\xff") == b"\xff"
 
@@ -270,7 +264,7 @@ def chain() -> WireEnd:
         (b"\x80\x08\x01", b""),
     ],
 )
-def test_of_several_boards_only_the_one_with_the_number_accepts_the_command(
+def test_only_board_with_the_device_number_replies(
     chain: WireEnd, packet: bytes, answer: bytes
 ) -> None:
     """User's Guide 5.b: "all other Pololu devices will ignore the command".
@@ -281,7 +275,7 @@ def test_of_several_boards_only_the_one_with_the_number_accepts_the_command(
     assert chain.read(len(answer), PATIENCE) + chain.read(1, 0.1) == answer
 
 
-def test_several_boards_do_not_confuse_each_other(chain: WireEnd) -> None:
+def test_packets_for_several_boards_cause_no_errors(chain: WireEnd) -> None:
     """User's Guide 5.b: "without confusing the other devices on the line"."""
     for motor_speed in (0x10, 0x7F):
         chain.write(bytes([0x80, 0x07, 0x70, motor_speed]))

@@ -22,7 +22,7 @@ def outputs(trex: Trex) -> list[object]:
 
 
 @pytest.mark.parametrize("motor", [1, 2])
-def test_set_sets_speed_and_direction_of_the_specified_motor(trex: Trex, motor: int) -> None:
+def test_set_command_sets_speed_and_direction_of_its_motor(trex: Trex, motor: int) -> None:
     """CMD10 0xC0 - 0xC3, 0xC8 - 0xCB: the direction bits."""
     for bits, direction in enumerate(DIRECTIONS):
         trex.tell(*START)
@@ -32,14 +32,14 @@ def test_set_sets_speed_and_direction_of_the_specified_motor(trex: Trex, motor: 
         assert outputs(trex) == expected
 
 
-def test_set_makes_the_speed_equal_to_the_data_byte(trex: Trex) -> None:
+def test_set_command_makes_speed_equal_to_data_byte(trex: Trex) -> None:
     """CMD10 0xC0."""
     for data in (0, 1, 2, 63, 64, 126, 127):
         trex.tell(f"C2 {data:02X}", f"C9 {data:02X}", f"F0 {data:02X}")
         assert outputs(trex) == [("forward", data), ("reverse", data), data]
 
 
-def test_set_acts_immediately_whatever_acceleration_and_brake_duration(trex: Trex) -> None:
+def test_set_command_ignores_acceleration_and_brake_duration(trex: Trex) -> None:
     """CMD10 0xC0: "immediately sets the speed"."""
     trex.set_up(
         motor1_acceleration=1, motor2_acceleration=1, aux_acceleration=1,
@@ -53,7 +53,7 @@ def test_set_acts_immediately_whatever_acceleration_and_brake_duration(trex: Tre
     assert outputs(trex) == [("reverse", 0x20), ("forward", 0x30), 0x40]
 
 
-def test_motor_commands_return_nothing(trex: Trex) -> None:
+def test_motor_commands_have_no_reply(trex: Trex) -> None:
     """CMD10 0xC0 - 0xF1: "returns nothing", each of them."""
     for command in (*range(0xC0, 0xF0), 0xF0, 0xF1):
         trex.tell(f"{command:02X} 20 21" if 0xD0 <= command < 0xF0 else f"{command:02X} 20")
@@ -62,7 +62,7 @@ def test_motor_commands_return_nothing(trex: Trex) -> None:
     assert trex.ask("84") == "00"
 
 
-def test_set_both_packs_two_directions_and_two_speeds(trex: Trex) -> None:
+def test_set_both_sets_two_directions_and_two_speeds(trex: Trex) -> None:
     """CMD10 0xD0 - 0xDF: bits 1:0 and the first byte are motor 1, 3:2 and the second motor 2."""
     for bits in range(16):
         trex.tell(*START)
@@ -72,9 +72,7 @@ def test_set_both_packs_two_directions_and_two_speeds(trex: Trex) -> None:
 
 
 @pytest.mark.parametrize("motor", [1, 2])
-def test_accelerate_sets_target_speed_and_target_direction_of_the_specified_motor(
-    trex: Trex, motor: int
-) -> None:
+def test_accelerate_sets_target_speed_and_direction_of_its_motor(trex: Trex, motor: int) -> None:
     """CMD10 0xC4 - 0xC7, 0xCC - 0xCF: the direction bits."""
     for bits, direction in enumerate(DIRECTIONS):
         trex.tell(*START)
@@ -87,7 +85,7 @@ def test_accelerate_sets_target_speed_and_target_direction_of_the_specified_moto
         assert outputs(trex) == expected
 
 
-def test_accelerate_both_packs_two_directions_and_two_speeds(trex: Trex) -> None:
+def test_accelerate_both_sets_two_target_directions_and_speeds(trex: Trex) -> None:
     """CMD10 0xE0 - 0xEF, as heading and list say; the 0xD0 of its formula is a slip."""
     for bits in range(16):
         trex.tell(*START)
@@ -125,7 +123,7 @@ def test_accelerate_auxiliary_sets_its_target_speed(trex: Trex) -> None:
     assert outputs(trex) == [("forward", 0x11), ("forward", 0x12), 127]
 
 
-def test_accelerate_auxiliary_adds_a_tenth_of_its_acceleration_every_10_ms(trex: Trex) -> None:
+def test_auxiliary_gains_a_tenth_of_acceleration_every_10_ms(trex: Trex) -> None:
     """CMD10 0xF1: as "accelerate motor 1/accelerate motor 2"."""
     trex.set_up(aux_acceleration=20)
     trex.tell("F1 7F")
@@ -135,9 +133,7 @@ def test_accelerate_auxiliary_adds_a_tenth_of_its_acceleration_every_10_ms(trex:
 
 
 @pytest.mark.parametrize("accelerate", [False, True], ids=["set", "accelerate"])
-def test_without_override_the_commands_are_noted_for_potential_later_use(
-    trex: Trex, *, accelerate: bool
-) -> None:
+def test_commands_without_override_apply_when_it_begins(trex: Trex, *, accelerate: bool) -> None:
     """CMD10, note before 0xC0: then "set according to the most recently received"."""
     trex.start("rc")
     if accelerate:
@@ -150,7 +146,7 @@ def test_without_override_the_commands_are_noted_for_potential_later_use(
     assert outputs(trex) == [("forward", 0x30), ("reverse", 0x40), 0x50]
 
 
-def test_each_motor_gets_its_own_most_recent_command(trex: Trex) -> None:
+def test_override_applies_latest_command_of_each_motor(trex: Trex) -> None:
     """CMD10, note before 0xC0."""
     trex.start("rc")
     trex.tell("D6 10 20", "C1 30", "F0 40", "DA 11 22", "C9 33")

@@ -21,22 +21,20 @@ MOTOR_COMMANDS = [
 ]
 
 
-def test_command_bytes_must_have_their_most_significant_bits_set(trex: Trex) -> None:
+def test_bytes_without_top_bit_are_not_commands(trex: Trex) -> None:
     """CMD10 General Overview: 128 - 255."""
     assert trex.unanswered(b"\x01", b"\x02", b"\x7f")
     assert len(trex.ask("81")) == 7 * 3 - 1
 
 
-def test_data_bytes_must_have_their_most_significant_bits_cleared(trex: Trex) -> None:
+def test_data_byte_with_top_bit_is_a_format_error(trex: Trex) -> None:
     """CMD10 General Overview: 0 - 127."""
     assert trex.unanswered(trex.head("86") + b"\xff")
     assert trex.ask("85") == "40"
 
 
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
-def test_data_query_commands_can_be_issued_in_any_mode_and_all_return_data(
-    trex: Trex, mode: str
-) -> None:
+def test_queries_are_answered_in_every_mode(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: 0x81 - 0x9F."""
     trex.restart_in(mode)
     for query in QUERIES:
@@ -45,7 +43,7 @@ def test_data_query_commands_can_be_issued_in_any_mode_and_all_return_data(
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
-def test_set_parameter_commands_can_only_be_issued_in_serial_mode(trex: Trex, mode: str) -> None:
+def test_set_commands_are_rejected_outside_serial_mode(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: 0xA0 - 0xAF; the code is that of 0xA0 and 0xAF."""
     trex.restart_in(mode)
     before = [trex.ask(f"{command:02X}") for command in range(0x90, 0x95)]
@@ -55,21 +53,21 @@ def test_set_parameter_commands_can_only_be_issued_in_serial_mode(trex: Trex, mo
     assert [trex.ask(f"{command:02X}") for command in range(0x90, 0x95)] == before
 
 
-def test_set_parameter_commands_all_return_data(trex: Trex) -> None:
+def test_set_commands_are_answered_in_serial_mode(trex: Trex) -> None:
     """CMD10 General Overview."""
     assert trex.ask(PARAMETER) == "00"
     assert [trex.ask(packet) for packet in CALIBRATIONS] == ["00"] * 5
 
 
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
-def test_motor_commands_can_be_issued_in_any_mode_and_return_no_data(trex: Trex, mode: str) -> None:
+def test_motor_commands_have_no_reply_in_any_mode(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: 0xC0 - 0xF1."""
     trex.restart_in(mode)
     assert trex.unanswered(*MOTOR_COMMANDS)
     assert trex.ask("84") == "00"
 
 
-def test_the_motors_respond_in_serial_mode(trex: Trex) -> None:
+def test_motors_respond_in_serial_mode(trex: Trex) -> None:
     """CMD10 General Overview."""
     trex.tell("D6 30 40", "F0 50")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
@@ -77,7 +75,7 @@ def test_the_motors_respond_in_serial_mode(trex: Trex) -> None:
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
-def test_the_motors_do_not_respond_when_serial_is_not_in_control(trex: Trex, mode: str) -> None:
+def test_motors_ignore_commands_without_serial_control(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: "only respond in serial mode or when serial override is active"."""
     trex.start(mode)
     trex.tell("D6 30 40", "F0 50")
@@ -87,9 +85,7 @@ def test_the_motors_do_not_respond_when_serial_is_not_in_control(trex: Trex, mod
 
 
 @pytest.mark.parametrize(("mode", "low"), [("rc", "1000us"), ("analog", "0.5V")])
-def test_the_motors_respond_while_serial_override_is_active(
-    trex: Trex, mode: str, low: str
-) -> None:
+def test_motors_respond_during_serial_override(trex: Trex, mode: str, low: str) -> None:
     """CMD10 General Overview; that channel 5 acts when it is low: User's Guide 4.a."""
     trex.start(mode)
     trex.connect(c5=low)
@@ -98,7 +94,7 @@ def test_the_motors_respond_while_serial_override_is_active(
     assert trex.show()["aux"]["speed"] == 0x50
 
 
-def test_override_sets_the_motors_by_the_last_settings_even_if_they_came_while_it_was_disabled(
+def test_override_applies_motor_commands_received_before_it(
     trex: Trex,
 ) -> None:
     """CMD10 General Overview."""
@@ -109,7 +105,7 @@ def test_override_sets_the_motors_by_the_last_settings_even_if_they_came_while_i
     assert trex.show()["aux"]["speed"] == 0x50
 
 
-def test_the_override_ends_with_channel_5_and_the_channels_drive_again(trex: Trex) -> None:
+def test_channel_5_ends_override_and_channels_control_again(trex: Trex) -> None:
     """CMD10 General Overview: motors only respond "when serial override is active"."""
     trex.start("rc")
     trex.connect(c5="1000us")
@@ -119,20 +115,20 @@ def test_the_override_ends_with_channel_5_and_the_channels_drive_again(trex: Tre
     assert trex.motor(1)[0] == trex.motor(2)[0] == "brake"
 
 
-def test_both_example_packets_read_the_raw_values_of_all_five_channels(trex: Trex) -> None:
+def test_both_example_packets_read_all_five_raw_channels(trex: Trex) -> None:
     """CMD10 0x80: 0x80, 0x07, 0x06, 0x1F and 0x86, 0x1F."""
     trex.connect(c1="1200us", c5="1900us")
     for packet in (b"\x80\x07\x06\x1f", b"\x86\x1f"):
         assert trex.ask(trex.signed(packet), 10) == "B8 0B A6 0E A6 0E A6 0E 8E 12"
 
 
-def test_the_default_device_number_is_7(trex: Trex) -> None:
+def test_default_device_number_is_7(trex: Trex) -> None:
     """CMD10 0x80."""
     assert trex.ask("9F 00") == "07"
     assert trex.ask(trex.signed(b"\x80\x07\x02"), 1) == "72"
 
 
-def test_the_device_number_is_a_configuration_parameter_that_can_be_changed(trex: Trex) -> None:
+def test_device_number_parameter_takes_effect_at_once(trex: Trex) -> None:
     """CMD10 0x80."""
     assert trex.ask("AF 00 09 55 2A") == "00"
     trex.device = 9
@@ -142,7 +138,7 @@ def test_the_device_number_is_a_configuration_parameter_that_can_be_changed(trex
 
 
 @pytest.mark.parametrize("number", [0, 6, 8, 127])
-def test_a_device_with_another_number_leaves_the_packet_to_others(trex: Trex, number: int) -> None:
+def test_packet_for_other_device_number_is_ignored(trex: Trex, number: int) -> None:
     """CMD10 0x80: "can be chained along with such products to the same serial line".
 
     Inferred: a packet for others raises no error here, however long it is.

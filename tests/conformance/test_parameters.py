@@ -16,12 +16,12 @@ def write(number: int, value: int) -> str:
     return f"AF {number:02X} {value:02X} 55 2A"
 
 
-def test_getting_takes_one_data_byte_and_returns_one_byte(trex: Trex) -> None:
+def test_parameter_reply_has_one_byte(trex: Trex) -> None:
     """CMD10 0x9F."""
     assert len(trex.everything("9F 00")) == 1 + trex.variant.crc
 
 
-def test_the_byte_is_the_value_of_the_desired_parameter(trex: Trex) -> None:
+def test_written_parameters_read_back(trex: Trex) -> None:
     """CMD10 0x9F; every one that acts at once gets a value of its own."""
     for number, value in IMMEDIATE.items():
         trex.tell(b"\xff")
@@ -31,14 +31,14 @@ def test_the_byte_is_the_value_of_the_desired_parameter(trex: Trex) -> None:
     assert {number: trex.number(f"9F {number:02X}") for number in IMMEDIATE} == IMMEDIATE
 
 
-def test_0_means_command_ok(trex: Trex) -> None:
+def test_valid_parameter_write_returns_0(trex: Trex) -> None:
     """CMD10 0xAF."""
     assert trex.ask(write(0x0E, 0x7F)) == "00"
     assert trex.ask("9F 0E") == "7F"
 
 
 @pytest.mark.parametrize("number", [0x18, 0x40, 0x7A])
-def test_1_means_bad_parameter_number(trex: Trex, number: int) -> None:
+def test_unknown_parameter_write_returns_1(trex: Trex, number: int) -> None:
     """CMD10 0xAF; that nothing lies between 0x17 and 0x7B: the lists of two clients."""
     assert trex.ask(write(number, 0)) == "01"
     assert trex.ask("84") == "00"
@@ -47,20 +47,20 @@ def test_1_means_bad_parameter_number(trex: Trex, number: int) -> None:
 @pytest.mark.parametrize(
     ("number", "value"), [(0x09, 4), (0x7B, 2), (0x7E, 0x0B), (0x7E, 0x0F), (0x7F, 0x00)]
 )
-def test_2_means_bad_value_for_the_specified_parameter(trex: Trex, number: int, value: int) -> None:
+def test_invalid_value_write_returns_2(trex: Trex, number: int, value: int) -> None:
     """CMD10 0xAF; inferred: which values these parameters may have."""
     assert trex.ask(write(number, value)) == "02"
     assert trex.ask("84") == "00"
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
-def test_3_means_trex_is_not_in_serial_mode(trex: Trex, mode: str) -> None:
+def test_parameter_write_outside_serial_mode_returns_3(trex: Trex, mode: str) -> None:
     """CMD10 0xAF."""
     trex.restart_in(mode)
     assert trex.ask(write(0x0E, 5)) == "03"
 
 
-def test_if_the_value_is_not_zero_nothing_was_set(trex: Trex) -> None:
+def test_rejected_write_changes_no_parameter(trex: Trex) -> None:
     """CMD10 0xAF: "the TReX has rejected the command packet"."""
     before = trex.show()["parameters"]
     for number, value in ((0x09, 4), (0x18, 1), (0x7B, 2), (0x7E, 0x0B)):
@@ -71,7 +71,7 @@ def test_if_the_value_is_not_zero_nothing_was_set(trex: Trex) -> None:
     assert trex.show()["parameters"] == before
 
 
-def test_the_answer_is_sent_when_the_parameter_has_been_set_after_about_4_ms(trex: Trex) -> None:
+def test_parameter_write_is_confirmed_after_about_4_ms(trex: Trex) -> None:
     """CMD10 0xAF: "approximately 4ms if the command packet format is correct"."""
     took = []
     for value in range(1, 128):  # a loaded machine adds to some
@@ -83,7 +83,7 @@ def test_the_answer_is_sent_when_the_parameter_has_been_set_after_about_4_ms(tre
     assert 0.0035 <= min(took) < 0.006
 
 
-def test_after_the_answer_the_board_is_ready_for_the_next_command(trex: Trex) -> None:
+def test_board_is_ready_for_next_command_after_reply(trex: Trex) -> None:
     """CMD10 0xAF."""
     for value in range(1, 11):
         assert trex.ask(write(0x0E, value)) == "00"
@@ -91,7 +91,7 @@ def test_after_the_answer_the_board_is_ready_for_the_next_command(trex: Trex) ->
     assert trex.ask("85") == "00"
 
 
-def test_with_wrong_format_bytes_no_answer_comes_within_50_ms(trex: Trex) -> None:
+def test_wrong_format_bytes_get_no_reply_within_50_ms(trex: Trex) -> None:
     """CMD10 0xAF: "made it untrustworthy"; the UART error byte has "useful information"."""
     for ending in ("2A 55", "55 55", "2A 2A", "00 00"):
         trex.tell(f"AF 0E 05 {ending}")
@@ -101,7 +101,7 @@ def test_with_wrong_format_bytes_no_answer_comes_within_50_ms(trex: Trex) -> Non
     assert trex.ask("9F 0E") == "00"
 
 
-def test_once_a_parameter_is_set_it_is_saved(trex: Trex) -> None:
+def test_parameter_survives_power_cycles(trex: Trex) -> None:
     """CMD10 0xAF: "it will never need to be set again"."""
     assert trex.ask(write(0x07, 99)) == "00"
     assert trex.ask(write(0x11, 3)) == "00"
@@ -111,7 +111,7 @@ def test_once_a_parameter_is_set_it_is_saved(trex: Trex) -> None:
         assert (trex.number("9F 07"), trex.number("9F 11")) == (99, 3)
 
 
-def test_parameters_0_to_16_have_an_immediate_effect(trex: Trex) -> None:
+def test_parameters_0_to_16_take_effect_at_once(trex: Trex) -> None:
     """CMD10 0xAF: those whose effect the documents name."""
     trex.connect(c1="1800us", c2="1800us")
     before = trex.ask("87 03")
@@ -128,7 +128,7 @@ def test_parameters_0_to_16_have_an_immediate_effect(trex: Trex) -> None:
     assert trex.ask(trex.signed(b"\x80\x0c\x02"), 1) == "72"
 
 
-def test_the_motor_mode_7b_requires_a_device_reset(trex: Trex) -> None:
+def test_motor_mode_7b_takes_effect_after_restart(trex: Trex) -> None:
     """CMD10 0xAF; 1 is joint mode, which has no current (0x8D)."""
     assert trex.ask(write(0x7B, 1)) == "00"
     trex.do("current 1 15")
@@ -139,7 +139,7 @@ def test_the_motor_mode_7b_requires_a_device_reset(trex: Trex) -> None:
     assert trex.ask("8D") == "00"
 
 
-def test_the_channel_input_source_7c_requires_a_device_reset(trex: Trex) -> None:
+def test_channel_input_source_7c_takes_effect_after_restart(trex: Trex) -> None:
     """CMD10 0xAF."""
     assert trex.ask(write(0x7C, 1)) == "00"
     assert trex.ask("82") == "72"
@@ -152,7 +152,7 @@ def with_crc(variant: Variant) -> bool:
 
 
 @only(with_crc)
-def test_the_crc_polynomial_7d_requires_a_device_reset(trex: Trex) -> None:
+def test_crc_polynomial_7d_takes_effect_after_restart(trex: Trex) -> None:
     """CMD10 0xAF; the polynomial is eight bits of which the first is 1 (User's Guide 5.e)."""
     assert trex.ask(write(0x7D, 0x65)) == "00"
     assert trex.ask("82") == "72"
@@ -169,7 +169,7 @@ def on_the_wire(variant: Variant) -> bool:
 
 
 @only(on_the_wire)  # bytes have no rate in the parser
-def test_the_uart_settings_7e_require_a_device_reset(trex: Trex) -> None:
+def test_uart_settings_7e_take_effect_after_restart(trex: Trex) -> None:
     """CMD10 0xAF; 57600 baud: one of the rates of User's Guide 5.a."""
     crc = WITH_CRC if trex.variant.crc else 0
     assert trex.ask(write(0x7E, RATES.index(57600) | crc)) == "00"
@@ -179,7 +179,7 @@ def test_the_uart_settings_7e_require_a_device_reset(trex: Trex) -> None:
     assert trex.ask("82") == "72"
 
 
-def test_the_factory_reset_7f_requires_a_device_reset(trex: Trex) -> None:
+def test_factory_reset_7f_takes_effect_after_restart(trex: Trex) -> None:
     """CMD10 0xAF; that 0x7F is written to it: forum thread 4631."""
     assert trex.ask(write(0x0E, 5)) == "00"
     assert trex.ask(write(0x7F, 0x7F)) == "00"

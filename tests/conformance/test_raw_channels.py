@@ -22,7 +22,7 @@ def measure_analog_inputs(trex: Trex) -> None:
     trex.set_up(channel_input_source=1)
 
 
-def test_it_returns_the_two_byte_value_of_each_channel_whose_bit_is_set(trex: Trex) -> None:
+def test_raw_reply_has_two_byte_value_of_each_masked_channel(trex: Trex) -> None:
     """CMD10 0x86: bit n is channel n+1; lower channels before higher, the low byte first."""
     connect_all(trex)
     for mask in range(1, 0x20):
@@ -30,18 +30,18 @@ def test_it_returns_the_two_byte_value_of_each_channel_whose_bit_is_set(trex: Tr
         assert words(trex.ask(f"86 {mask:02X}")) == expected
 
 
-def test_it_returns_no_bytes_for_no_channels(trex: Trex) -> None:
+def test_empty_mask_gets_no_reply(trex: Trex) -> None:
     """CMD10 0x86: "will return 0 - 10 bytes"; inferred: then no CRC is there to be sent."""
     assert trex.unanswered("86 00")
     assert trex.ask("85") == "00"
 
 
-def test_it_returns_ten_bytes_for_all_five_channels(trex: Trex) -> None:
+def test_raw_reply_for_five_channels_has_ten_bytes(trex: Trex) -> None:
     """CMD10 0x86: "A data byte of 0x1F will request values for all five channels"."""
     assert len(trex.everything("86 1F")) == 10 + trex.variant.crc
 
 
-def test_an_rc_value_is_the_width_of_the_last_pulse_in_units_of_0_4_us(trex: Trex) -> None:
+def test_rc_value_is_pulse_width_in_units_of_0_4_us(trex: Trex) -> None:
     """CMD10 0x86: 1500us/.4us = 3750."""
     widths = (500, 1000, 1500, 2000, 2500)
     trex.connect(**{f"c{index + 1}": f"{width}us" for index, width in enumerate(widths)})
@@ -49,7 +49,7 @@ def test_an_rc_value_is_the_width_of_the_last_pulse_in_units_of_0_4_us(trex: Tre
         assert abs(value - width / 0.4) <= 1 / 0.4  # accurate to 1 µs (User's Guide 4.c)
 
 
-def test_the_value_is_ffff_if_the_last_pulse_was_too_long_or_too_short(trex: Trex) -> None:
+def test_rc_value_is_ffff_after_pulse_of_invalid_width(trex: Trex) -> None:
     """CMD10 0x86; the limits of 0.5 and 2.5 ms: User's Guide 4.c."""
     trex.wait(0.025)
     assert words(trex.ask("86 1F")) == [3750] * 5
@@ -57,14 +57,14 @@ def test_the_value_is_ffff_if_the_last_pulse_was_too_long_or_too_short(trex: Tre
     assert trex.ask("86 0F") == "FF FF FF FF FF FF FF FF"
 
 
-def test_a_good_pulse_replaces_an_error(trex: Trex) -> None:
+def test_valid_pulse_replaces_ffff(trex: Trex) -> None:
     """CMD10 0x86: "the width of the last RC pulse received"."""
     trex.connect(c1="3000us")
     trex.connect(c1="1600us")
     assert trex.ask("86 01") == "A0 0F"
 
 
-def test_the_value_is_ffff_if_no_pulse_has_been_received_in_the_past_100_ms(trex: Trex) -> None:
+def test_rc_value_is_ffff_100_ms_after_last_pulse(trex: Trex) -> None:
     """CMD10 0x86; the User's Guide says 150 ms, the command documentation comes first."""
     connect_all(trex)
     begun = trex.now()
@@ -81,21 +81,21 @@ def test_the_value_is_ffff_if_no_pulse_has_been_received_in_the_past_100_ms(trex
     assert last_good <= surely_silent + 0.110
 
 
-def test_the_rc_values_are_renewed_with_every_pulse_50_times_a_second(trex: Trex) -> None:
+def test_rc_values_are_updated_50_times_a_second(trex: Trex) -> None:
     """CMD10 0x86: "the standard rate for receivers is 50 Hz"."""
     trex.connect(c1="1500us noise 60us")
     assert 8 <= _changes(trex, "86 01", 0.2) <= 11
 
 
 @pytest.mark.parametrize(("volts", "value"), [("0V", 0), ("5V", 1023)])
-def test_an_analog_value_ranges_from_0_to_1023(trex: Trex, volts: str, value: int) -> None:
+def test_analog_value_ranges_from_0_to_1023(trex: Trex, volts: str, value: int) -> None:
     """CMD10 0x86: a 10-bit conversion; 0 to 5 V (User's Guide 4.b)."""
     measure_analog_inputs(trex)
     trex.connect(**{f"c{channel}": volts for channel in PULSES})
     assert words(trex.ask("86 1F")) == [value] * 5
 
 
-def test_an_analog_value_is_the_result_of_the_last_conversion(trex: Trex) -> None:
+def test_analog_value_is_proportional_to_voltage(trex: Trex) -> None:
     """CMD10 0x86; 4.89 mV a count (User's Guide 4.b)."""
     measure_analog_inputs(trex)
     trex.connect(c1="0.5V", c2="1.5V", c3="2.5V", c4="3.5V", c5="4.5V")
@@ -104,7 +104,7 @@ def test_an_analog_value_is_the_result_of_the_last_conversion(trex: Trex) -> Non
 
 
 @only(in_the_parser)  # statistics: too long in real time, and there is no more to it than here
-def test_each_analog_value_is_the_average_of_16_samples(trex: Trex) -> None:
+def test_analog_value_is_average_of_16_samples(trex: Trex) -> None:
     """CMD10 0x86: noise of 400 mV, 82 counts a sample, is a quarter of that in an average."""
     measure_analog_inputs(trex)
     trex.connect(c1="2.5V noise 0.4V")
@@ -117,14 +117,14 @@ def test_each_analog_value_is_the_average_of_16_samples(trex: Trex) -> None:
     assert deviation == pytest.approx(0.4 / 0.00489 / 16**0.5, rel=0.2)
 
 
-def test_the_analog_values_are_renewed_50_times_a_second(trex: Trex) -> None:
+def test_analog_values_are_updated_50_times_a_second(trex: Trex) -> None:
     """CMD10 0x86: "approximately 50 Hz"."""
     measure_analog_inputs(trex)
     trex.connect(c1="2.5V noise 1V")
     assert 8 <= _changes(trex, "86 01", 0.2) <= 11
 
 
-def test_the_rc_input_example(trex: Trex) -> None:
+def test_documented_rc_example_is_reproduced(trex: Trex) -> None:
     """CMD10 0x86: its 0x0A9B is 2715, 1.086 ms; it calls that 2716 by a slip."""
     trex.connect(c1="1454.8us", c2="invalid", c5="1086us")
     assert trex.ask("86 13") == "35 0E FF FF 9B 0A"

@@ -24,7 +24,7 @@ def value(trex: Trex, channel: int = 1) -> int:
     return -(byte & 0x7F) if byte & 0x80 else byte
 
 
-def test_it_returns_the_single_byte_of_each_channel_whose_bit_is_set(trex: Trex) -> None:
+def test_remapped_reply_has_one_byte_of_each_masked_channel(trex: Trex) -> None:
     """CMD10 0x87: bit n is channel n+1; lower channels are transmitted before higher ones."""
     trex.connect(**{f"c{channel}": stick for channel, stick in STICKS.items()})
     for mask in range(1, 0x20):
@@ -32,18 +32,18 @@ def test_it_returns_the_single_byte_of_each_channel_whose_bit_is_set(trex: Trex)
         assert list(bytes.fromhex(trex.ask(f"87 {mask:02X}"))) == expected
 
 
-def test_it_returns_no_bytes_for_no_channels(trex: Trex) -> None:
+def test_empty_mask_gets_no_reply(trex: Trex) -> None:
     """CMD10 0x87: "will return 0 - 5 bytes"."""
     assert trex.unanswered("87 00")
     assert trex.ask("85") == "00"
 
 
-def test_it_returns_five_bytes_for_all_five_channels(trex: Trex) -> None:
+def test_remapped_reply_for_five_channels_has_five_bytes(trex: Trex) -> None:
     """CMD10 0x87."""
     assert len(trex.everything("87 1F")) == 5 + trex.variant.crc
 
 
-def test_one_does_not_have_to_care_whether_the_source_was_analog_or_rc(trex: Trex) -> None:
+def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
     """CMD10 0x87: "unitless, single-byte values"."""
     for source, ends in ((0, ("1000us", "1500us", "2000us")), (1, ("0V", "2.5V", "5V"))):
         trex.set_up(channel_input_source=source)
@@ -51,7 +51,7 @@ def test_one_does_not_have_to_care_whether_the_source_was_analog_or_rc(trex: Tre
         assert trex.ask("87 07") == "FF 00 7F"
 
 
-def test_at_or_beyond_the_maximum_the_scaled_value_is_127(trex: Trex) -> None:
+def test_value_at_or_above_maximum_is_127(trex: Trex) -> None:
     """CMD10 0x87: "greater than or equal to the channel maximum"."""
     calibrate(trex)
     for width in (2000, 2001, 2500):
@@ -59,7 +59,7 @@ def test_at_or_beyond_the_maximum_the_scaled_value_is_127(trex: Trex) -> None:
         assert trex.ask("87 01") == "7F", width
 
 
-def test_at_or_beyond_the_minimum_the_scaled_value_is_127_the_other_way(trex: Trex) -> None:
+def test_value_at_or_below_minimum_is_127_in_reverse(trex: Trex) -> None:
     """CMD10 0x87: bit 7 is the direction, bits 6:0 the magnitude."""
     calibrate(trex)
     for width in (500, 999, 1000):
@@ -67,7 +67,7 @@ def test_at_or_beyond_the_minimum_the_scaled_value_is_127_the_other_way(trex: Tr
         assert trex.ask("87 01") == "FF", width
 
 
-def test_within_the_deadband_around_neutral_the_scaled_value_is_0(trex: Trex) -> None:
+def test_value_within_deadband_is_0(trex: Trex) -> None:
     """CMD10 0x87."""
     calibrate(trex)
     for width in (1460, 1500, 1540):
@@ -75,7 +75,7 @@ def test_within_the_deadband_around_neutral_the_scaled_value_is_0(trex: Trex) ->
         assert trex.ask("87 01") == "00", width
 
 
-def test_between_them_the_magnitude_grows_with_the_distance(trex: Trex) -> None:
+def test_magnitude_grows_with_distance_from_neutral(trex: Trex) -> None:
     """CMD10 0x87: "scaling the raw channel based on channel calibration settings"."""
     trex.connect(c1="1100us", c2="1300us", c3="1500us")
     found = [value(trex, 1), value(trex, 2), value(trex, 3)]
@@ -87,7 +87,7 @@ def test_between_them_the_magnitude_grows_with_the_distance(trex: Trex) -> None:
     assert found[2] == 0
 
 
-def test_the_calibration_decides_what_a_raw_value_means(trex: Trex) -> None:
+def test_remapped_value_follows_calibration(trex: Trex) -> None:
     """CMD10 0x87: max, neutral, min and deadband that can be user-specified."""
     trex.connect(c1="1750us")  # 4375 counts
     assert 0 < value(trex) < 127
@@ -101,7 +101,7 @@ def test_the_calibration_decides_what_a_raw_value_means(trex: Trex) -> None:
         assert value(trex) == expected
 
 
-def test_the_flipped_channels_parameter_affects_it(trex: Trex) -> None:
+def test_reversed_channels_parameter_negates_values(trex: Trex) -> None:
     """CMD10 0x87: parameter 0x03; inferred: bit n is channel n+1."""
     trex.connect(c1="1800us", c2="1800us", c3="1800us")
     before = value(trex)
@@ -112,7 +112,7 @@ def test_the_flipped_channels_parameter_affects_it(trex: Trex) -> None:
             assert value(trex, channel) == (-before if mask >> channel - 1 & 1 else before)
 
 
-def test_the_parabolic_channels_parameter_affects_it(trex: Trex) -> None:
+def test_parabolic_channels_parameter_lowers_values_between_ends(trex: Trex) -> None:
     """CMD10 0x87: parameter 0x04; a parabola lies below the line between its ends."""
     trex.connect(c1="1800us", c2="1800us", c3="1800us")
     linear = trex.number("87 01")
@@ -127,7 +127,7 @@ def test_the_parabolic_channels_parameter_affects_it(trex: Trex) -> None:
         assert value(trex) == full
 
 
-def test_the_mix_shorting_block_affects_channels_1_and_2(trex: Trex) -> None:
+def test_mix_jumper_affects_only_channels_1_and_2(trex: Trex) -> None:
     """CMD10 0x87; one channel turns, the other drives (User's Guide 4.a)."""
     trex.connect(c2="2000us", c3="2000us")
     assert trex.ask("87 07") == "00 7F 7F"
@@ -139,7 +139,7 @@ def test_the_mix_shorting_block_affects_channels_1_and_2(trex: Trex) -> None:
     assert third == 0x7F
 
 
-def test_the_flip_channel_affects_channels_1_and_2(trex: Trex) -> None:
+def test_flip_channel_affects_only_channels_1_and_2(trex: Trex) -> None:
     """CMD10 0x87: channel 4; motors and directions change places (User's Guide 4.a)."""
     trex.connect(c1="2000us", c3="2000us", c4="1500us")
     assert trex.ask("87 07") == "7F 00 7F"
@@ -148,9 +148,7 @@ def test_the_flip_channel_affects_channels_1_and_2(trex: Trex) -> None:
 
 
 @pytest.mark.parametrize(("mix", "flip"), [*product(("off", "on"), ("1500us", "1000us"))])
-def test_the_remapped_values_are_what_the_motors_would_be_set_to(
-    trex: Trex, mix: str, flip: str
-) -> None:
+def test_remapped_values_match_motor_targets(trex: Trex, mix: str, flip: str) -> None:
     """CMD10 0x87: channel 1 "will always correspond directly to motor 1", mix or flip or not."""
     trex.do(f"jumper mix {mix}")
     trex.start("rc")
@@ -161,7 +159,7 @@ def test_the_remapped_values_are_what_the_motors_would_be_set_to(
     assert trex.show()["aux"]["target_speed"] == third & 0x7F  # "lower six bits", a slip
 
 
-def test_the_raw_value_of_channel_1_applies_to_motor_2_when_the_robot_is_inverted(
+def test_inverted_robot_applies_raw_channel_1_to_motor_2(
     trex: Trex,
 ) -> None:
     """CMD10 0x87: "in contrast to the raw value for channel 1"."""
@@ -177,7 +175,7 @@ def in_compact(variant: Variant) -> bool:
 
 
 @only(in_compact)  # what is driven here is not the exchange
-def test_a_serial_program_can_mimic_rc_mode(trex: Trex) -> None:
+def test_serial_program_can_mimic_rc_mode(trex: Trex) -> None:
     """CMD10 0x87: "by requesting the remapped channel values and setting" the motors to them."""
     driven = []
     for mode in ("rc", "serial"):

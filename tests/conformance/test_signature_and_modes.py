@@ -5,23 +5,23 @@ import pytest
 from tests.conformance.trex import Trex, only
 
 
-def test_the_signature_takes_no_data_bytes_and_returns_seven_bytes(trex: Trex) -> None:
+def test_signature_has_seven_bytes(trex: Trex) -> None:
     """CMD10 0x81."""
     assert len(trex.everything("81")) == 7 + trex.variant.crc
 
 
-def test_the_first_four_bytes_of_the_signature_are_always_trex(trex: Trex) -> None:
+def test_signature_starts_with_trex(trex: Trex) -> None:
     """CMD10 0x81."""
     assert bytes.fromhex(trex.ask("81"))[:4] == b"TReX"
 
 
-def test_the_last_three_bytes_of_the_signature_are_the_firmware_version(trex: Trex) -> None:
+def test_signature_ends_with_firmware_version(trex: Trex) -> None:
     """CMD10 0x81: major byte, '.', minor byte."""
     assert bytes.fromhex(trex.ask("81"))[4:] == trex.variant.firmware.encode()
 
 
 @only(firmware="1.0")
-def test_the_example_signature(trex: Trex) -> None:
+def test_firmware_1_0_has_documented_signature(trex: Trex) -> None:
     """CMD10 0x81: "TReX1.0"."""
     assert bytes.fromhex(trex.ask("81")) == b"TReX1.0"
 
@@ -30,7 +30,7 @@ def test_the_example_signature(trex: Trex) -> None:
     ("jumper", "source", "letter"),
     [("rc", 0, "52"), ("analog", 0, "41"), ("serial", 0, "72"), ("serial", 1, "61")],
 )
-def test_the_mode_is_one_byte_as_set_by_the_mode_selection_shorting_block(
+def test_mode_letter_follows_jumper_and_input_source(
     trex: Trex, jumper: str, source: int, letter: str
 ) -> None:
     """CMD10 0x82: 'R', 'A', 'r', 'a'."""
@@ -39,14 +39,14 @@ def test_the_mode_is_one_byte_as_set_by_the_mode_selection_shorting_block(
     assert trex.ask("82") == letter
 
 
-def test_in_serial_mode_serial_is_always_in_control(trex: Trex) -> None:
+def test_serial_is_always_in_control_in_serial_mode(trex: Trex) -> None:
     """CMD10 0x82."""
     for position in ("1000us", "1500us", "2000us", "silent"):
         trex.connect(c5=position)
         assert trex.ask("83") == "01"
 
 
-def test_in_serial_mode_the_channel_inputs_can_be_read(trex: Trex) -> None:
+def test_channels_can_be_read_in_serial_mode(trex: Trex) -> None:
     """CMD10 0x82: "it can choose to read and use the channel inputs as it sees fit"."""
     trex.connect(c1="2000us", c2="1000us")
     assert trex.ask("86 03") == "88 13 C4 09"
@@ -54,7 +54,7 @@ def test_in_serial_mode_the_channel_inputs_can_be_read(trex: Trex) -> None:
     assert trex.motor(1)[1] == trex.motor(2)[1] == 0
 
 
-def test_the_channel_input_source_decides_between_rc_and_analog_in_serial_mode(trex: Trex) -> None:
+def test_channel_input_source_selects_inputs_in_serial_mode(trex: Trex) -> None:
     """CMD10 0x82: parameter 0x7C."""
     trex.do("channel 1 5V")
     for source, raw in ((0, "FF FF"), (1, "FF 03"), (0, "FF FF")):
@@ -67,7 +67,7 @@ def test_the_channel_input_source_decides_between_rc_and_analog_in_serial_mode(t
     ("jumper", "letter", "signal", "raw"),
     [("rc", "52", "1600us", "A0 0F"), ("analog", "41", "5V", "FF 03")],
 )
-def test_the_channel_input_source_has_no_effect_when_the_block_selects_rc_or_analog(
+def test_channel_input_source_is_ignored_in_rc_and_analog_mode(
     trex: Trex, jumper: str, letter: str, signal: str, raw: str
 ) -> None:
     """CMD10 0x82: "no effect when the mode shorting block selects for RC or analog mode"."""
@@ -81,7 +81,7 @@ def test_the_channel_input_source_has_no_effect_when_the_block_selects_rc_or_ana
 
 
 @pytest.mark.parametrize(("jumper", "answer"), [("serial", "01"), ("rc", "00"), ("analog", "00")])
-def test_serial_controls_the_motors_in_serial_mode(trex: Trex, jumper: str, answer: str) -> None:
+def test_serial_is_in_control_only_in_serial_mode(trex: Trex, jumper: str, answer: str) -> None:
     """CMD10 0x83: 0 = serial is not in control, 1 = serial is in control."""
     trex.restart_in(jumper)
     assert trex.ask("83") == answer
@@ -90,7 +90,7 @@ def test_serial_controls_the_motors_in_serial_mode(trex: Trex, jumper: str, answ
 @pytest.mark.parametrize(
     ("jumper", "low", "middle"), [("rc", "1000us", "1500us"), ("analog", "0V", "2.5V")]
 )
-def test_serial_controls_the_motors_when_channel_5_says_so(
+def test_low_channel_5_puts_serial_in_control(
     trex: Trex, jumper: str, low: str, middle: str
 ) -> None:
     """CMD10 0x83: "or when serial override (as controlled by channel 5) is active"."""

@@ -28,7 +28,7 @@ def exceed_the_limit(trex: Trex, motor: int) -> None:
 
 
 @pytest.mark.parametrize(("motor", "bit"), OVER_LIMIT)
-def test_current_over_current_limit_sets_its_bit(trex: Trex, motor: int, bit: int) -> None:
+def test_over_current_sets_its_status_bit(trex: Trex, motor: int, bit: int) -> None:
     """CMD10 0x84: bits 7 and 5."""
     drive_with_limits(trex)
     exceed_the_limit(trex, motor)
@@ -36,14 +36,14 @@ def test_current_over_current_limit_sets_its_bit(trex: Trex, motor: int, bit: in
 
 
 @pytest.mark.parametrize(("motor", "bit"), FAULT)
-def test_a_motor_fault_sets_its_bit(trex: Trex, motor: int, bit: int) -> None:
+def test_motor_fault_sets_its_status_bit(trex: Trex, motor: int, bit: int) -> None:
     """CMD10 0x84: bits 6 and 4."""
     trex.do(f"fault {motor} on")
     trex.wait(0.02)
     assert trex.number("84") == bit
 
 
-def test_bits_3_to_1_are_not_used(trex: Trex) -> None:
+def test_status_bits_3_to_1_are_unused(trex: Trex) -> None:
     """CMD10 0x84; every used bit is set here."""
     drive_with_limits(trex)
     for motor in (1, 2):
@@ -54,7 +54,7 @@ def test_bits_3_to_1_are_not_used(trex: Trex) -> None:
     assert trex.ask("84") == "F1"
 
 
-def test_bit_0_is_a_uart_error(trex: Trex) -> None:
+def test_status_bit_0_is_a_uart_error(trex: Trex) -> None:
     """CMD10 0x84: "read UART error byte for more information"."""
     assert trex.ask("84") == "00"
     trex.tell(b"\x88")
@@ -62,7 +62,7 @@ def test_bit_0_is_a_uart_error(trex: Trex) -> None:
     assert trex.ask("85") == "40"
 
 
-def test_the_status_bits_stay_set_until_the_status_byte_is_read(trex: Trex) -> None:
+def test_status_bits_are_latched_until_read(trex: Trex) -> None:
     """CMD10 0x84: "latched"."""
     trex.do("fault 1 on")
     trex.tell(b"\x88")
@@ -74,7 +74,7 @@ def test_the_status_bits_stay_set_until_the_status_byte_is_read(trex: Trex) -> N
     assert trex.ask("84") == "11"
 
 
-def test_reading_the_status_byte_clears_all_the_status_bits(trex: Trex) -> None:
+def test_reading_status_byte_clears_all_its_bits(trex: Trex) -> None:
     """CMD10 0x84."""
     drive_with_limits(trex)
     for motor in (1, 2):
@@ -86,7 +86,7 @@ def test_reading_the_status_byte_clears_all_the_status_bits(trex: Trex) -> None:
     assert trex.ask("84") == "00"
 
 
-def test_what_lasts_sets_its_bit_again(trex: Trex) -> None:
+def test_lasting_fault_sets_its_bit_again(trex: Trex) -> None:
     """CMD10 0x84: a bit is set while there is something to report."""
     trex.do("fault 2 on")
     for _ in range(2):

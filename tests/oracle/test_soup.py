@@ -297,7 +297,7 @@ WITHIN_TIME = settings(
 
 @WITHIN_TIME
 @given(random=st.randoms(use_true_random=False))
-def test_any_soup(random: Random) -> None:
+def test_simulator_matches_oracle_on_short_streams(random: Random) -> None:
     pour(random, 40)
 
 
@@ -315,19 +315,19 @@ def poured(examples: int, length: int) -> int:
     return total
 
 
-def test_ten_thousand_bytes() -> None:
+def test_simulator_matches_oracle_on_ten_thousand_bytes() -> None:
     assert poured(60, 200) >= 10_000
 
 
 @pytest.mark.slow
 @pytest.mark.timeout(3600)
-def test_a_million_bytes() -> None:
+def test_simulator_matches_oracle_on_a_million_bytes() -> None:
     assert poured(2100, 500) >= 1_000_000
 
 
 @pytest.mark.parametrize(("mix", "joint"), [(False, 0), (True, 0), (True, 1)])
 @pytest.mark.parametrize("source", ["rc", "analog"])
-def test_every_remapped_channel_over_its_range(mix: bool, joint: int, source: str) -> None:
+def test_remapped_channels_match_oracle_over_full_range(mix: bool, joint: int, source: str) -> None:
     """A sweep in which channel 4 flips and every channel passes both of its ends."""
     parameters = {
         "motor_mode": joint,
@@ -349,7 +349,7 @@ def test_every_remapped_channel_over_its_range(mix: bool, joint: int, source: st
 
 @WITHIN_TIME
 @given(random=st.randoms(use_true_random=False))
-def test_the_edges_of_the_remap(random: Random) -> None:
+def test_remapped_values_match_oracle_at_calibration_edges(random: Random) -> None:
     """The signals stay, and calibrations are laid so that their edges pass over them."""
     cook = Cook(random)
     setup = cook.setup("serial")
@@ -362,7 +362,7 @@ def test_the_edges_of_the_remap(random: Random) -> None:
 
 
 @pytest.mark.parametrize("firmware", ["1.0", "1.2"])
-def test_every_number_of_a_parameter_and_the_edges_of_its_values(firmware: str) -> None:
+def test_parameters_match_oracle_at_edges_of_their_values(firmware: str) -> None:
     duel = Duel(Setup(firmware=firmware))
     for number in range(128):
         values = {0, 1, 127}
@@ -372,7 +372,7 @@ def test_every_number_of_a_parameter_and_the_edges_of_its_values(firmware: str) 
             duel.drive(bytes([0x9F, number, 0xAF, number, value, 0x55, 0x2A, 0x9F, number]))
 
 
-def test_what_acts_at_the_next_power_cycle_only() -> None:
+def test_power_cycle_parameters_match_oracle() -> None:
     duel = Duel(Setup(mix=True))
     for write in ("7b 01", "7c 01", "7d 65", "00 09", "7f 7f", "00 08"):
         duel.drive(bytes.fromhex(f"af {write} 55 2a 82 86 1f 87 1f 9f 7b 9f 7c 9f 00"))
@@ -380,7 +380,7 @@ def test_what_acts_at_the_next_power_cycle_only() -> None:
         duel.drive(bytes.fromhex("82 86 1f 87 1f 9f 7b 9f 7c 9f 7d 9f 7e 9f 7f 9f 00"))
 
 
-def test_at_rest_no_current_flows() -> None:
+def test_motors_at_rest_draw_no_current() -> None:
     for joint in (0, 1):
         duel = Duel(Setup(parameters={"motor_mode": joint}))
         duel.line.send(b"\x8f")
@@ -389,7 +389,7 @@ def test_at_rest_no_current_flows() -> None:
 
 
 @pytest.mark.parametrize(("mode", "away"), [("rc", "1000us"), ("analog", "0.1V")])
-def test_override_counts_once_safe_start_has_ended(mode: str, away: str) -> None:
+def test_override_matches_oracle_after_safe_start(mode: str, away: str) -> None:
     duel = Duel(Setup(mode=mode))
     duel.drive(b"\x83")
     duel.connect(["rest"] * 4 + [away])
@@ -398,7 +398,7 @@ def test_override_counts_once_safe_start_has_ended(mode: str, away: str) -> None
 
 
 @pytest.mark.parametrize(("mode", "away"), [("rc", "1000us"), ("analog", "0.1V")])
-def test_override_from_power_up_on_keeps_safe_start(mode: str, away: str) -> None:
+def test_override_since_power_up_keeps_safe_start(mode: str, away: str) -> None:
     duel = Duel(Setup(mode=mode, signals=["rest"] * 4 + [away]))
     duel.oracle.safe_start = True
     duel.drive(b"\x83")

@@ -43,40 +43,40 @@ def calibrations(draw: st.DrawFn) -> Calibration:
         (16383, "7f 7f"),
     ],
 )
-def test_a_value_goes_as_its_low_seven_bits_and_the_seven_above(value: int, data: str) -> None:
+def test_14_bit_value_is_sent_low_seven_bits_first(value: int, data: str) -> None:
     assert encode_14_bits(value) == bytes.fromhex(data)
 
 
-def test_every_value_of_14_bits_comes_back() -> None:
+def test_14_bit_values_round_trip() -> None:
     assert all(decode_14_bits(encode_14_bits(value)) == value for value in range(16384))
 
 
-def test_no_value_needs_a_byte_above_127() -> None:
+def test_encoded_14_bit_values_have_no_byte_above_127() -> None:
     assert all(max(encode_14_bits(value)) <= 0x7F for value in range(16384))
 
 
 @pytest.mark.parametrize("value", [-1, 16384, 65535])
-def test_a_value_that_14_bits_cannot_hold_is_refused_with_the_limits(value: int) -> None:
+def test_value_beyond_14_bits_is_rejected_with_limits(value: int) -> None:
     with pytest.raises(BadRequest, match=f"0 to 16383, not {value}"):
         encode_14_bits(value)
 
 
-def test_the_order_on_the_wire_is_minimum_neutral_maximum_deadband() -> None:
+def test_wire_order_is_minimum_neutral_maximum_deadband() -> None:
     assert Calibration(1, 2, 3, 4).encode() == bytes.fromhex("01 00 02 00 03 00 04 00")
 
 
-def test_a_reply_holds_whole_bytes_low_byte_first() -> None:
+def test_reply_is_decoded_low_byte_first() -> None:
     reply = bytes.fromhex("c4 09 a6 0e 88 13 4b 00")
     assert Calibration.from_reply(reply) == TYPICAL
 
 
-def test_a_reply_may_hold_what_cannot_be_written() -> None:
+def test_reply_may_hold_values_beyond_14_bits() -> None:
     assert Calibration.from_reply(b"\xff" * 8).maximum == 0xFFFF
 
 
 @modest
 @given(calibration=calibrations())
-def test_a_calibration_that_the_board_takes_reads_back_from_its_packet(
+def test_valid_calibration_round_trips(
     calibration: Calibration,
 ) -> None:
     assert Calibration.from_data(calibration.encode()) == calibration
@@ -84,7 +84,7 @@ def test_a_calibration_that_the_board_takes_reads_back_from_its_packet(
 
 @modest
 @given(calibration=any_calibration | calibrations())
-def test_exactly_what_the_documentation_forbids_is_refused(calibration: Calibration) -> None:
+def test_only_unordered_calibrations_are_rejected(calibration: Calibration) -> None:
     allowed = (
         calibration.minimum <= calibration.neutral
         and calibration.neutral <= calibration.maximum
@@ -110,7 +110,7 @@ def test_exactly_what_the_documentation_forbids_is_refused(calibration: Calibrat
         (Calibration(2500, 3750, 5000, -1), "deadband is -1; .*0 to 16383"),
     ],
 )
-def test_a_refused_calibration_says_what_is_wrong(calibration: Calibration, sentence: str) -> None:
+def test_rejected_calibration_names_the_problem(calibration: Calibration, sentence: str) -> None:
     with pytest.raises(BadRequest, match=sentence):
         calibration.encode()
 
@@ -124,15 +124,15 @@ def test_a_refused_calibration_says_what_is_wrong(calibration: Calibration, sent
         Calibration(0, 0, 16383, 16383),
     ],
 )
-def test_neutral_may_be_at_an_end(calibration: Calibration) -> None:
+def test_neutral_may_equal_minimum_or_maximum(calibration: Calibration) -> None:
     assert calibration.problem() is None
 
 
-def test_the_factory_calibrates_for_pulses_of_1_to_2_ms() -> None:
+def test_default_rc_calibration_spans_1_to_2_ms() -> None:
     assert DEFAULT_CALIBRATION[InputSource.RC] == Calibration(2500, 3750, 5000, 75)
 
 
-def test_the_factory_calibrates_for_voltages_of_0_to_5_v() -> None:
+def test_default_analog_calibration_spans_0_to_5_v() -> None:
     assert DEFAULT_CALIBRATION[InputSource.ANALOG] == Calibration(0, 512, 1023, 20)
 
 
@@ -154,31 +154,31 @@ def test_the_factory_calibrates_for_voltages_of_0_to_5_v() -> None:
         (1250, -127),
     ],
 )
-def test_a_typical_stick_is_remapped_linearly(raw: int, output: int) -> None:
+def test_typical_channel_is_remapped_linearly(raw: int, output: int) -> None:
     assert remap(raw, TYPICAL) == output
 
 
 @pytest.mark.parametrize(
     ("raw", "output"), [(3825, 0), (4413, 31), (4999, 126), (5000, 127), (3087, -31)]
 )
-def test_a_parabolic_stick_is_remapped_with_the_square(raw: int, output: int) -> None:
+def test_parabolic_channel_is_remapped_quadratically(raw: int, output: int) -> None:
     assert remap(raw, TYPICAL, parabolic=True) == output
 
 
-def test_a_side_narrower_than_the_deadband_jumps_from_0_to_full() -> None:
+def test_side_narrower_than_deadband_jumps_from_0_to_full() -> None:
     narrow = Calibration(1000, 2000, 2050, 100)
     assert [remap(raw, narrow) for raw in (2050, 2100, 2101)] == [0, 0, 127]
 
 
-def test_an_ignored_channel_gives_0() -> None:
+def test_ignored_channel_gives_0() -> None:
     assert remap(5000, TYPICAL, ignored=True) == 0
 
 
-def test_a_channel_without_a_signal_gives_0() -> None:
+def test_channel_without_signal_gives_0() -> None:
     assert remap(None, TYPICAL) == 0
 
 
-def test_an_invalid_pulse_as_the_board_reports_it_gives_0() -> None:
+def test_invalid_pulse_reported_by_board_gives_0() -> None:
     raw = GetRawChannels(0x01).parse(bytes.fromhex("ff ff"))[1]
     assert remap(raw, TYPICAL) == 0
 
@@ -191,7 +191,7 @@ def test_an_invalid_pulse_as_the_board_reports_it_gives_0() -> None:
     reversed_=st.booleans(),
     ignored=st.booleans(),
 )
-def test_no_calibration_and_no_count_make_remapping_raise_or_exceed_127(
+def test_remapped_output_never_exceeds_127(
     raw: int | None, calibration: Calibration, parabolic: bool, reversed_: bool, ignored: bool
 ) -> None:
     output = remap(raw, calibration, parabolic=parabolic, reversed_=reversed_, ignored=ignored)
@@ -205,7 +205,7 @@ def test_no_calibration_and_no_count_make_remapping_raise_or_exceed_127(
     counts=st.lists(raw_counts.filter(lambda count: count != 0xFFFF), min_size=2, max_size=8),
     parabolic=st.booleans(),
 )
-def test_a_higher_count_never_gives_a_lower_output(
+def test_higher_count_never_gives_lower_output(
     calibration: Calibration, counts: list[int], parabolic: bool
 ) -> None:
     outputs = [remap(raw, calibration, parabolic=parabolic) for raw in sorted(counts)]
@@ -214,7 +214,7 @@ def test_a_higher_count_never_gives_a_lower_output(
 
 @modest
 @given(calibration=calibrations(), beyond=st.integers(0, 5000), parabolic=st.booleans())
-def test_output_is_full_at_the_maximum_and_above(
+def test_output_is_full_at_maximum_and_above(
     calibration: Calibration, beyond: int, parabolic: bool
 ) -> None:
     raw = calibration.maximum + beyond
@@ -224,7 +224,7 @@ def test_output_is_full_at_the_maximum_and_above(
 
 @modest
 @given(calibration=calibrations(), beyond=st.integers(0, 5000), parabolic=st.booleans())
-def test_output_is_full_backwards_at_the_minimum_and_below(
+def test_output_is_full_reverse_at_minimum_and_below(
     calibration: Calibration, beyond: int, parabolic: bool
 ) -> None:
     raw = calibration.minimum - beyond
@@ -234,7 +234,7 @@ def test_output_is_full_backwards_at_the_minimum_and_below(
 
 @modest
 @given(calibration=calibrations(), part=st.floats(-1, 1), parabolic=st.booleans())
-def test_output_is_0_within_the_deadband(
+def test_output_is_0_within_deadband(
     calibration: Calibration, part: float, parabolic: bool
 ) -> None:
     raw = calibration.neutral + int(part * calibration.deadband)
@@ -243,7 +243,7 @@ def test_output_is_0_within_the_deadband(
 
 @modest
 @given(raw=raw_counts, calibration=any_calibration | calibrations(), parabolic=st.booleans())
-def test_a_reversed_channel_gives_the_negative(
+def test_reversed_channel_gives_negated_output(
     raw: int, calibration: Calibration, parabolic: bool
 ) -> None:
     ahead = remap(raw, calibration, parabolic=parabolic)
@@ -252,9 +252,7 @@ def test_a_reversed_channel_gives_the_negative(
 
 @modest
 @given(raw=raw_counts, calibration=any_calibration | calibrations())
-def test_a_parabola_is_never_steeper_than_the_line_so_far(
-    raw: int, calibration: Calibration
-) -> None:
+def test_parabolic_output_never_exceeds_linear_output(raw: int, calibration: Calibration) -> None:
     linear, parabolic = remap(raw, calibration), remap(raw, calibration, parabolic=True)
     assert abs(parabolic) <= abs(linear)
     assert linear * parabolic >= 0

@@ -102,7 +102,7 @@ PACKETS: list[tuple[Command[object], str, str]] = [
 PACKET_NAMES = [packet for _, packet, _ in PACKETS]
 
 
-def test_a_trex_knows_exactly_the_documented_command_bytes() -> None:
+def test_command_bytes_are_exactly_the_documented_ones() -> None:
     assert set(COMMANDS) == {
         *(0x81, 0x82, 0x83, 0x84, 0x85, 0x86, 0x87),
         *(0x8D, 0x8E, 0x8F),
@@ -115,7 +115,7 @@ def test_a_trex_knows_exactly_the_documented_command_bytes() -> None:
     }
 
 
-def test_these_tests_have_a_packet_for_every_command() -> None:
+def test_examples_cover_every_command() -> None:
     given = {bytes.fromhex(packet)[0] for _, packet, _ in PACKETS}
     assert given | set(range(0xD0, 0xF0)) == set(COMMANDS)
 
@@ -123,7 +123,7 @@ def test_these_tests_have_a_packet_for_every_command() -> None:
 @pytest.mark.parametrize(("base", "accelerate"), [(0xD0, False), (0xE0, True)])
 @pytest.mark.parametrize("m2", Direction)
 @pytest.mark.parametrize("m1", Direction)
-def test_the_directions_of_both_motors_are_in_the_command_byte(
+def test_drive_both_command_byte_holds_both_directions(
     m1: Direction, m2: Direction, base: int, accelerate: bool
 ) -> None:
     # The documentation's formula; for accelerating it prints 0xD0, against its own heading.
@@ -134,59 +134,59 @@ def test_the_directions_of_both_motors_are_in_the_command_byte(
 
 
 @pytest.mark.parametrize(("command", "compact", "_expanded"), PACKETS, ids=PACKET_NAMES)
-def test_a_compact_packet_is_the_command_byte_and_its_data(
+def test_compact_packet_is_command_byte_and_data(
     command: Command[object], compact: str, _expanded: str
 ) -> None:
     assert Framing().encode(command) == bytes.fromhex(compact)
 
 
 @pytest.mark.parametrize(("command", "_compact", "expanded"), PACKETS, ids=PACKET_NAMES)
-def test_an_expanded_packet_names_the_device_and_clears_the_top_bit_of_the_command(
+def test_expanded_packet_names_device_and_clears_top_bit(
     command: Command[object], _compact: str, expanded: str
 ) -> None:
     assert Framing(7).encode(command) == bytes.fromhex(expanded)
 
 
-def test_a_compact_packet_reads_back_as_its_command() -> None:
+def test_compact_packet_is_parsed_as_its_command() -> None:
     for command, compact, _ in PACKETS:
         raw = bytes.fromhex(compact)
         assert PacketParser().feed(raw) == [Packet(raw, command, None)]
 
 
-def test_an_expanded_packet_reads_back_as_its_command_and_device() -> None:
+def test_expanded_packet_is_parsed_as_command_and_device() -> None:
     for command, _, expanded in PACKETS:
         raw = bytes.fromhex(expanded)
         assert PacketParser().feed(raw) == [Packet(raw, command, 7)]
 
 
-def test_the_table_says_how_many_data_bytes_follow() -> None:
+def test_command_table_matches_packet_data_sizes() -> None:
     for command, compact, _ in PACKETS:
         raw = bytes.fromhex(compact)
         assert COMMANDS[raw[0]] is type(command)
         assert COMMANDS[raw[0]].data_size == len(raw) - 1
 
 
-def test_data_bytes_never_have_their_top_bit_set() -> None:
+def test_data_bytes_never_have_top_bit_set() -> None:
     for command, _, _ in PACKETS:
         assert all(byte <= 0x7F for byte in command.data())
 
 
-def test_all_commands_answer_except_motor_commands_and_the_null_command() -> None:
+def test_only_motor_and_null_commands_have_no_reply() -> None:
     for command, compact, _ in PACKETS:
         answers = command.opcode < 0xC0 and compact != "86 00"  # which asks for nothing
         assert (command.reply_size() > 0) is answers
 
 
-def test_exactly_the_motor_commands_move_motors() -> None:
+def test_only_motor_commands_move_motors() -> None:
     assert {opcode for opcode, cls in COMMANDS.items() if cls.moves} == set(range(0xC0, 0xF2))
 
 
-def test_only_the_null_command_goes_without_a_crc() -> None:
+def test_only_null_command_has_no_crc() -> None:
     for command, _, _ in PACKETS:
         assert command.has_crc is (command.opcode != 0xFF)
 
 
-def test_equal_commands_can_stand_for_each_other() -> None:
+def test_equal_commands_have_equal_hashes() -> None:
     for command, compact, _ in PACKETS:
         (event,) = PacketParser().feed(bytes.fromhex(compact))
         assert isinstance(event, Packet)

@@ -35,25 +35,25 @@ def long_division(data: bytes, polynomial: int) -> int:
         ("80 07 06 1f", 0x0B),
     ],
 )
-def test_packets_of_the_guide_have_the_crc_of_the_guide(packet: str, crc: int) -> None:
+def test_guide_packets_have_their_printed_crc(packet: str, crc: int) -> None:
     assert crc7(bytes.fromhex(packet)) == crc
 
 
-def test_the_factory_polynomial_is_89() -> None:
+def test_default_polynomial_is_0x89() -> None:
     assert DEFAULT_POLYNOMIAL == 0x89
 
 
-def test_nothing_has_the_crc_0() -> None:
+def test_empty_data_has_crc_0() -> None:
     assert crc7(b"") == 0
 
 
 @modest
 @given(data=st.binary(max_size=24), polynomial=polynomials)
-def test_the_crc_is_the_remainder_of_the_long_division(data: bytes, polynomial: int) -> None:
+def test_crc_is_remainder_of_long_division(data: bytes, polynomial: int) -> None:
     assert crc7(data, polynomial) == long_division(data, polynomial)
 
 
-def test_every_polynomial_divides_every_single_byte_rightly() -> None:
+def test_every_polynomial_gives_right_crc_of_single_bytes() -> None:
     for polynomial in range(0x80, 0x100):
         for byte in (0x00, 0x01, 0x55, 0x80, 0x86, 0xFF):
             data = bytes([byte])
@@ -62,13 +62,13 @@ def test_every_polynomial_divides_every_single_byte_rightly() -> None:
 
 @modest
 @given(data=st.binary(max_size=24), polynomial=polynomials)
-def test_the_crc_byte_never_looks_like_a_command_byte(data: bytes, polynomial: int) -> None:
+def test_crc_byte_never_looks_like_command_byte(data: bytes, polynomial: int) -> None:
     assert 0 <= crc7(data, polynomial) <= 0x7F
 
 
 @modest
 @given(data=st.binary(min_size=1, max_size=12), place=st.integers(0, 12 * 8 - 1))
-def test_one_flipped_bit_always_changes_the_crc(data: bytes, place: int) -> None:
+def test_flipped_bit_always_changes_crc(data: bytes, place: int) -> None:
     index, bit = divmod(place % (8 * len(data)), 8)
     damaged = bytearray(data)
     damaged[index] ^= 1 << bit
@@ -76,11 +76,11 @@ def test_one_flipped_bit_always_changes_the_crc(data: bytes, place: int) -> None
 
 
 @pytest.mark.parametrize("polynomial", [0x00, 0x09, 0x7F, 0x100, -0x77])
-def test_a_polynomial_without_its_top_bit_is_refused_with_the_limits(polynomial: int) -> None:
+def test_polynomial_without_top_bit_is_rejected_with_limits(polynomial: int) -> None:
     with pytest.raises(BadRequest, match="0x80 to 0xFF"):
         crc7(b"\x81", polynomial)
 
 
 @pytest.mark.parametrize("polynomial", [0x80, 0x89, 0xFF])
-def test_a_polynomial_with_its_top_bit_is_taken(polynomial: int) -> None:
+def test_polynomial_with_top_bit_is_accepted(polynomial: int) -> None:
     assert check_polynomial(polynomial) == polynomial

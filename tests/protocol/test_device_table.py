@@ -15,7 +15,7 @@ from trex_gui.protocol.errors import BadRequest
         ("trexjr", "TReX Jr", "DMC02", b"TReXJr", 9, 0.040),
     ],
 )
-def test_a_model_is_described_as_in_the_reference(
+def test_model_matches_reference(
     key: str, name: str, part: str, signature: bytes, size: int, ampere: float
 ) -> None:
     model = device_table().model(key)
@@ -24,27 +24,27 @@ def test_a_model_is_described_as_in_the_reference(
     assert model.current_unit == pytest.approx(ampere)
 
 
-def test_there_are_two_models() -> None:
+def test_table_has_two_models() -> None:
     assert [model.key for model in device_table().models] == ["trex", "trexjr"]
 
 
-def test_only_the_jrs_driver_has_a_known_highest_pwm() -> None:
+def test_only_trex_jr_has_known_highest_pwm() -> None:
     assert device_table().model("trexjr").highest_pwm == 10000
     assert device_table().model("trex").highest_pwm is None
 
 
 @pytest.mark.parametrize("key", ["trex", "trexjr"])
-def test_four_firmware_versions_are_known(key: str) -> None:
+def test_each_model_has_four_firmware_versions(key: str) -> None:
     assert device_table().model(key).firmware == ("1.0", "1.1", "1.2", "1.3")
 
 
 @pytest.mark.parametrize("key", ["", "TReX", "trex2"])
-def test_an_unknown_model_is_refused_with_the_known_ones(key: str) -> None:
+def test_unknown_model_is_rejected_with_known_ones(key: str) -> None:
     with pytest.raises(BadRequest, match=f"trex, trexjr, not '{key}'"):
         device_table().model(key)
 
 
-def test_the_eleven_baud_rates_are_in_the_order_of_their_codes() -> None:
+def test_baud_rates_are_in_order_of_their_codes() -> None:
     rates = (1200, 2400, 4800, 9600, 14400, 19200, 28800, 38400, 57600, 76800, 115200)
     assert device_table().baud_rates == rates
 
@@ -67,36 +67,36 @@ def test_old_firmware_halves_28800_and_38400() -> None:
         (3, 0x7F, 76),
     ],
 )
-def test_prescaler_and_maximum_make_the_frequency(prescaler: int, wire: int, hertz: int) -> None:
+def test_pwm_frequency_follows_prescaler_and_maximum(prescaler: int, wire: int, hertz: int) -> None:
     assert round(device_table().pwm.frequency(prescaler, wire)) == hertz
 
 
 @pytest.mark.parametrize("prescaler", [-1, 4])
-def test_a_fifth_prescaler_is_refused_with_the_limits(prescaler: int) -> None:
+def test_invalid_prescaler_is_rejected_with_limits(prescaler: int) -> None:
     with pytest.raises(BadRequest, match=f"PWM prescaler is 0 to 3, not {prescaler}"):
         device_table().pwm.frequency(prescaler, 63)
 
 
-def test_the_timer_maximum_reaches_8_bits() -> None:
+def test_timer_maximum_reaches_8_bits() -> None:
     assert device_table().pwm.maximum(0x3F) == 0x7F
     assert device_table().pwm.maximum(0x7F) == 0xFF
 
 
-def test_versions_are_ordered_by_their_numbers() -> None:
+def test_versions_are_ordered_by_number() -> None:
     versions = ["1.10", "1.2", "2.0", "1.0", "1.9"]
     assert sorted(versions, key=version_key) == ["1.0", "1.2", "1.9", "1.10", "2.0"]
 
 
 @pytest.mark.parametrize("version", ["", "x", "1.x", "1..2", "1.2 beta"])
-def test_a_strange_version_still_has_a_place(version: str) -> None:
+def test_malformed_version_is_ordered_below_99(version: str) -> None:
     assert version_key(version) < version_key("99")
 
 
-def test_a_table_that_is_no_toml_is_refused() -> None:
+def test_invalid_toml_is_rejected() -> None:
     with pytest.raises(tomllib.TOMLDecodeError):
         read_table("[models")
 
 
-def test_a_table_without_its_parts_is_refused() -> None:
+def test_incomplete_table_is_rejected() -> None:
     with pytest.raises(KeyError):
         read_table("schema = 1")

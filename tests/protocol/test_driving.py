@@ -15,7 +15,7 @@ from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.framing import Framing
 
 
-def test_the_direction_bits_are_the_documented_ones() -> None:
+def test_direction_bits_match_documentation() -> None:
     bits = {direction.name: int(direction) for direction in Direction}
     assert bits == {"BRAKE": 0b00, "REVERSE": 0b01, "FORWARD": 0b10, "BRAKE_TOO": 0b11}
 
@@ -24,21 +24,21 @@ def test_the_direction_bits_are_the_documented_ones() -> None:
     ("speed", "packet"),
     [(127, "c2 7f"), (1, "c2 01"), (0, "c2 00"), (-1, "c1 01"), (-127, "c1 7f")],
 )
-def test_a_signed_speed_becomes_a_direction_and_a_magnitude(speed: int, packet: str) -> None:
+def test_signed_speed_becomes_direction_and_magnitude(speed: int, packet: str) -> None:
     assert Framing().encode(DriveMotor(1, Drive.at(speed))) == bytes.fromhex(packet)
 
 
 @pytest.mark.parametrize("speed", [-128, 128])
-def test_a_speed_beyond_127_is_refused_with_the_limits(speed: int) -> None:
+def test_signed_speed_beyond_127_is_rejected_with_limits(speed: int) -> None:
     with pytest.raises(BadRequest, match=f"-127 to 127, not {speed}"):
         Drive.at(speed)
 
 
-def test_every_signed_speed_reads_back() -> None:
+def test_signed_speeds_round_trip() -> None:
     assert all(Drive.at(speed).signed == speed for speed in range(-127, 128))
 
 
-def test_braking_is_no_speed() -> None:
+def test_braking_has_signed_speed_0() -> None:
     assert Drive.brake(100).signed == 0
     assert Drive(Direction.BRAKE_TOO, 100).signed == 0
 
@@ -52,31 +52,31 @@ def test_braking_is_no_speed() -> None:
         (Direction.REVERSE, False),
     ],
 )
-def test_both_codes_00_and_11_brake(direction: Direction, is_brake: bool) -> None:
+def test_direction_codes_00_and_11_brake(direction: Direction, is_brake: bool) -> None:
     assert Drive(direction, 50).is_brake is is_brake
 
 
-def test_braking_without_a_duty_is_a_full_brake() -> None:
+def test_brake_without_duty_is_full_brake() -> None:
     assert Framing().encode(DriveMotor(2, Drive.brake())) == bytes.fromhex("c8 7f")
 
 
-def test_braking_with_duty_0_coasts() -> None:
+def test_brake_with_duty_0_coasts() -> None:
     assert Framing().encode(DriveMotor(2, Drive.brake(0))) == bytes.fromhex("c8 00")
 
 
 @pytest.mark.parametrize("duty", [-1, 128])
-def test_a_brake_duty_beyond_127_is_refused_with_the_limits(duty: int) -> None:
+def test_invalid_brake_duty_is_rejected_with_limits(duty: int) -> None:
     with pytest.raises(BadRequest, match=f"brake duty is 0 to 127, not {duty}"):
         Drive.brake(duty)
 
 
-def test_stop_brakes_both_motors_fully_and_switches_the_auxiliary_motor_off() -> None:
+def test_stop_brakes_both_motors_and_turns_auxiliary_off() -> None:
     packets = b"".join(Framing().encode(command) for command in STOP)
     assert packets == bytes.fromhex("d0 7f 7f f0 00")
 
 
 @pytest.mark.parametrize("motor", [-1, 0, 3])
-def test_only_motors_1_and_2_have_a_direction(motor: int) -> None:
+def test_motor_number_other_than_1_and_2_is_rejected(motor: int) -> None:
     with pytest.raises(BadRequest, match=f"motors are numbered 1 and 2, not {motor}"):
         _ = DriveMotor(motor, Drive.at(0)).opcode
 
@@ -92,11 +92,11 @@ def test_only_motors_1_and_2_have_a_direction(motor: int) -> None:
         DriveAuxiliary(-1),
     ],
 )
-def test_a_speed_that_is_no_data_byte_is_refused_with_the_limits(command: Command[None]) -> None:
+def test_speed_outside_0_to_127_is_rejected_with_limits(command: Command[None]) -> None:
     with pytest.raises(BadRequest, match=r"speed.* is 0 to 127, not"):
         command.data()
 
 
 @pytest.mark.parametrize("command", [*STOP, DriveMotor(1, Drive.at(5))])
-def test_a_motor_command_answers_nothing(command: Command[None]) -> None:
+def test_motor_commands_have_no_reply(command: Command[None]) -> None:
     assert command.reply_size() == 0

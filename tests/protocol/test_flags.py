@@ -29,7 +29,7 @@ from trex_gui.protocol.flags import (
         (0, Status.UART_ERROR, "UART error"),
     ],
 )
-def test_a_status_bit_has_its_documented_place_and_name(bit: int, flag: Status, name: str) -> None:
+def test_status_bits_match_documentation(bit: int, flag: Status, name: str) -> None:
     assert flag == 1 << bit
     assert STATUS_MEANING[flag][0] == name
 
@@ -47,14 +47,12 @@ def test_a_status_bit_has_its_documented_place_and_name(bit: int, flag: Status, 
         (0, UartError.SEND_OVERRUN, "send buffer overrun"),
     ],
 )
-def test_a_uart_error_bit_has_its_documented_place_and_name(
-    bit: int, flag: UartError, name: str
-) -> None:
+def test_uart_error_bits_match_documentation(bit: int, flag: UartError, name: str) -> None:
     assert flag == 1 << bit
     assert name.casefold() in UART_MEANING[flag][0].casefold()
 
 
-def test_bits_1_to_3_of_the_status_byte_are_not_used() -> None:
+def test_status_bits_1_to_3_are_unused() -> None:
     assert sum(Status) == 0b1111_0001
 
 
@@ -70,7 +68,7 @@ def test_every_bit_is_explained_highest_first(
         assert explanation.endswith(".")
 
 
-def test_a_board_has_five_channels() -> None:
+def test_board_has_five_channels() -> None:
     assert CHANNELS == (1, 2, 3, 4, 5)
     assert ALL_CHANNELS == 0x1F
 
@@ -79,21 +77,21 @@ def test_a_board_has_five_channels() -> None:
     ("mask", "channels"),
     [(0, ()), (0x01, (1,)), (0x10, (5,)), (0x13, (1, 2, 5)), (0x1F, (1, 2, 3, 4, 5))],
 )
-def test_bit_n_is_channel_n_plus_1(mask: int, channels: tuple[int, ...]) -> None:
+def test_mask_bit_n_is_channel_n_plus_1(mask: int, channels: tuple[int, ...]) -> None:
     assert channels_in(mask) == channels
     assert channel_mask(channels) == mask
 
 
-def test_every_mask_comes_back() -> None:
+def test_channel_masks_round_trip() -> None:
     assert all(channel_mask(channels_in(mask)) == mask for mask in range(32))
 
 
-def test_the_order_of_channels_does_not_matter() -> None:
+def test_channel_order_does_not_change_mask() -> None:
     assert channel_mask([5, 1, 2, 1]) == 0x13
 
 
 @pytest.mark.parametrize("channel", [-1, 0, 6])
-def test_there_is_no_other_channel(channel: int) -> None:
+def test_invalid_channel_number_is_rejected(channel: int) -> None:
     with pytest.raises(BadRequest, match=f"channels are numbered 1 to 5, not {channel}"):
         channel_mask([1, channel])
 
@@ -111,7 +109,7 @@ def test_there_is_no_other_channel(channel: int) -> None:
         (InputSource.ANALOG, 0, 0, "0.00 V"),
     ],
 )
-def test_a_count_is_worth_a_width_or_a_voltage(
+def test_count_converts_to_pulse_width_or_voltage(
     source: InputSource, count: int, physical: float, text: str
 ) -> None:
     assert source.physical(count) == pytest.approx(physical, rel=0.001)
@@ -128,12 +126,14 @@ def test_a_count_is_worth_a_width_or_a_voltage(
         (InputSource.ANALOG, 0, 0),
     ],
 )
-def test_a_width_or_a_voltage_is_a_count(source: InputSource, physical: float, count: int) -> None:
+def test_pulse_width_or_voltage_converts_to_count(
+    source: InputSource, physical: float, count: int
+) -> None:
     assert source.counts(physical) == count
 
 
 @pytest.mark.parametrize("source", InputSource)
-def test_every_count_comes_back(source: InputSource) -> None:
+def test_counts_round_trip(source: InputSource) -> None:
     for count in range(source.highest_count + 1):
         assert source.counts(source.physical(count)) == count
 
@@ -141,14 +141,14 @@ def test_every_count_comes_back(source: InputSource) -> None:
 @pytest.mark.parametrize(
     ("source", "unit", "highest"), [(InputSource.RC, "µs", 6250), (InputSource.ANALOG, "V", 1023)]
 )
-def test_a_source_has_its_unit_and_its_end(source: InputSource, unit: str, highest: int) -> None:
+def test_source_has_unit_and_highest_count(source: InputSource, unit: str, highest: int) -> None:
     assert (source.unit, source.highest_count) == (unit, highest)
 
 
 @pytest.mark.parametrize(
     ("source", "least", "most"), [(InputSource.RC, 500.0, 2500.0), (InputSource.ANALOG, 0.0, 5.0)]
 )
-def test_counts_reach_from_the_least_value_to_the_most(
+def test_counts_span_physical_range_of_source(
     source: InputSource, least: float, most: float
 ) -> None:
     assert source.physical(source.lowest_count) == least
@@ -164,6 +164,8 @@ def test_counts_reach_from_the_least_value_to_the_most(
         ("a", True, InputSource.ANALOG),
     ],
 )
-def test_a_small_letter_is_serial_mode(letter: str, is_serial: bool, source: InputSource) -> None:
+def test_lower_case_mode_letter_means_serial_mode(
+    letter: str, is_serial: bool, source: InputSource
+) -> None:
     assert Mode(letter).is_serial is is_serial
     assert Mode(letter).source is source

@@ -22,7 +22,7 @@ VALID = [wire for wire in range(0x80) if wire & 0x0F <= 10]
         (0x7A, 115200, Detection.ODD, 2),
     ],
 )
-def test_the_bits_mean_what_the_reference_says(
+def test_wire_bits_match_reference(
     wire: int, baud: int, detection: Detection, stop_bits: int
 ) -> None:
     settings = LineSettings(baud, detection, stop_bits)
@@ -30,63 +30,63 @@ def test_the_bits_mean_what_the_reference_says(
     assert settings.to_wire() == wire
 
 
-def test_a_board_leaves_the_factory_with_19200_baud_and_nothing_else() -> None:
+def test_default_is_19200_baud_without_error_detection() -> None:
     assert LineSettings() == LineSettings(19200, Detection.NONE, 1)
     assert LineSettings().to_wire() == 0x05
 
 
 @pytest.mark.parametrize("wire", [0x25, 0x2A, 0x35])
-def test_bits_01_enable_the_crc(wire: int) -> None:
+def test_detection_bits_01_enable_crc(wire: int) -> None:
     assert wire >> 5 & 0b11 == 0b01
     assert LineSettings.from_wire(wire).detection is Detection.CRC7
 
 
-def test_every_valid_setting_comes_back() -> None:
+def test_valid_settings_round_trip() -> None:
     assert [LineSettings.from_wire(wire).to_wire() for wire in VALID] == VALID
 
 
-def test_every_other_value_is_refused() -> None:
+def test_invalid_wire_values_are_rejected() -> None:
     for wire in {*range(-1, 0x101)} - {*VALID}:
         with pytest.raises(BadRequest):
             LineSettings.from_wire(wire)
 
 
-def test_there_are_exactly_88_settings() -> None:
+def test_exactly_88_settings_are_valid() -> None:
     assert len(VALID) == 88
     assert len({LineSettings.from_wire(wire) for wire in VALID}) == 88
 
 
-def test_there_are_eleven_baud_rates_from_1200_to_115200() -> None:
+def test_eleven_baud_rates_span_1200_to_115200() -> None:
     rates = baud_rates()
     assert len(rates) == 11
     assert (rates[0], rates[-1]) == (1200, 115200)
 
 
-def test_a_baud_rate_that_the_board_lacks_is_refused_with_those_it_has() -> None:
+def test_unknown_baud_rate_is_rejected_with_valid_ones() -> None:
     with pytest.raises(BadRequest, match=r"1200, 2400, .*, 115200 baud, not 31250"):
         LineSettings(31250).to_wire()
 
 
 @pytest.mark.parametrize("stop_bits", [0, 3])
-def test_other_stop_bits_are_refused_with_the_limits(stop_bits: int) -> None:
+def test_invalid_stop_bits_are_rejected_with_limits(stop_bits: int) -> None:
     with pytest.raises(BadRequest, match=f"1 or 2 stop bits, not {stop_bits}"):
         LineSettings(stop_bits=stop_bits).to_wire()
 
 
 @pytest.mark.parametrize("firmware", ["1.0", "1.1"])
 @pytest.mark.parametrize(("chosen", "real"), [(38400, 19200), (28800, 14400)])
-def test_old_firmware_runs_at_half_of_two_rates(firmware: str, chosen: int, real: int) -> None:
+def test_old_firmware_halves_two_baud_rates(firmware: str, chosen: int, real: int) -> None:
     assert LineSettings(chosen).real_baud(firmware) == real
 
 
 @pytest.mark.parametrize("firmware", ["1.0", "1.1"])
-def test_old_firmware_runs_at_all_other_rates_rightly(firmware: str) -> None:
+def test_old_firmware_keeps_all_other_baud_rates(firmware: str) -> None:
     for baud in set(baud_rates()) - {28800, 38400}:
         assert LineSettings(baud).real_baud(firmware) == baud
 
 
 @pytest.mark.parametrize("firmware", ["1.2", "1.3", "1.10", "2.0"])
-def test_newer_firmware_runs_at_the_chosen_rate(firmware: str) -> None:
+def test_new_firmware_keeps_every_baud_rate(firmware: str) -> None:
     for baud in baud_rates():
         assert LineSettings(baud).real_baud(firmware) == baud
 
@@ -102,21 +102,21 @@ def test_newer_firmware_runs_at_the_chosen_rate(firmware: str) -> None:
         (Detection.EVEN, 2, 12),
     ],
 )
-def test_a_byte_takes_start_data_parity_and_stop_bits(
+def test_bits_per_byte_include_parity_and_stop_bits(
     detection: Detection, stop_bits: int, bits: int
 ) -> None:
     assert LineSettings(19200, detection, stop_bits).bits_per_byte == bits
 
 
-def test_a_byte_at_19200_baud_takes_about_half_a_millisecond() -> None:
+def test_byte_at_19200_baud_takes_half_a_millisecond() -> None:
     assert LineSettings().seconds(1) == pytest.approx(10 / 19200)
 
 
-def test_seconds_grow_with_the_bytes() -> None:
+def test_80_bytes_of_12_bits_take_100_ms_at_9600_baud() -> None:
     assert LineSettings(9600, Detection.EVEN, 2).seconds(80) == pytest.approx(0.1)
 
 
-def test_seconds_can_be_told_the_real_rate_of_old_firmware() -> None:
+def test_transfer_time_uses_real_baud_rate_if_given() -> None:
     settings = LineSettings(38400)
     real = settings.real_baud("1.0")
     assert settings.seconds(1, real) == pytest.approx(10 / 19200)
@@ -131,11 +131,11 @@ def test_seconds_can_be_told_the_real_rate_of_old_firmware() -> None:
         (0x73, "9600 baud, odd parity, 2 stop bits"),
     ],
 )
-def test_settings_are_shown_in_words(wire: int, text: str) -> None:
+def test_settings_text_names_baud_detection_and_stop_bits(wire: int, text: str) -> None:
     assert LineSettings.from_wire(wire).text() == text
 
 
-def test_a_set_top_bit_is_not_blamed_on_the_baud_rate() -> None:
+def test_set_top_bit_is_not_reported_as_bad_baud_rate() -> None:
     with pytest.raises(BadRequest) as caught:
         LineSettings.from_wire(0x85)
     assert "no baud rate" not in str(caught.value)

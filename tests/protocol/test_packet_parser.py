@@ -19,7 +19,7 @@ def raws(events: list[Packet | Malformed]) -> list[str]:
     return [event.raw.hex(" ") for event in events]
 
 
-def test_packets_that_follow_each_other_are_told_apart() -> None:
+def test_consecutive_packets_are_separated() -> None:
     events = PacketParser().feed(bytes.fromhex("81 86 1f 80 07 70 7f 84"))
     assert events == [
         Packet(bytes.fromhex("81"), GetSignature(), None),
@@ -29,7 +29,7 @@ def test_packets_that_follow_each_other_are_told_apart() -> None:
     ]
 
 
-def test_a_packet_may_come_byte_by_byte() -> None:
+def test_packet_may_arrive_byte_by_byte() -> None:
     parser = PacketParser()
     *starts, end = [parser.feed(bytes([byte])) for byte in bytes.fromhex("80 07 06 1f")]
     assert starts == [[], [], []]
@@ -37,32 +37,32 @@ def test_a_packet_may_come_byte_by_byte() -> None:
 
 
 @pytest.mark.parametrize("device_number", [0, 1, 8, 127])
-def test_a_packet_for_another_board_is_read_and_says_for_which(device_number: int) -> None:
+def test_packet_for_other_board_is_read_with_its_number(device_number: int) -> None:
     (event,) = PacketParser().feed(bytes([0x80, device_number, 0x01]))
     assert isinstance(event, Packet)
     assert event.device_number == device_number
 
 
-def test_a_data_byte_outside_a_packet_is_malformed() -> None:
+def test_data_byte_outside_packet_is_malformed() -> None:
     (event,) = PacketParser().feed(bytes.fromhex("1f"))
     assert isinstance(event, Malformed)
     assert "data byte outside a packet" in event.reason
 
 
-def test_a_stray_data_byte_spoils_no_packet_beside_it() -> None:
+def test_stray_data_bytes_leave_adjacent_packet_intact() -> None:
     stray, packet, other = PacketParser().feed(bytes.fromhex("1f 81 2a"))
     assert isinstance(stray, Malformed)
     assert packet == Packet(b"\x81", GetSignature(), None)
     assert isinstance(other, Malformed)
 
 
-def test_a_command_byte_inside_a_packet_ends_it_and_begins_another() -> None:
+def test_command_byte_inside_packet_starts_new_packet() -> None:
     broken, packet = PacketParser().feed(bytes.fromhex("af 07 05 82"))
     assert broken == Malformed(bytes.fromhex("af 07 05"), "a command byte inside a packet")
     assert packet == Packet(b"\x82", GetMode(), None)
 
 
-def test_the_start_of_an_expanded_packet_ends_a_compact_one() -> None:
+def test_expanded_packet_start_ends_compact_packet() -> None:
     events = PacketParser().feed(bytes.fromhex("86 80 07 01"))
     assert raws(events) == ["86", "80 07 01"]
     assert isinstance(events[0], Malformed)
@@ -70,7 +70,7 @@ def test_the_start_of_an_expanded_packet_ends_a_compact_one() -> None:
 
 
 @pytest.mark.parametrize("cut", ["80", "80 07"])
-def test_a_command_byte_ends_an_expanded_packet_that_has_no_command_yet(cut: str) -> None:
+def test_command_byte_ends_expanded_packet_without_command(cut: str) -> None:
     events = PacketParser().feed(bytes.fromhex(cut + "81"))
     assert raws(events) == [cut, "81"]
     assert isinstance(events[0], Malformed)
@@ -81,37 +81,37 @@ def test_a_command_byte_ends_an_expanded_packet_that_has_no_command_yet(cut: str
     "opcode",
     [0x88, 0x8C, 0x96, 0x9E, 0xA5, 0xAE, 0xB0, 0xBF, 0xF2, 0xFE],
 )
-def test_an_unknown_command_is_malformed_at_once(opcode: int) -> None:
+def test_unknown_command_is_malformed_at_once(opcode: int) -> None:
     (event,) = PacketParser().feed(bytes([opcode]))
     assert isinstance(event, Malformed)
     assert f"{opcode:#04x} is no command of a TReX" in event.reason
 
 
 @pytest.mark.parametrize("command", ["00", "08", "25", "72", "7e"])
-def test_an_unknown_command_in_an_expanded_packet_is_malformed_at_once(command: str) -> None:
+def test_unknown_expanded_command_is_malformed_at_once(command: str) -> None:
     raw = bytes.fromhex("80 07" + command)
     (event,) = PacketParser().feed(raw)
     assert isinstance(event, Malformed)
     assert event.raw == raw
 
 
-def test_data_behind_an_unknown_command_is_reported_as_strays() -> None:
+def test_data_after_unknown_command_is_stray() -> None:
     events = PacketParser().feed(bytes.fromhex("f2 10 81"))
     assert raws(events) == ["f2", "10", "81"]
     assert [type(event) for event in events] == [Malformed, Malformed, Packet]
 
 
-def test_a_packet_with_its_crc_is_read() -> None:
+def test_packet_with_crc_is_read() -> None:
     raw = bytes.fromhex("86 1f 07")
     assert PacketParser(0x89).feed(raw) == [Packet(raw, GetRawChannels(), None)]
 
 
-def test_a_wrong_crc_makes_a_packet_malformed_and_says_both() -> None:
+def test_wrong_crc_makes_packet_malformed_and_names_both() -> None:
     raw = bytes.fromhex("86 1f 08")
     assert PacketParser(0x89).feed(raw) == [Malformed(raw, "the CRC is 08, not 07")]
 
 
-def test_a_packet_without_its_crc_waits_for_it() -> None:
+def test_packet_without_crc_is_incomplete() -> None:
     parser = PacketParser(0x89)
     assert parser.feed(bytes.fromhex("81")) == []
     assert parser.feed(bytes.fromhex("48")) == [
@@ -119,21 +119,21 @@ def test_a_packet_without_its_crc_waits_for_it() -> None:
     ]
 
 
-def test_a_crc_where_none_is_enabled_is_a_stray_byte() -> None:
+def test_unexpected_crc_is_stray_byte() -> None:
     packet, stray = PacketParser().feed(bytes.fromhex("81 48"))
     assert isinstance(packet, Packet)
     assert stray == Malformed(b"\x48", "a data byte outside a packet")
 
 
 @pytest.mark.parametrize("raw", ["ff", "80 07 7f"])
-def test_the_null_command_is_whole_without_a_crc(raw: str) -> None:
+def test_null_command_is_complete_without_crc(raw: str) -> None:
     (event,) = PacketParser(0x89).feed(bytes.fromhex(raw))
     assert isinstance(event, Packet)
     assert event.command == Null()
 
 
 @pytest.mark.parametrize("ending", ["2a 55", "55 2b", "00 00"])
-def test_wrong_format_bytes_make_a_write_malformed(ending: str) -> None:
+def test_wrong_format_bytes_make_write_malformed(ending: str) -> None:
     raw = bytes.fromhex("af 00 07" + ending)
     (event,) = PacketParser().feed(raw)
     assert isinstance(event, Malformed)
@@ -141,13 +141,13 @@ def test_wrong_format_bytes_make_a_write_malformed(ending: str) -> None:
     assert "55 2A" in event.reason
 
 
-def test_a_mask_with_a_sixth_channel_is_malformed() -> None:
+def test_mask_with_sixth_channel_is_malformed() -> None:
     (event,) = PacketParser().feed(bytes.fromhex("86 20"))
     assert isinstance(event, Malformed)
     assert "channel mask is 0 to 31" in event.reason
 
 
-def test_a_calibration_that_the_board_will_refuse_is_still_a_whole_packet() -> None:
+def test_unordered_calibration_is_still_a_packet() -> None:
     # The board answers result code 2 to it, so it is no format error.
     raw = bytes.fromhex("a0 01 00 00 00 01 00 00 00 55 2a")
     (event,) = PacketParser().feed(raw)
@@ -156,13 +156,13 @@ def test_a_calibration_that_the_board_will_refuse_is_still_a_whole_packet() -> N
     assert event.command.calibration.minimum == 1
 
 
-def test_an_unfinished_packet_is_malformed_when_no_more_bytes_come() -> None:
+def test_unfinished_packet_is_malformed_on_flush() -> None:
     parser = PacketParser()
     assert parser.feed(bytes.fromhex("81 af 07")) == [Packet(b"\x81", GetSignature(), None)]
     assert parser.flush() == [Malformed(bytes.fromhex("af 07"), "the packet is not complete")]
 
 
-def test_after_a_flush_nothing_is_held_back() -> None:
+def test_flush_empties_parser() -> None:
     parser = PacketParser()
     parser.feed(bytes.fromhex("af 07"))
     parser.flush()
@@ -170,14 +170,14 @@ def test_after_a_flush_nothing_is_held_back() -> None:
     assert parser.feed(b"\x81") == [Packet(b"\x81", GetSignature(), None)]
 
 
-def test_nothing_fed_is_nothing_found() -> None:
+def test_empty_input_gives_no_events() -> None:
     parser = PacketParser()
     assert parser.feed(b"") == []
     assert parser.flush() == []
 
 
 @pytest.mark.parametrize("polynomial", [0x00, 0x09, 0x100])
-def test_a_parser_refuses_a_polynomial_without_its_top_bit_before_bytes_come(
+def test_parser_rejects_polynomial_without_top_bit(
     polynomial: int,
 ) -> None:
     with pytest.raises(BadRequest, match="0x80 to 0xFF"):

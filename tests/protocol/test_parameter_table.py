@@ -59,14 +59,14 @@ def parameter(key: str, model: str = "trex") -> ParameterSpec:
 
 
 @every_board
-def test_a_board_has_exactly_the_documented_parameters(model: str, firmware: str) -> None:
+def test_board_has_exactly_the_documented_parameters(model: str, firmware: str) -> None:
     numbers = [spec.number for spec in parameters_of(model, firmware)]
     since_1_2 = [0x17] if firmware in {"1.2", "1.3"} else []
     assert numbers == [*range(0x17), *since_1_2, *range(0x7B, 0x80)]
 
 
 @every_board
-def test_keys_limits_and_defaults_are_those_of_the_reference(model: str, firmware: str) -> None:
+def test_keys_limits_and_defaults_match_reference(model: str, firmware: str) -> None:
     for spec in parameters_of(model, firmware):
         key, minimum, maximum, default_trex, default_trexjr = FACTS[spec.number]
         default = default_trex if model == "trex" else default_trexjr
@@ -75,20 +75,20 @@ def test_keys_limits_and_defaults_are_those_of_the_reference(model: str, firmwar
 
 
 @every_board
-def test_exactly_7b_to_7f_need_a_power_cycle(model: str, firmware: str) -> None:
+def test_only_0x7b_to_0x7f_need_power_cycle(model: str, firmware: str) -> None:
     waiting = {spec.number for spec in parameters_of(model, firmware) if spec.needs_power_cycle}
     assert waiting == {0x7B, 0x7C, 0x7D, 0x7E, 0x7F}
 
 
 @every_board
-def test_only_the_factory_reset_cannot_be_read(model: str, firmware: str) -> None:
+def test_only_factory_reset_cannot_be_read(model: str, firmware: str) -> None:
     found = parameters_of(model, firmware)
     assert [spec.number for spec in found if not spec.readable] == [0x7F]
     assert [*found.readable] == [spec for spec in found if spec.number != 0x7F]
 
 
 @every_model
-def test_the_response_delay_comes_with_firmware_1_2(model: str) -> None:
+def test_response_delay_exists_since_firmware_1_2(model: str) -> None:
     assert parameters_of(model, "1.1").number(0x17) is None
     found = parameters_of(model, "1.2").number(0x17)
     assert found is not None
@@ -96,7 +96,7 @@ def test_the_response_delay_comes_with_firmware_1_2(model: str) -> None:
 
 
 @every_model
-def test_firmware_changes_nothing_else(model: str) -> None:
+def test_other_parameters_are_the_same_in_all_firmware(model: str) -> None:
     newest = [spec for spec in parameters_of(model, "1.3") if spec.number != 0x17]
     for firmware in FIRMWARES:
         found = [spec for spec in parameters_of(model, firmware) if spec.number != 0x17]
@@ -104,24 +104,24 @@ def test_firmware_changes_nothing_else(model: str) -> None:
 
 
 @every_model
-def test_a_firmware_newer_than_this_program_has_all_parameters(model: str) -> None:
+def test_unknown_newer_firmware_has_all_parameters(model: str) -> None:
     assert parameters_of(model, "1.10").number(0x17) is not None
     assert len(parameters_of(model, "2.0")) == len(FACTS)
 
 
 @pytest.mark.parametrize("number", [0x18, 0x40, 0x7A, 0x80, -1])
-def test_an_undocumented_number_is_no_parameter(number: int) -> None:
+def test_undocumented_number_is_no_parameter(number: int) -> None:
     assert parameters_of("trex", "1.2").number(number) is None
 
 
 @every_model
-def test_every_default_is_allowed(model: str) -> None:
+def test_every_default_is_valid(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         assert spec.check(spec.default) == spec.default
 
 
 @every_model
-def test_every_parameter_is_explained_in_whole_sentences(model: str) -> None:
+def test_every_parameter_has_name_and_description(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         assert spec.name
         assert len(spec.description) > 20
@@ -129,7 +129,7 @@ def test_every_parameter_is_explained_in_whole_sentences(model: str) -> None:
 
 
 @every_model
-def test_a_choice_has_a_word_for_every_value(model: str) -> None:
+def test_choice_parameter_has_a_word_for_every_value(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         if spec.kind is Kind.CHOICE:
             assert set(spec.choices) == spec.valid
@@ -145,17 +145,17 @@ def test_keys_and_names_are_unique(model: str) -> None:
     assert len({spec.name for spec in found}) == len(found)
 
 
-def test_an_unknown_model_is_refused_with_the_known_ones() -> None:
+def test_unknown_model_is_rejected_with_known_ones() -> None:
     with pytest.raises(BadRequest, match="trex, trexjr, not 'qik'"):
         parameters_of("qik", "1.0")
 
 
-def test_only_the_jrs_default_prescaler_is_confirmed() -> None:
+def test_only_trex_jr_default_prescaler_is_confirmed() -> None:
     assert parameter("motor1_pwm_prescaler", "trexjr").default_confirmed
     assert not parameter("motor1_pwm_prescaler", "trex").default_confirmed
 
 
-def test_inferred_limits_are_marked() -> None:
+def test_inferred_limits_are_unconfirmed() -> None:
     assert parameter("serial_timeout").limits_confirmed
     assert not parameter("required_channels").limits_confirmed
 
@@ -164,7 +164,7 @@ def test_inferred_limits_are_marked() -> None:
 
 
 @every_model
-def test_a_wire_value_is_allowed_within_the_limits_and_nowhere_else(model: str) -> None:
+def test_wire_value_is_valid_only_within_limits(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         for wire in range(-1, 130):
             allowed = spec.minimum <= wire <= spec.maximum
@@ -174,7 +174,7 @@ def test_a_wire_value_is_allowed_within_the_limits_and_nowhere_else(model: str) 
 
 
 @every_model
-def test_a_refused_wire_value_is_refused_with_name_value_and_limits(model: str) -> None:
+def test_rejected_wire_value_names_parameter_value_and_limits(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         refused = 128 if spec.maximum == 127 else spec.maximum + 1
         with pytest.raises(BadRequest) as caught:
@@ -192,7 +192,7 @@ def test_a_refused_wire_value_is_refused_with_name_value_and_limits(model: str) 
             assert limit in sentence
 
 
-def test_a_rate_code_above_10_is_refused() -> None:
+def test_baud_rate_code_above_10_is_rejected() -> None:
     with pytest.raises(BadRequest, match="low four bits 0 to 10"):
         parameter("uart_settings").check(0x0B)
 
@@ -201,27 +201,27 @@ def test_a_rate_code_above_10_is_refused() -> None:
 
 
 @every_model
-def test_what_a_parameter_shows_can_be_typed_back(model: str) -> None:
+def test_value_text_can_be_typed_back(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         for wire in spec.valid:
             assert spec.wire(spec.text(wire)) == wire
 
 
 @every_model
-def test_what_a_parameter_shows_can_be_typed_back_untidily(model: str) -> None:
+def test_value_text_can_be_typed_in_upper_case_with_spaces(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         for wire in sorted(spec.valid)[::5]:
             assert spec.wire(f"  {spec.text(wire).upper()} ") == wire
 
 
 @every_model
-def test_two_values_never_show_the_same(model: str) -> None:
+def test_values_of_a_parameter_have_distinct_texts(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         assert len({spec.text(wire) for wire in spec.valid}) == len(spec.valid)
 
 
 @every_model
-def test_a_number_can_be_typed_without_its_unit_and_with_a_comma(model: str) -> None:
+def test_number_can_be_typed_without_unit_and_with_comma(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         if spec.kind in {Kind.NUMBER, Kind.ACCELERATION}:
             for wire in sorted(spec.valid - {0})[::7]:
@@ -232,7 +232,7 @@ def test_a_number_can_be_typed_without_its_unit_and_with_a_comma(model: str) -> 
 
 
 @every_model
-def test_any_value_a_board_may_answer_can_be_shown(model: str) -> None:
+def test_every_value_from_0_to_127_has_a_text(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         for wire in range(128):
             assert spec.text(wire)
@@ -276,9 +276,7 @@ def test_any_value_a_board_may_answer_can_be_shown(model: str) -> None:
         ("uart_settings", "trex", 0x3A, "115200 baud, CRC-7, 2 stop bits"),
     ],
 )
-def test_a_value_is_shown_as_the_reference_explains_it(
-    key: str, model: str, wire: int, text: str
-) -> None:
+def test_value_text_matches_reference(key: str, model: str, wire: int, text: str) -> None:
     assert parameter(key, model).text(wire) == text
 
 
@@ -339,7 +337,7 @@ def test_a_value_is_shown_as_the_reference_explains_it(
         ("factory_reset", "127", 0x7F),
     ],
 )
-def test_a_person_may_write_a_value_in_several_ways(key: str, text: str, wire: int) -> None:
+def test_value_can_be_typed_in_several_ways(key: str, text: str, wire: int) -> None:
     assert parameter(key).wire(text) == wire
 
 
@@ -356,7 +354,7 @@ def test_a_person_may_write_a_value_in_several_ways(key: str, text: str, wire: i
         ("trexjr", "0.3 A", 4),
     ],
 )
-def test_a_current_limit_means_amperes_of_its_own_model(model: str, text: str, wire: int) -> None:
+def test_current_limit_uses_current_unit_of_its_model(model: str, text: str, wire: int) -> None:
     assert parameter("motor1_current_limit", model).wire(text) == wire
     assert parameter("motor2_current_limit", model).wire(text) == wire
 
@@ -391,16 +389,14 @@ def test_a_current_limit_means_amperes_of_its_own_model(model: str, text: str, w
         ("factory_reset", "yes", "127"),
     ],
 )
-def test_text_that_means_no_allowed_value_is_refused_with_the_limits(
-    key: str, text: str, limits: str
-) -> None:
+def test_invalid_text_is_rejected_with_limits(key: str, text: str, limits: str) -> None:
     with pytest.raises(BadRequest, match=re.escape(limits)) as caught:
         parameter(key).wire(text)
     assert str(caught.value).startswith(parameter(key).name)
     assert str(caught.value).endswith(f"not {text or 'empty'}")
 
 
-def test_a_single_allowed_value_is_not_called_a_range() -> None:
+def test_single_valid_value_is_not_called_a_range() -> None:
     with pytest.raises(BadRequest) as caught:
         parameter("factory_reset").wire("0")
     assert "127 to 127" not in str(caught.value)
@@ -408,7 +404,7 @@ def test_a_single_allowed_value_is_not_called_a_range() -> None:
 
 @settings(deadline=None, max_examples=30)
 @given(text=st.text(max_size=12) | st.from_regex(r"[-+]?[0-9]{0,4}[.,]?[0-9]{0,3} ?[msAk%x]{0,2}"))
-def test_whatever_is_typed_becomes_an_allowed_value_or_a_refusal(text: str) -> None:
+def test_any_text_gives_valid_value_or_is_rejected(text: str) -> None:
     for key in ("serial_timeout", "required_channels", "crc7_polynomial", "motor1_pwm_maximum"):
         spec = parameter(key)
         try:
@@ -419,14 +415,14 @@ def test_whatever_is_typed_becomes_an_allowed_value_or_a_refusal(text: str) -> N
 
 
 @pytest.mark.parametrize("text", ["0x0B", "115200", "fast"])
-def test_refused_uart_settings_say_how_they_are_written(text: str) -> None:
+def test_rejected_uart_settings_show_expected_format(text: str) -> None:
     with pytest.raises(BadRequest, match=r"\d+ baud, .*, \d stop bits?\b"):
         parameter("uart_settings").wire(text)
 
 
 @pytest.mark.parametrize("length", [400, 5000])
 @every_model
-def test_a_number_of_any_length_is_refused_like_any_other(model: str, length: int) -> None:
+def test_very_long_numbers_are_rejected(model: str, length: int) -> None:
     for spec in parameters_of(model, "1.3"):
         for text in ("9" * length, "0x" + "9" * length, "-" + "9" * length):
             with pytest.raises(BadRequest):
@@ -445,7 +441,7 @@ def test_a_number_of_any_length_is_refused_like_any_other(model: str, length: in
         ("aux_acceleration", "0.4"),
     ],
 )
-def test_a_small_value_is_never_taken_for_off(key: str, text: str) -> None:
+def test_small_value_is_never_read_as_off(key: str, text: str) -> None:
     # Where 0 means "off", it is the opposite of a very small value, not its neighbour.
     try:
         wire = parameter(key).wire(text)
@@ -464,7 +460,7 @@ def test_a_small_value_is_never_taken_for_off(key: str, text: str) -> None:
         ("motor1_current_limit", "38.2 A"),
     ],
 )
-def test_a_value_just_outside_the_limits_is_refused(key: str, text: str) -> None:
+def test_value_just_outside_limits_is_rejected(key: str, text: str) -> None:
     with pytest.raises(BadRequest):
         parameter(key).wire(text)
 
@@ -473,7 +469,7 @@ def test_a_value_just_outside_the_limits_is_refused(key: str, text: str) -> None
     ("key", "text"),
     [("device_number", "7.4"), ("uart_error_shutdown", "0.6"), ("motor_mode", "0.4")],
 )
-def test_there_is_nothing_between_two_numbers_that_only_name_something(key: str, text: str) -> None:
+def test_fraction_is_rejected_for_numbered_values(key: str, text: str) -> None:
     with pytest.raises(BadRequest):
         parameter(key).wire(text)
 
@@ -482,9 +478,7 @@ def test_there_is_nothing_between_two_numbers_that_only_name_something(key: str,
     ("key", "text"),
     [("serial_timeout", "127"), ("required_channels", "31"), ("motor1_current_limit", "100")],
 )
-def test_a_refusal_of_text_does_not_name_limits_that_the_text_is_within(
-    key: str, text: str
-) -> None:
+def test_rejection_does_not_contradict_typed_number(key: str, text: str) -> None:
     # "Serial Timeout is off to 12.7 s (wire value 0 to 127), not 127" contradicts itself.
     with pytest.raises(BadRequest) as caught:
         parameter(key).wire(text)
@@ -498,12 +492,12 @@ def test_a_refusal_of_text_does_not_name_limits_that_the_text_is_within(
     "key",
     ["serial_timeout", "Serial Timeout", "serial-timeout", " SERIAL_TIMEOUT ", "serial timeout"],
 )
-def test_a_parameter_is_found_by_key_and_by_name(key: str) -> None:
+def test_parameter_is_found_by_key_and_by_name(key: str) -> None:
     assert parameters_of("trex", "1.0")[key].number == 0x07
 
 
 @every_model
-def test_every_parameter_is_found_by_its_own_name(model: str) -> None:
+def test_every_parameter_is_found_by_its_name_and_key(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         found = parameters_of("trex", "1.3")
         assert found[spec.name].number == found[spec.key].number == spec.number
@@ -519,7 +513,7 @@ def test_every_parameter_is_found_by_its_own_name(model: str) -> None:
         ("", None),
     ],
 )
-def test_an_unknown_key_gets_a_guess_when_one_is_near(wrong: str, guess: str | None) -> None:
+def test_unknown_key_is_rejected_with_similar_key(wrong: str, guess: str | None) -> None:
     with pytest.raises(BadRequest, match="has no parameter") as caught:
         parameters_of("trex", "1.0")[wrong]
     hint = re.search(r"did you mean (\w+)\?", str(caught.value))
@@ -530,12 +524,12 @@ def test_an_unknown_key_gets_a_guess_when_one_is_near(wrong: str, guess: str | N
         assert hint[1] == guess
 
 
-def test_a_parameter_of_newer_firmware_is_refused_naming_board_and_firmware() -> None:
+def test_newer_parameter_is_rejected_with_board_and_firmware() -> None:
     with pytest.raises(BadRequest, match=r"TReX Jr 1\.1 has no parameter 'uart_response_delay'"):
         parameters_of("trexjr", "1.1")["uart_response_delay"]
 
 
-def test_a_set_can_be_counted_and_walked() -> None:
+def test_parameter_set_has_length_and_iterates() -> None:
     found: ParameterSet = parameters_of("trex", "1.0")
     assert len(found) == len(list(found)) == 28
 
@@ -544,14 +538,14 @@ def test_a_set_can_be_counted_and_walked() -> None:
 
 
 @pytest.mark.parametrize(("prescaler", "maximum", "hertz"), [(1, 0x7F, 2400), (0, 0xFF, 10000)])
-def test_the_known_pwm_frequencies_are_met_within_3_percent(
+def test_known_pwm_frequencies_match_within_3_percent(
     prescaler: int, maximum: int, hertz: int
 ) -> None:
     wire = parameter("motor1_pwm_maximum").wire(str(maximum))
     assert device_table().pwm.frequency(prescaler, wire) == pytest.approx(hertz, rel=0.03)
 
 
-def test_the_factory_pwm_of_a_jr_is_2_4_khz() -> None:
+def test_default_pwm_frequency_of_trex_jr_is_2_4_khz() -> None:
     prescaler = parameter("motor1_pwm_prescaler", "trexjr").default
     maximum = parameter("motor1_pwm_maximum", "trexjr").default
     assert device_table().pwm.frequency(prescaler, maximum) == pytest.approx(2400, rel=0.03)

@@ -26,7 +26,7 @@ EVERY_ERROR: list[TrexError] = [
 ]
 
 
-def test_these_tests_know_every_error() -> None:
+def test_examples_cover_every_error() -> None:
     defined = {
         found
         for found in vars(errors).values()
@@ -37,7 +37,7 @@ def test_these_tests_know_every_error() -> None:
 
 @pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
-def test_an_error_pickles_and_keeps_its_sentence(error: TrexError, protocol: int) -> None:
+def test_pickled_error_keeps_its_message(error: TrexError, protocol: int) -> None:
     arrived = pickle.loads(pickle.dumps(error, protocol))
     assert type(arrived) is type(error)
     assert str(arrived) == str(error)
@@ -45,11 +45,11 @@ def test_an_error_pickles_and_keeps_its_sentence(error: TrexError, protocol: int
 
 
 @pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
-def test_a_copy_of_an_error_keeps_its_sentence(error: TrexError) -> None:
+def test_copied_error_keeps_its_message(error: TrexError) -> None:
     assert str(copy.deepcopy(error)) == str(error)
 
 
-def test_a_rejection_keeps_what_was_written_and_the_code() -> None:
+def test_pickled_rejection_keeps_subject_and_code() -> None:
     error = Rejected("calibration of channel 2", ResultCode.BAD_VALUE)
     arrived = pickle.loads(pickle.dumps(error))
     assert isinstance(arrived, Rejected)
@@ -65,13 +65,13 @@ def test_a_rejection_keeps_what_was_written_and_the_code() -> None:
         (ResultCode.NOT_SERIAL_MODE, "not in serial mode (code 3)"),
     ],
 )
-def test_a_rejection_says_what_was_written_and_why_not(code: ResultCode, words: str) -> None:
+def test_rejection_names_subject_and_reason(code: ResultCode, words: str) -> None:
     sentence = str(Rejected("Serial Timeout", code))
     assert sentence.startswith("Serial Timeout: ")
     assert words in sentence
 
 
-def test_the_result_codes_are_the_documented_ones() -> None:
+def test_result_codes_match_documentation() -> None:
     assert {code.name: int(code) for code in ResultCode} == {
         "OK": 0,
         "BAD_PARAMETER": 1,
@@ -81,6 +81,6 @@ def test_the_result_codes_are_the_documented_ones() -> None:
 
 
 @pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
-def test_every_error_can_be_caught_as_one(error: TrexError) -> None:
+def test_every_error_is_a_trex_error(error: TrexError) -> None:
     assert isinstance(error, TrexError)
     assert isinstance(error, ValueError) is isinstance(error, BadRequest)

@@ -80,7 +80,7 @@ from trex_gui.protocol.flags import InputSource, Mode, Status, UartError
         (Null(), "", None),
     ],
 )
-def test_a_reply_means_what_the_documentation_says(
+def test_replies_are_decoded_as_documented(
     command: Command[object], reply: str, value: object
 ) -> None:
     raw = bytes.fromhex(reply)
@@ -98,7 +98,7 @@ def test_a_reply_means_what_the_documentation_says(
         (bytes.fromhex("54 52 65 58 4a 72 31 2e 32"), "trexjr", "1.2", "TReX Jr 1.2"),
     ],
 )
-def test_a_signature_tells_model_and_firmware(
+def test_signature_gives_model_and_firmware(
     reply: bytes, model: str, firmware: str, text: str
 ) -> None:
     signature = GetSignature().parse(reply)
@@ -119,7 +119,7 @@ def test_a_signature_tells_model_and_firmware(
         (b"TReX1.0", 7),
     ],
 )
-def test_a_signature_is_seven_bytes_until_jr_says_that_it_is_nine(head: bytes, size: int) -> None:
+def test_signature_has_nine_bytes_only_for_trex_jr(head: bytes, size: int) -> None:
     assert GetSignature().reply_size(head) == size
 
 
@@ -139,7 +139,7 @@ def test_a_signature_is_seven_bytes_until_jr_says_that_it_is_nine(head: bytes, s
         b"\xff\xff\xff\xff\xff\xff\xff",
     ],
 )
-def test_another_signature_is_not_a_trex(reply: bytes) -> None:
+def test_other_signature_is_rejected(reply: bytes) -> None:
     with pytest.raises(BadReply, match="is not the signature of a TReX"):
         GetSignature().parse(reply)
 
@@ -158,48 +158,48 @@ def test_another_signature_is_not_a_trex(reply: bytes) -> None:
         (GetParameter(1), "ff"),
     ],
 )
-def test_a_reply_that_no_trex_gives_is_refused(command: Command[object], reply: str) -> None:
+def test_undocumented_reply_is_rejected(command: Command[object], reply: str) -> None:
     with pytest.raises(BadReply):
         command.parse(bytes.fromhex(reply))
 
 
-def test_unused_status_bits_do_not_hide_the_others() -> None:
+def test_unused_status_bits_do_not_hide_used_ones() -> None:
     assert Status.MOTOR1_FAULT in GetStatus().parse(b"\x1e")
 
 
-def test_a_board_answers_two_bytes_for_each_raw_channel_asked_for() -> None:
+def test_raw_channel_reply_has_two_bytes_per_channel() -> None:
     for mask in range(32):
         assert GetRawChannels(mask).reply_size() == 2 * mask.bit_count()
 
 
-def test_a_board_answers_one_byte_for_each_remapped_channel_asked_for() -> None:
+def test_remapped_channel_reply_has_one_byte_per_channel() -> None:
     for mask in range(32):
         assert GetRemappedChannels(mask).reply_size() == mask.bit_count()
 
 
-def test_bit_n_of_the_mask_asks_for_channel_n_plus_1() -> None:
+def test_mask_bit_n_requests_channel_n_plus_1() -> None:
     assert GetRawChannels(0x13).channels == (1, 2, 5)
 
 
-def test_the_width_in_the_documented_reply_is_1455_us() -> None:
+def test_documented_reply_gives_pulse_width_of_1455_us() -> None:
     value = GetRawChannels(0x13).parse(bytes.fromhex("35 0e ff ff 9b 0a"))[1]
     assert value is not None
     assert InputSource.RC.text(value) == "1455 µs"
 
 
-def test_a_current_of_55_is_8_25_a_on_a_trex() -> None:
+def test_current_of_55_is_8_25_a_on_trex() -> None:
     count = GetCurrent(1).parse(bytes.fromhex("37"))
     assert count * device_table().model("trex").current_unit == pytest.approx(8.25)
 
 
-def test_a_current_of_55_is_2_2_a_on_a_trex_jr() -> None:
+def test_current_of_55_is_2_2_a_on_trex_jr() -> None:
     count = GetCurrent(1).parse(bytes.fromhex("37"))
     assert count * device_table().model("trexjr").current_unit == pytest.approx(2.2)
 
 
 @pytest.mark.parametrize("mask", [-1, 0x20, 0x7F, 0x80])
 @pytest.mark.parametrize("kind", [GetRawChannels, GetRemappedChannels])
-def test_a_sixth_channel_cannot_be_asked_for(
+def test_mask_beyond_five_channels_is_rejected(
     kind: type[GetRawChannels | GetRemappedChannels], mask: int
 ) -> None:
     with pytest.raises(BadRequest, match=f"channel mask is 0 to 31, not {mask}"):
@@ -207,23 +207,23 @@ def test_a_sixth_channel_cannot_be_asked_for(
 
 
 @pytest.mark.parametrize("motor", [-1, 0, 3])
-def test_only_motors_1_and_2_have_a_current(motor: int) -> None:
+def test_current_of_motor_other_than_1_and_2_is_rejected(motor: int) -> None:
     with pytest.raises(BadRequest, match=f"motors are numbered 1 and 2, not {motor}"):
         _ = GetCurrent(motor).opcode
 
 
 @pytest.mark.parametrize("channel", [-1, 0, 6])
-def test_only_channels_1_to_5_have_a_calibration(channel: int) -> None:
+def test_calibration_of_channel_beyond_1_to_5_is_rejected(channel: int) -> None:
     with pytest.raises(BadRequest, match=f"channels are numbered 1 to 5, not {channel}"):
         _ = GetCalibration(channel).opcode
 
 
 @pytest.mark.parametrize("number", [-1, 128])
-def test_a_parameter_number_is_a_data_byte(number: int) -> None:
+def test_parameter_number_beyond_0_to_127_is_rejected(number: int) -> None:
     with pytest.raises(BadRequest, match=f"parameter number is 0 to 127, not {number}"):
         GetParameter(number).data()
 
 
 @pytest.mark.parametrize("command", [GetSignature(), GetStatus(), GetCurrents(), Null()])
-def test_a_query_needs_no_time_beside_the_wire(command: Command[object]) -> None:
+def test_queries_need_no_extra_reply_time(command: Command[object]) -> None:
     assert command.seconds_to_answer == 0

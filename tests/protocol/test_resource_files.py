@@ -7,16 +7,16 @@ import pytest
 from trex_gui.resource_files import resource
 
 
-def test_the_parameter_table_is_found_and_is_toml() -> None:
+def test_parameter_table_is_found_and_is_toml() -> None:
     table = tomllib.loads(resource("trex_parameters.toml").read_text(encoding="utf-8"))
     assert set(table["models"]) == {"trex", "trexjr"}
 
 
-def test_a_folder_is_found() -> None:
+def test_folder_is_found() -> None:
     assert resource("icons").is_dir()
 
 
-def test_a_path_is_absolute_whatever_the_current_folder(
+def test_path_is_absolute_in_any_current_folder(
     monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     monkeypatch.chdir(tmp_path_factory.mktemp("elsewhere"))
@@ -25,6 +25,6 @@ def test_a_path_is_absolute_whatever_the_current_folder(
 
 
 @pytest.mark.parametrize("name", ["missing.toml", "icons/no_such_icon.svg"])
-def test_a_missing_file_is_named_and_says_what_to_do(name: str) -> None:
+def test_missing_file_error_names_file_and_remedy(name: str) -> None:
     with pytest.raises(FileNotFoundError, match=f"{name} is missing from .*install"):
         resource(name)

@@ -114,15 +114,13 @@ def in_pieces(raw: bytes, places: list[int]) -> list[bytes]:
     return [raw[start:end] for start, end in pairwise(bounds)]
 
 
-def test_these_tests_know_every_command_class() -> None:
+def test_strategies_cover_every_command_class() -> None:
     assert set(BY_CLASS) == set(COMMANDS.values())
 
 
 @modest
 @given(command=commands, framing=framings)
-def test_a_packet_reads_back_as_the_command_that_it_came_from(
-    command: Command[Any], framing: Framing
-) -> None:
+def test_commands_round_trip_through_packets(command: Command[Any], framing: Framing) -> None:
     raw = framing.encode(command)
     assert PacketParser(framing.polynomial).feed(raw) == [
         Packet(raw, command, framing.device_number)
@@ -131,9 +129,7 @@ def test_a_packet_reads_back_as_the_command_that_it_came_from(
 
 @modest
 @given(command=commands, framing=framings)
-def test_only_the_first_byte_of_a_packet_has_its_top_bit_set(
-    command: Command[Any], framing: Framing
-) -> None:
+def test_only_first_byte_of_packet_has_top_bit_set(command: Command[Any], framing: Framing) -> None:
     first, *rest = framing.encode(command)
     assert first >= 0x80
     assert all(byte < 0x80 for byte in rest)
@@ -141,7 +137,7 @@ def test_only_the_first_byte_of_a_packet_has_its_top_bit_set(
 
 @modest
 @given(command=commands, framing=framings)
-def test_a_packet_ends_in_the_crc_of_all_its_bytes(command: Command[Any], framing: Framing) -> None:
+def test_packet_ends_with_crc_of_all_its_bytes(command: Command[Any], framing: Framing) -> None:
     plain = Framing(framing.device_number).encode(command)
     has_crc = framing.polynomial is not None and not isinstance(command, Null)
     crc = bytes([crc7(plain, framing.polynomial or 0x89)]) if has_crc else b""
@@ -154,7 +150,7 @@ def test_a_packet_ends_in_the_crc_of_all_its_bytes(command: Command[Any], framin
     polynomial=polynomials,
     places=cuts,
 )
-def test_packets_cut_anywhere_are_the_same_packets(
+def test_packets_cut_anywhere_give_the_same_packets(
     sent: list[tuple[Command[Any], int | None]], polynomial: int | None, places: list[int]
 ) -> None:
     packets = [
@@ -170,9 +166,7 @@ def test_packets_cut_anywhere_are_the_same_packets(
 
 @modest
 @given(raw=noise(), polynomial=polynomials)
-def test_no_byte_is_lost_or_invented_between_wire_and_log(
-    raw: bytes, polynomial: int | None
-) -> None:
+def test_parser_events_contain_exactly_the_bytes_fed(raw: bytes, polynomial: int | None) -> None:
     parser = PacketParser(polynomial)
     events = parser.feed(raw) + parser.flush()
     assert b"".join(event.raw for event in events) == raw
@@ -180,7 +174,7 @@ def test_no_byte_is_lost_or_invented_between_wire_and_log(
 
 @modest
 @given(raw=st.binary(max_size=60), polynomial=polynomials)
-def test_no_bytes_make_the_packet_parser_raise(raw: bytes, polynomial: int | None) -> None:
+def test_packet_parser_never_raises(raw: bytes, polynomial: int | None) -> None:
     parser = PacketParser(polynomial)
     events = parser.feed(raw) + parser.flush()
     assert b"".join(event.raw for event in events) == raw
@@ -188,7 +182,7 @@ def test_no_bytes_make_the_packet_parser_raise(raw: bytes, polynomial: int | Non
 
 @modest
 @given(raw=noise(), polynomial=polynomials, places=cuts)
-def test_noise_cut_anywhere_is_the_same_noise(
+def test_noise_cut_anywhere_gives_the_same_events(
     raw: bytes, polynomial: int | None, places: list[int]
 ) -> None:
     whole, cut = PacketParser(polynomial), PacketParser(polynomial)
@@ -199,7 +193,7 @@ def test_noise_cut_anywhere_is_the_same_noise(
 
 @modest
 @given(before=noise(), command=commands, framing=framings)
-def test_a_packet_is_understood_whatever_came_before_it(
+def test_packet_after_noise_is_understood(
     before: bytes, command: Command[Any], framing: Framing
 ) -> None:
     parser = PacketParser(framing.polynomial)
@@ -210,7 +204,7 @@ def test_a_packet_is_understood_whatever_came_before_it(
 
 @modest
 @given(raw=noise(), polynomial=polynomials)
-def test_every_malformed_event_says_why(raw: bytes, polynomial: int | None) -> None:
+def test_every_malformed_event_has_a_reason(raw: bytes, polynomial: int | None) -> None:
     parser = PacketParser(polynomial)
     for event in parser.feed(raw) + parser.flush():
         assert event.raw
@@ -227,7 +221,7 @@ def on_the_wire(command: Command[Any], payload: bytes, framing: Framing, echo: b
 
 @modest
 @given(answer=answers(), framing=framings, echo=st.booleans(), places=cuts)
-def test_a_reply_cut_anywhere_is_the_same_reply(
+def test_reply_cut_anywhere_gives_the_same_reply(
     answer: tuple[Command[Any], bytes], framing: Framing, echo: bool, places: list[int]
 ) -> None:
     command, payload = answer
@@ -246,7 +240,7 @@ def test_a_reply_cut_anywhere_is_the_same_reply(
 
 @modest
 @given(answer=answers(), framing=framings, echo=st.booleans(), more=st.binary(min_size=1))
-def test_bytes_behind_any_reply_make_it_malformed(
+def test_bytes_after_any_reply_make_it_malformed(
     answer: tuple[Command[Any], bytes], framing: Framing, echo: bool, more: bytes
 ) -> None:
     command, payload = answer
@@ -258,7 +252,9 @@ def test_bytes_behind_any_reply_make_it_malformed(
 
 @modest
 @given(answer=answers(), place=st.integers(0, 8 * 12))
-def test_one_flipped_bit_never_passes_a_crc(answer: tuple[Command[Any], bytes], place: int) -> None:
+def test_flipped_bit_in_reply_never_passes_crc(
+    answer: tuple[Command[Any], bytes], place: int
+) -> None:
     command, payload = answer
     framing = Framing(None, 0x89)
     raw = bytearray(on_the_wire(command, payload, framing, echo=False))
@@ -275,7 +271,7 @@ def test_one_flipped_bit_never_passes_a_crc(answer: tuple[Command[Any], bytes], 
     echo=st.booleans(),
     pieces=st.lists(st.binary(max_size=12), max_size=4),
 )
-def test_no_bytes_make_the_reply_parser_raise(
+def test_reply_parser_never_raises(
     command: Command[Any], framing: Framing, echo: bool, pieces: list[bytes]
 ) -> None:
     parser = ReplyParser(command, framing, echo=echo)
@@ -291,7 +287,7 @@ def test_no_bytes_make_the_reply_parser_raise(
 
 @modest
 @given(command=commands, framing=framings, reply=st.binary(max_size=12))
-def test_no_bytes_behind_a_right_echo_make_the_reply_parser_raise(
+def test_reply_parser_never_raises_after_correct_echo(
     command: Command[Any], framing: Framing, reply: bytes
 ) -> None:
     raw = framing.encode(command) + reply
@@ -302,7 +298,7 @@ def test_no_bytes_behind_a_right_echo_make_the_reply_parser_raise(
 
 @modest
 @given(answer=answers())
-def test_reading_a_damaged_payload_is_a_value_and_not_an_exception(
+def test_corrupted_payload_never_raises(
     answer: tuple[Command[Any], bytes],
 ) -> None:
     command, payload = answer

@@ -32,7 +32,7 @@ def test_channel_mask_is_named(mask: int, words: str) -> None:
 
 
 @pytest.mark.parametrize(("board", "whose"), [(None, "no TReX"), (TREX_JR, "no TReX Jr 1.2")])
-def test_unknown_parameter_says_which_board_lacks_it(board: Signature | None, whose: str) -> None:
+def test_unknown_parameter_names_board_that_lacks_it(board: Signature | None, whose: str) -> None:
     assert describe(GetParameter(0x6F), board) == f"get parameter 0x6f, which {whose} has"
     assert describe(SetParameter(0x6F, 5), board) == (
         f"set parameter 0x6f, which {whose} has to 0x05"

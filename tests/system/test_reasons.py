@@ -63,7 +63,7 @@ def said_of_a_mistake(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return told
 
 
-def test_a_reason_is_a_clause_that_claims_nothing_of_any_device(
+def test_stop_reasons_are_clauses_without_stop_or_motor(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     reasons = [

@@ -56,23 +56,23 @@ def asleep(buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot) -> Iter
     asleep.logind.close()
 
 
-def test_a_delay_of_sleep_is_asked_for_and_held(asleep: Asleep) -> None:
+def test_sleep_delay_is_requested_and_held(asleep: Asleep) -> None:
     [(what, who, why, mode)] = asleep.logind.asked
     assert (what, who, mode) == ("sleep", "TReX Studio", "delay")
     assert "Motors" in why
     assert asleep.logind.held == 1
 
 
-def test_sleep_waits_until_the_motors_stand_and_not_longer(asleep: Asleep, qtbot: QtBot) -> None:
+def test_sleep_is_delayed_only_until_motors_stop(asleep: Asleep, qtbot: QtBot) -> None:
     asleep.begin_to_sleep()
-    qtbot.wait(100)
+    qtbot.waitUntil(lambda: asleep.waited_ms >= 100, timeout=15_000)
     assert asleep.logind.held == 1
     asleep.may_move = False
     qtbot.waitUntil(lambda: asleep.logind.held == 0, timeout=15_000)
     assert asleep.waited_ms < 500, "not for its second"
 
 
-def test_sleep_does_not_wait_for_motors_that_nobody_can_stop(asleep: Asleep, qtbot: QtBot) -> None:
+def test_sleep_delay_times_out_if_motors_keep_moving(asleep: Asleep, qtbot: QtBot) -> None:
     asleep.begin_to_sleep()
     begun = time.monotonic()
     qtbot.waitUntil(lambda: asleep.logind.held == 0, timeout=15_000)
@@ -80,7 +80,7 @@ def test_sleep_does_not_wait_for_motors_that_nobody_can_stop(asleep: Asleep, qtb
     assert asleep.waited_ms == 1000
 
 
-def test_the_next_sleep_waits_again(asleep: Asleep, qtbot: QtBot) -> None:
+def test_sleep_delay_is_requested_again_after_wake(asleep: Asleep, qtbot: QtBot) -> None:
     asleep.may_move = False
     asleep.begin_to_sleep()
     qtbot.waitUntil(lambda: asleep.logind.held == 0)
@@ -89,13 +89,13 @@ def test_the_next_sleep_waits_again(asleep: Asleep, qtbot: QtBot) -> None:
     assert len(asleep.logind.asked) == 2
 
 
-def test_a_program_that_ends_holds_nothing_up(asleep: Asleep) -> None:
+def test_sleep_delay_is_released_on_close(asleep: Asleep) -> None:
     asleep.delay.give()
     assert asleep.logind.held == 0
     assert not asleep.delay.holds
 
 
-def test_where_nobody_hands_out_delays_nothing_is_held_and_nothing_fails(
+def test_sleep_delay_without_logind_holds_nothing(
     buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot
 ) -> None:
     delay = SleepDelay(lambda: False, buses[1], patience=1.0)
@@ -105,7 +105,7 @@ def test_where_nobody_hands_out_delays_nothing_is_held_and_nothing_fails(
     delay.give()
 
 
-def test_without_a_bus_nothing_is_asked() -> None:
+def test_sleep_delay_without_bus_holds_nothing() -> None:
     delay = SleepDelay(lambda: False, QDBusConnection("there is none"), patience=1.0)
     delay.note_sleep(begins=True)
     delay.note_sleep(begins=False)

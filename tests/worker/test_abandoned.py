@@ -23,7 +23,7 @@ class Held(WorkerThread):
         self.go.wait(60)
 
 
-def test_a_thread_that_is_kept_outlives_who_made_it_and_counts_until_it_ends(qtbot: QtBot) -> None:
+def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: not abandoned.any_running())  # of the tests before
     owner = QObject()
     thread = Held(owner)
@@ -39,7 +39,7 @@ def test_a_thread_that_is_kept_outlives_who_made_it_and_counts_until_it_ends(qtb
     assert not abandoned.any_running()
 
 
-def test_a_thread_that_is_forgotten_counts_no_more(qtbot: QtBot) -> None:
+def test_orphaned_thread_can_be_released_once(qtbot: QtBot) -> None:
     thread = Held()
     thread.start()
     abandoned.keep(thread)

@@ -62,7 +62,7 @@ def search(qtbot: QtBot, *urls: str, found: list[bool]) -> Watched:
     return watched
 
 
-def test_ports_are_searched_one_after_the_other(
+def test_scan_reports_ports_in_order_in_gui_thread(
     quick_simulator: SimulatedDevice,
     start_simulator: StartSimulator,
     qtbot: QtBot,
@@ -78,7 +78,7 @@ def test_ports_are_searched_one_after_the_other(
     assert watched.threads == {threading.main_thread()}
 
 
-def test_a_search_ends_soon_when_it_is_cancelled(
+def test_cancelled_scan_ends_within_a_second(
     quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     quick_simulator.do("power off")
@@ -99,7 +99,9 @@ def test_a_search_ends_soon_when_it_is_cancelled(
     quick_simulator.do("power on")
 
 
-def test_a_board_at_other_settings_is_found(quick_simulator: SimulatedDevice, qtbot: QtBot) -> None:
+def test_scan_finds_board_at_other_baud_rate(
+    quick_simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
     from trex_gui.link.client import Client
     from trex_gui.link.transport import SerialTransport
     from trex_gui.protocol.commands import SetParameter

@@ -28,7 +28,7 @@ def collector(qtbot: QtBot) -> Iterator[GuiThreadCollector]:
     gc.collect()
 
 
-def test_cycles_stay_until_the_gui_thread_collects_them(collector: GuiThreadCollector) -> None:
+def test_cycles_stay_until_collected_in_gui_thread(collector: GuiThreadCollector) -> None:
     gc.collect()
     for _ in range(2000):
         Cycle()
@@ -37,5 +37,5 @@ def test_cycles_stay_until_the_gui_thread_collects_them(collector: GuiThreadColl
     assert Cycle.alive < 2000
 
 
-def test_python_does_not_collect_by_itself_meanwhile(collector: GuiThreadCollector) -> None:
+def test_automatic_garbage_collection_is_disabled(collector: GuiThreadCollector) -> None:
     assert not gc.isenabled()

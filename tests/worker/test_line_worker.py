@@ -167,7 +167,7 @@ Make = Callable[[Callable[[bytes], bytes]], Stranger]
 # --- Life -------------------------------------------------------------------------------
 
 
-def test_reports_on_a_board_arrive_in_the_thread_of_the_window(line: Watched) -> None:
+def test_board_reports_arrive_in_gui_thread(line: Watched) -> None:
     line.wait(Batch)
     (connected,) = [one for one in line.reports if isinstance(one, Connected)]
     assert str(connected.state.signature) == "TReX 1.2"
@@ -185,19 +185,19 @@ def close(line: Watched) -> float:
     return took
 
 
-def test_closing_ends_the_thread_within_a_second(
+def test_closing_ends_thread_within_a_second(
     quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
     assert is_soon(1.0, lambda: close(connected(watch, quick_simulator.url)))
 
 
-def test_a_closed_port_is_free_for_the_next(line: Watched, watch: Watch) -> None:
+def test_closed_port_can_be_opened_again(line: Watched, watch: Watch) -> None:
     assert line.worker.close(15_000)
     again = connected(watch, line.url)
     assert again.has(Connected)
 
 
-def test_closing_before_the_board_was_read_ends_as_quickly(
+def test_closing_during_connect_ends_within_a_second(
     quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
     def take() -> float:
@@ -208,11 +208,11 @@ def test_closing_before_the_board_was_read_ends_as_quickly(
     assert is_soon(1.0, take)
 
 
-def test_a_worker_that_was_never_started_is_closed(watch: Watch) -> None:
+def test_unstarted_worker_can_be_closed(watch: Watch) -> None:
     assert watch("/dev/nothing").worker.close()
 
 
-def test_closing_stops_the_motors(line: Watched, quick_simulator: SimulatedDevice) -> None:
+def test_closing_brakes_running_motor(line: Watched, quick_simulator: SimulatedDevice) -> None:
     line.worker.submit(SetDrive(1, Drive.at(100)))
     line.qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] == 100)
     assert line.worker.close(15_000)
@@ -227,7 +227,7 @@ def test_closing_stops_the_motors(line: Watched, quick_simulator: SimulatedDevic
 # --- Requests ---------------------------------------------------------------------------
 
 
-def test_requests_are_answered(line: Watched) -> None:
+def test_each_request_gets_its_outcome(line: Watched) -> None:
     line.worker.submit(Ask(1, GetParameter(0)))
     line.worker.submit(Write(2, (("serial_timeout", 9),)))
     line.worker.submit(Ask(3, GetParameter(7)))
@@ -238,7 +238,7 @@ def test_requests_are_answered(line: Watched) -> None:
     assert line.outcome(4).error is None
 
 
-def test_requests_may_come_from_any_thread(line: Watched) -> None:
+def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
     threads = [
         threading.Thread(target=line.worker.submit, args=(Ask(number, GetParameter(0)),))
         for number in range(20)
@@ -250,8 +250,8 @@ def test_requests_may_come_from_any_thread(line: Watched) -> None:
     assert {line.outcome(number).value for number in range(20)} == {7}
 
 
-def test_batches_do_not_outrun_the_display(line: Watched) -> None:
-    """By the times of their samples: when the window hears of them is its own affair."""
+def test_batches_are_limited_to_60_a_second(line: Watched) -> None:
+    """Compare sample times, since the window may receive batches late."""
     line.reports.clear()
 
     def ends() -> list[float]:
@@ -264,7 +264,7 @@ def test_batches_do_not_outrun_the_display(line: Watched) -> None:
 # --- Trouble ----------------------------------------------------------------------------
 
 
-def test_a_pulled_cable_ends_the_session_within_half_a_second(
+def test_unplugged_cable_ends_session_within_half_a_second(
     quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
     def take() -> float:
@@ -283,7 +283,7 @@ def test_a_pulled_cable_ends_the_session_within_half_a_second(
     assert is_soon(0.5, take)
 
 
-def test_a_simulator_that_dies_is_a_pulled_cable(
+def test_ended_simulator_is_reported_as_unavailable_port(
     line: Watched, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.end()
@@ -291,14 +291,14 @@ def test_a_simulator_that_dies_is_a_pulled_cable(
     assert isinstance(line.end.error, PortUnavailable)
 
 
-def test_a_port_that_is_not_there_is_reported(watch: Watch) -> None:
+def test_missing_port_is_reported(watch: Watch) -> None:
     watched = watch("/dev/ttyNothing9")
     watched.worker.start()
     watched.wait(Closed)
     assert "There is no port /dev/ttyNothing9" in str(watched.end.error)
 
 
-def test_a_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
+def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
     watched = watch(line.url)
     watched.worker.start()
     watched.wait(Closed)
@@ -306,7 +306,7 @@ def test_a_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
     assert not line.has(Closed)
 
 
-def test_a_device_that_says_nothing_is_no_board(stranger: Make, watch: Watch) -> None:
+def test_silent_device_is_reported_as_no_reply(stranger: Make, watch: Watch) -> None:
     url = stranger(lambda _data: b"").url
 
     def take() -> float:
@@ -323,7 +323,7 @@ def test_a_device_that_says_nothing_is_no_board(stranger: Make, watch: Watch) ->
     assert is_soon(1.5, take)
 
 
-def test_a_device_that_talks_otherwise_is_no_board(stranger: Make, watch: Watch) -> None:
+def test_other_device_is_reported_as_bad_reply(stranger: Make, watch: Watch) -> None:
     watched = watch(stranger(lambda _data: b"ERROR: unknown command\r\n").url)
     watched.worker.start()
     watched.wait(Closed)
@@ -331,7 +331,7 @@ def test_a_device_that_talks_otherwise_is_no_board(stranger: Make, watch: Watch)
     assert "not as a TReX does" in str(watched.end.error)
 
 
-def test_a_plug_that_joins_both_wires_is_no_board(stranger: Make, watch: Watch) -> None:
+def test_loopback_plug_is_reported_as_joined_wires(stranger: Make, watch: Watch) -> None:
     watched = watch(stranger(lambda data: data).url)
     watched.worker.start()
     watched.wait(Closed)
