@@ -42,11 +42,11 @@ def runs(draw: st.DrawFn) -> Run:
 
 
 @given(run=runs())
-def test_what_was_saved_is_read_back_equal(run: Run) -> None:
+def test_saved_run_is_read_back_equal(run: Run) -> None:
     assert from_csv(to_csv(run)) == run
 
 
-def test_a_spreadsheet_finds_a_heading_with_units_and_a_row_a_reading() -> None:
+def test_csv_has_heading_with_units_and_row_per_reading() -> None:
     lines = [line for line in to_csv(SAVED).splitlines() if not line.startswith("#")]
     assert lines == [
         "time_s,wish_speed,current_a",
@@ -56,7 +56,7 @@ def test_a_spreadsheet_finds_a_heading_with_units_and_a_row_a_reading() -> None:
     ]
 
 
-def test_the_file_says_what_was_tested_and_with_which_settings() -> None:
+def test_file_header_lists_motor_shape_and_settings() -> None:
     text = to_csv(SAVED)
     assert "# motor: 1" in text
     assert "# shape: step" in text
@@ -77,7 +77,7 @@ def test_the_file_says_what_was_tested_and_with_which_settings() -> None:
         ("0.0250,40,4.5000", "0.0250,40,many", "line 17: “0.0250,40,many” is no row of it"),
     ],
 )
-def test_a_file_that_is_damaged_is_refused_with_the_place(old: str, new: str, words: str) -> None:
+def test_damaged_file_is_rejected_with_reason(old: str, new: str, words: str) -> None:
     text = to_csv(SAVED)
     assert old in text
     with pytest.raises(BenchFileError) as refused:
@@ -86,7 +86,7 @@ def test_a_file_that_is_damaged_is_refused_with_the_place(old: str, new: str, wo
 
 
 @given(text=st.text(max_size=300), cut=st.integers(0, 600))
-def test_nothing_that_is_read_breaks_the_reader(text: str, cut: int) -> None:
+def test_arbitrary_text_raises_only_bench_file_error(text: str, cut: int) -> None:
     for given_text in (text, to_csv(SAVED)[:cut], to_csv(SAVED)[:cut] + text):
         with contextlib.suppress(BenchFileError):
             from_csv(given_text)

@@ -19,19 +19,19 @@ PROFILES = st.builds(
 
 
 @given(profile=PROFILES, share=st.floats(-1, 2))
-def test_no_moment_asks_for_more_than_the_greatest_speed(profile: Profile, share: float) -> None:
+def test_profile_never_exceeds_its_speed(profile: Profile, share: float) -> None:
     assert abs(profile.speed_at(profile.duration * share)) <= abs(profile.speed)
 
 
 @given(profile=PROFILES)
-def test_nothing_is_asked_for_before_the_beginning_and_after_the_end(profile: Profile) -> None:
+def test_profile_is_zero_before_start_and_after_end(profile: Profile) -> None:
     assert profile.speed_at(-0.001) == 0
     assert profile.speed_at(profile.duration) == 0
     assert profile.speed_at(profile.duration + 1) == 0
 
 
 @given(profile=PROFILES, share=st.floats(0, 0.999))
-def test_backwards_is_forward_turned_round(profile: Profile, share: float) -> None:
+def test_negative_speed_mirrors_profile(profile: Profile, share: float) -> None:
     turned = Profile(
         shape=profile.shape,
         speed=-profile.speed,
@@ -42,29 +42,29 @@ def test_backwards_is_forward_turned_round(profile: Profile, share: float) -> No
     assert turned.speed_at(moment) == -profile.speed_at(moment)
 
 
-def test_a_step_is_there_at_once_and_stays() -> None:
+def test_step_has_full_speed_from_start_to_end() -> None:
     profile = Profile(shape=Shape.STEP, speed=90, duration=2)
     assert [profile.speed_at(at) for at in (0, 0.01, 1, 1.99)] == [90] * 4
 
 
-def test_a_ramp_rises_for_its_period_and_then_stays() -> None:
+def test_ramp_rises_for_its_period_then_holds() -> None:
     profile = Profile(shape=Shape.RAMP, speed=-100, duration=4, period=2)
     assert [profile.speed_at(at) for at in (0, 0.5, 1, 2, 3.9)] == [0, -25, -50, -100, -100]
 
 
-def test_a_reversal_turns_round_every_half_period() -> None:
+def test_reversal_changes_direction_every_half_period() -> None:
     profile = Profile(shape=Shape.REVERSE, speed=50, duration=3, period=2)
     assert [profile.speed_at(at) for at in (0, 0.99, 1, 1.99, 2.5)] == [50, 50, -50, -50, 50]
 
 
-def test_a_sine_goes_forward_first_and_through_rest() -> None:
+def test_sine_starts_forward_and_passes_through_zero() -> None:
     profile = Profile(shape=Shape.SINE, speed=100, duration=4, period=4)
     assert [profile.speed_at(at) for at in (0, 1, 2, 3)] == [0, 100, 0, -100]
     assert profile.speed_at(0.5) == round(100 * math.sin(math.pi / 4))
 
 
 @given(profile=PROFILES, ceiling=st.integers(1, 127))
-def test_a_ceiling_makes_the_same_course_smaller(profile: Profile, ceiling: int) -> None:
+def test_ceiling_limits_speed_and_keeps_direction_and_shape(profile: Profile, ceiling: int) -> None:
     limited = profile.limited(ceiling)
     assert abs(limited.speed) == min(abs(profile.speed), ceiling)
     assert (limited.speed > 0) is (profile.speed > 0)
@@ -72,7 +72,7 @@ def test_a_ceiling_makes_the_same_course_smaller(profile: Profile, ceiling: int)
 
 
 @given(profile=PROFILES)
-def test_what_is_drawn_beforehand_is_what_will_be_asked_for(profile: Profile) -> None:
+def test_drawn_course_matches_profile_speeds(profile: Profile) -> None:
     course = profile.course(100)
     times = [time for time, _ in course]
     assert times == sorted(times)
@@ -93,10 +93,10 @@ def test_what_is_drawn_beforehand_is_what_will_be_asked_for(profile: Profile) ->
         ({"shape": Shape.SINE, "period": 0.1}, "period of a bench test is 0.2 to 120 s"),
     ],
 )
-def test_what_is_no_test_is_refused_with_its_limits(values: dict[str, float], words: str) -> None:
+def test_invalid_profile_is_rejected_with_limits(values: dict[str, float], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         Profile(**values)  # type: ignore[arg-type]  # one of them is wrong on purpose
 
 
-def test_a_step_does_not_care_for_a_period() -> None:
+def test_step_ignores_period() -> None:
     assert Profile(shape=Shape.STEP, period=0).speed_at(0) == 40

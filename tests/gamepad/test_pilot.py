@@ -17,14 +17,14 @@ def shows(x: float = 0.0, y: float = 0.0, *, down: tuple[int, ...] = ()) -> PadS
     return PadState((x, y), tuple(number in down for number in range(8)))
 
 
-def test_a_stick_that_was_never_at_rest_drives_nothing() -> None:
+def test_stick_never_centred_does_not_drive() -> None:
     pilot = Pilot(PROFILE)
     pilot.take(shows(y=-0.8))
     ask = pilot.take(shows(y=-0.8, down=(HOLD,)))
     assert (ask.forward, ask.drives, ask.waits) == (0, False, Waits.REST)
 
 
-def test_one_stick_at_rest_does_not_vouch_for_the_other() -> None:
+def test_driving_requires_both_axes_centred_first() -> None:
     pilot = Pilot(PROFILE)
     pilot.take(shows(x=0.5))
     ask = pilot.take(shows(x=0.5, y=-1.0, down=(HOLD,)))
@@ -32,7 +32,7 @@ def test_one_stick_at_rest_does_not_vouch_for_the_other() -> None:
     assert not ask.drives
 
 
-def test_the_button_has_to_go_down_after_the_motors_were_armed() -> None:
+def test_hold_button_must_be_pressed_after_arming() -> None:
     pilot = Pilot(PROFILE)
     pilot.take(shows())
     pilot.take(shows(down=(HOLD,)))
@@ -42,7 +42,7 @@ def test_the_button_has_to_go_down_after_the_motors_were_armed() -> None:
     assert pilot.take(shows(y=-1.0, down=(HOLD,))).drives
 
 
-def test_up_is_forward_and_right_is_right() -> None:
+def test_stick_up_drives_forward_and_stick_right_turns_right() -> None:
     pilot = Pilot(PROFILE)
     pilot.take(shows())
     ask = pilot.take(shows(x=1.0, y=-1.0, down=(HOLD,)))
@@ -50,21 +50,21 @@ def test_up_is_forward_and_right_is_right() -> None:
     assert ask.turn == pytest.approx(1)
 
 
-def test_letting_go_of_the_button_ends_it_with_the_stick_still_off() -> None:
+def test_releasing_hold_button_stops_driving() -> None:
     pilot = Pilot(PROFILE)
     pilot.take(shows())
     assert pilot.take(shows(y=-1.0, down=(HOLD,))).drives
     assert pilot.take(shows(y=-1.0)).waits is Waits.HOLD
 
 
-def test_without_a_button_to_hold_a_moved_stick_drives_until_it_is_back() -> None:
+def test_stick_alone_drives_without_hold_button() -> None:
     pilot = Pilot(replace(PROFILE, hold=None))
     assert pilot.take(shows()).waits is Waits.MOVE
     assert pilot.take(shows(y=-0.5)).drives
     assert not pilot.take(shows(y=-0.05)).drives
 
 
-def test_the_stop_button_counts_once_each_time_it_goes_down() -> None:
+def test_stop_button_acts_once_per_press() -> None:
     pilot = Pilot(PROFILE)
     assert pilot.take(shows(down=(STOP,))).stop
     pilot.begin()
@@ -73,7 +73,7 @@ def test_the_stop_button_counts_once_each_time_it_goes_down() -> None:
     assert pilot.take(shows(down=(STOP,))).stop
 
 
-def test_as_a_tank_each_axis_is_a_motor() -> None:
+def test_tank_style_maps_each_axis_to_one_motor() -> None:
     pilot = Pilot(replace(PROFILE, style=Style.TANK, first=Axis(1, True), second=Axis(0, True)))
     pilot.take(shows())
     ask = pilot.take(shows(y=-1.0, down=(HOLD,)))
@@ -81,25 +81,25 @@ def test_as_a_tank_each_axis_is_a_motor() -> None:
     assert ask.forward == ask.turn
 
 
-def test_an_axis_that_the_gamepad_lacks_asks_for_nothing() -> None:
+def test_missing_axis_gives_zero_setpoint() -> None:
     pilot = Pilot(replace(PROFILE, first=Axis(7)))
     pilot.take(shows())
     assert pilot.take(shows(y=-1.0, down=(HOLD,))).forward == 0
 
 
-def test_the_stick_that_is_meant_is_the_one_that_moves_farthest() -> None:
+def test_detection_selects_axis_moved_farthest() -> None:
     detection = Detection(PadState((0.0, 0.1, -1.0), ()))
     assert detection.axis(PadState((0.2, 0.3, -1.0), ())) is None
     assert detection.axis(PadState((0.55, -0.9, -1.0), ())) == Axis(1, inverted=True)
 
 
-def test_a_trigger_that_rests_at_its_end_is_not_meant_before_it_moves() -> None:
+def test_detection_ignores_trigger_at_its_end_until_it_moves() -> None:
     detection = Detection(PadState((0.0, -1.0), ()))
     assert detection.axis(PadState((0.0, -1.0), ())) is None
     assert detection.axis(PadState((0.0, 0.2), ())) == Axis(1)
 
 
-def test_a_button_that_was_down_already_is_not_meant() -> None:
+def test_detection_ignores_button_already_pressed() -> None:
     detection = Detection(PadState((), (True, False)))
     assert detection.button(PadState((), (True, False))) is None
     assert detection.button(PadState((), (True, True))) == 1

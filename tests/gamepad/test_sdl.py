@@ -25,11 +25,11 @@ def source() -> Iterator[SdlPads]:
     source.close()
 
 
-def test_without_a_gamepad_there_is_none(source: SdlPads) -> None:
+def test_source_without_gamepad_lists_none(source: SdlPads) -> None:
     assert source.pads() == ()
 
 
-def test_a_gamepad_that_is_plugged_in_is_there(source: SdlPads) -> None:
+def test_plugged_in_gamepad_is_listed(source: SdlPads) -> None:
     virtual = VirtualPad()
     (pad,) = source.pads()
     assert (pad.axes, pad.buttons) == (6, 15)
@@ -38,7 +38,7 @@ def test_a_gamepad_that_is_plugged_in_is_there(source: SdlPads) -> None:
     virtual.unplug()
 
 
-def test_what_is_moved_and_pressed_is_read(source: SdlPads) -> None:
+def test_moved_axis_and_pressed_button_are_read(source: SdlPads) -> None:
     virtual = VirtualPad()
     (pad,) = source.pads()
     virtual.move(1, -1.0)
@@ -52,7 +52,7 @@ def test_what_is_moved_and_pressed_is_read(source: SdlPads) -> None:
     virtual.unplug()
 
 
-def test_a_gamepad_that_is_unplugged_is_gone_at_once(source: SdlPads) -> None:
+def test_unplugged_gamepad_is_removed_at_once(source: SdlPads) -> None:
     virtual = VirtualPad()
     (pad,) = source.pads()
     virtual.move(1, -1.0)
@@ -61,7 +61,7 @@ def test_a_gamepad_that_is_unplugged_is_gone_at_once(source: SdlPads) -> None:
     assert source.read(pad) is None
 
 
-def test_one_that_is_plugged_in_again_is_another_of_the_same_kind(source: SdlPads) -> None:
+def test_replugged_gamepad_has_new_ident_and_same_guid(source: SdlPads) -> None:
     first = VirtualPad()
     (before,) = source.pads()
     first.unplug()
@@ -73,7 +73,7 @@ def test_one_that_is_plugged_in_again_is_another_of_the_same_kind(source: SdlPad
     second.unplug()
 
 
-def test_of_a_kind_that_sdl_knows_the_parts_have_names(source: SdlPads) -> None:
+def test_gamepad_known_to_sdl_has_named_parts(source: SdlPads) -> None:
     virtual = VirtualPad()
     (pad,) = source.pads()
     assert pad.parts["lefty"] == "a1"
@@ -84,7 +84,7 @@ def test_of_a_kind_that_sdl_knows_the_parts_have_names(source: SdlPads) -> None:
     virtual.unplug()
 
 
-def test_opening_again_finds_what_is_plugged_in_already() -> None:
+def test_source_can_be_closed_twice_and_reopened() -> None:
     source = SdlPads()
     source.open()
     virtual = VirtualPad()
@@ -98,7 +98,7 @@ def test_opening_again_finds_what_is_plugged_in_already() -> None:
     source.close()
 
 
-def test_where_sdl_was_ended_by_others_every_gamepad_has_gone(source: SdlPads) -> None:
+def test_source_lists_no_gamepad_after_display_quit(source: SdlPads) -> None:
     virtual = VirtualPad()
     (pad,) = source.pads()
     virtual.unplug()
@@ -107,7 +107,7 @@ def test_where_sdl_was_ended_by_others_every_gamepad_has_gone(source: SdlPads) -
     assert source.read(pad) is None
 
 
-def test_one_that_sdl_has_closed_without_a_word_has_gone(source: SdlPads) -> None:
+def test_gamepad_closed_in_sdl_is_removed_when_read(source: SdlPads) -> None:
     virtual = VirtualPad()
     (pad,) = source.pads()
     importlib.import_module("pygame.joystick").Joystick(0).quit()
@@ -117,7 +117,7 @@ def test_one_that_sdl_has_closed_without_a_word_has_gone(source: SdlPads) -> Non
     virtual.unplug()
 
 
-def test_reading_gamepads_leaves_environment_and_signals_alone() -> None:
+def test_open_leaves_environment_and_signals_alone() -> None:
     environment = dict(os.environ)
     handlers = [signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)]
     source = SdlPads()
@@ -127,7 +127,7 @@ def test_reading_gamepads_leaves_environment_and_signals_alone() -> None:
     source.close()
 
 
-def test_a_program_that_reads_gamepads_still_ends_when_told_to() -> None:
+def test_sigterm_ends_program_that_reads_gamepads() -> None:
     script = (
         "import os, signal; from trex_gui.gamepad.sdl import SdlPads; "
         "source = SdlPads(); source.open(); source.pads(); "
@@ -140,14 +140,14 @@ def test_a_program_that_reads_gamepads_still_ends_when_told_to() -> None:
     assert ended.returncode == -signal.SIGTERM
 
 
-def test_without_the_extra_it_says_how_to_get_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_pygame_is_reported_with_install_hint(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "pygame", None)
     with pytest.raises(GamepadUnavailable, match="trex-gui") as raised:
         SdlPads().open()
     assert HOW_TO_INSTALL in str(raised.value)
 
 
-def test_nothing_of_it_is_loaded_before_it_is_opened() -> None:
+def test_pygame_is_not_imported_before_open() -> None:
     script = (
         "import sys; from trex_gui.gamepad.sdl import SdlPads; SdlPads(); "
         "sys.exit('pygame' in sys.modules)"

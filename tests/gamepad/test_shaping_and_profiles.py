@@ -14,7 +14,7 @@ PARTS = st.floats(0, 1)
 
 
 @given(value=st.floats(-1.1, 1.1), dead_zone=ZONES, expo=PARTS)
-def test_a_wish_never_leaves_its_range_and_has_the_side_of_the_stick(
+def test_setpoint_stays_in_range_and_keeps_sign_of_stick(
     value: float, dead_zone: float, expo: float
 ) -> None:
     wish = shape(value, dead_zone, expo)
@@ -23,29 +23,29 @@ def test_a_wish_never_leaves_its_range_and_has_the_side_of_the_stick(
 
 
 @given(dead_zone=ZONES, part=PARTS, expo=PARTS)
-def test_inside_the_dead_zone_nothing_is_wished(dead_zone: float, part: float, expo: float) -> None:
+def test_setpoint_is_zero_inside_dead_zone(dead_zone: float, part: float, expo: float) -> None:
     assert shape(dead_zone * part, dead_zone, expo) == 0
 
 
 @given(dead_zone=ZONES, expo=PARTS)
-def test_a_stick_at_its_end_is_everything_whatever_is_set(dead_zone: float, expo: float) -> None:
+def test_full_deflection_always_gives_full_setpoint(dead_zone: float, expo: float) -> None:
     assert shape(1.0, dead_zone, expo) == pytest.approx(1)
     assert shape(-1.0, dead_zone, expo) == pytest.approx(-1)
 
 
 @given(low=PARTS, high=PARTS, dead_zone=ZONES, expo=PARTS)
-def test_more_stick_is_never_less_speed(
+def test_more_deflection_never_gives_less_speed(
     low: float, high: float, dead_zone: float, expo: float
 ) -> None:
     low, high = sorted((low, high))
     assert shape(low, dead_zone, expo) <= shape(high, dead_zone, expo)
 
 
-def test_behind_the_dead_zone_speed_begins_at_nothing() -> None:
+def test_setpoint_starts_near_zero_outside_dead_zone() -> None:
     assert shape(0.16, 0.15, 0.0) == pytest.approx(0.0118, abs=0.001)
 
 
-def test_expo_makes_the_middle_finer() -> None:
+def test_expo_reduces_setpoint_at_half_deflection() -> None:
     assert shape(0.5, 0.0, 1.0) == pytest.approx(0.125)
 
 
@@ -56,7 +56,7 @@ AXES = st.builds(Axis, st.integers(0, 20), st.booleans())
 @given(
     style=st.sampled_from(Style), first=AXES, second=AXES, zone=ZONES, expo=PARTS, button=BUTTONS
 )
-def test_what_is_remembered_is_read_back_equal(
+def test_stored_profile_is_read_back_equal(
     style: Style, first: Axis, second: Axis, zone: float, expo: float, button: int | None
 ) -> None:
     profile = Profile(
@@ -66,7 +66,7 @@ def test_what_is_remembered_is_read_back_equal(
 
 
 @given(text=st.text())
-def test_a_note_that_somebody_has_spoilt_is_none(text: str) -> None:
+def test_arbitrary_text_is_rejected_as_profile(text: str) -> None:
     assert read_profile(text) is None
 
 
@@ -75,12 +75,12 @@ def test_a_note_that_somebody_has_spoilt_is_none(text: str) -> None:
     ['"dead_zone": 0.9', '"dead_zone": NaN', '"expo": -1', '"hold": true', '"hold": -2',
      '"first": [1]', '"first": [true, false]', '"style": "crab"'],
 )  # fmt: skip
-def test_a_note_with_one_impossible_value_is_none(spoilt: str) -> None:
+def test_profile_with_one_invalid_value_is_rejected(spoilt: str) -> None:
     good = Profile().to_text()
     assert read_profile(good[:-1] + f", {spoilt}" + "}") is None  # the later of two counts
 
 
-def test_without_a_note_the_left_stick_drives_and_the_left_shoulder_is_held() -> None:
+def test_default_profile_uses_left_stick_and_left_shoulder() -> None:
     profile = default_profile(PAD)
     assert profile.first == Axis(1, inverted=True)
     assert profile.second == Axis(0)
@@ -89,7 +89,7 @@ def test_without_a_note_the_left_stick_drives_and_the_left_shoulder_is_held() ->
 
 
 @pytest.mark.parametrize("buttons", range(8))
-def test_what_is_chosen_for_an_unknown_kind_is_there(buttons: int) -> None:
+def test_default_profile_fits_unknown_gamepad(buttons: int) -> None:
     pad = Pad(ident=1, guid="0", name="Stick", axes=2, buttons=buttons)
     profile = default_profile(pad)
     assert profile.fits(pad)

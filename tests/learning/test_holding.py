@@ -77,7 +77,7 @@ def furthest_inside(length: float, stick: Stick) -> float:
     back=st.floats(0.05, 1.0),
     seed=st.integers(0, 2**32),
 )
-def test_an_end_that_is_learned_is_the_true_one_at_every_rate(
+def test_learned_ends_match_true_ends_at_every_rate(
     stick: Stick, rate: float, there: float, hold: float, back: float, seed: int
 ) -> None:
     moves = push(1.0, there, hold, back) + push(-1.0, there, hold, back)
@@ -94,9 +94,7 @@ def test_an_end_that_is_learned_is_the_true_one_at_every_rate(
 
 @unhurried
 @given(stick=sticks, rate=rates, seed=st.integers(0, 2**32))
-def test_holding_for_as_long_as_is_asked_for_is_enough(
-    stick: Stick, rate: float, seed: int
-) -> None:
+def test_holding_for_requested_time_is_enough(stick: Stick, rate: float, seed: int) -> None:
     hold = max(0.3, (HELD + 1) / rate)
     moves = push(1.0, 0.2, hold, 0.2) + push(-1.0, 0.2, hold, 0.2)
     travel = travel_of(stick, moves, rate, seed)
@@ -106,7 +104,7 @@ def test_holding_for_as_long_as_is_asked_for_is_enough(
 
 
 @pytest.mark.parametrize("rate", [50.0, 5.0])
-def test_an_end_that_was_only_passed_is_told_and_nothing_is_proposed(rate: float) -> None:
+def test_ends_only_passed_are_reported_and_block_proposal(rate: float) -> None:
     stick = Stick()
     slowly = 2.5 / rate * 2
     moves = ((slowly, 1.0), (slowly, 0.0), (slowly, -1.0), (slowly, 0.0))
@@ -120,14 +118,14 @@ def test_an_end_that_was_only_passed_is_told_and_nothing_is_proposed(rate: float
     assert proposal.calibration is None
 
 
-def test_one_end_that_was_only_passed_is_named() -> None:
+def test_single_end_only_passed_is_named() -> None:
     moves = (*push(1.0, 0.2, 1.2, 0.4), (0.5, -0.8), (0.5, 0.0))
     (problem,) = travel_of(Stick(), moves, 8.0).problems
     assert problem.kind is Kind.NOT_HELD
     assert problem.text.startswith("The end below was only passed, so it may")
 
 
-def test_a_pause_on_the_way_is_no_end_once_more_was_seen() -> None:
+def test_pause_short_of_end_is_discarded_after_further_travel() -> None:
     pause = ((0.2, 0.7), (1.2, 0.7))
     flick = ((0.1, 1.0), (0.2, 1.0), (0.1, 0.0), (0.5, 0.0))
     travel = travel_of(Stick(), pause, 5.0)
@@ -140,7 +138,7 @@ def test_a_pause_on_the_way_is_no_end_once_more_was_seen() -> None:
     assert travel.held(Way.UP)
 
 
-def test_while_it_is_pushed_it_is_said_that_it_has_to_be_held() -> None:
+def test_hold_prompt_names_pushed_end_until_held() -> None:
     up = ((0.4, 1.0),)
     assert travel_of(Stick(), up, 5.0).to_hold is Way.UP
     assert travel_of(Stick(), (*up, (1.0, 1.0)), 5.0).to_hold is None
@@ -148,7 +146,7 @@ def test_while_it_is_pushed_it_is_said_that_it_has_to_be_held() -> None:
     assert travel_of(Stick(), ((0.4, 0.0),), 5.0).to_hold is None
 
 
-def test_a_slow_line_is_told_from_a_quick_one() -> None:
+def test_low_sample_rate_is_detected_as_slow() -> None:
     still = ((1.0, 0.0),)
     assert not travel_of(Stick(), still, 50.0).is_slow
     slow = travel_of(Stick(), still, 4.0)
@@ -156,7 +154,7 @@ def test_a_slow_line_is_told_from_a_quick_one() -> None:
     assert slow.interval == pytest.approx(0.25, abs=0.02)
 
 
-def test_a_switch_at_a_slow_rate_has_to_stay_in_its_positions_too() -> None:
+def test_switch_at_low_rate_must_be_held_in_position() -> None:
     switch = Stick(rest=1900, low=1100, high=1900, forward_is_down=True)
     assert TASKS[4] is Task.SWITCH
     flick = travel_of(switch, ((0.1, 1.0), (0.1, 0.0), (0.5, 0.0)), 5.0, task=Task.SWITCH)
@@ -165,7 +163,7 @@ def test_a_switch_at_a_slow_rate_has_to_stay_in_its_positions_too() -> None:
     assert held.is_enough
 
 
-def test_the_time_left_counts_samples_where_they_come_seldom() -> None:
+def test_time_left_counts_samples_at_low_rate() -> None:
     samples = [Sample(index / 4, 3750) for index in range(9)]  # two seconds
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
@@ -181,9 +179,7 @@ def test_the_time_left_counts_samples_where_they_come_seldom() -> None:
     ("volts", "words"),
     [(0.0, "it stays at 0.00 V, an end of what can be measured."), (1.3, "it stays at 1.30 V.")],
 )
-def test_an_analog_input_on_which_nothing_moves_may_not_be_connected(
-    volts: float, words: str
-) -> None:
+def test_still_analog_input_is_reported_as_maybe_unconnected(volts: float, words: str) -> None:
     stick = Stick(rest=volts, source=InputSource.ANALOG)
     (problem,) = travel_of(stick, ((2.0, 0.0),), 50.0).problems
     assert problem.kind is Kind.NEVER_MOVED
@@ -192,7 +188,7 @@ def test_an_analog_input_on_which_nothing_moves_may_not_be_connected(
     assert "was not moved" in problem.text
 
 
-def test_a_noisy_analog_input_may_not_be_connected() -> None:
+def test_noisy_analog_input_is_reported_as_maybe_unconnected() -> None:
     found = neutral_of(Stick(rest=2.0, noise=0.4, source=InputSource.ANALOG))
     (problem,) = found.problems
     assert problem.kind is Kind.NOISE

@@ -29,7 +29,7 @@ def kinds(stick: Stick, seed: int = 1) -> set[Kind]:
     spikes=st.floats(0, 0.005),
     seed=st.integers(0, 2**32),
 )
-def test_a_stick_at_rest_is_found_within_half_its_noise(
+def test_stick_rest_is_measured_within_half_its_noise(
     rest: float, noise: float, drift: float, lost: float, spikes: float, seed: int
 ) -> None:
     stick = Stick(rest=rest, noise=noise, drift=drift, lost=lost, spikes=spikes)
@@ -45,7 +45,7 @@ def test_a_stick_at_rest_is_found_within_half_its_noise(
 
 @unhurried
 @given(rest=st.floats(1.5, 3.5), noise=st.floats(0, 0.05), seed=st.integers(0, 2**32))
-def test_a_joystick_at_rest_is_found_within_half_its_noise(
+def test_analog_rest_is_measured_within_half_its_noise(
     rest: float, noise: float, seed: int
 ) -> None:
     found = neutral_of(Stick(rest=rest, noise=noise, source=ANALOG), seed)
@@ -55,7 +55,7 @@ def test_a_joystick_at_rest_is_found_within_half_its_noise(
 
 @unhurried
 @given(noise=st.floats(0.4, 15), seed=st.integers(0, 2**32))
-def test_the_noise_is_measured_within_a_factor_of_two(noise: float, seed: int) -> None:
+def test_noise_is_measured_within_factor_of_two(noise: float, seed: int) -> None:
     found = neutral_of(Stick(noise=noise), seed)
     rounding = 0.25  # of counts, which are whole
     assert noise * 2.5 / 2 <= found.deviation <= noise * 2.5 * 2 + rounding
@@ -67,21 +67,21 @@ def test_the_noise_is_measured_within_a_factor_of_two(noise: float, seed: int) -
     noise=st.floats(0, 2),
     seed=st.integers(0, 2**32),
 )
-def test_a_twitch_is_never_taken_for_rest(twitch: float, noise: float, seed: int) -> None:
+def test_twitch_is_reported_as_movement(twitch: float, noise: float, seed: int) -> None:
     assert kinds(Stick(twitches=twitch, noise=noise), seed) == {Kind.MOVED}
 
 
 @unhurried
 @example(drift=-14.0, seed=113877)
 @given(drift=st.one_of(st.floats(8, 200), st.floats(-200, -8)), seed=st.integers(0, 2**32))
-def test_a_drift_is_never_taken_for_rest(drift: float, seed: int) -> None:
+def test_drift_is_reported_as_movement_with_direction(drift: float, seed: int) -> None:
     (problem,) = neutral_of(Stick(drift=drift, noise=0.5), seed).problems
     assert problem.kind is Kind.MOVED
     assert f"It drifted {'up' if drift > 0 else 'down'} by" in problem.text
 
 
 @pytest.mark.parametrize("source", InputSource)
-def test_drift_is_told_when_it_exceeds_its_limit(source: InputSource) -> None:
+def test_drift_is_reported_only_beyond_its_limit(source: InputSource) -> None:
     def problems(drift: int) -> list[Kind]:
         middle = source.highest_count // 2
         counts = [middle + step for step in (0, drift // 2, drift) for _ in range(25)]
@@ -94,19 +94,19 @@ def test_drift_is_told_when_it_exceeds_its_limit(source: InputSource) -> None:
     assert problems(LIMITS[source].drifted + 1) == [Kind.MOVED]
 
 
-def test_no_signal_is_told_with_what_to_do() -> None:
+def test_missing_signal_is_reported_with_remedy() -> None:
     (problem,) = neutral_of(Stick(connected=False)).problems
     assert problem.kind is Kind.NO_SIGNAL
     assert "Is the transmitter on" in problem.text
 
 
 @pytest.mark.parametrize("lost", [0.7, 0.75])
-def test_a_signal_that_comes_and_goes_is_told(lost: float) -> None:
+def test_intermittent_signal_is_reported(lost: float) -> None:
     assert kinds(Stick(lost=lost)) <= {Kind.JITTER, Kind.NO_SIGNAL}
     assert kinds(Stick(lost=lost))
 
 
-def test_how_many_lost_pulses_are_told() -> None:
+def test_lost_pulses_are_reported_from_about_one_third() -> None:
     """The bounds that the message names: a third most often, 45 % nearly always, a tenth never."""
 
     def told(lost: float, noise: float = 1.0) -> int:
@@ -120,7 +120,7 @@ def test_how_many_lost_pulses_are_told() -> None:
     assert told(0.5) >= 195
 
 
-def test_the_share_of_lost_pulses_is_about_right() -> None:
+def test_reported_share_of_lost_pulses_is_roughly_right() -> None:
     found = neutral_of(Stick(lost=0.45, noise=2))
     (problem,) = found.problems
     share = int(problem.text.removeprefix("About ").split("%")[0].strip())
@@ -128,7 +128,7 @@ def test_the_share_of_lost_pulses_is_about_right() -> None:
     assert not problem.fatal
 
 
-def test_wild_pulses_are_told() -> None:
+def test_frequent_outliers_are_reported_as_jitter() -> None:
     samples = [Sample(i / 50, 3750 if i % 9 else 5100) for i in range(80)]
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
@@ -136,7 +136,7 @@ def test_wild_pulses_are_told() -> None:
     assert "9 of 80" in found.problems[0].text or "8 of 80" in found.problems[0].text
 
 
-def test_one_wild_pulse_is_no_noise() -> None:
+def test_single_outlier_does_not_count_as_noise() -> None:
     samples = [Sample(i / 50, 5100 if i == 30 else 3750 + i % 2) for i in range(80)]
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
@@ -145,21 +145,21 @@ def test_one_wild_pulse_is_no_noise() -> None:
 
 
 @pytest.mark.parametrize("wild", [1, 2])
-def test_a_wild_pulse_at_the_very_end_is_no_noise_either(wild: int) -> None:
+def test_outliers_at_end_of_samples_are_ignored(wild: int) -> None:
     counts = [3750] * 80 + [5100] * wild
     found = measure_neutral([Sample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC)
     assert found is not None
     assert not found.problems
 
 
-def test_noise_that_no_deadband_can_hold_is_told() -> None:
+def test_noise_beyond_any_deadband_is_reported() -> None:
     assert kinds(Stick(noise=60)) == {Kind.NOISE}
 
 
 @unhurried
 @example(noise=20.0, seed=312)
 @given(noise=st.floats(0, 20), seed=st.integers(0, 2**32))
-def test_the_deadband_holds_the_noise_and_is_never_below_its_floor(noise: float, seed: int) -> None:
+def test_deadband_covers_noise_and_never_falls_below_floor(noise: float, seed: int) -> None:
     found = neutral_of(Stick(noise=noise), seed)
     assert found.deadband >= max(found.noise, deadband_floor(InputSource.RC))
     if found.noise > LIMITS[InputSource.RC].noisy:
@@ -168,16 +168,16 @@ def test_the_deadband_holds_the_noise_and_is_never_below_its_floor(noise: float,
         assert found.deadband <= max(deadband_floor(InputSource.RC), LIMITS[InputSource.RC].noisy)
 
 
-def test_the_deadband_is_explained() -> None:
+def test_deadband_widened_for_noise_is_explained() -> None:
     assert neutral_of(Stick(noise=0.5)).deadband_reason == ""
     assert "At rest its noise is ±" in neutral_of(Stick(noise=12)).deadband_reason
 
 
-def test_nothing_is_said_of_no_samples() -> None:
+def test_neutral_without_samples_is_none() -> None:
     assert measure_neutral([], InputSource.RC) is None
 
 
-def test_what_is_wrong_is_said_while_it_is_sampled() -> None:
+def test_movement_is_reported_before_sampling_is_complete() -> None:
     moving = [Sample(i / 50, 3750 + 40 * i) for i in range(10)]
     found = measure_neutral(moving, InputSource.RC)
     assert found is not None

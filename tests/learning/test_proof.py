@@ -27,7 +27,7 @@ def switch_held_at(*phases: tuple[bool, int]) -> proof.Tested:
     return test.tested
 
 
-def test_nothing_was_seen_before_the_first_sample() -> None:
+def test_result_before_first_sample_reports_no_signal() -> None:
     before = StickTest(4).tested
     assert not any((before.on, before.off, before.rests, before.forward, before.reverse))
     assert before.text == "No signal comes in."
@@ -45,13 +45,13 @@ def test_end_is_reached_when_three_samples_agree(output: int, end: str) -> None:
     assert (held.forward, held.reverse) == (end == "forward", end == "reverse")
 
 
-def test_stick_names_the_end_that_is_missing() -> None:
+def test_stick_result_names_missing_ends() -> None:
     assert stick_held_at((0, 1)).text.endswith(": forward (+127) and reverse (−127).")
     assert stick_held_at((127, 3)).text.endswith(": reverse (−127).")
     assert stick_held_at((-127, 3)).text.endswith(": forward (+127).")
 
 
-def test_stick_passes_once_both_ends_were_reached_and_it_rests() -> None:
+def test_stick_passes_after_both_ends_and_rest() -> None:
     both = (127, 3), (-127, 3)
     assert stick_held_at(*both, (40, 1)).text.endswith("now it gives +40.")
     assert stick_held_at(*both, (0, 5)).text == "Full output reached. Let it rest for a moment."
@@ -63,7 +63,7 @@ def test_stick_passes_once_both_ends_were_reached_and_it_rests() -> None:
 # --- Switches ---------------------------------------------------------------------------
 
 
-def test_switch_asks_to_be_moved_before_a_position_was_seen() -> None:
+def test_switch_result_prompts_to_move_before_any_position() -> None:
     assert switch_held_at((True, 2)).text == "Move the switch to all its positions."
 
 
@@ -104,7 +104,7 @@ def test_channel_off_neutral_keeps_safe_start(channel: int) -> None:
     assert reasons({channel: 8}) == (), "that is near neutral"
 
 
-def test_second_channel_has_no_say_in_joint_mode() -> None:
+def test_safe_start_ignores_second_channel_in_joint_mode() -> None:
     assert reasons({2: 127, 3: 50}, joint=True) == ("channel 3 gives +50",)
 
 

@@ -51,7 +51,7 @@ def bound(stick: Stick) -> float:
 
 @unhurried
 @given(stick=sticks, seed=st.integers(0, 2**32))
-def test_the_ends_are_found_within_one_percent_of_the_travel(stick: Stick, seed: int) -> None:
+def test_ends_are_found_within_one_percent_of_travel(stick: Stick, seed: int) -> None:
     found = learned(stick, seed=seed).calibration
     assert found is not None
     assert found.problem() is None
@@ -63,7 +63,7 @@ def test_the_ends_are_found_within_one_percent_of_the_travel(stick: Stick, seed:
 
 @unhurried
 @given(stick=sticks, seed=st.integers(0, 2**32))
-def test_full_output_is_surely_reached_and_none_at_rest(stick: Stick, seed: int) -> None:
+def test_calibration_gives_full_output_at_ends_and_zero_at_rest(stick: Stick, seed: int) -> None:
     proposal = learned(stick, seed=seed)
     assert proposal.calibration is not None
     low, neutral, high = stick.truth()
@@ -88,7 +88,7 @@ def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, see
 
 @unhurried
 @given(low=st.floats(0.2, 1.5), high=st.floats(3.5, 4.8), seed=st.integers(0, 2**32))
-def test_a_joystick_is_learned_within_one_percent_of_its_travel(
+def test_analog_ends_are_found_within_one_percent_of_travel(
     low: float, high: float, seed: int
 ) -> None:
     stick = Stick(rest=2.5, low=low, high=high, noise=0.004, source=InputSource.ANALOG)
@@ -116,7 +116,7 @@ def test_a_joystick_is_learned_within_one_percent_of_its_travel(
     channel=st.integers(1, 5),
     seed=st.integers(0, 2**32),
 )
-def test_whatever_comes_in_the_board_takes_it_or_it_is_said_why_not(
+def test_any_signal_gives_valid_calibration_or_fatal_problem(
     stick: Stick, channel: int, seed: int
 ) -> None:
     proposal = learn(stick, channel, seed=seed)
@@ -136,51 +136,51 @@ def kinds(
 ONLY_UP = ((0.3, 1.0), (0.3, 1.0), (0.3, 0.0), (0.3, 0.0))
 
 
-def test_a_stick_that_never_moves_is_told() -> None:
+def test_stick_that_never_moves_is_reported() -> None:
     assert kinds(Stick(noise=1), moves=((2.0, 0.0),)) == [Kind.NEVER_MOVED]
 
 
-def test_a_stick_that_hardly_moves_is_told_with_what_it_needs() -> None:
+def test_too_little_travel_is_reported_with_required_travel() -> None:
     (problem,) = learn(Stick(low=1450, high=1550)).problems
     assert problem.kind is Kind.TOO_LITTLE
     assert "81 µs are needed" in problem.text
     assert "127 speeds" in problem.text
 
 
-def test_one_direction_only_is_told() -> None:
+def test_travel_in_one_direction_is_reported() -> None:
     assert kinds(Stick(), moves=ONLY_UP) == [Kind.ONE_DIRECTION]
 
 
-def test_an_end_too_near_is_told() -> None:
+def test_end_too_near_neutral_is_reported() -> None:
     assert kinds(Stick(low=1440)) == [Kind.END_TOO_NEAR]
 
 
-def test_a_rest_that_is_not_between_the_ends_is_told() -> None:
+def test_neutral_outside_travel_is_reported() -> None:
     neutral = neutral_of(Stick())
     moved = Stick(rest=1700, low=1650, high=2000)
     travel = travel_of(moved, neutral)
     assert [problem.kind for problem in travel.problems] == [Kind.NEUTRAL_OUTSIDE]
 
 
-def test_an_uneven_travel_is_worth_a_word_and_no_more() -> None:
+def test_uneven_travel_is_reported_and_still_proposed() -> None:
     proposal = learn(Stick(low=1300))
     assert [problem.kind for problem in proposal.problems] == [Kind.UNEVEN]
     assert proposal.calibration is not None
 
 
-def test_wild_pulses_make_no_end() -> None:
+def test_outlier_pulses_do_not_extend_travel() -> None:
     stick = Stick(spikes=0.02)
     travel = travel_of(stick, neutral_of(Stick()), seed=5)
     assert abs((travel.high or 0) - 5000) <= 2
     assert abs((travel.low or 0) - 2500) <= 2
 
 
-def test_a_signal_that_goes_while_it_moves_is_told() -> None:
+def test_signal_lost_during_travel_is_reported() -> None:
     travel = travel_of(Stick(lost=0.7), neutral_of(Stick()), moves=HOLD * 3)
     assert Kind.JITTER in [problem.kind for problem in travel.problems]
 
 
-def test_each_direction_is_ticked_when_it_was_reached() -> None:
+def test_only_travelled_direction_counts_as_reached() -> None:
     travel = travel_of(Stick(), neutral_of(Stick()), moves=ONLY_UP)
     assert travel.reached(Way.UP)
     assert not travel.reached(Way.DOWN)
@@ -188,7 +188,7 @@ def test_each_direction_is_ticked_when_it_was_reached() -> None:
     assert not travel.is_enough
 
 
-def test_a_two_way_switch_that_rests_high_needs_no_middle() -> None:
+def test_two_way_switch_resting_high_needs_no_middle() -> None:
     switch = Stick(rest=1900, low=1100, high=1900, forward_is_down=True)
     proposal = learn(switch, channel=4)
     assert proposal.problems == ()
@@ -199,7 +199,7 @@ def test_a_two_way_switch_that_rests_high_needs_no_middle() -> None:
     assert not proposal.reversed_
 
 
-def test_a_switch_that_rests_low_is_reversed_to_be_off_at_rest() -> None:
+def test_switch_resting_low_is_reversed_to_be_off_at_rest() -> None:
     proposal = learn(Stick(rest=1100, low=1100, high=1900), channel=5)
     assert proposal.problems == ()
     assert proposal.reversed_
@@ -208,14 +208,14 @@ def test_a_switch_that_rests_low_is_reversed_to_be_off_at_rest() -> None:
     assert proposal.calibration.problem() is None
 
 
-def test_a_switch_with_three_positions_stays_as_it_is() -> None:
+def test_three_way_switch_keeps_its_direction() -> None:
     proposal = learn(Stick(rest=1500, low=1100, high=1900), channel=4, reversed_now=True)
     assert proposal.problems == ()
     assert proposal.reversed_
     assert not proposal.reversed_reason
 
 
-def test_a_throttle_on_channel_3_may_rest_at_its_end() -> None:
+def test_throttle_on_channel_3_may_rest_at_its_end() -> None:
     proposal = learn(Stick(rest=1000, low=1000, high=2000), channel=3)
     assert proposal.problems == ()
     assert proposal.calibration is not None
@@ -227,7 +227,7 @@ THROTTLE = Stick(rest=1100, low=1100, high=1900)
 
 
 @pytest.mark.parametrize("stick", [THROTTLE, Stick(rest=1900, low=1100, high=1900)])
-def test_a_trim_beyond_the_rest_of_a_throttle_hardly_moves_the_auxiliary_motor(
+def test_trim_beyond_throttle_rest_gives_low_auxiliary_speed(
     stick: Stick,
 ) -> None:
     found = learn(stick, channel=3, moves=HOLD).calibration
@@ -237,7 +237,7 @@ def test_a_trim_beyond_the_rest_of_a_throttle_hardly_moves_the_auxiliary_motor(
     assert abs(remap(round(stick.rest * 2.5) + beyond * 6 // 10, found)) <= 10
 
 
-def test_a_throttle_in_volts_may_not_speed_up_far_below_its_rest() -> None:
+def test_analog_throttle_calibration_extends_beyond_its_rest() -> None:
     stick = Stick(rest=1.0, low=1.0, high=4.5, source=InputSource.ANALOG)
     found = learn(stick, channel=3).calibration
     assert found is not None
@@ -250,9 +250,7 @@ def test_a_throttle_in_volts_may_not_speed_up_far_below_its_rest() -> None:
 
 @unhurried
 @given(rest=st.floats(600, 2400), seed=st.integers(0, 2**32))
-def test_beyond_the_rest_of_a_throttle_there_is_no_sudden_full_speed(
-    rest: float, seed: int
-) -> None:
+def test_throttle_output_stays_low_just_beyond_its_rest(rest: float, seed: int) -> None:
     far = 2400.0 if rest < 1500 else 600.0
     stick = Stick(rest=rest, low=min(rest, far), high=max(rest, far), forward_is_down=rest > far)
     found = learn(stick, channel=3, seed=seed).calibration
@@ -264,14 +262,14 @@ def texts(check_: Check) -> list[str]:
     return [problem.text for problem in check_.problems]
 
 
-def test_what_a_throttle_does_beyond_its_rest_is_said() -> None:
+def test_remark_describes_throttle_beyond_its_rest() -> None:
     found = check(THROTTLE, 3)
     assert found.problems == ()
     (text,) = found.remarks
     assert text.startswith("Below its rest the motor speeds up again, whatever the sign: at 1000")
 
 
-def test_a_throttle_that_could_run_at_once_is_a_warning() -> None:
+def test_full_speed_beyond_throttle_rest_is_reported() -> None:
     (problem,) = check(THROTTLE, 3, Calibration(2600, 2750, 4700, 75)).problems
     assert problem.kind is Kind.SPEEDS_UP
     assert "to 127 of 127" in problem.text
@@ -281,7 +279,7 @@ def test_a_throttle_that_could_run_at_once_is_a_warning() -> None:
     assert "broken wire" in problem.text
 
 
-def test_a_deadband_below_the_noise_is_told() -> None:
+def test_deadband_below_noise_is_reported() -> None:
     (problem,) = check(Stick(noise=10), 1, Calibration(2550, 3750, 4950, 5)).problems
     assert problem.kind is Kind.NOISE
     assert not problem.fatal
@@ -299,17 +297,17 @@ def test_a_deadband_below_the_noise_is_told() -> None:
         (Calibration(2550, 3500, 4950, 75), "It rests at 1500 µs: with this neutral it would"),
     ],
 )
-def test_values_that_nobody_would_want_are_told(wanted: Calibration, words: str) -> None:
+def test_unsuitable_calibration_is_reported(wanted: Calibration, words: str) -> None:
     assert words in " ".join(texts(check(Stick(), 1, wanted)))
 
 
-def test_a_deadband_wider_than_the_throttle_goes_is_told() -> None:
+def test_deadband_wider_than_throttle_travel_is_reported() -> None:
     (text, *_) = texts(check(THROTTLE, 3, Calibration(1250, 2750, 4700, 3000)))
     assert "reaches maximum: there is nothing between 0 and full output" in text
 
 
 @pytest.mark.parametrize("channel", [1, 3, 4])
-def test_what_is_proposed_is_never_complained_of(channel: int) -> None:
+def test_proposed_calibration_has_no_problems(channel: int) -> None:
     stick = Stick() if channel == 1 else THROTTLE
     assert check(stick, channel).problems == ()
 
@@ -317,19 +315,19 @@ def test_what_is_proposed_is_never_complained_of(channel: int) -> None:
 # --- Switches ---------------------------------------------------------------------------
 
 
-def test_where_a_switch_switches_is_said_with_its_doubt() -> None:
+def test_switching_point_is_reported_as_inferred() -> None:
     (text,) = check(THROTTLE, 5).remarks
     assert "Active above 1495 µs, off at rest (inferred" in text
 
 
-def test_a_switch_that_is_not_reversed_though_it_rests_low_is_told() -> None:
+def test_unreversed_switch_resting_low_is_reported() -> None:
     (problem,) = check(THROTTLE, 5, reversed_=False).problems
     assert problem.kind is Kind.NEVER_SWITCHES
     assert "It is inactive in all its positions" in problem.text
     assert "Should it be reversed" in problem.text
 
 
-def test_a_switch_that_rests_where_it_switches_is_told() -> None:
+def test_switch_resting_at_its_switching_point_is_reported() -> None:
     kinds_ = [
         p.kind
         for p in check(THROTTLE, 5, Calibration(2700, 2750, 4700, 75), reversed_=False).problems
@@ -342,9 +340,7 @@ def test_a_switch_that_rests_where_it_switches_is_told() -> None:
 
 @unhurried
 @given(off=st.floats(0.1, 0.3), up=st.booleans(), seed=st.integers(0, 2**32))
-def test_a_steady_hand_on_the_stick_while_it_was_sampled_is_told(
-    off: float, up: bool, seed: int
-) -> None:
+def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, seed: int) -> None:
     stick = Stick(noise=0.5)
     held = stick.value(off if up else -off)
     neutral = neutral_of(replace(stick, rest=held), seed)
@@ -361,14 +357,14 @@ def test_a_steady_hand_on_the_stick_while_it_was_sampled_is_told(
 
 
 @pytest.mark.parametrize("last", [(0.5, 1.0), (0.5, -1.0), (0.5, 0.7)])
-def test_a_stick_that_is_still_pushed_was_not_let_go(last: tuple[float, float]) -> None:
+def test_stick_held_off_rest_after_travel_keeps_neutral(last: tuple[float, float]) -> None:
     neutral = neutral_of(Stick())
     travel = travel_of(Stick(), neutral, moves=(*HOLD, last, (0.5, last[1])))
     assert travel.settled is not None
     assert travel.rest == neutral.value
 
 
-def test_a_stick_that_moves_has_not_settled() -> None:
+def test_moving_stick_has_not_settled() -> None:
     travel = travel_of(Stick(), neutral_of(Stick()), moves=(*HOLD, (1.0, 0.4)))
     assert travel.settled is None
 
@@ -378,7 +374,7 @@ def test_a_stick_that_moves_has_not_settled() -> None:
 
 @pytest.mark.parametrize("share", [0.2, 0.35, 0.5])
 @pytest.mark.parametrize("forward_is_down", [False, True])
-def test_crosstalk_of_the_other_axis_does_not_suggest_to_reverse(
+def test_crosstalk_of_other_axis_does_not_change_reversal(
     share: float, forward_is_down: bool
 ) -> None:
     stick = Stick(forward_is_down=forward_is_down)

@@ -37,7 +37,7 @@ def recalibrated(text: str, *points: int) -> str:
 # What a person wrote stays
 
 
-def test_only_the_value_and_the_comment_of_the_program_change() -> None:
+def test_edit_changes_only_values_and_generated_comments() -> None:
     before = (
         "# Robot no. 3\n"
         "\n"
@@ -75,7 +75,7 @@ def test_only_the_value_and_the_comment_of_the_program_change() -> None:
         ("-0", 6, "6"),
     ],
 )
-def test_a_number_keeps_its_base_and_its_width(old: str, wire: int, new: str) -> None:
+def test_number_keeps_its_base_and_width(old: str, wire: int, new: str) -> None:
     text = amended(f"product: TReX\ndevice_number: {old}\n", device_number=wire)
     assert text == f"product: TReX\ndevice_number: {new}\n"
 
@@ -84,17 +84,17 @@ def test_a_number_keeps_its_base_and_its_width(old: str, wire: int, new: str) ->
     "comment",
     ["#off", "# off, for the bench", "# Off", "#", "# 0 s"],
 )
-def test_a_comment_of_a_person_is_left_alone(comment: str) -> None:
+def test_user_comment_is_left_alone(comment: str) -> None:
     text = amended(f"product: TReX\nserial_timeout: 0 {comment}\n", serial_timeout=5)
     assert text == f"product: TReX\nserial_timeout: 5 {comment}\n"
 
 
-def test_a_comment_in_a_line_of_its_own_is_a_persons() -> None:
+def test_comment_on_its_own_line_is_left_alone() -> None:
     before = "product: TReX\nserial_timeout: 0\n# off\n"
     assert amended(before, serial_timeout=5) == before.replace(": 0", ": 5")
 
 
-def test_a_comment_stays_in_its_column_where_there_is_room() -> None:
+def test_comment_keeps_its_column_if_there_is_room() -> None:
     before = (
         "product: TReX\ndevice_number: 7     # a\nserial_timeout: 100  # b\n"
         "motor1_acceleration: 5 # c\nmotor2_acceleration: 5   # d\n"
@@ -112,7 +112,7 @@ def test_a_comment_stays_in_its_column_where_there_is_room() -> None:
     )
 
 
-def test_a_calibration_in_braces_keeps_its_shape() -> None:
+def test_calibration_in_braces_keeps_its_layout() -> None:
     before = (
         "product: TReX\n"
         "rc_channel_1: {deadband: 75, minimum: 0x9C4,\n"
@@ -127,7 +127,7 @@ def test_a_calibration_in_braces_keeps_its_shape() -> None:
     )
 
 
-def test_a_calibration_in_lines_keeps_its_shape() -> None:
+def test_calibration_in_lines_keeps_its_layout() -> None:
     before = (
         "product: TReX\n"
         "rc_channel_1:  # 1000 / 1500 / 2000 µs, deadband 30 µs\n"
@@ -143,7 +143,7 @@ def test_a_calibration_in_lines_keeps_its_shape() -> None:
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 @pytest.mark.parametrize("mark", ["", "\ufeff"])
 @pytest.mark.parametrize("last", [True, False])
-def test_line_ends_and_the_mark_of_windows_stay(end: str, mark: str, last: bool) -> None:
+def test_line_endings_and_byte_order_mark_are_kept(end: str, mark: str, last: bool) -> None:
     before = mark + end.join(["product: TReX", "# µ", "serial_timeout: 0  # off"]) + end * last
     after = amended(before, serial_timeout=5, motor_mode=1)
     lines = ["product: TReX", "# µ", "serial_timeout: 5  # 0.5 s"]
@@ -166,7 +166,7 @@ def test_line_ends_and_the_mark_of_windows_stay(end: str, mark: str, last: bool)
         ("{product: TReX}", "{product: TReX Jr}"),
     ],
 )
-def test_the_product_changes_in_the_quotes_that_it_has(before: str, after: str | None) -> None:
+def test_product_changes_and_keeps_its_quoting(before: str, after: str | None) -> None:
     if after is None:
         with pytest.raises(SettingsError):
             read_settings(before)
@@ -174,13 +174,13 @@ def test_the_product_changes_in_the_quotes_that_it_has(before: str, after: str |
         assert amend(before, Settings(TREX_JR)) == after
 
 
-def test_what_a_value_means_to_another_model_is_renewed() -> None:
+def test_generated_comment_follows_changed_product() -> None:
     before = "product: TReX\nmotor1_current_limit: 10  # 3 A\n"
     after = "product: TReX Jr\nmotor1_current_limit: 10  # 0.8 A\n"
     assert amend(before, Settings(TREX_JR, None, {"motor1_current_limit": 10})) == after
 
 
-def test_the_firmware_comes_changes_and_goes() -> None:
+def test_firmware_is_added_changed_and_commented_out() -> None:
     bare = "product: TReX  # mine\n"
     given_one = amend(bare, Settings(TREX, "1.1"))
     assert given_one == "product: TReX  # mine\nfirmware: 1.1\n"
@@ -188,7 +188,7 @@ def test_the_firmware_comes_changes_and_goes() -> None:
     assert amend(given_one, Settings(TREX)) == "product: TReX  # mine\n# firmware: 1.1\n"
 
 
-def test_missing_settings_come_last_in_the_order_of_the_table() -> None:
+def test_missing_settings_are_appended_in_table_order() -> None:
     before = "  product: TReX\n  motor_mode: 0\n...\n# the end\n"
     wanted = Settings(
         TREX,
@@ -206,7 +206,7 @@ def test_missing_settings_come_last_in_the_order_of_the_table() -> None:
     )
 
 
-def test_settings_that_are_gone_stay_as_comments() -> None:
+def test_removed_settings_become_comments() -> None:
     before = (
         "product: TReX\nserial_timeout: 5  # why\n"
         "rc_channel_1:\n  # ends\n  minimum: 1\n\n  neutral: 2\n  maximum: 3\n  deadband: 0\n"
@@ -219,7 +219,7 @@ def test_settings_that_are_gone_stay_as_comments() -> None:
     )
 
 
-def test_a_file_in_braces_is_amended_in_braces() -> None:
+def test_file_in_braces_is_edited_in_braces() -> None:
     before = (
         "{product: TReX, serial_timeout: 0,  # off\n device_number: 7,\n motor_mode: 1 # j\n} # e\n"
     )
@@ -230,7 +230,7 @@ def test_a_file_in_braces_is_amended_in_braces() -> None:
     )
 
 
-def test_a_value_that_the_board_would_refuse_becomes_a_comment_once() -> None:
+def test_invalid_value_becomes_comment_only_once() -> None:
     broken = Calibration(9, 9, 9, 9)
     odd = Settings(TREX, None, {"uart_settings": 12, "motor_mode": 1}, {RC_1: broken})
     after = amend("product: TReX\nuart_settings: 5\nmotor_mode: 0\n", odd)
@@ -245,18 +245,18 @@ def test_a_value_that_the_board_would_refuse_becomes_a_comment_once() -> None:
 
 
 @pytest.mark.parametrize("text", ["", "product: Tic\n", "product: TReX\nserial_timeout: 300\n"])
-def test_a_text_that_cannot_be_read_is_not_amended(text: str) -> None:
+def test_unreadable_text_is_not_edited(text: str) -> None:
     with pytest.raises(SettingsError) as caught:
         amend(text, factory(), "bench.txt")
     assert caught.value.name == "bench.txt"
 
 
-def test_a_key_that_the_board_does_not_have_is_refused() -> None:
+def test_unknown_key_is_rejected() -> None:
     with pytest.raises(BadRequest, match="a TReX has no speed"):
         amend("product: TReX\n", Settings(TREX, None, {"speed": 1}))
 
 
-def test_a_text_that_would_read_otherwise_is_refused_in_a_sentence() -> None:
+def test_edit_that_would_read_back_differently_is_rejected() -> None:
     # The block of text ends where the file ends; with a line behind it, it would end in a break.
     before = "product: TReX\nfirmware: |\n  1.2"
     with pytest.raises(SettingsError, match="cannot be changed in place"):
@@ -375,7 +375,7 @@ def any_amendment(draw: st.DrawFn) -> tuple[Settings, Written, Settings]:
 
 @thorough
 @given(amendment=any_amendment())
-def test_any_file_reads_as_the_new_settings_and_keeps_its_comments(
+def test_edited_file_reads_as_new_settings_and_keeps_comments(
     amendment: tuple[Settings, Written, Settings],
 ) -> None:
     old, written, new = amendment
@@ -390,7 +390,7 @@ def test_any_file_reads_as_the_new_settings_and_keeps_its_comments(
 
 @thorough
 @given(amendment=any_amendment())
-def test_what_does_not_change_stays_byte_for_byte(
+def test_unchanged_entries_stay_byte_for_byte(
     amendment: tuple[Settings, Written, Settings],
 ) -> None:
     old, written, new = amendment
@@ -409,14 +409,14 @@ def test_what_does_not_change_stays_byte_for_byte(
 
 @thorough
 @given(data=st.data(), given_settings=any_settings())
-def test_the_same_settings_change_nothing(data: st.DataObject, given_settings: Settings) -> None:
+def test_same_settings_leave_text_unchanged(data: st.DataObject, given_settings: Settings) -> None:
     text = data.draw(any_written(given_settings)).text
     assert amend(text, given_settings) == text
 
 
 @thorough
 @given(old=any_settings(), data=st.data())
-def test_parameters_in_a_file_of_the_program_look_as_if_it_had_written_them(
+def test_edited_generated_file_equals_newly_written_file(
     old: Settings, data: st.DataObject
 ) -> None:
     specs = [spec for spec in old.specs.readable if spec.key in old.parameters]
@@ -427,7 +427,7 @@ def test_parameters_in_a_file_of_the_program_look_as_if_it_had_written_them(
 
 @thorough
 @given(old=any_settings(), new=any_settings(), data=st.data())
-def test_a_file_in_braces_can_be_amended_too(
+def test_any_file_in_braces_can_be_edited(
     old: Settings, new: Settings, data: st.DataObject
 ) -> None:
     keys = [("product", old.product.name)]

@@ -21,7 +21,7 @@ def changed(given_settings: Settings, **parameters: int) -> Settings:
     return replace(given_settings, parameters={**given_settings.parameters, **parameters})
 
 
-def test_a_row_says_each_value_in_both_ways() -> None:
+def test_row_has_raw_and_readable_values() -> None:
     (row,) = compare(
         Settings(TREX, None, {"serial_timeout": 0}), Settings(TREX, None, {"serial_timeout": 15})
     ).rows
@@ -31,7 +31,7 @@ def test_a_row_says_each_value_in_both_ways() -> None:
     assert not row.is_calibration
 
 
-def test_a_calibration_is_a_row_too() -> None:
+def test_calibration_is_compared_in_one_row() -> None:
     after = replace(STICK, maximum=5100)
     (row,) = compare(
         Settings(TREX, None, {}, {RC_1: STICK}), Settings(TREX, None, {}, {RC_1: after})
@@ -44,7 +44,7 @@ def test_a_calibration_is_a_row_too() -> None:
     assert row.is_calibration
 
 
-def test_rows_are_in_the_order_of_the_table_with_calibrations_behind() -> None:
+def test_rows_follow_table_order_with_calibrations_last() -> None:
     before = factory()
     rows = compare(before, before).rows
     assert [row.key for row in rows] == [
@@ -71,11 +71,13 @@ def test_rows_are_in_the_order_of_the_table_with_calibrations_behind() -> None:
         ({}, {"serial_timeout": 0}, "1 parameter: 1 will change, 0 match"),
     ],
 )
-def test_the_summary_counts(before: dict[str, int], after: dict[str, int], summary: str) -> None:
+def test_summary_counts_changed_matching_and_missing_values(
+    before: dict[str, int], after: dict[str, int], summary: str
+) -> None:
     assert compare(Settings(TREX, None, before), Settings(TREX, None, after)).summary() == summary
 
 
-def test_the_summary_counts_calibrations_apart() -> None:
+def test_summary_counts_calibrations_separately() -> None:
     before = factory()
     after = replace(
         changed(before, serial_timeout=5, motor_mode=1),
@@ -88,7 +90,7 @@ def test_the_summary_counts_calibrations_apart() -> None:
     assert (comparison.changed, comparison.equal, comparison.missing) == (3, 35, 0)
 
 
-def test_the_report_has_only_what_differs() -> None:
+def test_report_lists_only_differences() -> None:
     before = factory()
     after = replace(
         changed(before, serial_timeout=15, device_number=8),
@@ -106,7 +108,7 @@ def test_the_report_has_only_what_differs() -> None:
     ]
 
 
-def test_what_one_side_does_not_give_is_reported_as_such() -> None:
+def test_missing_value_is_reported_as_not_given() -> None:
     before = Settings(TREX, None, {"motor_mode": 1}, {RC_1: STICK})
     after = Settings(TREX, None, {"serial_timeout": 1})
     comparison = compare(before, after)
@@ -119,14 +121,14 @@ def test_what_one_side_does_not_give_is_reported_as_such() -> None:
     assert [row.is_missing for row in comparison.rows] == [False, True, True]
 
 
-def test_equal_settings_have_nothing_to_report() -> None:
+def test_equal_settings_have_empty_report() -> None:
     assert compare(factory(), factory()).report() == ""
 
 
 # Other firmware, other product
 
 
-def test_what_older_firmware_lacks_cannot_be_carried_over_in_either_direction() -> None:
+def test_parameter_missing_in_older_firmware_is_left_out() -> None:
     old, new = factory("trex", "1.1"), changed(factory("trex", "1.2"), uart_response_delay=1)
     sentence = (
         "Enable UART Response Delay (1 ms) is left out: a TReX with firmware 1.1 does not have it."
@@ -141,7 +143,7 @@ def test_what_older_firmware_lacks_cannot_be_carried_over_in_either_direction() 
         )
 
 
-def test_what_means_something_else_to_the_other_model_cannot_be_carried_over() -> None:
+def test_value_with_other_meaning_on_other_model_is_left_out() -> None:
     before, after = factory("trexjr"), changed(factory("trex"), motor2_current_limit=10)
     comparison = compare(before, after)
     assert comparison.left_out == (
@@ -150,7 +152,7 @@ def test_what_means_something_else_to_the_other_model_cannot_be_carried_over() -
     assert "motor2_current_limit" not in {row.key for row in comparison.rows}
 
 
-def test_off_means_off_to_every_model() -> None:
+def test_value_off_is_compared_across_models() -> None:
     before = Settings(TREX_JR, None, {"motor1_current_limit": 10})
     (row,) = compare(before, Settings(TREX, None, {"motor1_current_limit": 0})).rows
     assert (row.text_before, row.text_after) == ("0.8 A", "off")
@@ -158,7 +160,7 @@ def test_off_means_off_to_every_model() -> None:
 
 @modest
 @given(before=any_settings(), after=any_settings())
-def test_every_setting_is_a_row_or_left_out(before: Settings, after: Settings) -> None:
+def test_every_setting_has_row_or_is_left_out(before: Settings, after: Settings) -> None:
     comparison = compare(before, after)
     keys = {*before.parameters, *after.parameters}
     places = {*before.calibrations, *after.calibrations}

@@ -11,7 +11,7 @@ BOARDS = [(model, firmware) for model in device_table().models for firmware in m
 
 
 @pytest.mark.parametrize(("model", "firmware"), BOARDS, ids=lambda part: getattr(part, "key", part))
-def test_factory_settings_are_a_whole_settings_file(model: Model, firmware: str) -> None:
+def test_factory_settings_make_complete_settings_file(model: Model, firmware: str) -> None:
     settings = factory_settings(model, firmware)
     again, findings = read_settings(write_settings(settings))
     assert again == settings
@@ -20,7 +20,7 @@ def test_factory_settings_are_a_whole_settings_file(model: Model, firmware: str)
 
 
 @pytest.mark.parametrize(("model", "firmware"), BOARDS, ids=lambda part: getattr(part, "key", part))
-def test_serial_defaults_are_only_how_the_board_is_reached(model: Model, firmware: str) -> None:
+def test_serial_defaults_contain_only_connection_settings(model: Model, firmware: str) -> None:
     settings = serial_defaults(model, firmware)
     assert set(settings.parameters) <= set(REACH)
     assert {"uart_settings", "crc7_polynomial", "device_number"} <= set(settings.parameters)

@@ -40,19 +40,19 @@ def take(history: History, minutes: int = 0, **values: int) -> Path:
     return history.take(settings, adapter="FT232R (ttyUSB0)", reason="Apply", now=now).path
 
 
-def test_a_new_history_is_empty_and_makes_no_folder(history: History) -> None:
+def test_new_history_is_empty_and_creates_no_folder(history: History) -> None:
     assert history.snapshots() == ()
     assert not history.folder.exists()
 
 
-def test_what_was_taken_reads_back_the_same(history: History) -> None:
+def test_saved_snapshot_loads_as_same_settings(history: History) -> None:
     settings = settings_of_a_board(serial_timeout=5)
     snapshot = history.take(settings, adapter="/dev/ttyUSB0", reason="Apply of 2 settings")
     assert history.load(snapshot) == settings
     assert history.snapshots() == (snapshot,)
 
 
-def test_the_list_says_when_why_and_of_which_board(history: History) -> None:
+def test_snapshot_lists_time_board_adapter_and_reason(history: History) -> None:
     take(history, device_number=9)
     (snapshot,) = history.snapshots()
     assert snapshot.taken == NOON
@@ -61,7 +61,7 @@ def test_the_list_says_when_why_and_of_which_board(history: History) -> None:
     assert (snapshot.adapter, snapshot.reason) == ("FT232R (ttyUSB0)", "Apply")
 
 
-def test_the_newest_comes_first_also_within_a_second(history: History) -> None:
+def test_newest_snapshot_is_first_even_within_one_second(history: History) -> None:
     paths = [take(history, minutes, serial_timeout=minutes) for minutes in (2, 0, 1, 1, 1)]
     listed = [snapshot.path for snapshot in history.snapshots()]
     assert listed == [paths[0], paths[4], paths[3], paths[2], paths[1]]
@@ -71,13 +71,13 @@ def test_the_newest_comes_first_also_within_a_second(history: History) -> None:
 # --- How many are kept ------------------------------------------------------------------
 
 
-def test_only_the_bound_removes_and_the_oldest_goes_first(history: History) -> None:
+def test_limit_removes_oldest_snapshots(history: History) -> None:
     history.keep(3)
     paths = [take(history, minutes) for minutes in range(5)]
     assert {snapshot.path for snapshot in history.snapshots()} == set(paths[2:])
 
 
-def test_the_one_just_taken_stays_though_the_clock_went_back(history: History) -> None:
+def test_new_snapshot_is_kept_if_clock_went_back(history: History) -> None:
     history.keep(2)
     for minutes in (10, 11):
         os.utime(take(history, minutes), (1, 1))  # saved before, by whatever clock
@@ -86,7 +86,7 @@ def test_the_one_just_taken_stays_though_the_clock_went_back(history: History) -
     assert len(history.snapshots()) == 2
 
 
-def test_what_another_program_saved_at_the_same_time_is_left_to_it(history: History) -> None:
+def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: History) -> None:
     history.keep(1)
     other = take(history, 1)
     os.utime(other, (2**32, 2**32))  # after anything saved now
@@ -95,7 +95,7 @@ def test_what_another_program_saved_at_the_same_time_is_left_to_it(history: Hist
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
-def test_snapshot_whose_file_is_gone_does_not_keep_another_from_being_taken(
+def test_dangling_snapshot_link_does_not_block_new_snapshot(
     history: History,
 ) -> None:
     history.keep(1)
@@ -106,7 +106,7 @@ def test_snapshot_whose_file_is_gone_does_not_keep_another_from_being_taken(
     assert [snapshot.path for snapshot in history.snapshots()] == [own]
 
 
-def test_without_a_bound_nothing_goes(history: History) -> None:
+def test_history_without_limit_removes_nothing(history: History) -> None:
     history.keep(None)
     for minutes in range(12):
         take(history, minutes)
@@ -114,13 +114,13 @@ def test_without_a_bound_nothing_goes(history: History) -> None:
     assert history.bound() == Bound(None)
 
 
-def test_a_history_of_nothing_is_refused(history: History) -> None:
+def test_limit_of_zero_is_rejected(history: History) -> None:
     with pytest.raises(ValueError, match="at least one"):
         history.keep(0)
     assert history.bound() == Bound(KEPT)
 
 
-def test_what_one_program_sets_another_keeps_to(history: History) -> None:
+def test_limit_is_shared_between_programs(history: History) -> None:
     history.keep(2)
     other = History(history.folder)
     assert other.bound() == Bound(2)
@@ -129,7 +129,7 @@ def test_what_one_program_sets_another_keeps_to(history: History) -> None:
     assert len(history.snapshots()) == 2
 
 
-def test_a_lower_bound_removes_the_oldest_at_once_and_says_which(history: History) -> None:
+def test_lower_limit_removes_and_returns_oldest_snapshots(history: History) -> None:
     paths = [take(history, minutes) for minutes in range(5)]
     beyond = history.beyond(2)
     assert [snapshot.path for snapshot in beyond] == paths[2::-1]
@@ -139,7 +139,7 @@ def test_a_lower_bound_removes_the_oldest_at_once_and_says_which(history: Histor
 
 
 @pytest.mark.parametrize("text", ["kept: 7\n", "# mine\n\n kept:7 # a week\n", "\ufeffkept: 7\r\n"])
-def test_a_bound_may_be_written_by_hand(history: History, text: str) -> None:
+def test_limit_file_may_be_written_by_hand(history: History, text: str) -> None:
     history.folder.mkdir()
     (history.folder / BOUND_FILE).write_bytes(text.encode())
     assert history.bound() == Bound(7)
@@ -152,7 +152,7 @@ def test_a_bound_may_be_written_by_hand(history: History, text: str) -> None:
         *("kept: 99999999", "kept: 2" + " " * 5000, "kept: 1.5", "KEPT"),
     ],
 )
-def test_a_damaged_bound_removes_nothing_and_says_so(history: History, text: str) -> None:
+def test_damaged_limit_removes_nothing_and_is_reported(history: History, text: str) -> None:
     history.keep(2)
     (history.folder / BOUND_FILE).write_text(text, encoding="utf-8")
     for minutes in range(4):
@@ -165,7 +165,7 @@ def test_a_damaged_bound_removes_nothing_and_says_so(history: History, text: str
     assert len(history.snapshots()) == 3
 
 
-def test_a_bound_that_cannot_be_read_removes_nothing_and_says_so(history: History) -> None:
+def test_unreadable_limit_is_reported_and_cannot_be_set(history: History) -> None:
     (history.folder / BOUND_FILE).mkdir(parents=True)
     take(history)
     assert "cannot be read" in history.bound().problem
@@ -174,13 +174,13 @@ def test_a_bound_that_cannot_be_read_removes_nothing_and_says_so(history: Histor
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
-def test_a_bound_that_was_linked_to_and_is_gone_removes_nothing(history: History) -> None:
+def test_dangling_limit_link_is_reported(history: History) -> None:
     history.folder.mkdir()
     (history.folder / BOUND_FILE).symlink_to(history.folder / "elsewhere")
     assert "is missing" in history.bound().problem
 
 
-def test_a_bound_that_cannot_be_saved_removes_nothing(
+def test_limit_that_cannot_be_saved_removes_nothing(
     history: History, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for minutes in range(3):
@@ -213,7 +213,7 @@ for number in range(20):
 """
 
 
-def test_two_programs_in_the_same_second_lose_nothing(history: History) -> None:
+def test_programs_saving_in_same_second_lose_no_snapshot(history: History) -> None:
     programs = [
         subprocess.Popen(
             [sys.executable, "-c", _MANY, str(history.folder), str(first)],
@@ -233,7 +233,7 @@ def test_two_programs_in_the_same_second_lose_nothing(history: History) -> None:
 
 
 @pytest.mark.parametrize("failing", ["os.fsync", "pathlib.Path.hardlink_to pathlib.Path.replace"])
-def test_the_end_in_the_middle_of_a_save_leaves_no_half_snapshot(
+def test_failed_save_leaves_no_partial_snapshot(
     history: History, monkeypatch: pytest.MonkeyPatch, failing: str
 ) -> None:
     take(history)
@@ -247,7 +247,7 @@ def test_the_end_in_the_middle_of_a_save_leaves_no_half_snapshot(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs no hard links there")
-def test_a_disk_without_hard_links_keeps_snapshots_too(
+def test_snapshots_are_saved_without_hard_links(
     history: History, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def impossible(*arguments: object) -> None:
@@ -260,7 +260,7 @@ def test_a_disk_without_hard_links_keeps_snapshots_too(
     assert all(history.load(found) == settings_of_a_board() for found in history.snapshots())
 
 
-def test_a_draft_that_a_power_failure_left_is_no_snapshot(history: History) -> None:
+def test_leftover_temporary_file_is_not_listed(history: History) -> None:
     path = take(history)
     path.rename(path.with_name(f".{path.name}.1a2b3c4d.tmp"))
     assert history.snapshots() == ()
@@ -269,7 +269,7 @@ def test_a_draft_that_a_power_failure_left_is_no_snapshot(history: History) -> N
 # --- What is there ----------------------------------------------------------------------
 
 
-def test_other_files_are_left_alone(history: History) -> None:
+def test_limit_leaves_unrelated_files_alone(history: History) -> None:
     history.keep(1)
     take(history)
     names = ["notes.txt", "20261121T115900Z.txt", "20261121T115900Z-trex-1.2.txt.bak", "x"]
@@ -280,7 +280,7 @@ def test_other_files_are_left_alone(history: History) -> None:
     assert len(history.snapshots()) == 1
 
 
-def test_a_damaged_snapshot_is_listed_and_says_what_is_wrong(history: History) -> None:
+def test_damaged_snapshot_is_listed_with_its_problem(history: History) -> None:
     path = take(history)
     path.write_bytes(b"\xff\x00 nothing of use")
     (snapshot,) = history.snapshots()
@@ -299,7 +299,7 @@ def test_a_damaged_snapshot_is_listed_and_says_what_is_wrong(history: History) -
         ("product: TReX Jr  # mine\r\n\r\nfirmware: '1.2'\r\n", ""),
     ],
 )
-def test_the_list_tells_what_the_head_tells(history: History, text: str, problem: str) -> None:
+def test_list_entry_is_read_from_file_header(history: History, text: str, problem: str) -> None:
     take(history).write_bytes(text.encode())
     (snapshot,) = history.snapshots()
     assert snapshot.problem == problem
@@ -307,7 +307,7 @@ def test_the_list_tells_what_the_head_tells(history: History, text: str, problem
         assert (snapshot.product, snapshot.firmware) == ("TReX Jr", "1.2")
 
 
-def test_a_snapshot_that_is_gone_says_so(history: History) -> None:
+def test_loading_removed_snapshot_reports_missing_file(history: History) -> None:
     take(history)
     (snapshot,) = history.snapshots()
     history.remove(snapshot)
@@ -318,20 +318,20 @@ def test_a_snapshot_that_is_gone_says_so(history: History) -> None:
 
 
 @pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may write everywhere")
-def test_a_folder_that_cannot_be_made_is_a_sentence(tmp_path: Path) -> None:
+def test_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
     tmp_path.chmod(0o500)
     with pytest.raises(SettingsError, match="cannot be made"):
         take(History(tmp_path / "snapshots"))
 
 
-def test_a_folder_that_is_a_file_is_a_sentence(tmp_path: Path) -> None:
+def test_file_in_place_of_folder_is_reported(tmp_path: Path) -> None:
     (tmp_path / "snapshots").write_text("", encoding="utf-8")
     with pytest.raises(SettingsError, match="cannot be made"):
         take(History(tmp_path / "snapshots"))
 
 
 @given(adapter=st.text(max_size=80), reason=st.text(max_size=80))
-def test_no_adapter_and_no_reason_can_break_a_snapshot(
+def test_snapshot_accepts_any_adapter_and_reason(
     tmp_path_factory: pytest.TempPathFactory, adapter: str, reason: str
 ) -> None:
     history = History(tmp_path_factory.mktemp("history"))
@@ -341,13 +341,13 @@ def test_no_adapter_and_no_reason_can_break_a_snapshot(
     assert [listed.path for listed in history.snapshots()] == [snapshot.path]
 
 
-def test_the_folder_is_one_of_this_persons_data(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_default_folder_is_absolute_and_names_program(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("TREX_STUDIO_DATA", raising=False)
     assert default_folder().is_absolute()
     assert "TReX Studio" in str(default_folder())
 
 
-def test_the_environment_may_name_another_place(
+def test_environment_variable_sets_data_folder(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("TREX_STUDIO_DATA", str(tmp_path))

@@ -202,25 +202,25 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
 }
 
 
-def test_every_rule_has_its_example() -> None:
+def test_every_rule_has_example() -> None:
     assert list(EXAMPLES) == list(RULES)
 
 
 @pytest.mark.parametrize("rule", RULES)
-def test_a_rule_says_what_is_odd_and_what_would_be_better(rule: str) -> None:
+def test_rule_reports_expected_finding(rule: str) -> None:
     given_settings, context, expected = EXAMPLES[rule]
     assert only(given_settings, context) == expected
 
 
 @pytest.mark.parametrize("rule", RULES)
-def test_what_a_rule_proposes_ends_it(rule: str) -> None:
+def test_accepted_proposal_clears_finding(rule: str) -> None:
     given_settings, context, expected = EXAMPLES[rule]
     if expected.change:
         assert advise(accept(given_settings, expected), context) == ()
 
 
 @pytest.mark.parametrize("rule", RULES)
-def test_a_rule_is_silent_while_a_setting_that_it_needs_is_missing(rule: str) -> None:
+def test_rule_is_silent_if_required_setting_is_missing(rule: str) -> None:
     given_settings, context, _ = EXAMPLES[rule]
     for key in given_settings.parameters:
         rest = {k: wire for k, wire in given_settings.parameters.items() if k != key}
@@ -233,28 +233,28 @@ def test_a_rule_is_silent_while_a_setting_that_it_needs_is_missing(rule: str) ->
 
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
 @pytest.mark.parametrize("firmware", [None, "1.0", "1.3"])
-def test_nothing_is_odd_about_the_factory_settings(model: str, firmware: str | None) -> None:
+def test_factory_settings_have_no_findings(model: str, firmware: str | None) -> None:
     every = Context(port_rates=baud_rates(), used_by_line=LineSettings())
     assert advise(factory(model, firmware), every) == ()
 
 
-def test_nothing_is_odd_about_nothing() -> None:
+def test_empty_settings_have_no_findings() -> None:
     every = Context(drives_from_computer=True, port_rates=[], used_by_line=LineSettings(1200))
     assert advise(Settings(TREX), every) == ()
 
 
-def test_the_timeout_matters_only_while_a_computer_drives() -> None:
+def test_timeout_rule_applies_only_if_computer_drives() -> None:
     assert advise(trex(serial_timeout=0)) == ()
     assert advise(trex(serial_timeout=1), DRIVING) == ()
 
 
-def test_one_limit_in_joint_mode_is_named_alone() -> None:
+def test_joint_mode_finding_names_only_active_limit() -> None:
     found = only(trex(motor_mode=1, motor1_current_limit=1, motor2_current_limit=0))
     assert found.message.startswith("Motor 1 Current Limit (0.3 A) does nothing")
     assert found.proposal == "Set Motor 1 Current Limit to off"
 
 
-def test_in_joint_mode_a_limit_needs_neither_gain_nor_ramp() -> None:
+def test_joint_mode_limit_needs_no_gain_or_ramp() -> None:
     parameters = {"motor1_current_limit": 1, "motor1_acceleration": 0, "motor1_current_limit_p": 0}
     found = advise(Settings(TREX, None, {"motor_mode": 1, **parameters}))
     assert [one.rule for one in found] == ["limit_in_joint_mode"]
@@ -262,9 +262,7 @@ def test_in_joint_mode_a_limit_needs_neither_gain_nor_ramp() -> None:
 
 @pytest.mark.parametrize("prescaler", range(4))
 @pytest.mark.parametrize("maximum", [0, 1, 61, 123, 124, 127])
-def test_the_pwm_comes_below_the_rating_with_the_smallest_change(
-    prescaler: int, maximum: int
-) -> None:
+def test_pwm_proposal_is_smallest_sufficient_prescaler(prescaler: int, maximum: int) -> None:
     parameters = {"motor1_pwm_prescaler": prescaler, "motor1_pwm_maximum": maximum}
     divisors = (8, 64, 256, 1024)
     frequencies = [20e6 / (divisor * (2 * maximum + 2)) for divisor in divisors]
@@ -276,7 +274,7 @@ def test_the_pwm_comes_below_the_rating_with_the_smallest_change(
         assert found[0].change == {"motor1_pwm_prescaler": wanted}
 
 
-def test_a_driver_without_a_known_rating_may_run_at_any_frequency() -> None:
+def test_pwm_of_driver_with_unknown_rating_is_not_checked() -> None:
     assert advise(trex(motor1_pwm_prescaler=0, motor1_pwm_maximum=0)) == ()
 
 
@@ -290,7 +288,7 @@ def test_a_driver_without_a_known_rating_may_run_at_any_frequency() -> None:
         ((2500, 5000, 5000, 75), []),
     ],
 )
-def test_a_deadband_may_be_as_wide_as_leaves_some_travel(
+def test_deadband_reaching_end_of_travel_is_reported(
     points: tuple[int, int, int, int], ends: list[str]
 ) -> None:
     messages = [found.message for found in advise(calibrated("rc_channel_1", *points))]
@@ -309,7 +307,7 @@ def test_a_deadband_may_be_as_wide_as_leaves_some_travel(
         ("analog_channel_1", (0, 2000, 2000, 20), []),
     ],
 )
-def test_the_ends_of_a_calibration_are_within_reach(
+def test_calibration_end_out_of_reach_is_reported(
     key: str, points: tuple[int, int, int, int], words: list[str]
 ) -> None:
     messages = [found.message for found in advise(calibrated(key, *points))]
@@ -317,17 +315,17 @@ def test_the_ends_of_a_calibration_are_within_reach(
 
 
 @pytest.mark.parametrize("key", ["rc_channel_4", "rc_channel_5"])
-def test_switches_have_no_travel(key: str) -> None:
+def test_switch_calibrations_are_not_checked(key: str) -> None:
     assert advise(calibrated(key, 0, 3750, 9000, 9000)) == ()
 
 
-def test_the_polynomial_0x80_finds_nothing() -> None:
+def test_polynomial_0x80_always_gives_checksum_zero() -> None:
     packets = [bytes([value, other]) for value in range(256) for other in (0, 85, 255)]
     assert {crc7(packet, 0x80) for packet in packets} == {0}
 
 
 @pytest.mark.parametrize(("baud", "real"), [(28800, 14400), (38400, 19200)])
-def test_old_firmware_is_judged_by_the_rate_that_it_really_runs_at(baud: int, real: int) -> None:
+def test_old_firmware_is_checked_at_its_actual_baud_rate(baud: int, real: int) -> None:
     old, new = trex("1.1", uart_settings=uart(baud)), trex("1.2", uart_settings=uart(baud))
     in_use = Context(port_rates=[real], used_by_line=LineSettings(real))
     assert [found.rule for found in advise(old, in_use)] == ["half_rate"]
@@ -350,7 +348,7 @@ def test_old_firmware_is_judged_by_the_rate_that_it_really_runs_at(baud: int, re
         ([19200, 38400, 57600], None, 57600),
     ],
 )
-def test_a_rate_that_the_port_can_do_is_proposed(
+def test_proposed_baud_rate_is_supported_by_port(
     rates: list[int], used: LineSettings | None, wanted: int | str | None
 ) -> None:
     context = Context(port_rates=rates, used_by_line=used)
@@ -367,13 +365,13 @@ def test_a_rate_that_the_port_can_do_is_proposed(
         assert bool(one.proposal) == bool(one.change)
 
 
-def test_next_faster_rate_is_proposed_where_the_port_has_no_slower_one() -> None:
+def test_next_faster_rate_is_proposed_without_slower_one() -> None:
     context = Context(port_rates=[115200, 9600, 19200])
     (found,) = advise(trex(uart_settings=uart(2400)), context)
     assert found.change == {"uart_settings": uart(9600)}
 
 
-def test_values_that_the_board_would_refuse_are_not_judged() -> None:
+def test_invalid_values_are_not_checked() -> None:
     broken = Settings(
         TREX_JR,
         "1.0",
@@ -438,7 +436,7 @@ def is_told(found: Advice, after: tuple[Advice, ...]) -> bool:
 
 @thorough
 @given(given_settings=any_odd_settings(), context=any_context())
-def test_any_proposal_ends_what_it_is_for_and_keeps_the_limits(
+def test_any_proposal_is_valid_and_clears_its_finding(
     given_settings: Settings, context: Context
 ) -> None:
     specs = given_settings.specs
@@ -454,7 +452,7 @@ def test_any_proposal_ends_what_it_is_for_and_keeps_the_limits(
 
 @thorough
 @given(given_settings=any_odd_settings(), context=any_context())
-def test_with_every_proposal_accepted_nothing_more_is_proposed(
+def test_accepting_all_proposals_leaves_no_proposal(
     given_settings: Settings, context: Context
 ) -> None:
     better = given_settings
@@ -465,7 +463,7 @@ def test_with_every_proposal_accepted_nothing_more_is_proposed(
 
 @thorough
 @given(given_settings=any_odd_settings(), context=any_context())
-def test_the_same_settings_get_the_same_advice_in_any_order(
+def test_findings_do_not_depend_on_order_of_settings(
     given_settings: Settings, context: Context
 ) -> None:
     turned = replace(

@@ -39,12 +39,12 @@ def settings_of(name: str) -> Settings:
     return read_settings(text_of(name))[0]
 
 
-def test_every_sample_is_known_here() -> None:
+def test_sample_list_matches_sample_folder() -> None:
     assert {path.name for path in resource("samples").iterdir()} == set(SAMPLES)
 
 
 @every_sample
-def test_a_sample_is_read_without_a_word(name: str) -> None:
+def test_sample_is_read_without_findings(name: str) -> None:
     settings, findings = read_settings(text_of(name), name)
     assert findings == ()
     # It suits every firmware, and leaves alone what the board learned from its own sticks.
@@ -55,12 +55,12 @@ def test_a_sample_is_read_without_a_word(name: str) -> None:
 
 
 @every_sample
-def test_nothing_is_odd_about_a_sample(name: str) -> None:
+def test_sample_passes_every_rule(name: str) -> None:
     assert advise(settings_of(name), SAMPLES[name]) == ()
 
 
 @every_sample
-def test_a_sample_says_what_each_value_means(name: str) -> None:
+def test_sample_lines_match_written_parameter_lines(name: str) -> None:
     settings = settings_of(name)
     lines = [line for line in text_of(name).splitlines() if line and not line.startswith("#")]
     specs = {spec.key: spec for spec in settings.specs}
@@ -70,7 +70,7 @@ def test_a_sample_says_what_each_value_means(name: str) -> None:
 
 
 @every_sample
-def test_a_sample_explains_itself(name: str) -> None:
+def test_sample_is_commented_and_fits_line_length(name: str) -> None:
     lines = text_of(name).splitlines()
     assert lines[1].startswith("# ")
     assert sum(line.startswith("# ") for line in lines) >= 12
@@ -78,7 +78,7 @@ def test_a_sample_explains_itself(name: str) -> None:
 
 
 @every_sample
-def test_a_sample_can_be_amended_and_keeps_its_explanations(name: str) -> None:
+def test_edited_sample_keeps_its_comments(name: str) -> None:
     text, settings = text_of(name), settings_of(name)
     assert amend(text, settings) == text
     other = factory(settings.product.key, None)
@@ -89,13 +89,13 @@ def test_a_sample_can_be_amended_and_keeps_its_explanations(name: str) -> None:
 
 
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
-def test_the_factory_samples_are_the_factory_settings(model: str) -> None:
+def test_factory_samples_match_factory_settings(model: str) -> None:
     settings = settings_of(f"{model}_factory_defaults.txt")
     expected = factory(model, "1.0")
     assert (settings.product, settings.parameters) == (expected.product, expected.parameters)
 
 
-def test_the_robot_without_a_driver_stops_by_itself_and_checks_its_packets() -> None:
+def test_autonomous_sample_uses_timeout_and_error_detection() -> None:
     parameters = settings_of("autonomous_robot.txt").parameters
     assert parameters["serial_timeout"] == 5
     assert parameters["uart_error_shutdown"] == 1
@@ -110,19 +110,19 @@ def golden(model: str, firmware: str) -> bytes:
     return (GOLDEN / f"{model}-{firmware}.txt").read_bytes()
 
 
-def test_there_is_a_golden_file_for_every_board_and_no_other() -> None:
+def test_golden_files_cover_every_board_and_no_other() -> None:
     expected = {f"{model}-{firmware}.txt" for model, firmware in BOARDS}
     assert {path.name for path in GOLDEN.glob("*.txt")} == expected
 
 
 @every_board
-def test_the_factory_settings_are_written_as_ever(model: str, firmware: str) -> None:
+def test_written_factory_settings_match_golden_file(model: str, firmware: str) -> None:
     # On purpose otherwise? Write the files anew with write_settings and read the difference.
     assert write_settings(factory(model, firmware)).encode("utf-8") == golden(model, firmware)
 
 
 @every_board
-def test_a_file_becomes_settings_and_the_same_file_again(model: str, firmware: str) -> None:
+def test_golden_file_round_trips_unchanged(model: str, firmware: str) -> None:
     data = golden(model, firmware)
     settings, findings = read_settings(data)
     assert (settings, findings) == (factory(model, firmware), ())

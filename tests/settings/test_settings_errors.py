@@ -12,29 +12,29 @@ FINDING = Finding(12, "serial_timeout", "0 to 127 (off to 12.7 s), not 300")
 WARNING = Finding(None, None, "1 of 28 parameters is missing", Severity.WARNING)
 
 
-def test_a_finding_names_its_line_and_its_key() -> None:
+def test_finding_text_names_line_and_key() -> None:
     assert str(FINDING) == "line 12: serial_timeout: 0 to 127 (off to 12.7 s), not 300"
 
 
-def test_a_warning_says_that_it_is_one() -> None:
+def test_warning_text_starts_with_warning() -> None:
     assert str(WARNING) == "warning: 1 of 28 parameters is missing"
 
 
-def test_one_finding_stands_beside_the_name_of_the_file() -> None:
+def test_single_finding_follows_file_name_on_same_line() -> None:
     assert str(SettingsError("bench.txt", [FINDING])) == f"bench.txt: {FINDING}"
 
 
-def test_several_findings_have_a_line_each() -> None:
+def test_several_findings_have_one_line_each() -> None:
     error = SettingsError("bench.txt", [FINDING, WARNING])
     assert str(error).splitlines() == ["bench.txt:", str(FINDING), str(WARNING)]
 
 
-def test_the_error_can_be_caught_as_any_other_of_ours() -> None:
+def test_settings_error_is_trex_error() -> None:
     assert isinstance(SettingsError("bench.txt", [FINDING]), TrexError)
 
 
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
-def test_the_error_pickles_with_its_findings(protocol: int) -> None:
+def test_settings_error_pickles_with_its_findings(protocol: int) -> None:
     error = SettingsError("bench.txt", [FINDING, WARNING])
     arrived = pickle.loads(pickle.dumps(error, protocol))
     assert isinstance(arrived, SettingsError)

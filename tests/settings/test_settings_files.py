@@ -28,13 +28,13 @@ def sentence(path: Path, text: str | None = None) -> str:
     return str(found)
 
 
-def test_what_is_saved_can_be_loaded(tmp_path: Path) -> None:
+def test_saved_file_can_be_loaded(tmp_path: Path) -> None:
     path = tmp_path / "bench µ.txt"
     save(path, write_settings(factory()))
     assert read_settings(load(path)) == (factory(), ())
 
 
-def test_saving_replaces_the_old_file_and_leaves_nothing_else(tmp_path: Path) -> None:
+def test_save_replaces_file_and_leaves_no_other(tmp_path: Path) -> None:
     path = tmp_path / "bench.txt"
     save(path, "old, and longer\n")
     save(path, "new\n")
@@ -42,13 +42,13 @@ def test_saving_replaces_the_old_file_and_leaves_nothing_else(tmp_path: Path) ->
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_line_ends_are_the_same_on_every_system(tmp_path: Path) -> None:
+def test_saved_line_endings_are_always_line_feeds(tmp_path: Path) -> None:
     save(tmp_path / "bench.txt", "a\nb\n")
     assert (tmp_path / "bench.txt").read_bytes() == b"a\nb\n"
 
 
 @pytest.mark.parametrize("failing", ["os.fsync", "pathlib.Path.replace"])
-def test_the_old_file_survives_a_failure(
+def test_failed_save_keeps_old_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, failing: str
 ) -> None:
     def full(*arguments: object) -> None:
@@ -62,7 +62,7 @@ def test_the_old_file_survives_a_failure(
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_text_that_is_no_unicode_leaves_the_old_file(tmp_path: Path) -> None:
+def test_invalid_unicode_is_rejected_and_keeps_old_file(tmp_path: Path) -> None:
     path = tmp_path / "bench.txt"
     save(path, "old\n")
     assert sentence(path, "\ud800").startswith("it cannot be written: ")
@@ -71,7 +71,7 @@ def test_text_that_is_no_unicode_leaves_the_old_file(tmp_path: Path) -> None:
 
 
 @posix
-def test_permissions_stay_as_they_were(tmp_path: Path) -> None:
+def test_save_keeps_file_permissions(tmp_path: Path) -> None:
     path = tmp_path / "bench.txt"
     path.write_text("old\n")
     path.chmod(0o640)
@@ -80,7 +80,7 @@ def test_permissions_stay_as_they_were(tmp_path: Path) -> None:
 
 
 @posix
-def test_a_new_file_is_as_readable_as_any_other(tmp_path: Path) -> None:
+def test_new_file_has_default_permissions(tmp_path: Path) -> None:
     save(tmp_path / "bench.txt", "new\n")
     (tmp_path / "other").write_text("")
     modes = [(tmp_path / name).stat().st_mode for name in ("bench.txt", "other")]
@@ -88,7 +88,7 @@ def test_a_new_file_is_as_readable_as_any_other(tmp_path: Path) -> None:
 
 
 @posix
-def test_a_link_stays_a_link(tmp_path: Path) -> None:
+def test_save_through_link_keeps_link(tmp_path: Path) -> None:
     target = tmp_path / "target.txt"
     target.write_text("old\n")
     link = tmp_path / "link.txt"
@@ -98,27 +98,27 @@ def test_a_link_stays_a_link(tmp_path: Path) -> None:
     assert target.read_text() == "new\n"
 
 
-def test_a_missing_file_is_a_sentence(tmp_path: Path) -> None:
+def test_missing_file_is_reported(tmp_path: Path) -> None:
     assert sentence(tmp_path / "none.txt") == "there is no such file"
 
 
-def test_a_folder_is_no_settings_file(tmp_path: Path) -> None:
+def test_folder_in_place_of_file_is_reported(tmp_path: Path) -> None:
     assert sentence(tmp_path) == "is a folder, not a file"
     assert sentence(tmp_path, "new\n") == "is a folder, not a file"
 
 
-def test_a_missing_folder_is_named(tmp_path: Path) -> None:
+def test_missing_folder_is_named(tmp_path: Path) -> None:
     folder = tmp_path / "none"
     assert sentence(folder / "bench.txt", "new\n") == f"there is no folder {folder.resolve()}"
 
 
-def test_a_name_that_no_system_takes_is_a_sentence() -> None:
+def test_invalid_file_name_is_reported() -> None:
     assert sentence(Path("a\0b")).startswith("it cannot be read: ")
     assert sentence(Path("a\0b"), "new\n").startswith("it cannot be written: ")
 
 
 @posix
-def test_reading_never_waits_for_a_pipe(tmp_path: Path) -> None:
+def test_pipe_is_rejected_without_waiting(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     assert sentence(pipe) == "is no ordinary file"
@@ -126,7 +126,7 @@ def test_reading_never_waits_for_a_pipe(tmp_path: Path) -> None:
 
 
 @forbidding
-def test_a_forbidden_file_is_a_sentence(tmp_path: Path) -> None:
+def test_file_without_permission_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "bench.txt"
     path.write_text("old\n")
     path.chmod(0)
@@ -134,9 +134,7 @@ def test_a_forbidden_file_is_a_sentence(tmp_path: Path) -> None:
     assert sentence(path, "new\n") == "it may not be written; its permissions forbid it"
 
 
-def test_what_the_system_forbids_is_a_sentence(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_permission_error_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def forbidden(*arguments: object, **options: object) -> None:
         raise PermissionError(13, "Permission denied")
 
@@ -147,7 +145,7 @@ def test_what_the_system_forbids_is_a_sentence(
     assert sentence(path, "new\n") == "it may not be written; its permissions forbid it"
 
 
-def test_a_file_that_is_too_large_is_not_read_to_its_end(tmp_path: Path) -> None:
+def test_oversized_file_is_rejected_without_reading_all(tmp_path: Path) -> None:
     path = tmp_path / "huge.txt"
     with path.open("wb") as file:
         file.truncate(1 << 40 if sys.platform == "linux" else LARGEST_FILE + 1)

@@ -35,17 +35,17 @@ def finding_of(setting: str) -> str:
 
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
 @pytest.mark.parametrize("firmware", [None, "1.0", "1.3"])
-def test_the_factory_settings_come_back_without_a_word(model: str, firmware: str | None) -> None:
+def test_factory_settings_are_read_without_findings(model: str, firmware: str | None) -> None:
     settings = factory(model, firmware)
     assert read_settings(write_settings(settings)) == (settings, ())
 
 
-def test_settings_pickle() -> None:
+def test_settings_can_be_pickled() -> None:
     settings, _ = read_settings(write_settings(factory()))
     assert pickle.loads(pickle.dumps(settings)) == settings
 
 
-def test_a_few_settings_are_a_file_too_and_the_rest_is_counted() -> None:
+def test_partial_file_is_read_and_missing_parameters_counted() -> None:
     text = "product: TReX Jr\nfirmware: 1.2\nserial_timeout: 5\nmotor_mode: 1\n"
     settings, findings = read_settings(text)
     assert settings == Settings(TREX_JR, "1.2", {"serial_timeout": 5, "motor_mode": 1})
@@ -56,7 +56,7 @@ def test_a_few_settings_are_a_file_too_and_the_rest_is_counted() -> None:
     )
 
 
-def test_a_parameter_that_only_newer_firmware_has_is_not_missed_without_a_version() -> None:
+def test_file_without_firmware_may_lack_newer_parameter() -> None:
     parameters = dict(factory(firmware=None).parameters)
     del parameters["uart_response_delay"]
     settings = Settings(TREX, None, parameters)
@@ -73,7 +73,7 @@ def test_numbers_may_be_hexadecimal() -> None:
     assert settings.calibrations == {(InputSource.RC, 1): Calibration(0, 16, 32, 1)}
 
 
-def test_a_calibration_may_stand_in_lines_of_its_own() -> None:
+def test_calibration_may_span_several_lines() -> None:
     text = (
         "product: TReX\nanalog_channel_5:\n"
         "  maximum: 900\n  minimum: 100\n  deadband: 0\n  neutral: 500\n"
@@ -83,29 +83,29 @@ def test_a_calibration_may_stand_in_lines_of_its_own() -> None:
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
-def test_line_ends_of_every_system_are_read(end: str) -> None:
+def test_line_endings_of_every_system_are_read(end: str) -> None:
     text = write_settings(factory()).replace("\n", end)
     assert read_settings(text.encode("utf-8")) == (factory(), ())
 
 
 @pytest.mark.parametrize("text", ["\ufeffproduct: TReX\n", b"\xef\xbb\xbfproduct: TReX\n"])
-def test_the_mark_that_windows_puts_first_is_not_in_the_way(text: str | bytes) -> None:
+def test_byte_order_mark_is_ignored(text: str | bytes) -> None:
     settings, _ = read_settings(text)
     assert settings == Settings(TREX)
 
 
-def test_comments_and_a_document_start_may_come_before_the_product() -> None:
+def test_comments_and_document_start_may_precede_product() -> None:
     settings, _ = read_settings("# my bench\n---\nproduct: 'TReX'\n")
     assert settings.product == TREX
 
 
-def test_a_last_line_without_an_end_is_read_with_a_warning() -> None:
+def test_unterminated_last_line_is_read_with_warning() -> None:
     settings, findings = read_settings("product: TReX\n\nserial_timeout: 1")
     assert settings.parameters == {"serial_timeout": 1}
     assert str(findings[0]) == "line 3: warning: the last line has no end; was the file cut short?"
 
 
-def test_a_firmware_that_nobody_knows_is_a_warning() -> None:
+def test_unknown_firmware_gives_warning() -> None:
     settings, findings = read_settings("product: TReX\nfirmware: 1.10\n")
     assert settings.firmware == "1.10"
     expected = "line 2: warning: firmware: versions 1.0 to 1.3 are known, 1.10 is not"
@@ -221,16 +221,16 @@ def test_a_firmware_that_nobody_knows_is_a_warning() -> None:
         ),
     ],
 )
-def test_a_mistake_is_named_with_what_was_expected(setting: str, sentence: str) -> None:
+def test_invalid_setting_is_reported_with_line_and_reason(setting: str, sentence: str) -> None:
     assert finding_of(setting) == f"line 2: {sentence}"
 
 
-def test_a_repeated_setting_names_the_first() -> None:
+def test_repeated_setting_is_reported_with_first_line() -> None:
     text = "product: TReX\nserial_timeout: 5\n\nserial_timeout: 5\n"
     assert only_finding(text) == "line 4: serial_timeout: was given in line 2 already"
 
 
-def test_a_repeated_product_is_a_mistake() -> None:
+def test_repeated_product_is_reported() -> None:
     text = "product: TReX\nproduct: TReX Jr\n"
     assert only_finding(text) == "line 2: product: was given in line 1 already"
 
@@ -272,18 +272,18 @@ def test_a_repeated_product_is_a_mistake() -> None:
         ("- TReX\n", "line 1: this is no setting; settings are plain 'key: value' lines"),
     ],
 )
-def test_a_file_says_first_whose_settings_it_has(text: str, sentence: str) -> None:
+def test_file_must_begin_with_known_product(text: str, sentence: str) -> None:
     assert only_finding(text) == sentence
 
 
-def test_a_parameter_that_came_with_newer_firmware_is_named() -> None:
+def test_parameter_of_newer_firmware_is_reported() -> None:
     text = "product: TReX Jr\nfirmware: 1.1\nuart_response_delay: 0\n"
     assert only_finding(text) == (
         "line 3: uart_response_delay: a TReX Jr has it from firmware 1.2 on, these are for 1.1"
     )
 
 
-def test_everything_is_said_at_once_in_the_order_of_the_lines() -> None:
+def test_all_findings_are_reported_in_line_order() -> None:
     text = (
         "firmware: 1.2\nproduct: trex\nspeed: 1\nserial_timeout: 300\nmotor_mode: 1\n"
         "motor_mode: 1\nrc_channel_1:\n  minimum: x\n  neutral: 2\n  maximum: y\n  deadband: 0"
@@ -296,7 +296,7 @@ def test_everything_is_said_at_once_in_the_order_of_the_lines() -> None:
     assert kinds == [Severity.ERROR] * 7 + [Severity.WARNING] * 2
 
 
-def test_the_error_carries_the_name_of_the_file() -> None:
+def test_error_contains_file_name() -> None:
     with pytest.raises(SettingsError) as caught:
         read_settings("", "bench.txt")
     assert caught.value.name == "bench.txt"
@@ -343,7 +343,7 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         (f"%YAML {'9' * 5000}.1\n---\nproduct: TReX\n", 1, "cannot be read"),
     ],
 )
-def test_what_settings_do_not_need_is_refused_in_its_line(
+def test_unsupported_content_is_rejected_with_its_line(
     text: str | bytes, line: int, words: str
 ) -> None:
     (found,) = refused(text).findings
@@ -352,17 +352,17 @@ def test_what_settings_do_not_need_is_refused_in_its_line(
 
 
 @pytest.mark.parametrize("text", ["#" * (LARGEST_FILE + 1), b"#" * (LARGEST_FILE + 1)])
-def test_a_huge_file_is_refused_before_it_is_looked_at(text: str | bytes) -> None:
+def test_oversized_file_is_rejected_before_parsing(text: str | bytes) -> None:
     assert only_finding(text) == "is larger than 256 KiB; settings are not that long"
 
 
-def test_a_file_of_the_largest_size_is_read() -> None:
+def test_file_of_maximum_size_is_read() -> None:
     text = "product: TReX\n#".ljust(LARGEST_FILE - 1, "#") + "\n"
     settings, _ = read_settings(text)
     assert settings == Settings(TREX)
 
 
-def test_a_file_full_of_mistakes_is_answered_soon_and_not_at_any_length() -> None:
+def test_many_mistakes_are_reported_quickly_and_briefly() -> None:
     count = 900
     text = "product: TReX\n" + "".join(f"serial_timeot_{n}: 1\n" for n in range(count))
     begun = time.process_time()  # what others do with the computer does not count
@@ -372,12 +372,12 @@ def test_a_file_full_of_mistakes_is_answered_soon_and_not_at_any_length() -> Non
     assert str(error.findings[-1]) == f"{count - MOST_FINDINGS} more errors are not listed"
 
 
-def test_a_long_name_or_value_does_not_fill_the_screen() -> None:
+def test_long_names_and_values_are_shortened_in_messages() -> None:
     long = "x" * 50_000
     error = refused(f"product: TReX\n? {long}\n: 1\nserial_timeout: {long}\n")
     assert len(str(error)) < 500
 
 
-def test_words_of_the_file_cannot_control_the_terminal() -> None:
+def test_messages_contain_no_control_characters() -> None:
     error = refused('product: TReX\n"\\e[2J": 1\nserial_timeout: "\\e[2J\\n"\n')
     assert all(line.isprintable() for line in str(error).split("\n"))

@@ -37,7 +37,7 @@ def assert_read_or_refused(text: str | bytes) -> None:
 
 @modest
 @given(given_settings=any_settings())
-def test_what_is_written_reads_back_the_same(given_settings: Settings) -> None:
+def test_written_settings_read_back_equal(given_settings: Settings) -> None:
     text = write_settings(given_settings)
     assert read_settings(text)[0] == given_settings
     assert write_settings(read_settings(text.encode("utf-8"))[0]) == text
@@ -45,40 +45,40 @@ def test_what_is_written_reads_back_the_same(given_settings: Settings) -> None:
 
 @modest
 @given(given_settings=any_settings(), titles=st.lists(st.text(max_size=50), max_size=3))
-def test_titles_change_nothing(given_settings: Settings, titles: list[str]) -> None:
+def test_titles_do_not_change_settings(given_settings: Settings, titles: list[str]) -> None:
     assert read_settings(write_settings(given_settings, title_lines=titles))[0] == given_settings
 
 
 @modest
 @given(data=st.binary(max_size=200))
-def test_any_bytes_are_read_or_refused(data: bytes) -> None:
+def test_any_bytes_are_read_or_rejected(data: bytes) -> None:
     assert_read_or_refused(data)
     assert_read_or_refused(b"product: TReX\n" + data)
 
 
 @modest
 @given(text=st.text(st.characters(codec=None), max_size=200))
-def test_any_text_is_read_or_refused(text: str) -> None:
+def test_any_text_is_read_or_rejected(text: str) -> None:
     assert_read_or_refused(text)
     assert_read_or_refused("product: TReX Jr\n" + text)
 
 
 @settings(deadline=None, max_examples=300)
 @given(words=st.lists(yaml_words, max_size=25))
-def test_any_heap_of_yaml_is_read_or_refused(words: list[str]) -> None:
+def test_any_yaml_fragments_are_read_or_rejected(words: list[str]) -> None:
     assert_read_or_refused("".join(words))
     assert_read_or_refused("product: TReX\n" + "".join(words))
 
 
 @modest
 @given(position=st.integers(0, len(WHOLE)), word=yaml_words | st.text(max_size=3))
-def test_a_good_file_with_something_in_it_is_read_or_refused(position: int, word: str) -> None:
+def test_valid_file_with_insertion_is_read_or_rejected(position: int, word: str) -> None:
     assert_read_or_refused(WHOLE[:position] + word + WHOLE[position:])
 
 
 @modest
 @given(cut=st.integers(0, len(WHOLE.encode("utf-8"))))
-def test_a_file_cut_anywhere_is_read_or_refused_with_a_line(cut: int) -> None:
+def test_truncated_file_is_read_or_rejected_with_line(cut: int) -> None:
     data = WHOLE.encode("utf-8")[:cut]
     read, errors = outcome(data)
     last = data.count(b"\n") + 1
@@ -88,7 +88,7 @@ def test_a_file_cut_anywhere_is_read_or_refused_with_a_line(cut: int) -> None:
 
 @modest
 @given(cut=st.integers(len("product: TReX"), len(WHOLE) - 1))
-def test_a_file_cut_short_is_never_read_without_a_word(cut: int) -> None:
+def test_truncated_file_is_never_read_without_finding(cut: int) -> None:
     text = WHOLE[:cut]
     read, errors = outcome(text)
     if read is None:
@@ -98,7 +98,7 @@ def test_a_file_cut_short_is_never_read_without_a_word(cut: int) -> None:
 
 
 @pytest.mark.parametrize("text", ["device_number: 7\n", "motor_mode: 0 "])
-def test_a_mistake_is_reported_in_the_line_where_it_stands(text: str) -> None:
+def test_mistake_is_reported_with_its_line_and_key(text: str) -> None:
     line = WHOLE[: WHOLE.index(text)].count("\n") + 1
     key, value = text.split(":")
     with pytest.raises(SettingsError) as caught:

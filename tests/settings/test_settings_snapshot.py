@@ -29,12 +29,12 @@ def state_of(mode: Mode = Mode.SERIAL_RC, **changes: int) -> DeviceState:
     ("mode", "source"),
     [(Mode.SERIAL_RC, InputSource.RC), (Mode.SERIAL_ANALOG, InputSource.ANALOG)],
 )
-def test_calibrations_are_those_of_the_source_in_force(mode: Mode, source: InputSource) -> None:
+def test_calibrations_belong_to_active_input_source(mode: Mode, source: InputSource) -> None:
     settings = settings_of(state_of(mode))
     assert list(settings.calibrations) == [(source, channel) for channel in CHANNELS]
 
 
-def test_a_board_is_saved_and_read_back() -> None:
+def test_device_state_is_saved_and_read_back() -> None:
     settings = settings_of(state_of(serial_timeout=15))
     assert settings.product.key == "trexjr"
     assert settings.firmware == "1.2"
@@ -42,9 +42,9 @@ def test_a_board_is_saved_and_read_back() -> None:
     assert read_settings(write_settings(settings)) == (settings, ())
 
 
-def test_parameters_come_in_the_order_of_the_table() -> None:
+def test_parameters_follow_table_order() -> None:
     assert list(settings_of(state_of()).parameters) == list(factory("trexjr").parameters)
 
 
-def test_a_value_that_no_board_should_hold_is_in_the_snapshot() -> None:
+def test_snapshot_keeps_invalid_value() -> None:
     assert settings_of(state_of(uart_settings=15)).parameters["uart_settings"] == 15

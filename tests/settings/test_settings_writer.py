@@ -59,7 +59,7 @@ ANALOG = "{minimum: 0, neutral: 512, maximum: 1023, deadband: 20}"
 ANALOG_TEXT = "0.00 / 2.50 / 5.00 V, deadband 0.10 V"
 
 
-def test_the_factory_settings_read_like_this() -> None:
+def test_factory_settings_are_written_as_expected_text() -> None:
     rc = [f"rc_channel_{channel}: {RC}  # {RC_TEXT}" for channel in range(1, 6)]
     analog = [f"analog_channel_{channel}: {ANALOG}  # {ANALOG_TEXT}" for channel in range(1, 6)]
     calibrations = [
@@ -75,11 +75,11 @@ def test_the_factory_settings_read_like_this() -> None:
     assert text.endswith("}  # " + ANALOG_TEXT + "\n")
 
 
-def test_a_file_without_firmware_and_settings_is_one_line() -> None:
+def test_file_without_firmware_and_settings_is_one_line() -> None:
     assert write_settings(Settings(TREX_JR)) == "product: TReX Jr\n"
 
 
-def test_other_programs_read_the_same_numbers() -> None:
+def test_standard_yaml_parser_reads_same_values() -> None:
     data = yaml.safe_load(write_settings(factory()))
     assert data["product"] == "TReX"
     assert data["rc_channel_5"] == {
@@ -99,7 +99,7 @@ def test_changing_one_value_changes_one_line() -> None:
     assert differing == ["serial_timeout: 127             # 12.7 s"]
 
 
-def test_physical_values_are_those_of_the_model() -> None:
+def test_physical_values_depend_on_model() -> None:
     limits = [
         write_settings(Settings(model, None, {"motor1_current_limit": 100})).split("# ")[-1]
         for model in (TREX, TREX_JR)
@@ -107,7 +107,7 @@ def test_physical_values_are_those_of_the_model() -> None:
     assert limits[0] != limits[1]
 
 
-def test_the_order_of_the_settings_does_not_matter() -> None:
+def test_written_text_does_not_depend_on_order_of_settings() -> None:
     settings = factory()
     turned = replace(
         settings,
@@ -118,12 +118,12 @@ def test_the_order_of_the_settings_does_not_matter() -> None:
 
 
 @pytest.mark.parametrize("line", ["a\nproduct: Tic", "\x00\x1b[2J", "\ud800", "a\u2028b", "\t%"])
-def test_no_title_can_become_a_setting_or_damage_the_file(line: str) -> None:
+def test_title_cannot_become_setting_or_damage_file(line: str) -> None:
     text = write_settings(factory(), title_lines=[line, ""])
     assert read_settings(text.encode("utf-8")) == (factory(), ())
 
 
-def test_a_value_that_the_board_would_refuse_is_kept_as_a_comment() -> None:
+def test_invalid_value_is_written_as_comment() -> None:
     settings = factory()
     broken = Calibration(0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF)
     place = (InputSource.RC, 2)
@@ -158,8 +158,6 @@ def test_a_value_that_the_board_would_refuse_is_kept_as_a_comment() -> None:
     ],
     ids=["newer firmware", "factory reset", "unknown", "sixth channel"],
 )
-def test_a_setting_that_the_board_does_not_have_is_not_written(
-    settings: Settings, words: str
-) -> None:
+def test_setting_unknown_to_board_is_rejected(settings: Settings, words: str) -> None:
     with pytest.raises(BadRequest, match=words):
         write_settings(settings)
