@@ -3,14 +3,14 @@
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
+from tests.emulator.patience import becomes
 from tests.support.simulator import SimulatedDevice
+from tests.support.window import WindowDriver
 from trex_gui import __version__
 from trex_gui.app import main
 from trex_gui.link.settings import LinkSettings
@@ -23,7 +23,7 @@ def run(*arguments: str, timeout: float = 50) -> subprocess.CompletedProcess[str
     return subprocess.run(command, capture_output=True, text=True, timeout=timeout, check=False)
 
 
-def test_the_version_is_told_without_qt(capsys: pytest.CaptureFixture[str]) -> None:
+def test_version_option_prints_version(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ending:
         main(["--version"])
     assert ending.value.code == 0
@@ -33,14 +33,14 @@ def test_the_version_is_told_without_qt(capsys: pytest.CaptureFixture[str]) -> N
 @pytest.mark.parametrize(
     "words", [["--nonsense"], ["--timeout", "-1"], ["--timeout", "61"], ["--timeout", "soon"]]
 )
-def test_a_wrong_option_is_wrong_usage(words: list[str]) -> None:
+def test_invalid_option_exits_2(words: list[str]) -> None:
     with pytest.raises(SystemExit) as ending:
         main(words)
     assert ending.value.code == 2
 
 
 @pytest.mark.realtime
-def test_the_program_itself_can_be_the_simulator() -> None:
+def test_simulator_option_runs_simulator() -> None:
     result = run("--simulator", "--version")
     assert result.returncode == 0
     assert "trex-sim" in result.stdout
@@ -71,7 +71,7 @@ def tour_pages() -> list[str]:
 @pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.timeout(180)
-def test_tour_ends_the_program(tmp_path: Path) -> None:
+def test_tour_option_writes_every_page_and_exits(tmp_path: Path) -> None:
     result = run("--tour", str(tmp_path), timeout=160)
     assert result.returncode == 0, result.stderr
     names = {path.name for path in tmp_path.glob("*.png")}
@@ -82,25 +82,30 @@ def test_tour_ends_the_program(tmp_path: Path) -> None:
 
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_a_signal_ends_the_window_cleanly(quick_simulator: SimulatedDevice) -> None:
+def test_sigterm_ends_program_cleanly(quick_simulator: SimulatedDevice) -> None:
     command = [sys.executable, "-m", "trex_gui", "--port", quick_simulator.url, "--timeout", "0.1"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-        while quick_simulator.show()["counters"]["packets"] < 20:
+
+        def is_connected() -> bool:
             assert process.poll() is None
-            time.sleep(0.05)
-        process.send_signal(signal.SIGTERM)
-        assert process.wait(30) == 0
+            packets: int = quick_simulator.show()["counters"]["packets"]
+            return packets >= 20
+
+        try:
+            assert becomes(is_connected, True)
+            process.send_signal(signal.SIGTERM)
+            assert process.wait(30) == 0
+        finally:
+            process.kill()
 
 
-def test_a_settings_file_given_at_the_start_waits_for_the_board(
-    program: Program, qtbot: QtBot, simulator: SimulatedDevice, tmp_path: Path
+def test_settings_file_is_opened_when_board_connects(
+    window: WindowDriver, simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
-    program.open_when_connected(path)
-    program.device.connect_to(LinkSettings(simulator.url))
-    qtbot.waitUntil(lambda: program.window.findChild(QPushButton, "takeChangesButton") is not None)
-    take = program.window.findChild(QPushButton, "takeChangesButton")
-    assert take is not None
-    take.click()
-    assert program.device.pending == 1
+    window.program.open_when_connected(path)
+    window.device.connect_to(LinkSettings(simulator.url))
+    window.wait(lambda: window.has("takeChangesButton"))
+    window.click("takeChangesButton")
+    assert window.device.pending == 1

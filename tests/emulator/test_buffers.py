@@ -13,7 +13,7 @@ from trex_gui.protocol.flags import UartError
 WRITE = "AF 07 0F 55 2A"
 
 
-def test_no_answer_is_longer_than_the_buffer_and_none_waits_without_a_pause(
+def test_replies_fit_send_buffer_and_come_without_pause(
     port: SerialPort,
 ) -> None:
     port.board.advance(0.025)
@@ -24,7 +24,7 @@ def test_no_answer_is_longer_than_the_buffer_and_none_waits_without_a_pause(
     assert not errors(port)
 
 
-def test_what_comes_while_it_writes_waits(port: SerialPort) -> None:
+def test_bytes_during_eeprom_write_are_handled_after_it(port: SerialPort) -> None:
     feed(port, WRITE + "9F 07 82")
     assert answer(port) == NO_REPLY
     pass_pause(port)
@@ -33,7 +33,7 @@ def test_what_comes_while_it_writes_waits(port: SerialPort) -> None:
     assert ask(port, "82") == "72"
 
 
-def test_a_write_behind_a_write_pauses_again(port: SerialPort) -> None:
+def test_write_queued_behind_write_pauses_again(port: SerialPort) -> None:
     feed(port, WRITE + "82 AF 07 05 55 2A 9F 07")
     pass_pause(port)
     assert answer(port) == "00 72"
@@ -43,14 +43,14 @@ def test_a_write_behind_a_write_pauses_again(port: SerialPort) -> None:
     assert answer(port) == "00 05"
 
 
-def test_motor_commands_wait_too(port: SerialPort) -> None:
+def test_motor_command_during_write_runs_after_it(port: SerialPort) -> None:
     feed(port, WRITE + "C2 40")
     assert port.board.motors[0].speed == 0
     pass_pause(port)
     assert port.board.motors[0].speed == 0x40
 
 
-def test_the_response_delay_holds_every_answer_back() -> None:
+def test_response_delay_holds_back_every_reply() -> None:
     port = SerialPort(a_board(uart_response_delay=1))
     feed(port, "82 83")
     for expected in ("72", "01"):
@@ -61,13 +61,13 @@ def test_the_response_delay_holds_every_answer_back() -> None:
     assert port.pause == 0
 
 
-def test_the_response_delay_comes_on_top_of_a_write() -> None:
+def test_response_delay_adds_to_write_time() -> None:
     port = SerialPort(a_board(uart_response_delay=1))
     feed(port, WRITE)
     assert port.pause == pytest.approx(0.005)
 
 
-def test_more_than_the_receive_buffer_holds_is_an_overrun(port: SerialPort) -> None:
+def test_byte_beyond_receive_buffer_latches_read_overrun(port: SerialPort) -> None:
     feed(port, WRITE)
     feed(port, "FF" * RECEIVE_BUFFER)
     assert not errors(port)
@@ -78,7 +78,7 @@ def test_more_than_the_receive_buffer_holds_is_an_overrun(port: SerialPort) -> N
     assert ask(port, "82") == "72"
 
 
-def test_an_answer_that_just_fits_the_send_buffer_is_sent(port: SerialPort) -> None:
+def test_replies_that_just_fill_send_buffer_are_sent(port: SerialPort) -> None:
     questions = "81" * 4 + "82" * 3  # 28 and 3 bytes, behind the answer to the write
     feed(port, WRITE + questions)
     pass_pause(port)
@@ -86,7 +86,7 @@ def test_an_answer_that_just_fits_the_send_buffer_is_sent(port: SerialPort) -> N
     assert not errors(port)
 
 
-def test_what_finds_no_room_in_the_send_buffer_is_lost(port: SerialPort) -> None:
+def test_reply_bytes_beyond_send_buffer_are_lost(port: SerialPort) -> None:
     feed(port, WRITE + "81" * 5)
     pass_pause(port)
     sent = bytes.fromhex(answer(port))
@@ -94,14 +94,14 @@ def test_what_finds_no_room_in_the_send_buffer_is_lost(port: SerialPort) -> None
     assert errors(port) == UartError.SEND_OVERRUN
 
 
-def test_an_overrun_of_the_send_buffer_stops_the_motors(port: SerialPort) -> None:
+def test_send_overrun_stops_motor(port: SerialPort) -> None:
     feed(port, "C2 7F")
     feed(port, WRITE + "81" * 5)
     pass_pause(port)
     assert port.board.motors[0].direction is Direction.BRAKE
 
 
-def test_a_bad_byte_that_comes_while_it_writes_loses_its_packet(port: SerialPort) -> None:
+def test_bad_byte_during_write_discards_its_packet(port: SerialPort) -> None:
     feed(port, WRITE + "C2")
     port.feed_error(UartError.FRAMING)
     feed(port, "40")
@@ -110,7 +110,7 @@ def test_a_bad_byte_that_comes_while_it_writes_loses_its_packet(port: SerialPort
     assert UartError.FRAMING in errors(port)
 
 
-def test_bytes_that_found_no_room_lose_their_packet(port: SerialPort) -> None:
+def test_read_overrun_discards_affected_packet(port: SerialPort) -> None:
     feed(port, WRITE + "FF" * (RECEIVE_BUFFER - 1) + "C2")
     feed(port, "10 F0")  # find no room
     pass_pause(port)
@@ -120,7 +120,7 @@ def test_bytes_that_found_no_room_lose_their_packet(port: SerialPort) -> None:
     assert UartError.READ_OVERRUN in errors(port)
 
 
-def test_a_power_cut_empties_the_buffers(port: SerialPort) -> None:
+def test_power_cut_empties_buffers(port: SerialPort) -> None:
     feed(port, WRITE + "81 F0")
     port.board.power_cycle()
     feed(port, "7F 82")
@@ -129,14 +129,14 @@ def test_a_power_cut_empties_the_buffers(port: SerialPort) -> None:
     assert port.board.aux.speed == 0
 
 
-def test_on_the_wire_gathered_questions_are_answered_in_a_row() -> None:
+def test_requests_buffered_during_write_are_answered_in_turn() -> None:
     line = Line([a_board()])
     line.send(bytes.fromhex(WRITE + "82 83 82"))
     assert line.read(9, 1) == b"\x00r\x01r"
     assert line.boards[0].counters["bytes_missed"] == 0
 
 
-def test_on_the_wire_a_board_that_answers_and_pauses_again_hears_when_it_is_done() -> None:
+def test_board_receives_again_after_delayed_replies() -> None:
     line = Line([a_board(uart_response_delay=1)])
     line.send(b"\x82\x83")
     assert line.read(2, 1) == b"r\x01"
@@ -148,7 +148,7 @@ def test_on_the_wire_a_board_that_answers_and_pauses_again_hears_when_it_is_done
     junk=st.lists(st.sampled_from(["81", "82", "FF", "90", "AF070F552A", "A0"]), max_size=60),
     delay=st.sampled_from([0, 1]),
 )
-def test_whatever_gathers_neither_buffer_grows_beyond_its_size(junk: list[str], delay: int) -> None:
+def test_buffers_never_exceed_their_sizes(junk: list[str], delay: int) -> None:
     port = SerialPort(a_board(uart_response_delay=delay))
     feed(port, WRITE + "".join(junk))
     for _ in range(100):

@@ -33,18 +33,18 @@ def analog() -> Channels:
     return Channels(ANALOG)
 
 
-def test_at_power_up_no_pulse_has_been_measured(rc: Channels) -> None:
+def test_rc_channels_have_no_pulse_at_power_up(rc: Channels) -> None:
     assert rc.raw == (None,) * 5
     assert all(rc.silent_for(channel) == math.inf for channel in CHANNELS)
 
 
-def test_at_power_up_no_voltage_has_been_measured(analog: Channels) -> None:
+def test_analog_channels_read_zero_until_first_average(analog: Channels) -> None:
     assert analog.raw == (0,) * 5
     assert ticks(analog, PERIOD - 1) == [(0,) * 5] * (PERIOD - 1)
     assert ticks(analog, 1) == [(512,) * 5]
 
 
-def test_after_another_power_up_everything_is_forgotten(rc: Channels) -> None:
+def test_power_up_forgets_measured_pulses(rc: Channels) -> None:
     rc.connect(1, Signal.pulses(1200))
     ticks(rc, PERIOD)
     rc.begin(RC)
@@ -54,7 +54,7 @@ def test_after_another_power_up_everything_is_forgotten(rc: Channels) -> None:
     assert rc.raw[0] == 3000
 
 
-def test_in_a_fiftieth_of_a_second_each_input_has_its_first_pulse_at_its_own_time(
+def test_channels_get_first_pulse_at_different_ticks(
     rc: Channels,
 ) -> None:
     seen = ticks(rc, PERIOD)
@@ -65,7 +65,7 @@ def test_in_a_fiftieth_of_a_second_each_input_has_its_first_pulse_at_its_own_tim
 
 @pytest.mark.parametrize("channel", CHANNELS)
 @pytest.mark.parametrize("source", InputSource)
-def test_each_input_is_renewed_fifty_times_a_second(channel: int, source: InputSource) -> None:
+def test_each_channel_updates_every_20_ms(channel: int, source: InputSource) -> None:
     channels = Channels(source)
     changes = []
     for tick in range(400):
@@ -79,7 +79,7 @@ def test_each_input_is_renewed_fifty_times_a_second(channel: int, source: InputS
     assert {after - before for before, after in pairwise(changes[1:])} == {PERIOD}
 
 
-def test_a_pulse_is_measured_when_it_comes_and_not_when_it_is_connected(rc: Channels) -> None:
+def test_new_signal_is_measured_at_next_pulse(rc: Channels) -> None:
     ticks(rc, PERIOD)
     for channel in CHANNELS:
         rc.connect(channel, Signal.pulses(1200))
@@ -90,7 +90,7 @@ def test_a_pulse_is_measured_when_it_comes_and_not_when_it_is_connected(rc: Chan
         assert before < PERIOD
 
 
-def test_a_bad_pulse_shows_at_the_next_pulse(rc: Channels) -> None:
+def test_bad_pulse_invalidates_channel_at_next_pulse(rc: Channels) -> None:
     ticks(rc, PERIOD)
     rc.connect(4, Signal(SignalKind.BAD_PULSES))
     assert rc.raw == (3750,) * 5
@@ -100,7 +100,7 @@ def test_a_bad_pulse_shows_at_the_next_pulse(rc: Channels) -> None:
     assert rc.silent_for(4) > rc.silent_for(1)
 
 
-def test_a_good_pulse_after_a_bad_one_counts_again(rc: Channels) -> None:
+def test_good_pulse_after_bad_pulses_restores_channel(rc: Channels) -> None:
     rc.connect(1, Signal(SignalKind.BAD_PULSES))
     ticks(rc, 4 * PERIOD)
     rc.connect(1, Signal.pulses(1200))
@@ -112,9 +112,7 @@ def test_a_good_pulse_after_a_bad_one_counts_again(rc: Channels) -> None:
 
 @pytest.mark.parametrize("text", ["silent", "2.5V", "1500us lost 1"])
 @pytest.mark.parametrize("channel", CHANNELS)
-def test_a_silent_channel_keeps_its_value_for_a_tenth_of_a_second(
-    rc: Channels, channel: int, text: str
-) -> None:
+def test_silent_channel_keeps_its_value_for_100_ms(rc: Channels, channel: int, text: str) -> None:
     rc.connect(channel, Signal.pulses(1200))
     ticks(rc, PERIOD)
     last_pulse = rc.silent_for(channel)
@@ -126,21 +124,21 @@ def test_a_silent_channel_keeps_its_value_for_a_tenth_of_a_second(
     assert rc.silent_for(channel) == pytest.approx(last_pulse + 0.15)
 
 
-def test_a_lost_pulse_now_and_then_is_not_seen(rc: Channels) -> None:
+def test_occasional_lost_pulses_hardly_affect_channel(rc: Channels) -> None:
     rc.connect(1, Signal.parse("1500us lost 0.2", RC))
     ticks(rc, 10 * PERIOD)
     seen = [raw[0] for raw in ticks(rc, 200 * PERIOD)]
     assert seen.count(3750) > 0.98 * len(seen)
 
 
-def test_when_nearly_all_pulses_are_lost_the_value_goes(rc: Channels) -> None:
+def test_losing_most_pulses_mostly_invalidates_channel(rc: Channels) -> None:
     rc.connect(1, Signal.parse("1500us lost 0.95", RC))
     seen = [raw[0] for raw in ticks(rc, 500 * PERIOD)]
     assert 0 < seen.count(3750) < 0.5 * len(seen)
     assert set(seen) == {None, 3750}
 
 
-def test_a_voltage_is_the_average_of_the_last_fiftieth_of_a_second(analog: Channels) -> None:
+def test_voltage_is_averaged_over_last_20_ms(analog: Channels) -> None:
     analog.connect(1, Signal.voltage(0))
     ticks(analog, PERIOD)
     ticks(analog, PERIOD // 4)
@@ -151,7 +149,7 @@ def test_a_voltage_is_the_average_of_the_last_fiftieth_of_a_second(analog: Chann
     assert ticks(analog, PERIOD)[-1][0] == 1023
 
 
-def test_averaging_takes_most_of_the_noise_away() -> None:
+def test_averaging_reduces_voltage_noise() -> None:
     analog = Channels(ANALOG, seed=2)
     analog.connect(1, Signal.parse("2.5V noise 100mV", ANALOG))  # 20 counts each
     seen = [raw[0] or 0 for raw in ticks(analog, 500 * PERIOD)[PERIOD - 1 :: PERIOD]]
@@ -161,7 +159,7 @@ def test_averaging_takes_most_of_the_noise_away() -> None:
     assert spread == pytest.approx(20.46 / 4, rel=0.15)
 
 
-def test_disconnecting_puts_every_input_at_rest(rc: Channels) -> None:
+def test_disconnect_sets_every_channel_to_rest(rc: Channels) -> None:
     rc.connect(3, Signal.parse("1200us noise 2us", RC))
     rc.disconnect()
     assert [rc.signal(channel).text for channel in CHANNELS] == ["rest"] * 5

@@ -44,7 +44,7 @@ def two() -> Line:
         ("  CHANNEL   2   INVALID  ", None),
     ],
 )
-def test_channels_are_set(line: Line, text: str, raw: int | None) -> None:
+def test_channel_command_sets_signal(line: Line, text: str, raw: int | None) -> None:
     line.advance(PULSES)
     assert control(line, text).startswith("ok channel 2 gets ")
     assert show(line)["channels"][1]["raw"] == 3750
@@ -64,13 +64,13 @@ def test_channels_are_set(line: Line, text: str, raw: int | None) -> None:
         ("2.5v noise 20mv", "2.5V noise 0.02V"),
     ],
 )
-def test_the_answer_and_show_say_what_a_channel_gets(line: Line, text: str, signal: str) -> None:
+def test_reply_and_show_state_channel_signal(line: Line, text: str, signal: str) -> None:
     assert control(line, f"channel 1 {text}") == f"ok channel 1 gets {signal}"
     assert show(line)["channels"][0]["signal"] == signal
     assert control(line, f"channel 1 {signal}") == f"ok channel 1 gets {signal}"
 
 
-def test_voltages_are_set_where_they_are_measured(line: Line) -> None:
+def test_channel_command_sets_voltage_of_analog_input(line: Line) -> None:
     line.boards[0].eeprom.write("channel_input_source", 1)
     control(line, "power cycle")
     assert control(line, "channel 5 2.5V") == "ok channel 5 gets 2.5V"
@@ -80,7 +80,7 @@ def test_voltages_are_set_where_they_are_measured(line: Line) -> None:
     assert show(line)["mode"] == "a"
 
 
-def test_jumpers(line: Line) -> None:
+def test_jumper_commands_set_jumpers(line: Line) -> None:
     assert control(line, "jumper mode rc").startswith("ok")
     assert show(line)["mode"] == "r"
     control(line, "power cycle")
@@ -95,7 +95,7 @@ def test_jumpers(line: Line) -> None:
     assert show(line)["jumpers"] == {"mode": "rc", "mix": True, "so_ground": True}
 
 
-def test_power(line: Line) -> None:
+def test_power_commands_switch_power(line: Line) -> None:
     assert control(line, "power off") == "ok power off"
     assert show(line)["power"] is False
     assert control(line, "power on") == "ok power on"
@@ -104,7 +104,7 @@ def test_power(line: Line) -> None:
     assert show(line)["counters"]["power_ups"] == 3
 
 
-def test_loads_and_currents(line: Line) -> None:
+def test_load_and_current_commands_set_motor_current(line: Line) -> None:
     line.send(bytes.fromhex("C2 7F"))
     assert control(line, "load 1 6").startswith("ok")
     line.advance(3)
@@ -116,14 +116,14 @@ def test_loads_and_currents(line: Line) -> None:
     assert show(line)["motors"][0]["current"] == pytest.approx(6, abs=0.3)
 
 
-def test_faults(line: Line) -> None:
+def test_fault_command_sets_and_clears_motor_fault(line: Line) -> None:
     assert control(line, "fault 2 on").startswith("ok")
     assert show(line)["motors"][1]["fault"] is True
     assert control(line, "fault 2 off").startswith("ok")
     assert show(line)["motors"][1]["fault"] is False
 
 
-def test_faults_of_the_wire(line: Line) -> None:
+def test_line_commands_cause_line_faults(line: Line) -> None:
     for text in ("line mute on", "line drop 3", "line drop 2 sent", "line noise 0.25"):
         assert control(line, text).startswith("ok")
     assert (line.mute, line.to_drop, line.to_drop_sent, line.noise) == (True, 3, 2, 0.25)
@@ -140,7 +140,7 @@ def test_faults_of_the_wire(line: Line) -> None:
     assert line.plugged
 
 
-def test_the_battery_is_set_and_shown(line: Line) -> None:
+def test_battery_command_sets_voltage_and_resistance(line: Line) -> None:
     ohm = CONSTANTS["trex"].battery_resistance
     assert control(line, "battery 9") == f"ok battery 9 V, {ohm} ohm"
     assert control(line, "battery 7.5V 0.25") == "ok battery 7.5 V, 0.25 ohm"
@@ -149,7 +149,7 @@ def test_the_battery_is_set_and_shown(line: Line) -> None:
     assert show(line)["supply"] == 7.5
 
 
-def test_an_empty_battery_resets_the_board_and_a_full_one_starts_it(line: Line) -> None:
+def test_board_browns_out_until_battery_is_charged(line: Line) -> None:
     control(line, "battery 2")
     line.advance(0.01)
     assert show(line)["power"] is False
@@ -161,7 +161,7 @@ def test_an_empty_battery_resets_the_board_and_a_full_one_starts_it(line: Line) 
     assert (shown["counters"]["brown_outs"], shown["counters"]["power_ups"]) == (1, 2)
 
 
-def test_a_cell_of_the_eeprom_acts_after_a_power_cycle(line: Line) -> None:
+def test_eeprom_command_takes_effect_after_power_cycle(line: Line) -> None:
     assert control(line, "eeprom uart_settings 0x0A") == (
         "ok uart_settings is 10; power cycle to use it"
     )
@@ -171,7 +171,7 @@ def test_a_cell_of_the_eeprom_acts_after_a_power_cycle(line: Line) -> None:
     assert show(line)["active_uart"]["baud"] == 115200
 
 
-def test_back_to_the_factory(line: Line) -> None:
+def test_factory_command_restores_new_board_state(line: Line) -> None:
     fresh = show(line)
     for text in (
         "eeprom device_number 3", "jumper mode analog", "jumper mix on", "channel 1 2V",
@@ -186,7 +186,7 @@ def test_back_to_the_factory(line: Line) -> None:
     assert show(line)["supply"] == 12.0
 
 
-def test_a_board_that_was_off_is_on_when_it_is_as_new(line: Line) -> None:
+def test_factory_command_switches_board_on(line: Line) -> None:
     control(line, "power off")
     assert control(line, "factory") == "ok as new"
     assert show(line)["power"] is True
@@ -201,25 +201,27 @@ def test_a_board_that_was_off_is_on_when_it_is_as_new(line: Line) -> None:
         ("line error parity 0", []),
     ],
 )
-def test_errors_that_a_uart_will_find(line: Line, text: str, spoilt: list[UartError]) -> None:
+def test_line_error_command_queues_uart_errors(
+    line: Line, text: str, spoilt: list[UartError]
+) -> None:
     assert control(line, text).startswith("ok the next ")
     assert list(line.to_spoil) == spoilt
 
 
-def test_errors_are_queued(line: Line) -> None:
+def test_line_error_commands_add_to_queue(line: Line) -> None:
     for name in ("framing", "overrun"):
         control(line, f"line error {name}")
     assert list(line.to_spoil) == [UartError.FRAMING, UartError.DATA_OVERRUN]
 
 
-def test_show_tells_the_state_of_the_wire(line: Line) -> None:
+def test_show_reports_line_state(line: Line) -> None:
     assert show(line)["line"] == {"plugged": True, "mute": False, "noise": 0.0}
     for text in ("line unplug", "line mute on", "line noise 0.5"):
         control(line, text)
     assert show(line)["line"] == {"plugged": False, "mute": True, "noise": 0.5}
 
 
-def test_show_counts_what_the_wire_did(line: Line) -> None:
+def test_show_reports_line_counters(line: Line) -> None:
     line.send(b"\x81")
     line.advance(1)
     counters = show(line)["counters"]
@@ -227,7 +229,7 @@ def test_show_counts_what_the_wire_did(line: Line) -> None:
     assert counters["line"]["received"] == 7
 
 
-def test_one_of_several_boards_is_named(two: Line) -> None:
+def test_prefix_selects_one_of_several_boards(two: Line) -> None:
     assert control(two, "@9 power off") == "ok power off"
     assert show(two, "@7")["power"] is True
     assert show(two, "@9")["power"] is False
@@ -237,7 +239,7 @@ def test_one_of_several_boards_is_named(two: Line) -> None:
     assert control(two, "@8 power off") == "error there is no board @8, but @7, @9"
 
 
-def test_a_board_keeps_its_name_when_its_number_changes(two: Line) -> None:
+def test_board_keeps_its_name_when_its_number_changes(two: Line) -> None:
     two.send(bytes.fromhex("80 09 2F 00 0C 55 2A"))
     two.advance(1)
     assert show(two, "@9")["parameters"]["device_number"] == 12
@@ -305,7 +307,7 @@ def test_a_board_keeps_its_name_when_its_number_changes(two: Line) -> None:
         "quit now",
     ],
 )
-def test_what_makes_no_sense_gives_one_line_that_says_why(line: Line, text: str) -> None:
+def test_invalid_command_gives_one_line_error_and_no_change(line: Line, text: str) -> None:
     before = line.boards[0].show()
     answer = control(line, text)
     assert answer.startswith("error ")
@@ -314,7 +316,7 @@ def test_what_makes_no_sense_gives_one_line_that_says_why(line: Line, text: str)
     assert line.boards[0].show() == before
 
 
-def test_quit_is_answered(line: Line) -> None:
+def test_quit_command_replies_goodbye(line: Line) -> None:
     assert control(line, " Quit ") == GOODBYE == "ok bye"
 
 
@@ -326,7 +328,7 @@ words = st.sampled_from(COMMANDS + DETAILS + MORE)
 
 
 @given(text=st.text(max_size=40) | st.lists(words, max_size=5).map(" ".join))
-def test_no_control_line_makes_it_raise(text: str) -> None:
+def test_control_answers_any_text_with_ok_or_error(text: str) -> None:
     line = Line([Board()])
     answer = control(line, text)
     assert answer.startswith(("ok", "error "))

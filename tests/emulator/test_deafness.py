@@ -21,7 +21,7 @@ def line() -> Line:
 
 
 @pytest.mark.parametrize("overlap", [0.05, 0.5, 0.95])
-def test_a_byte_that_begins_in_an_answer_is_lost(line: Line, overlap: float) -> None:
+def test_byte_that_begins_during_reply_is_lost(line: Line, overlap: float) -> None:
     line.send(b"\x81")
     line.advance((8 - overlap) * BYTE)
     line.send(b"\xc2\x40")
@@ -31,7 +31,7 @@ def test_a_byte_that_begins_in_an_answer_is_lost(line: Line, overlap: float) -> 
     assert line.boards[0].counters["bytes_missed"] == 1
 
 
-def test_a_byte_that_begins_behind_the_answer_is_heard(line: Line) -> None:
+def test_byte_that_begins_after_reply_is_received(line: Line) -> None:
     line.send(b"\x81")
     line.advance(8 * BYTE)
     line.send(b"\x82")
@@ -39,7 +39,7 @@ def test_a_byte_that_begins_behind_the_answer_is_heard(line: Line) -> None:
     assert line.receive() == b"TReX1.2r"
 
 
-def test_a_byte_during_which_the_power_comes_is_lost(line: Line) -> None:
+def test_byte_that_spans_power_up_is_lost(line: Line) -> None:
     control(line, "power off")
     line.send(b"\x81")
     line.advance(0.9 * BYTE)
@@ -49,7 +49,7 @@ def test_a_byte_during_which_the_power_comes_is_lost(line: Line) -> None:
 
 
 @pytest.mark.parametrize("question", ["81", "FF 81"])
-def test_a_byte_during_which_the_cable_goes_in_is_lost(line: Line, question: str) -> None:
+def test_byte_that_spans_plugging_in_is_lost(line: Line, question: str) -> None:
     control(line, "line unplug")
     line.send(bytes.fromhex(question))
     line.advance((len(bytes.fromhex(question)) - 0.1) * BYTE)
@@ -59,7 +59,7 @@ def test_a_byte_during_which_the_cable_goes_in_is_lost(line: Line, question: str
     assert make_ask(line)("82") == "72"
 
 
-def test_answers_that_overlap_out_of_step_are_what_the_levels_make() -> None:
+def test_overlapping_replies_are_garbled() -> None:
     """Two answers, the second a millisecond later: nobody reads either, and bytes are few."""
     late = Eeprom()
     late.write("uart_response_delay", 1)
@@ -79,7 +79,7 @@ def test_answers_that_overlap_out_of_step_are_what_the_levels_make() -> None:
     assert make_ask(line)("80 08 02") == "72"
 
 
-def test_noise_from_nowhere_takes_its_time_and_collides(line: Line) -> None:
+def test_injected_bytes_take_line_time_and_collide_with_reply(line: Line) -> None:
     control(line, "line garbage " + "00" * 100)
     control(line, "line garbage " + "00" * 100)
     line.advance(150 * BYTE)
@@ -95,7 +95,7 @@ def test_noise_from_nowhere_takes_its_time_and_collides(line: Line) -> None:
 
 
 @pytest.mark.parametrize("boards", [1, 2])
-def test_much_noise_from_nowhere_holds_nothing_up(boards: int) -> None:
+def test_up_to_10000_injected_bytes_are_delivered(boards: int) -> None:
     line = Line([Board() for _ in range(boards)], echo=True)
     assert control(line, "line garbage " + "A5" * 10_001).startswith("error")
     assert control(line, "line garbage " + "A5" * 10_000).startswith("ok")
@@ -103,7 +103,7 @@ def test_much_noise_from_nowhere_holds_nothing_up(boards: int) -> None:
     assert line.receive() == b"\xa5" * 10_000
 
 
-def test_what_a_host_had_queued_goes_with_it(line: Line) -> None:
+def test_drop_unsent_discards_queued_bytes(line: Line) -> None:
     line.send(b"\xc2\x40" * 100)
     line.drop_unsent()
     assert line.backlog == 0

@@ -14,7 +14,7 @@ def watch(board: Board, demo: Demo, seconds: float) -> list[tuple[int | None, ..
     return seen
 
 
-def test_every_stick_moves_and_stays_valid_without_overriding() -> None:
+def test_demo_moves_every_stick_without_override() -> None:
     board = Board(mode="rc")
     seen = watch(board, Demo(board), 30)
     for channel in zip(*seen, strict=True):
@@ -27,7 +27,7 @@ def test_every_stick_moves_and_stays_valid_without_overriding() -> None:
     assert not board.safe_start
 
 
-def test_voltages_move_too() -> None:
+def test_demo_moves_voltages_in_analog_mode() -> None:
     board = Board(mode="analog")
     seen = watch(board, Demo(board), 10)
     first = [raw[0] for raw in seen if raw[0] is not None]
@@ -35,7 +35,7 @@ def test_voltages_move_too() -> None:
     assert 800 < max(first) <= 1023
 
 
-def test_a_channel_that_somebody_sets_is_left_alone() -> None:
+def test_demo_leaves_user_set_channel_alone() -> None:
     board = Board()
     demo = Demo(board)
     watch(board, demo, 1)
@@ -45,7 +45,7 @@ def test_a_channel_that_somebody_sets_is_left_alone() -> None:
     assert len({raw[0] for raw in seen}) > 100
 
 
-def test_the_motors_have_a_light_load() -> None:
+def test_demo_puts_light_load_on_motors() -> None:
     board = Board()
     Demo(board)
     assert all(physics.load > 1 for physics in board.physics)

@@ -16,7 +16,7 @@ STICK = Calibration(2600, 3660, 4700, 50)
 
 
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
-def test_a_fresh_memory_holds_the_factory_values(model: str) -> None:
+def test_new_eeprom_holds_factory_defaults(model: str) -> None:
     eeprom = Eeprom(model)
     for spec in parameters_of(model, "1.3").readable:
         assert eeprom[spec.key] == eeprom[spec.number] == spec.default
@@ -25,7 +25,7 @@ def test_a_fresh_memory_holds_the_factory_values(model: str) -> None:
         assert eeprom.calibration(source, 3) == DEFAULT_CALIBRATION[source]
 
 
-def test_what_is_written_is_read_from_the_file_later(tmp_path: Path) -> None:
+def test_written_values_are_loaded_from_file(tmp_path: Path) -> None:
     path = tmp_path / "eeprom.json"
     eeprom = Eeprom.open(path, "trexjr")
     eeprom.write("serial_timeout", 12)
@@ -42,7 +42,7 @@ def test_what_is_written_is_read_from_the_file_later(tmp_path: Path) -> None:
     assert again.reset_pending
 
 
-def test_a_reset_restores_parameters_and_leaves_calibrations() -> None:
+def test_reset_restores_parameters_and_keeps_calibrations() -> None:
     eeprom = Eeprom()
     eeprom.write("serial_timeout", 12)
     eeprom.write_calibration(InputSource.RC, 1, STICK)
@@ -54,7 +54,7 @@ def test_a_reset_restores_parameters_and_leaves_calibrations() -> None:
     assert not eeprom.reset_pending
 
 
-def test_the_file_is_readable_and_no_temporary_file_stays(tmp_path: Path) -> None:
+def test_file_is_json_and_no_temporary_file_remains(tmp_path: Path) -> None:
     path = tmp_path / "eeprom.json"
     Eeprom.open(path).write("device_number", 9)
     document = json.loads(path.read_text(encoding="utf-8"))
@@ -64,12 +64,12 @@ def test_the_file_is_readable_and_no_temporary_file_stays(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("which", ["serial_timeouts", "factory_reset", 0x18, 0x7F, 200])
-def test_there_is_no_cell_for_what_cannot_be_read(which: str | int) -> None:
+def test_unreadable_parameter_raises_key_error(which: str | int) -> None:
     with pytest.raises(KeyError):
         Eeprom()[which]
 
 
-def test_a_value_out_of_range_is_refused() -> None:
+def test_out_of_range_value_is_rejected() -> None:
     eeprom = Eeprom()
     with pytest.raises(ValueError, match="UART-Error Shutdown"):
         eeprom.write("uart_error_shutdown", 2)
@@ -121,7 +121,7 @@ def _document(**changes: Any) -> str:
         ),
     ],
 )
-def test_a_damaged_file_gives_one_sentence(tmp_path: Path, text: str, why: str) -> None:
+def test_damaged_file_is_reported_in_one_line(tmp_path: Path, text: str, why: str) -> None:
     path = tmp_path / "eeprom.json"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(EepromError) as caught:
@@ -133,7 +133,7 @@ def test_a_damaged_file_gives_one_sentence(tmp_path: Path, text: str, why: str) 
     assert path.read_text(encoding="utf-8") == text
 
 
-def test_calibrations_in_any_order_are_loaded(tmp_path: Path) -> None:
+def test_calibration_values_out_of_order_are_loaded(tmp_path: Path) -> None:
     path = tmp_path / "eeprom.json"
     row = {"minimum": 9, "neutral": 4, "maximum": 4, "deadband": 16383}
     path.write_text(_document(analog_calibration=[row] * 5), encoding="utf-8")
@@ -142,7 +142,7 @@ def test_calibrations_in_any_order_are_loaded(tmp_path: Path) -> None:
     assert eeprom.learned(InputSource.ANALOG) == 0b11111
 
 
-def test_back_from_the_factory_everything_is_as_new_in_the_file_too(tmp_path: Path) -> None:
+def test_factory_state_is_restored_in_file(tmp_path: Path) -> None:
     path = tmp_path / "eeprom.json"
     eeprom = Eeprom.open(path, "trexjr")
     new = path.read_text(encoding="utf-8")
@@ -158,7 +158,7 @@ def test_back_from_the_factory_everything_is_as_new_in_the_file_too(tmp_path: Pa
 
 
 @pytest.mark.parametrize("field", ["minimum", "neutral", "maximum", "deadband"])
-def test_one_value_of_a_calibration_is_written_and_lost_by_itself(field: str) -> None:
+def test_calibration_fields_are_written_and_lost_separately(field: str) -> None:
     eeprom = Eeprom()
     eeprom.write_calibration(InputSource.RC, 2, STICK)
     eeprom.write_calibration_value(InputSource.RC, 2, field, 9)
@@ -169,7 +169,7 @@ def test_one_value_of_a_calibration_is_written_and_lost_by_itself(field: str) ->
 
 
 @given(data=st.binary(max_size=60))
-def test_no_file_makes_it_raise_anything_else(
+def test_arbitrary_file_raises_only_eeprom_error(
     tmp_path_factory: pytest.TempPathFactory, data: bytes
 ) -> None:
     path = tmp_path_factory.mktemp("eeprom") / "file"
@@ -178,7 +178,7 @@ def test_no_file_makes_it_raise_anything_else(
         Eeprom.open(path)
 
 
-def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+def test_unusable_path_raises_eeprom_error(tmp_path: Path) -> None:
     with pytest.raises(EepromError, match="cannot be written"):
         Eeprom.open(tmp_path / "missing" / "eeprom.json")
     with pytest.raises(EepromError, match="cannot be read"):

@@ -99,7 +99,7 @@ CAUSES: list[tuple[str, int, Cause, UartError]] = [
 @pytest.mark.parametrize(
     ("settings", "cause", "error"), [each[1:] for each in CAUSES], ids=[each[0] for each in CAUSES]
 )
-def test_each_cause_sets_its_bit_and_leaves_a_board_that_answers(
+def test_error_sets_its_bit_and_board_still_replies(
     settings: int, cause: Cause, error: UartError
 ) -> None:
     line = Line([a_board(settings=settings)])
@@ -112,11 +112,11 @@ def test_each_cause_sets_its_bit_and_leaves_a_board_that_answers(
     assert question(line, "85") == question(line, "84") == b"\x00"
 
 
-def test_every_bit_has_its_cause() -> None:
+def test_causes_cover_every_uart_error_bit() -> None:
     assert {error for *_, error in CAUSES} == set(UartError)
 
 
-def test_errors_are_latched_together() -> None:
+def test_uart_errors_are_latched_together() -> None:
     line = Line([a_board()])
     for cause in (sent("88"), injected("framing"), injected("overrun")):
         cause(line)
@@ -125,7 +125,7 @@ def test_errors_are_latched_together() -> None:
 
 
 @pytest.mark.parametrize("name", ["framing", "overrun", "parity"])
-def test_a_spoilt_byte_loses_its_packet(name: str) -> None:
+def test_corrupted_byte_discards_its_packet(name: str) -> None:
     line = Line([a_board(settings=EVEN)])
     send(line, "F0")
     control(line, f"line error {name}")
@@ -133,21 +133,21 @@ def test_a_spoilt_byte_loses_its_packet(name: str) -> None:
     assert line.boards[0].aux.speed == 0
 
 
-def test_so_many_bytes_are_spoilt_and_no_more() -> None:
+def test_requested_number_of_bytes_is_corrupted() -> None:
     line = Line([a_board()])
     control(line, "line error framing 3")
     assert send(line, "82 82 82") == b""
     assert send(line, "82") == b"r"
 
 
-def test_without_parity_nobody_notices_a_wrong_one() -> None:
+def test_board_without_parity_ignores_parity_errors() -> None:
     line = Line([a_board()])
     control(line, "line error parity")
     assert send(line, "82") == b"r"
     assert question(line, "85") == b"\x00"
 
 
-def test_several_boards_find_the_same_error() -> None:
+def test_all_boards_on_line_detect_the_same_error() -> None:
     line = Line([a_board(7), a_board(9)])
     control(line, "line error overrun")
     send(line, "82")

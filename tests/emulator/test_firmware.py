@@ -29,7 +29,7 @@ def rc() -> Board:
 
 
 class TestPower:
-    def test_a_new_board_is_on_and_its_motors_are_off(self) -> None:
+    def test_new_board_is_on_with_motors_off(self) -> None:
         board = Board()
         board.advance(0.1)
         shown = board.show()
@@ -37,7 +37,7 @@ class TestPower:
         assert [motor["speed"] for motor in shown["motors"]] == [0, 0]
         assert shown["aux"] == {"speed": 0, "target_speed": 0}
 
-    def test_switching_off_lets_the_motors_run_out(self) -> None:
+    def test_power_off_lets_motor_coast(self) -> None:
         board = Board()
         board.serial.drive(1, FORWARD, 127)
         board.advance(1)
@@ -50,7 +50,7 @@ class TestPower:
         board.advance(60)
         assert board.physics[0].speed < 0.01
 
-    def test_a_power_cycle_clears_latches_and_orders(self) -> None:
+    def test_power_cycle_clears_latched_errors_and_setpoints(self) -> None:
         board = Board()
         board.serial.drive(1, FORWARD, 127)
         board.report_error(UartError.CRC)
@@ -59,7 +59,7 @@ class TestPower:
         assert not board.serial.uart_errors
         assert board.motors[0].speed == 0
 
-    def test_a_write_that_the_power_interrupts_is_lost(self) -> None:
+    def test_write_interrupted_by_power_cycle_is_lost(self) -> None:
         board = Board()
         board.set_parameter(0x07, 5)
         board.advance(0.003)
@@ -70,20 +70,20 @@ class TestPower:
     @pytest.mark.parametrize(
         ("jumper", "mode"), [("serial", Mode.SERIAL_RC), ("rc", Mode.RC), ("analog", Mode.ANALOG)]
     )
-    def test_the_mode_jumper_is_read_at_power_up(self, jumper: str, mode: Mode) -> None:
+    def test_mode_jumper_is_read_at_power_up(self, jumper: str, mode: Mode) -> None:
         board = Board()
         board.mode_jumper = jumper
         assert board.mode is Mode.SERIAL_RC
         board.power_cycle()
         assert board.mode is mode
 
-    def test_the_input_source_counts_in_serial_mode_only(self) -> None:
+    def test_input_source_parameter_applies_in_serial_mode_only(self) -> None:
         eeprom = Eeprom()
         eeprom.write("channel_input_source", 1)
         assert Board(eeprom=eeprom).mode is Mode.SERIAL_ANALOG
         assert Board(eeprom=eeprom, mode="rc").mode is Mode.RC
 
-    def test_back_from_the_factory_it_is_as_new_and_only_time_has_gone_on(self) -> None:
+    def test_restored_board_matches_new_board_and_keeps_time(self) -> None:
         board = Board(mode="rc", mix=True)
         board.eeprom.write("device_number", 9)
         board.eeprom.write_calibration(InputSource.RC, 1, Calibration(1, 2, 3, 0))
@@ -109,7 +109,7 @@ class TestPower:
         assert shown == wanted
         assert board.memory.learned(InputSource.RC) == 0
 
-    def test_time_in_small_steps_is_time_in_one(self) -> None:
+    def test_small_time_steps_give_same_state_as_one_step(self) -> None:
         boards = Board(seed=3), Board(seed=3)
         for board in boards:
             write(board, "motor1_acceleration", 37)
@@ -121,7 +121,7 @@ class TestPower:
 
 
 class TestParameters:
-    def test_a_parameter_acts_when_its_write_is_finished(self) -> None:
+    def test_parameter_takes_effect_when_its_write_ends(self) -> None:
         board = Board()
         assert board.set_parameter(0x0E, 10) is ResultCode.OK
         assert board.memory.busy_for == pytest.approx(0.004)
@@ -132,7 +132,7 @@ class TestParameters:
         assert board.memory.active["motor1_acceleration"] == 10
         assert board.memory.busy_for == 0
 
-    def test_the_high_parameters_act_after_a_power_cycle(self) -> None:
+    def test_uart_settings_and_motor_mode_need_power_cycle(self) -> None:
         board = Board()
         write(board, "uart_settings", 0x2A)
         write(board, "motor_mode", 1)
@@ -143,7 +143,7 @@ class TestParameters:
         assert (board.memory.baud, board.memory.crc_polynomial) == (115200, 0x89)
         assert board.memory.is_joint
 
-    def test_a_factory_reset_acts_at_the_next_power_up(self) -> None:
+    def test_factory_reset_takes_effect_at_next_power_up(self) -> None:
         board = Board()
         write(board, "serial_timeout", 9)
         write(board, "factory_reset", 0x7F)
@@ -162,14 +162,14 @@ class TestParameters:
             (0x7F, 0, ResultCode.BAD_VALUE),
         ],
     )
-    def test_what_is_wrong_is_refused_at_once(
+    def test_invalid_parameter_write_is_rejected_at_once(
         self, number: int, value: int, code: ResultCode
     ) -> None:
         board = Board()
         assert board.set_parameter(number, value) is code
         assert board.memory.busy_for == 0
 
-    def test_only_serial_mode_takes_them(self, rc: Board) -> None:
+    def test_writes_are_rejected_in_rc_mode_with_override(self, rc: Board) -> None:
         rc.connect(5, Signal.pulses(1000))
         rc.advance(0.025)
         assert rc.serial.in_control
@@ -178,7 +178,7 @@ class TestParameters:
         assert code is ResultCode.NOT_SERIAL_MODE
 
     @pytest.mark.parametrize(("firmware", "known"), [("1.0", False), ("1.1", False), ("1.2", True)])
-    def test_the_response_delay_came_with_firmware_1_2(self, firmware: str, known: bool) -> None:
+    def test_response_delay_exists_from_firmware_1_2(self, firmware: str, known: bool) -> None:
         board = Board(firmware=firmware)
         code = board.set_parameter(0x17, 1)
         assert code is (ResultCode.OK if known else ResultCode.BAD_PARAMETER)
@@ -188,12 +188,14 @@ class TestParameters:
         ("firmware", "code", "baud"),
         [("1.0", 7, 19200), ("1.1", 6, 14400), ("1.2", 7, 38400), ("1.0", 8, 57600)],
     )
-    def test_old_firmware_halves_two_rates(self, firmware: str, code: int, baud: int) -> None:
+    def test_firmware_before_1_2_halves_two_baud_rates(
+        self, firmware: str, code: int, baud: int
+    ) -> None:
         eeprom = Eeprom()
         eeprom.write("uart_settings", code)
         assert Board(firmware=firmware, eeprom=eeprom).memory.baud == baud
 
-    def test_a_calibration_takes_longer_and_goes_to_the_set_in_use(self) -> None:
+    def test_calibration_is_stored_for_active_source_after_32_ms(self) -> None:
         board = Board()
         stick = Calibration(2600, 3660, 4700, 50)
         assert board.set_calibration(2, stick) is ResultCode.OK
@@ -205,6 +207,6 @@ class TestParameters:
         assert board.eeprom.learned(InputSource.ANALOG) == 0
 
     @pytest.mark.parametrize("values", [(5, 4, 9), (1, 9, 8), (3, 3, 3)])
-    def test_a_calibration_out_of_order_is_refused(self, values: tuple[int, int, int]) -> None:
+    def test_calibration_out_of_order_is_rejected(self, values: tuple[int, int, int]) -> None:
         code = Board().set_calibration(1, Calibration(*values, 0))
         assert code is ResultCode.BAD_VALUE

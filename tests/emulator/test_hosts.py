@@ -31,7 +31,7 @@ def asked(url: str, **settings: Any) -> bytes:
 
 
 @needs_pty
-def test_what_a_slow_host_had_queued_goes_when_the_port_is_set_anew(
+def test_reopened_port_discards_bytes_queued_by_slow_host(
     start_simulator: Start,
 ) -> None:
     simulator = start_simulator()
@@ -41,14 +41,14 @@ def test_what_a_slow_host_had_queued_goes_when_the_port_is_set_anew(
 
 
 @pytest.mark.parametrize("kind", ["--rfc2217", "--tcp"])
-def test_what_a_host_had_queued_goes_with_it(start_simulator: Start, kind: str) -> None:
+def test_bytes_queued_by_disconnected_host_are_discarded(start_simulator: Start, kind: str) -> None:
     simulator = start_simulator(kind, "127.0.0.1:0")
     with serial.serial_for_url(simulator.url, baudrate=300) as port:
         port.write(b"\xff" * 20_000)
     assert asked(simulator.url) == b"TReX1.2"
 
 
-def test_seven_data_bits_are_refused(start_simulator: Start) -> None:
+def test_seven_data_bits_are_rejected(start_simulator: Start) -> None:
     simulator = start_simulator("--rfc2217", "127.0.0.1:0")
     with pytest.raises((serial.SerialException, ValueError)):
         asked(simulator.url, bytesize=serial.SEVENBITS)
@@ -56,7 +56,7 @@ def test_seven_data_bits_are_refused(start_simulator: Start) -> None:
 
 
 @needs_pty
-def test_a_memory_that_cannot_be_saved_is_used_all_the_same(
+def test_writes_take_effect_when_eeprom_cannot_be_saved(
     start_simulator: Start, tmp_path: Path
 ) -> None:
     folder = tmp_path / "gone"

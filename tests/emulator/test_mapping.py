@@ -12,14 +12,14 @@ SETUP = ChannelSetup((DEFAULT_CALIBRATION[InputSource.RC],) * 5)
 values = st.integers(-127, 127)
 
 
-def test_a_reversed_channel_changes_its_sign_and_an_ignored_one_rests() -> None:
+def test_reversed_channel_is_negated_and_ignored_one_is_zero() -> None:
     raw = [4500] * 5
     plain = SETUP.remapped(raw)[0]
     masked = ChannelSetup(SETUP.calibrations, reversed_=0b00010, ignored=0b00100)
     assert masked.remapped(raw) == (plain, -plain, 0, plain, plain)
 
 
-def test_a_parabolic_channel_is_gentler() -> None:
+def test_parabolic_channel_is_gentler() -> None:
     raw = [4362] * 5
     gentle = ChannelSetup(SETUP.calibrations, parabolic=0b00001).remapped(raw)
     assert 0 < gentle[0] < gentle[1]
@@ -28,29 +28,27 @@ def test_a_parabolic_channel_is_gentler() -> None:
 @pytest.mark.parametrize(
     ("raw", "active"), [(None, False), (3750, False), (3126, False), (3124, True), (2500, True)]
 )
-def test_a_switch_is_active_below_the_middle_of_its_lower_half(
-    raw: int | None, active: bool
-) -> None:
+def test_switch_is_active_below_half_of_its_lower_range(raw: int | None, active: bool) -> None:
     assert SETUP.is_switched(5, raw) is active
 
 
-def test_a_switch_that_is_ignored_or_reversed_obeys_that() -> None:
+def test_switch_respects_ignored_and_reversed_settings() -> None:
     assert not ChannelSetup(SETUP.calibrations, ignored=0x10).is_switched(5, 2500)
     turned = ChannelSetup(SETUP.calibrations, reversed_=0x08)
     assert turned.is_switched(4, 5000)
     assert not turned.is_switched(4, 2500)
 
 
-def test_without_jumper_and_switch_each_channel_has_its_motor() -> None:
+def test_each_channel_drives_its_motor_without_mix_and_flip() -> None:
     assert motor_values((10, -20), mix=False, flip=False, joint=False) == (10, -20)
 
 
-def test_mixing_adds_the_turn_to_one_motor_and_takes_it_from_the_other() -> None:
+def test_mix_adds_turn_to_one_motor_and_subtracts_from_other() -> None:
     assert motor_values((30, 100), mix=True, flip=False, joint=False) == (127, 70)
     assert motor_values((127, -127), mix=True, flip=False, joint=False) == (0, -127)
 
 
-def test_flip_exchanges_and_turns_the_motors() -> None:
+def test_flip_swaps_and_reverses_motors() -> None:
     assert motor_values((10, -20), mix=False, flip=True, joint=False) == (20, -10)
     assert motor_values((30, 50), mix=True, flip=True, joint=False) == (-20, -80)
 
@@ -61,7 +59,7 @@ def test_joint_mode_does_not_mix() -> None:
 
 
 @given(first=values, second=values, mix=st.booleans(), flip=st.booleans(), joint=st.booleans())
-def test_no_motor_is_asked_for_more_than_it_has(
+def test_motor_setpoints_stay_within_full_speed(
     first: int, second: int, mix: bool, flip: bool, joint: bool
 ) -> None:
     asked = motor_values((first, second), mix=mix, flip=flip, joint=joint)
@@ -69,7 +67,7 @@ def test_no_motor_is_asked_for_more_than_it_has(
 
 
 @given(raw=st.lists(st.none() | st.integers(0, 0xFFFE), min_size=5, max_size=5))
-def test_whatever_is_measured_is_remapped(raw: list[int | None]) -> None:
+def test_any_raw_value_is_remapped_within_full_speed(raw: list[int | None]) -> None:
     remapped = SETUP.remapped(raw)
     assert len(remapped) == len(CHANNELS)
     assert all(-127 <= value <= 127 for value in remapped)

@@ -42,7 +42,7 @@ def path(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("seconds", [0.0, 0.0005, 0.002, 0.0039])
-def test_a_power_cut_leaves_the_factorys_value_of_a_parameter(path: Path, seconds: float) -> None:
+def test_power_cut_during_write_leaves_parameter_default(path: Path, seconds: float) -> None:
     board = a_board(path)
     assert board.set_parameter(0x07, 90) is ResultCode.OK
     board.advance(seconds)
@@ -56,7 +56,7 @@ def test_a_power_cut_leaves_the_factorys_value_of_a_parameter(path: Path, second
     assert board.memory.writes == 0
 
 
-def test_after_the_write_a_power_cut_does_no_harm(path: Path) -> None:
+def test_power_cut_after_write_keeps_parameter(path: Path) -> None:
     board = a_board(path)
     board.set_parameter(0x07, 90)
     board.advance(0.004)
@@ -65,7 +65,7 @@ def test_after_the_write_a_power_cut_does_no_harm(path: Path) -> None:
 
 
 @pytest.mark.parametrize(("seconds", "left"), CUTS)
-def test_a_power_cut_leaves_a_calibration_half_written(
+def test_power_cut_leaves_calibration_half_written(
     path: Path, seconds: float, left: Calibration
 ) -> None:
     board = a_board(path)
@@ -78,7 +78,7 @@ def test_a_power_cut_leaves_a_calibration_half_written(
     assert board.eeprom.calibration(ANALOG, 2) == DEFAULT_CALIBRATION[ANALOG]
 
 
-def test_the_four_values_arrive_one_after_the_other(path: Path) -> None:
+def test_calibration_values_are_stored_one_after_another(path: Path) -> None:
     board = a_board(path)
     board.set_calibration(2, NEW)
     seen = []
@@ -94,7 +94,7 @@ def test_the_four_values_arrive_one_after_the_other(path: Path) -> None:
     assert board.memory.writes == 1
 
 
-def test_a_calibration_that_a_power_cut_put_out_of_order_is_loaded(path: Path) -> None:
+def test_calibration_out_of_order_after_power_cut_is_loaded(path: Path) -> None:
     board = a_board(path)
     board.set_calibration(2, Calibration(6000, 6100, 6200, 10))
     board.advance(0.009)
@@ -107,7 +107,7 @@ def test_a_calibration_that_a_power_cut_put_out_of_order_is_loaded(path: Path) -
     assert all(-127 <= value <= 127 for value in again.remapped)
 
 
-def test_a_power_cut_forgets_a_factory_reset_that_was_being_asked_for(path: Path) -> None:
+def test_power_cut_cancels_unfinished_factory_reset_request(path: Path) -> None:
     board = a_board(path)
     board.set_parameter(0x7F, 0x7F)
     board.advance(0.002)
@@ -117,9 +117,7 @@ def test_a_power_cut_forgets_a_factory_reset_that_was_being_asked_for(path: Path
 
 
 @given(seconds=st.floats(0, 0.04), channel=st.integers(1, 5))
-def test_whenever_the_power_goes_each_value_is_new_old_or_the_factorys(
-    seconds: float, channel: int
-) -> None:
+def test_power_cut_leaves_each_value_new_old_or_default(seconds: float, channel: int) -> None:
     board = Board()
     board.eeprom.write_calibration(RC, channel, OLD)
     board.set_calibration(channel, NEW)

@@ -19,11 +19,11 @@ def updates(motor: Motor, settings: MotorSettings, count: int, current: int = 0)
 @pytest.mark.parametrize(
     ("bits", "direction"), [(0, BRAKE), (1, REVERSE), (2, FORWARD), (3, BRAKE), (0xC2, FORWARD)]
 )
-def test_direction_bits(bits: int, direction: Direction) -> None:
+def test_direction_is_decoded_from_bits(bits: int, direction: Direction) -> None:
     assert Direction.from_bits(bits) is direction
 
 
-def test_a_set_command_acts_at_once_whatever_the_ramp() -> None:
+def test_set_command_acts_at_once_despite_ramp() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     assert (motor.direction, motor.speed) == (FORWARD, 100)
@@ -32,14 +32,14 @@ def test_a_set_command_acts_at_once_whatever_the_ramp() -> None:
     assert updates(motor, MotorSettings(acceleration=1, brake_duration=100), 3) == [50, 50, 50]
 
 
-def test_an_accelerate_command_acts_in_the_next_update() -> None:
+def test_accelerate_command_acts_in_next_update() -> None:
     motor = Motor()
     motor.accelerate(FORWARD, 100)
     assert motor.speed == 0
     assert updates(motor, NO_RAMP, 1) == [100]
 
 
-def test_each_update_adds_a_tenth_of_the_acceleration_and_loses_no_fraction() -> None:
+def test_update_adds_exact_tenth_of_acceleration() -> None:
     motor = Motor()
     motor.accelerate(FORWARD, 127)
     assert updates(motor, MotorSettings(acceleration=25), 4) == [2, 5, 7, 10]
@@ -47,7 +47,7 @@ def test_each_update_adds_a_tenth_of_the_acceleration_and_loses_no_fraction() ->
 
 
 @given(acceleration=st.integers(1, 127), target=st.integers(1, 127))
-def test_a_tenth_of_a_second_adds_the_acceleration(acceleration: int, target: int) -> None:
+def test_ten_updates_add_the_acceleration(acceleration: int, target: int) -> None:
     motor = Motor()
     motor.accelerate(FORWARD, target)
     speeds = updates(motor, MotorSettings(acceleration=acceleration), 10)
@@ -55,14 +55,14 @@ def test_a_tenth_of_a_second_adds_the_acceleration(acceleration: int, target: in
     assert speeds == sorted(speeds)
 
 
-def test_there_is_no_deceleration() -> None:
+def test_lower_setpoint_is_reached_without_ramp() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     motor.accelerate(FORWARD, 10)
     assert updates(motor, MotorSettings(acceleration=1), 1) == [10]
 
 
-def test_a_reversal_brakes_fully_for_the_brake_duration_and_starts_from_zero() -> None:
+def test_reversal_brakes_for_brake_duration_then_ramps_from_zero() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     motor.accelerate(REVERSE, 60)
@@ -75,7 +75,7 @@ def test_a_reversal_brakes_fully_for_the_brake_duration_and_starts_from_zero() -
     assert motor.direction is REVERSE
 
 
-def test_a_reversal_without_brake_duration_starts_from_zero_too() -> None:
+def test_reversal_without_brake_duration_ramps_from_zero() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     motor.accelerate(REVERSE, 60)
@@ -91,7 +91,7 @@ def test_braking_has_no_ramp() -> None:
     assert (motor.direction, motor.speed) == (BRAKE, 127)
 
 
-def test_a_motor_that_was_braked_long_enough_reverses_at_once() -> None:
+def test_braked_motor_reverses_at_once_after_brake_duration() -> None:
     motor = Motor()
     settings = MotorSettings(brake_duration=5)
     motor.set(FORWARD, 100)
@@ -101,13 +101,13 @@ def test_a_motor_that_was_braked_long_enough_reverses_at_once() -> None:
     assert updates(motor, settings, 1) == [40]
 
 
-def test_a_motor_at_rest_needs_no_brake_to_start() -> None:
+def test_motor_at_rest_starts_without_braking() -> None:
     motor = Motor()
     motor.accelerate(FORWARD, 40)
     assert updates(motor, MotorSettings(brake_duration=100), 1) == [40]
 
 
-def test_changing_ones_mind_while_it_brakes_goes_on_in_the_old_direction() -> None:
+def test_cancelled_reversal_resumes_old_direction() -> None:
     motor = Motor()
     settings = MotorSettings(acceleration=100, brake_duration=50)
     motor.set(FORWARD, 100)
@@ -118,7 +118,7 @@ def test_changing_ones_mind_while_it_brakes_goes_on_in_the_old_direction() -> No
     assert motor.direction is FORWARD
 
 
-def test_over_the_limit_the_speed_goes_down_in_proportion() -> None:
+def test_speed_falls_in_proportion_to_excess_current() -> None:
     motor = Motor()
     motor.accelerate(FORWARD, 100)
     settings = MotorSettings(current_limit=10, limit_gain=8)  # 20 counts
@@ -129,7 +129,7 @@ def test_over_the_limit_the_speed_goes_down_in_proportion() -> None:
     assert updates(motor, settings, 100, current=30)[-1] == 0
 
 
-def test_without_gain_the_motor_is_off_while_over_the_limit() -> None:
+def test_zero_gain_turns_motor_off_over_current_limit() -> None:
     motor = Motor()
     settings = MotorSettings(current_limit=1)
     motor.set(FORWARD, 100)
@@ -139,14 +139,14 @@ def test_without_gain_the_motor_is_off_while_over_the_limit() -> None:
     assert motor.speed == 100
 
 
-def test_a_limit_of_zero_is_none() -> None:
+def test_zero_current_limit_disables_limiter() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     assert not motor.update(MotorSettings(current_limit=0, limit_gain=127), 255)
     assert motor.speed == 100
 
 
-def test_a_brake_is_obeyed_over_the_limit() -> None:
+def test_brake_command_works_over_current_limit() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     motor.accelerate(BRAKE, 127)
@@ -154,7 +154,7 @@ def test_a_brake_is_obeyed_over_the_limit() -> None:
     assert (motor.direction, motor.speed) == (BRAKE, 127)
 
 
-def test_a_lower_target_is_obeyed_over_the_limit() -> None:
+def test_lower_setpoint_applies_over_current_limit() -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     motor.accelerate(FORWARD, 10)
@@ -173,7 +173,7 @@ def test_a_lower_target_is_obeyed_over_the_limit() -> None:
         )
     ),
 )
-def test_the_speed_never_leaves_its_range(
+def test_speed_never_leaves_its_range(
     steps: list[tuple[bool, Direction, int, int, int]],
 ) -> None:
     motor = Motor()
@@ -183,7 +183,7 @@ def test_the_speed_never_leaves_its_range(
         assert 0 <= motor.speed <= 127
 
 
-def test_the_auxiliary_motor_has_a_ramp_upwards_only() -> None:
+def test_auxiliary_motor_ramps_upwards_only() -> None:
     aux = AuxiliaryMotor()
     aux.accelerate(20)
     for expected in (5, 10, 15, 20, 20):

@@ -29,7 +29,7 @@ class TestMotorCommands:
             ("CE 40", 2, FORWARD, 0x40, False),
         ],
     )
-    def test_one_motor(
+    def test_command_sets_one_motor(
         self,
         port: SerialPort,
         packet: str,
@@ -50,7 +50,7 @@ class TestMotorCommands:
     @pytest.mark.parametrize(("command", "immediate"), [(0xD0, True), (0xE0, False)])
     @pytest.mark.parametrize("first", range(4))
     @pytest.mark.parametrize("second", range(4))
-    def test_both_motors(
+    def test_command_sets_both_motors(
         self, port: SerialPort, command: int, immediate: bool, first: int, second: int
     ) -> None:
         ask(port, bytes([command | second << 2 | first, 11, 22]).hex())
@@ -61,11 +61,11 @@ class TestMotorCommands:
         assert ([motor.speed for motor in motors] == [11, 22]) == immediate
 
     @pytest.mark.parametrize("packet", ["F0 7F", "80 07 70 7F"])
-    def test_the_auxiliary_motor_goes_to_full_speed(self, port: SerialPort, packet: str) -> None:
+    def test_auxiliary_motor_command_sets_full_speed(self, port: SerialPort, packet: str) -> None:
         assert ask(port, packet) == NO_REPLY
         assert port.board.aux.speed == 127
 
-    def test_the_auxiliary_motor_accelerates(self, port: SerialPort) -> None:
+    def test_auxiliary_motor_accelerates(self, port: SerialPort) -> None:
         ask(port, "AF 10 0A 55 2A")
         ask(port, "F1 7F")
         port.board.advance(0.1)
@@ -79,40 +79,40 @@ class TestFormat:
             {0x88, 0x8C, 0x96, 0x9E, 0xA5, 0xAE, 0xB0, 0xBF, 0xF2, 0xFE},
         ),
     )
-    def test_a_command_that_does_not_exist(self, port: SerialPort, command: int) -> None:
+    def test_unknown_command_latches_format_error(self, port: SerialPort, command: int) -> None:
         assert ask(port, f"{command:02X}") == NO_REPLY
         assert errors(port) == UartError.FORMAT
         assert ask(port, f"80 07 {command & 0x7F:02X}") == NO_REPLY
         assert errors(port) == UartError.FORMAT
 
-    def test_a_command_byte_inside_a_packet_begins_a_new_one(self, port: SerialPort) -> None:
+    def test_command_byte_inside_packet_begins_new_packet(self, port: SerialPort) -> None:
         assert ask(port, "C2 82") == "72"
         assert errors(port) == UartError.FORMAT
         assert port.board.motors[0].speed == 127  # shut down: full brake
         assert port.board.motors[0].direction is BRAKE
 
-    def test_a_data_byte_without_a_packet(self, port: SerialPort) -> None:
+    def test_data_byte_without_packet_latches_format_error(self, port: SerialPort) -> None:
         assert ask(port, "12") == NO_REPLY
         assert errors(port) == UartError.FORMAT
 
     @pytest.mark.parametrize("packet", ["86 20", "87 7F", "9F 18", "9F 7F"])
-    def test_an_illogical_data_byte(self, port: SerialPort, packet: str) -> None:
+    def test_illogical_data_byte_latches_format_error(self, port: SerialPort, packet: str) -> None:
         assert ask(port, packet) == NO_REPLY
         assert errors(port) == UartError.FORMAT
 
     @pytest.mark.parametrize("packet", ["FF", "FF FF FF", "80 07 7F"])
-    def test_the_null_command_does_nothing(self, port: SerialPort, packet: str) -> None:
+    def test_null_command_does_nothing(self, port: SerialPort, packet: str) -> None:
         assert ask(port, packet) == NO_REPLY
         assert not errors(port)
 
-    def test_packets_for_others_are_passed_over_in_silence(self, port: SerialPort) -> None:
+    def test_packets_for_other_boards_are_ignored(self, port: SerialPort) -> None:
         assert ask(port, "80 08 06 1F 80 01 2F 7B 01 55 2A 80 03 04 02 01 40") == NO_REPLY
         assert not errors(port)
         assert ask(port, "82") == "72"
         assert not errors(port)
         assert port.board.show()["counters"]["packets_for_others"] == 3
 
-    def test_a_bad_byte_loses_its_packet(self, port: SerialPort) -> None:
+    def test_bad_byte_discards_its_packet(self, port: SerialPort) -> None:
         port.feed(0xF0)
         port.feed_error(UartError.PARITY)
         assert errors(port) == UartError.PARITY
@@ -120,14 +120,14 @@ class TestFormat:
         assert errors(port) == UartError.FORMAT
         assert port.board.aux.speed == 0
 
-    def test_a_board_without_power_hears_nothing(self, port: SerialPort) -> None:
+    def test_unpowered_board_ignores_packets(self, port: SerialPort) -> None:
         port.board.power_off()
         assert ask(port, "81") == NO_REPLY
         port.feed_error(UartError.FRAMING)
         port.board.power_on()
         assert not errors(port)
 
-    def test_a_power_cycle_forgets_half_a_packet(self, port: SerialPort) -> None:
+    def test_power_cycle_discards_half_received_packet(self, port: SerialPort) -> None:
         port.feed(0xF0)
         port.board.power_cycle()
         port.feed(0x7F)
@@ -137,7 +137,7 @@ class TestFormat:
 
 class TestJunk:
     @given(junk=st.binary(max_size=200), settings=st.sampled_from([0x05, 0x25]))
-    def test_after_any_junk_a_good_packet_is_answered(self, junk: bytes, settings: int) -> None:
+    def test_packet_after_arbitrary_bytes_is_answered(self, junk: bytes, settings: int) -> None:
         port = SerialPort(a_board(settings=settings))
         ask(port, junk.hex())
         port.feed(0xFF)
@@ -146,7 +146,7 @@ class TestJunk:
         assert answer[:7] == b"TReX1.2"
 
     @given(junk=st.binary(max_size=300), mode=st.sampled_from(["serial", "rc", "analog"]))
-    def test_whatever_comes_the_board_stays_sane(self, junk: bytes, mode: str) -> None:
+    def test_arbitrary_bytes_leave_valid_board_state(self, junk: bytes, mode: str) -> None:
         board = Board(mode=mode)
         port = SerialPort(board)
         for byte in junk:

@@ -32,14 +32,14 @@ def physics() -> MotorPhysics:
     return MotorPhysics(TREX, 0.15, seed=0)
 
 
-def test_a_motor_at_rest_draws_nothing(physics: MotorPhysics) -> None:
+def test_motor_at_rest_draws_no_current(physics: MotorPhysics) -> None:
     run(physics, 0.1, 0.0)
     physics.measure()
     assert (physics.reading, physics.speed) == (0, 0.0)
 
 
 @models
-def test_starting_takes_nearly_the_stall_current_and_less_with_every_step(
+def test_start_current_falls_from_stall_to_free_current(
     constants: Constants,
 ) -> None:
     physics = MotorPhysics(constants, 0.01, seed=0)
@@ -52,14 +52,14 @@ def test_starting_takes_nearly_the_stall_current_and_less_with_every_step(
     assert currents[-1] == pytest.approx(constants.free, rel=0.02)
 
 
-def test_the_sensor_shows_the_inrush(physics: MotorPhysics) -> None:
+def test_sensor_shows_inrush_current(physics: MotorPhysics) -> None:
     inrush = reading(physics, FULL)
     run(physics, 2.0, FULL)
     assert inrush > 0.8 * TREX.stall
     assert reading(physics, FULL) == pytest.approx(TREX.free, abs=0.3)
 
 
-def test_a_reversal_takes_more_than_a_start(physics: MotorPhysics) -> None:
+def test_reversal_draws_more_current_than_start(physics: MotorPhysics) -> None:
     start = physics.current_at(FULL)
     run(physics, 2.0, FULL)
     reversal = physics.current_at(-FULL)
@@ -71,7 +71,7 @@ def test_a_reversal_takes_more_than_a_start(physics: MotorPhysics) -> None:
 
 @pytest.mark.parametrize("load", [1.5, 5.0, 12.0])
 @pytest.mark.parametrize("volts", [FULL / 2, FULL, -FULL])
-def test_the_current_follows_the_load_at_any_speed(
+def test_current_follows_load_at_any_speed(
     physics: MotorPhysics, load: float, volts: float
 ) -> None:
     physics.load = load
@@ -83,7 +83,7 @@ def test_the_current_follows_the_load_at_any_speed(
 
 @pytest.mark.parametrize("load", [TREX.stall, 31.0, 1000.0])
 @pytest.mark.parametrize("share", [0.25, 0.5, 1.0, -1.0])
-def test_a_load_above_the_stall_current_holds_the_motor_and_the_current(
+def test_load_of_stall_current_or_more_stalls_motor(
     physics: MotorPhysics, load: float, share: float
 ) -> None:
     physics.load = load
@@ -92,7 +92,7 @@ def test_a_load_above_the_stall_current_holds_the_motor_and_the_current(
     assert reading(physics, share * FULL) == pytest.approx(abs(share) * TREX.stall, abs=0.4)
 
 
-def test_a_running_motor_that_is_held_fast_stalls(physics: MotorPhysics) -> None:
+def test_running_motor_stalls_when_blocked(physics: MotorPhysics) -> None:
     run(physics, 2.0, FULL)
     physics.load = 100.0
     run(physics, 0.5, FULL)
@@ -100,7 +100,7 @@ def test_a_running_motor_that_is_held_fast_stalls(physics: MotorPhysics) -> None
     assert reading(physics, FULL) == pytest.approx(TREX.stall, abs=0.4)
 
 
-def test_friction_never_turns_a_motor(physics: MotorPhysics) -> None:
+def test_friction_stops_motor_without_reversing_it(physics: MotorPhysics) -> None:
     run(physics, 1.0, FULL)
     physics.load = 25.0
     speeds = []
@@ -111,13 +111,13 @@ def test_friction_never_turns_a_motor(physics: MotorPhysics) -> None:
     assert speeds[-1] == 0
 
 
-def test_even_a_load_of_nothing_leaves_the_motors_own_friction(physics: MotorPhysics) -> None:
+def test_unloaded_motor_draws_free_current(physics: MotorPhysics) -> None:
     physics.load = 0.0
     run(physics, 2.0, FULL)
     assert reading(physics, FULL) == pytest.approx(TREX.free, abs=0.3)
 
 
-def test_braking_stops_sooner_than_coasting() -> None:
+def test_braking_slows_motor_faster_than_coasting() -> None:
     def left(brake: float) -> float:
         physics = MotorPhysics(TREX, 0.15, seed=0)
         run(physics, 2.0, FULL)
@@ -128,7 +128,7 @@ def test_braking_stops_sooner_than_coasting() -> None:
     assert 0 <= left(1.0) < left(0.5) < left(0.0) < top
 
 
-def test_coasting_lasts_until_friction_has_ended_it(physics: MotorPhysics) -> None:
+def test_coasting_motor_is_stopped_by_friction(physics: MotorPhysics) -> None:
     run(physics, 2.0, FULL)
     top = physics.speed
     run(physics, 0.2, 0.0)
@@ -138,13 +138,13 @@ def test_coasting_lasts_until_friction_has_ended_it(physics: MotorPhysics) -> No
 
 
 @pytest.mark.parametrize("brake", [0.0, 0.3, 1.0])
-def test_braking_and_coasting_pass_the_sensor_by(physics: MotorPhysics, brake: float) -> None:
+def test_sensor_reads_zero_while_braking_or_coasting(physics: MotorPhysics, brake: float) -> None:
     run(physics, 2.0, FULL)
     assert reading(physics, 0.0, brake) == 0
     assert physics.speed > 0 or brake == 1
 
 
-def test_a_lower_voltage_than_it_makes_itself_drives_no_current(physics: MotorPhysics) -> None:
+def test_voltage_below_back_emf_draws_no_current(physics: MotorPhysics) -> None:
     run(physics, 2.0, FULL)
     before = physics.speed
     assert physics.current_at(FULL / 4) == 0
@@ -152,7 +152,7 @@ def test_a_lower_voltage_than_it_makes_itself_drives_no_current(physics: MotorPh
     assert 0 < physics.speed < before
 
 
-def test_a_driver_with_a_fault_drives_and_brakes_nothing(physics: MotorPhysics) -> None:
+def test_faulty_driver_neither_drives_nor_brakes(physics: MotorPhysics) -> None:
     physics.fault = True
     run(physics, 0.5, FULL)
     physics.measure()
@@ -167,7 +167,7 @@ def test_a_driver_with_a_fault_drives_and_brakes_nothing(physics: MotorPhysics) 
     assert speeds[0] == pytest.approx(speeds[1])
 
 
-def test_a_reading_is_one_byte(physics: MotorPhysics) -> None:
+def test_current_reading_is_limited_to_one_byte(physics: MotorPhysics) -> None:
     physics.forced = 1000.0
     physics.measure()
     assert physics.reading == 255
@@ -179,7 +179,7 @@ def test_a_reading_is_one_byte(physics: MotorPhysics) -> None:
     assert physics.reading == 0
 
 
-def test_a_new_motor_stands_still_without_load_or_fault(physics: MotorPhysics) -> None:
+def test_restored_motor_matches_new_motor(physics: MotorPhysics) -> None:
     physics.load, physics.fault, physics.forced, physics.speed = 9.0, True, 3.0, 100.0
     physics.measure()
     physics.make_new()
@@ -188,7 +188,7 @@ def test_a_new_motor_stands_still_without_load_or_fault(physics: MotorPhysics) -
         assert getattr(physics, name) == getattr(new, name)
 
 
-def test_turns_a_minute_are_the_speed_in_other_units(physics: MotorPhysics) -> None:
+def test_rpm_is_converted_from_speed(physics: MotorPhysics) -> None:
     run(physics, 2.0, FULL)
     assert physics.rpm == pytest.approx(15_000, rel=0.06)
     assert physics.rpm == pytest.approx(physics.speed * 9.5493, rel=1e-4)
@@ -201,7 +201,7 @@ def test_turns_a_minute_are_the_speed_in_other_units(physics: MotorPhysics) -> N
     ),
     model=st.sampled_from(sorted(CONSTANTS)),
 )
-def test_no_motor_goes_faster_than_its_voltage_or_draws_more_than_it_can(
+def test_speed_and_current_stay_within_physical_limits(
     steps: list[tuple[float, float, float, bool]], model: str
 ) -> None:
     constants = CONSTANTS[model]
@@ -215,7 +215,7 @@ def test_no_motor_goes_faster_than_its_voltage_or_draws_more_than_it_can(
         assert 0 <= physics.reading <= 255
 
 
-def test_the_same_seed_gives_the_same_noise() -> None:
+def test_same_seed_gives_same_noise() -> None:
     def readings(seed: int) -> list[int]:
         physics = MotorPhysics(TREX, 0.15, seed)
         result = []

@@ -75,15 +75,13 @@ def share(asked: Asked, kind: UartError, pairs: Iterable[tuple[int, int]]) -> fl
     return sum(bool(each & kind) for each in errors) / len(errors)
 
 
-def test_a_host_at_a_wrong_rate_never_gets_the_good_reply(
-    asked: Asked, good: dict[str, bytes]
-) -> None:
+def test_host_at_wrong_rate_never_gets_correct_reply(asked: Asked, good: dict[str, bytes]) -> None:
     for pair, replies in asked.items():
         for packet, reply, _ in replies:
             assert reply != good[packet], (pair, packet)
 
 
-def test_a_board_notices_nearly_every_packet_of_a_slower_host(asked: Asked) -> None:
+def test_nearly_every_packet_of_slower_host_latches_errors(asked: Asked) -> None:
     slower = [(host, board) for host, board in asked if host < board]
     assert share(asked, ANY, slower) > 0.95
     assert share(asked, UartError.FRAMING, slower) > 0.85
@@ -91,12 +89,12 @@ def test_a_board_notices_nearly_every_packet_of_a_slower_host(asked: Asked) -> N
         assert share(asked, UartError.FRAMING, [pair]) > 0.25, pair
 
 
-def test_most_packets_at_a_wrong_rate_are_noticed(asked: Asked) -> None:
+def test_most_packets_at_wrong_rate_latch_errors(asked: Asked) -> None:
     assert share(asked, ANY, asked) > 0.65
     assert share(asked, UartError.FRAMING, asked) > 0.45
 
 
-def test_the_reply_of_a_board_at_another_rate_is_garbage_of_any_length() -> None:
+def test_reply_at_another_rate_is_garbage_of_varying_length() -> None:
     lengths = set()
     for code, host in permutations(range(len(baud_rates())), 2):
         line = a_line(code, paced=True)
@@ -118,7 +116,7 @@ def test_the_reply_of_a_board_at_another_rate_is_garbage_of_any_length() -> None
     ("baud", "errors"),
     [(9600, UartError.FRAMING), (115200, UartError(0))],  # the latter is too short to be seen
 )
-def test_a_question_and_a_motor_command_at_a_wrong_rate_do_nothing(
+def test_request_and_motor_command_at_wrong_rate_do_nothing(
     baud: int, errors: UartError, paced: bool
 ) -> None:
     line = a_line(5, paced=paced)
@@ -129,7 +127,7 @@ def test_a_question_and_a_motor_command_at_a_wrong_rate_do_nothing(
     assert board.aux.speed == 0
 
 
-def test_back_at_the_right_rate_host_and_board_understand_each_other() -> None:
+def test_board_replies_again_at_correct_rate() -> None:
     for code, host in permutations(range(len(baud_rates())), 2):
         line = a_line(code, paced=True)
         line.host = LineSettings(baud_rates()[host])
@@ -140,7 +138,7 @@ def test_back_at_the_right_rate_host_and_board_understand_each_other() -> None:
         assert ask(line, "81") == b"TReX1.2"
 
 
-def test_a_board_beside_one_that_is_asked_hears_only_noise() -> None:
+def test_board_at_other_rate_latches_error_and_ignores_command() -> None:
     line = Line([a_board(7, settings=0x05), a_board(9, settings=0x0A)])
     line.host = LineSettings(19200)
     assert ask(line, "81") == b"TReX1.2"
@@ -151,7 +149,7 @@ def test_a_board_beside_one_that_is_asked_hears_only_noise() -> None:
     assert UartError.FRAMING in far.serial.uart_errors
 
 
-def test_a_power_cut_in_the_middle_of_a_strange_byte_forgets_it() -> None:
+def test_power_cut_discards_half_received_byte() -> None:
     line = a_line(10, paced=True)
     line.host = LineSettings(1200)
     board = line.boards[0]
@@ -177,7 +175,7 @@ def garbage(host: int, *, so_ground: bool) -> bytes:
     return line.receive()
 
 
-def test_with_so_grounded_not_even_garbage_gets_out() -> None:
+def test_board_with_so_grounded_sends_nothing() -> None:
     rates = [rate for rate in baud_rates() if rate >= 9600 and rate != 19200]
     assert any(garbage(rate, so_ground=False) for rate in rates)
     assert not any(garbage(rate, so_ground=True) for rate in rates)

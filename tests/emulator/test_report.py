@@ -10,7 +10,7 @@ from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
 
 
-def test_show_has_what_scripts_rely_on() -> None:
+def test_show_contains_fields_used_by_scripts() -> None:
     shown = json.loads(json.dumps(Board("trexjr", "1.0", mode="rc").show()))
     assert {
         "model", "firmware", "power", "mode", "serial_controls", "override", "safe_start",
@@ -42,7 +42,7 @@ def test_show_has_what_scripts_rely_on() -> None:
         (0x60, {"baud": 1200, "parity": "odd", "stop_bits": 1, "crc": False}),
     ],
 )
-def test_show_tells_the_line_settings_that_act(
+def test_show_reports_active_line_settings(
     board: Board, settings: int, expected: dict[str, object]
 ) -> None:
     board.eeprom.write("uart_settings", settings)
@@ -50,7 +50,7 @@ def test_show_tells_the_line_settings_that_act(
     assert board.show()["active_uart"] == expected
 
 
-def test_an_invalid_channel_shows_as_null(board: Board) -> None:
+def test_invalid_channel_is_shown_as_null(board: Board) -> None:
     board.advance(0.025)
     assert board.show()["channels"][0] == {"raw": 3750, "remapped": 0, "signal": "rest"}
     board.connect(1, Signal.parse("invalid", InputSource.RC))
@@ -59,9 +59,7 @@ def test_an_invalid_channel_shows_as_null(board: Board) -> None:
     assert board.show()["channels"][0] == {"raw": None, "remapped": 0, "signal": "invalid"}
 
 
-def test_the_leds_tell_who_controls_and_flicker_with_packets(
-    board: Board, port: SerialPort
-) -> None:
+def test_leds_show_serial_control_and_packet_activity(board: Board, port: SerialPort) -> None:
     board.advance(2)
     assert board.show()["leds"] == {"red": "on", "green": "off"}
     port.feed(0x86)
@@ -70,7 +68,7 @@ def test_the_leds_tell_who_controls_and_flicker_with_packets(
     assert board.show()["leds"] == {"red": "on", "green": "off"}
 
 
-def test_in_rc_mode_the_leds_change_places() -> None:
+def test_rc_mode_swaps_leds() -> None:
     board = Board(mode="rc")
     board.connect(2, Signal.pulses(1900))
     board.power_cycle()
@@ -84,7 +82,7 @@ def test_in_rc_mode_the_leds_change_places() -> None:
     assert board.show()["leds"] == {"red": "on", "green": "on"}
 
 
-def test_at_power_up_five_flashes_tell_the_learned_channels(board: Board) -> None:
+def test_power_up_flashes_show_learned_channels(board: Board) -> None:
     calibration = board.calibration(1)
     board.eeprom.write_calibration(InputSource.RC, 2, type(calibration)(2000, 3000, 4000, 50))
     board.power_cycle()
@@ -98,7 +96,7 @@ def test_at_power_up_five_flashes_tell_the_learned_channels(board: Board) -> Non
     assert seen == [red, green, red, red, red]
 
 
-def test_without_power_no_led_is_lit(board: Board) -> None:
+def test_leds_are_off_without_power(board: Board) -> None:
     board.power_off()
     assert board.show()["leds"] == {"red": "off", "green": "off"}
 
@@ -115,7 +113,7 @@ PWM = [
 
 @pytest.mark.parametrize("number", [1, 2])
 @pytest.mark.parametrize(("prescaler", "maximum", "hertz"), PWM)
-def test_prescaler_and_maximum_change_the_pwm_frequency_at_once(
+def test_prescaler_and_maximum_set_pwm_frequency_at_once(
     board: Board, port: SerialPort, number: int, prescaler: int, maximum: int, hertz: int
 ) -> None:
     before = board.show()["motors"][2 - number]["pwm_hz"]
@@ -125,11 +123,11 @@ def test_prescaler_and_maximum_change_the_pwm_frequency_at_once(
     assert board.show()["motors"][2 - number]["pwm_hz"] == before
 
 
-def test_the_pwm_of_a_new_board_is_the_one_that_was_measured(board: Board) -> None:
+def test_new_board_has_measured_pwm_frequency(board: Board) -> None:
     assert [motor["pwm_hz"] for motor in board.show()["motors"]] == [2441.4, 2441.4]
 
 
-def test_load_and_turns_of_a_motor_are_shown(board: Board, port: SerialPort) -> None:
+def test_show_reports_motor_load_and_rpm(board: Board, port: SerialPort) -> None:
     board.physics[0].load = 4.0
     ask(port, "C1 7F")
     board.advance(2)
@@ -140,7 +138,7 @@ def test_load_and_turns_of_a_motor_are_shown(board: Board, port: SerialPort) -> 
     assert isinstance(motor["rpm"], int)
 
 
-def test_the_supply_is_shown_as_it_sags(board: Board, port: SerialPort) -> None:
+def test_show_reports_supply_sag(board: Board, port: SerialPort) -> None:
     ask(port, "D0 7F 7F")
     board.advance(0.0025)
     assert board.show()["supply"] == 12.0
@@ -152,7 +150,7 @@ def test_the_supply_is_shown_as_it_sags(board: Board, port: SerialPort) -> None:
     assert board.show()["supply"] == pytest.approx(expected, abs=0.01)
 
 
-def test_show_has_both_sets_of_calibrations_and_what_is_learned(board: Board) -> None:
+def test_show_reports_calibrations_and_learned_channels(board: Board) -> None:
     shown = board.show()
     assert list(shown["calibrations"]) == [
         f"{source}_channel_{channel}" for source in ("rc", "analog") for channel in range(1, 6)

@@ -30,7 +30,7 @@ def rc() -> Board:
 
 
 class TestSafety:
-    def test_motors_stop_when_the_host_falls_silent(self) -> None:
+    def test_motors_stop_at_serial_timeout(self) -> None:
         board = Board()
         write(board, "serial_timeout", 5)
         board.hear()
@@ -43,7 +43,7 @@ class TestSafety:
         assert board.serial.take_uart_errors() == UartError.TIMEOUT
         assert board.serial.take_status() == Status.UART_ERROR
 
-    def test_the_timeout_is_latched_once_for_each_silence(self) -> None:
+    def test_timeout_is_latched_once_per_silence(self) -> None:
         board = Board()
         write(board, "serial_timeout", 1)
         board.hear()
@@ -55,7 +55,7 @@ class TestSafety:
         board.advance(0.2)
         assert board.serial.take_uart_errors()
 
-    def test_every_byte_puts_the_timeout_off_and_the_next_order_starts_again(self) -> None:
+    def test_bytes_defer_timeout_and_next_command_restarts_motor(self) -> None:
         board = Board()
         write(board, "serial_timeout", 1)
         board.serial.drive(1, FORWARD, 100)
@@ -69,7 +69,7 @@ class TestSafety:
         board.serial.drive(1, REVERSE, 5)
         assert (board.motors[0].direction, board.motors[0].speed) == (REVERSE, 5)
 
-    def test_an_old_order_of_a_silent_host_does_not_come_back(self) -> None:
+    def test_old_setpoint_is_not_resumed_after_serial_timeout(self) -> None:
         eeprom = Eeprom()
         eeprom.write("serial_timeout", 5)
         board = Board(mode="rc", eeprom=eeprom)
@@ -84,7 +84,7 @@ class TestSafety:
         assert board.serial.uart_errors == UartError.TIMEOUT
 
     @pytest.mark.parametrize(("setting", "speed"), [(0, 100), (1, 127)])
-    def test_a_line_error_stops_the_motors_if_told_so(self, setting: int, speed: int) -> None:
+    def test_line_error_stops_motor_only_if_configured(self, setting: int, speed: int) -> None:
         board = Board()
         write(board, "uart_error_shutdown", setting)
         board.serial.drive(1, FORWARD, 100)
@@ -93,14 +93,14 @@ class TestSafety:
         assert (stopped, board.motors[0].speed) == (bool(setting), speed)
         assert board.serial.status == Status.UART_ERROR
 
-    def test_a_line_error_does_not_stop_what_the_sticks_drive(self, rc: Board) -> None:
+    def test_line_error_does_not_stop_motor_driven_by_stick(self, rc: Board) -> None:
         rc.connect(1, Signal.pulses(2000))
         rc.advance(0.05)
         assert rc.motors[0].direction is FORWARD
         rc.report_error(UartError.FORMAT)
         assert rc.motors[0].direction is FORWARD
 
-    def test_reading_clears_each_byte_by_itself(self) -> None:
+    def test_status_and_error_bytes_are_cleared_separately(self) -> None:
         board = Board()
         board.report_error(UartError.CRC)
         assert board.serial.take_status() == Status.UART_ERROR
@@ -108,7 +108,7 @@ class TestSafety:
         assert board.serial.take_uart_errors() == UartError.CRC
         assert board.serial.take_uart_errors() == 0
 
-    def test_a_fault_is_latched_again_while_it_lasts(self) -> None:
+    def test_fault_is_latched_again_while_it_lasts(self) -> None:
         board = Board()
         board.set_fault(2, fault=True)
         assert board.serial.take_status() == Status.MOTOR2_FAULT
@@ -120,7 +120,7 @@ class TestSafety:
 
 
 class TestCurrents:
-    def test_the_limiter_slows_a_motor_that_draws_too_much(self) -> None:
+    def test_current_limiter_slows_overloaded_motor(self) -> None:
         board = Board()
         write(board, "motor1_current_limit", 20)  # 40 counts, 6 A
         write(board, "motor1_current_limit_p", 1)
@@ -133,7 +133,7 @@ class TestCurrents:
         assert 4 < board.physics[0].current < 8
 
     @pytest.mark.parametrize(("mode", "rate"), [("rc", 80), ("analog", 50)])
-    def test_currents_are_renewed_as_often_as_documented(self, mode: str, rate: int) -> None:
+    def test_currents_update_at_documented_rate(self, mode: str, rate: int) -> None:
         board = Board(mode=mode)
         board.physics[0].forced = 1.0
         board.advance(1 / rate + 0.001)
@@ -155,7 +155,7 @@ class TestCurrents:
         assert (board.motors[0].speed, board.motors[1].speed) == (100, 0)
         assert [physics.reading for physics in board.physics] == [0, 0]
 
-    def test_joint_mode_lets_the_sticks_drive_one_motor(self) -> None:
+    def test_sticks_drive_one_motor_in_joint_mode(self) -> None:
         eeprom = Eeprom()
         eeprom.write("motor_mode", 1)
         board = Board(eeprom=eeprom, mode="rc", mix=True)

@@ -49,12 +49,12 @@ def values(sender: LineSettings, own: LineSettings, data: bytes) -> list[tuple[i
         (LineSettings(detection=Detection.ODD, stop_bits=2), "0 1000 0011 0 11"),
     ],
 )
-def test_a_byte_is_start_data_parity_stop(line: LineSettings, bits: str) -> None:
+def test_byte_has_start_data_parity_and_stop_bits(line: LineSettings, bits: str) -> None:
     assert levels(0xC1, line) == [int(bit) for bit in bits if bit != " "]
 
 
 @given(line=settings, data=st.binary(max_size=20), gap=st.sampled_from([0.0, 0.05, 3.0]))
-def test_at_the_same_rate_every_byte_comes_back(
+def test_receiver_at_same_rate_decodes_every_byte(
     line: LineSettings, data: bytes, gap: float
 ) -> None:
     got = heard(Receiver(line, line.baud), data, line, gap)
@@ -63,7 +63,7 @@ def test_at_the_same_rate_every_byte_comes_back(
 
 
 @given(line=settings, data=st.binary(min_size=1, max_size=20), off=st.floats(-0.03, 0.03))
-def test_rates_that_are_close_understand_each_other(
+def test_receiver_tolerates_three_percent_rate_error(
     line: LineSettings, data: bytes, off: float
 ) -> None:
     sender = LineSettings(round(line.baud * (1 + off)), line.detection, line.stop_bits)
@@ -73,9 +73,7 @@ def test_rates_that_are_close_understand_each_other(
 
 
 @given(data=st.binary(min_size=1, max_size=20), line=settings)
-def test_a_byte_is_complete_just_behind_the_middle_of_its_stop_bit(
-    data: bytes, line: LineSettings
-) -> None:
+def test_byte_is_complete_just_after_middle_of_stop_bit(data: bytes, line: LineSettings) -> None:
     bit = 1 / line.baud
     first_stop = line.bits_per_byte - line.stop_bits
     for index, each in enumerate(heard(Receiver(line, line.baud), data, line)):
@@ -99,24 +97,24 @@ def test_a_byte_is_complete_just_behind_the_middle_of_its_stop_bit(
         (115200, 19200, "00", [(0xFF, None)]),
     ],
 )
-def test_a_byte_at_another_rate_is_another_byte(
+def test_byte_at_another_rate_is_decoded_differently(
     sender: int, own: int, data: str, result: list[tuple[int, str | None]]
 ) -> None:
     got = values(LineSettings(sender), LineSettings(own), bytes.fromhex(data))
     assert got == result
 
 
-def test_a_start_bit_that_is_too_short_is_none() -> None:
+def test_too_short_start_bit_is_ignored() -> None:
     assert values(LineSettings(115200), LineSettings(9600), b"\xff\xff") == []
 
 
-def test_several_bytes_may_be_one_and_one_may_be_several() -> None:
+def test_rate_difference_merges_or_splits_bytes() -> None:
     fast, slow = LineSettings(115200), LineSettings(9600)
     assert len(values(fast, slow, bytes(8))) < 8
     assert len(values(slow, fast, b"\x55")) > 1
 
 
-def test_a_break_is_one_framing_error(pairs: list[tuple[int, int]]) -> None:
+def test_break_is_one_framing_error(pairs: list[tuple[int, int]]) -> None:
     for slow, fast in pairs:
         if fast > 2 * slow:
             got = values(LineSettings(slow), LineSettings(fast), b"\x00")
@@ -135,7 +133,7 @@ def pairs() -> list[tuple[int, int]]:
         (Detection.ODD, Detection.EVEN, UartError.PARITY),
     ],
 )
-def test_the_other_parity_is_noticed_in_every_byte(
+def test_opposite_parity_is_detected_in_every_byte(
     sender: Detection, own: Detection, error: UartError
 ) -> None:
     data = bytes(range(256))
@@ -144,7 +142,7 @@ def test_the_other_parity_is_noticed_in_every_byte(
     assert {each.error for each in got} == {error}
 
 
-def test_a_second_stop_bit_is_not_waited_for() -> None:
+def test_receiver_does_not_wait_for_second_stop_bit() -> None:
     own = LineSettings(stop_bits=2)
     assert values(PLAIN, own, bytes(range(256))) == [(value, None) for value in range(256)]
 
@@ -155,7 +153,7 @@ def test_a_second_stop_bit_is_not_waited_for() -> None:
     data=st.binary(max_size=20),
     gap=st.floats(0, 3),
 )
-def test_whatever_is_heard_has_its_time_and_its_order(
+def test_received_bytes_are_valid_and_spaced_in_time(
     sender: LineSettings, own: LineSettings, data: bytes, gap: float
 ) -> None:
     receiver = Receiver(own, own.baud)
@@ -168,7 +166,7 @@ def test_whatever_is_heard_has_its_time_and_its_order(
 
 
 @given(sender=settings, own=settings, byte=st.integers(0, 255))
-def test_a_byte_that_has_begun_says_when_it_will_be_complete(
+def test_due_time_of_begun_byte_is_correct(
     sender: LineSettings, own: LineSettings, byte: int
 ) -> None:
     receiver = Receiver(own, own.baud)
@@ -190,7 +188,7 @@ def samples_an_edge(sender: LineSettings, own: LineSettings) -> bool:
 
 
 @given(sender=settings, own=settings, data=st.binary(max_size=6))
-def test_bytes_that_come_alone_are_the_same_each_time(
+def test_isolated_byte_is_always_decoded_the_same(
     sender: LineSettings, own: LineSettings, data: bytes
 ) -> None:
     assume(not samples_an_edge(sender, own))
@@ -209,7 +207,7 @@ def test_bytes_that_come_alone_are_the_same_each_time(
     rates=st.sampled_from(list(permutations(baud_rates(), 2))),
     begin=st.floats(0, 1000),
 )
-def test_what_is_heard_does_not_hang_on_when_it_is_sent(
+def test_decoding_does_not_depend_on_send_time(
     data: bytes, rates: tuple[int, int], begin: float
 ) -> None:
     def sent_at(moment: float) -> list[tuple[int, UartError | None]]:

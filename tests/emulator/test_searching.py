@@ -78,7 +78,7 @@ def send_alone(line: Line, packet: bytes) -> None:
 
 @pytest.mark.parametrize("detection", [Detection.NONE, Detection.CRC7])
 @pytest.mark.parametrize("paced", [True, False])
-def test_no_packet_alone_moves_or_changes_a_board_at_another_rate(
+def test_single_packet_never_affects_board_at_another_rate(
     detection: Detection, paced: bool
 ) -> None:
     for code, baud in alien_rates():
@@ -93,7 +93,7 @@ def test_no_packet_alone_moves_or_changes_a_board_at_another_rate(
 
 
 @pytest.mark.parametrize("packets", SAFE.values(), ids=SAFE)
-def test_a_search_on_the_wire_moves_and_changes_nothing(packets: Sequence[bytes]) -> None:
+def test_scan_packets_never_affect_board_at_another_rate(packets: Sequence[bytes]) -> None:
     for code, baud in alien_rates():
         board = a_touchy_board(code, Detection.NONE)
         stored = board.memory.stored()
@@ -151,7 +151,7 @@ def has_run_away(heard: Iterable[Word], board: Board) -> bool:
 
 @pytest.mark.parametrize("detection", Detection)
 @pytest.mark.parametrize("packets", SAFE.values(), ids=SAFE)
-def test_no_order_of_these_packets_moves_or_changes_a_board_at_another_rate(
+def test_scan_packets_in_any_order_are_safe_at_other_rates(
     packets: Sequence[bytes], detection: Detection
 ) -> None:
     board = a_touchy_board(5, detection if detection is Detection.CRC7 else Detection.NONE)
@@ -169,9 +169,7 @@ def test_no_order_of_these_packets_moves_or_changes_a_board_at_another_rate(
 @pytest.mark.parametrize(
     ("host", "board"), [(14400, 9600), (28800, 19200), (57600, 38400), (115200, 76800)]
 )
-def test_a_question_with_a_checksum_behind_one_without_starts_the_auxiliary_motor(
-    host: int, board: int
-) -> None:
+def test_mixing_plain_and_crc_requests_can_start_aux_motor(host: int, board: int) -> None:
     # Two thirds of the rate make F0 of 81, and 30 FD of 81 48: a search must not mix them.
     code = baud_rates().index(board)
     for settings in (a_touchy_board(code, Detection.NONE), a_board(settings=code)):

@@ -37,7 +37,7 @@ def heard(
     ],
     ids=["noisy pulses", "lost pulses", "a noisy wire", "noisy currents"],
 )
-def test_the_same_seed_gives_the_same_bytes(lines: tuple[str, ...], packet: str) -> None:
+def test_same_seed_gives_same_bytes(lines: tuple[str, ...], packet: str) -> None:
     if packet == "8F":
         packet = "DA 7F 7F 8F"
     first = heard(1, lines, packet)
@@ -45,7 +45,7 @@ def test_the_same_seed_gives_the_same_bytes(lines: tuple[str, ...], packet: str)
     assert heard(1, lines, packet) == first != heard(2, lines, packet)
 
 
-def test_noisy_voltages_have_a_seed_too() -> None:
+def test_same_seed_gives_same_voltage_noise() -> None:
     lines = ("channel 3 2.5V noise 50mV",)
     first = heard(1, lines, "86 04", mode="analog")
     assert (
@@ -54,7 +54,7 @@ def test_noisy_voltages_have_a_seed_too() -> None:
 
 
 @pytest.mark.parametrize("host", [LineSettings(stop_bits=2), LineSettings(115200)])
-def test_garbage_is_the_same_each_time(host: LineSettings) -> None:
+def test_same_seed_gives_same_garbage(host: LineSettings) -> None:
     def garbage(seed: int) -> bytes:
         line = Line([Board()], seed=seed)
         result = b""
@@ -74,6 +74,6 @@ def test_garbage_is_the_same_each_time(host: LineSettings) -> None:
         assert garbage(2) != first
 
 
-def test_two_motors_of_a_board_have_noise_of_their_own() -> None:
+def test_motors_of_one_board_have_independent_noise() -> None:
     readings = heard(1, ("load 1 8", "load 2 8"), "DA 7F 7F 8F")
     assert readings[::2] != readings[1::2]

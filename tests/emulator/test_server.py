@@ -135,7 +135,7 @@ def refused(*arguments: str) -> tuple[int, str]:
 
 
 class TestCommandLine:
-    def test_version_and_help(self) -> None:
+    def test_version_and_help_are_printed(self) -> None:
         version = CliRunner().invoke(main, ["--version"])
         assert (version.exit_code, __version__ in version.output) == (0, True)
         helped = CliRunner().invoke(main, ["--help"])
@@ -162,7 +162,7 @@ class TestCommandLine:
     def test_wrong_usage_exits_2(self, arguments: list[str]) -> None:
         assert CliRunner().invoke(main, arguments).exit_code == 2
 
-    def test_a_damaged_eeprom_file_exits_1_with_a_sentence(self, tmp_path: Path) -> None:
+    def test_damaged_eeprom_file_exits_1_with_message(self, tmp_path: Path) -> None:
         path = tmp_path / "eeprom.json"
         path.write_text("{", encoding="utf-8")
         code, said = refused("--eeprom", str(path))
@@ -170,7 +170,7 @@ class TestCommandLine:
         assert str(path) in said
         assert len(said.splitlines()) == 1
 
-    def test_a_port_in_use_exits_1_with_a_sentence(self) -> None:
+    def test_port_in_use_exits_1_with_message(self) -> None:
         with socket.create_server(("127.0.0.1", 0)) as other:
             address = f"127.0.0.1:{other.getsockname()[1]}"
             code, said = refused("--tcp", address)
@@ -181,13 +181,13 @@ class TestCommandLine:
 @needs_pty
 @pytest.mark.realtime
 class TestPseudoTerminal:
-    def test_a_program_opens_it_like_a_serial_port(self, start: Start) -> None:
+    def test_program_opens_pty_like_serial_port(self, start: Start) -> None:
         sim = start()
         assert sim.url.startswith("/dev/")
         assert ask(sim.url, "81", 7) == b"TReX1.2"
         assert ask(sim.url, "80 07 01", 7) == b"TReX1.2"
 
-    def test_bytes_take_as_long_as_on_the_wire(self, start: Start) -> None:
+    def test_pty_bytes_take_line_time(self, start: Start) -> None:
         sim = start()
         with serial.Serial(sim.url, 19200, timeout=PATIENCE) as port:
             begin = time.monotonic()
@@ -200,7 +200,7 @@ class TestPseudoTerminal:
     @pytest.mark.parametrize(
         ("baud", "noticed"), sampled([(76800, b"\x10"), (1200, b"\0"), (115200, b"\x10")], every=3)
     )
-    def test_the_rate_that_the_host_has_set_is_seen(
+    def test_pty_follows_host_baud_rate(
         self, start: Start, tmp_path: Path, baud: int, noticed: bytes
     ) -> None:
         path = tmp_path / "eeprom.json"
@@ -210,12 +210,12 @@ class TestPseudoTerminal:
         assert is_silent(sim, "82", baudrate=19200)
         assert ask(sim.url, "85", 1, baudrate=baud) == noticed  # 1200 is too slow for that
 
-    def test_the_stop_bits_that_the_host_has_set_are_seen(self, start: Start) -> None:
+    def test_pty_follows_host_stop_bits(self, start: Start) -> None:
         sim = start()
         assert is_silent(sim, "82", stopbits=2)
         assert ask(sim.url, "85", 1) == b"\x10"
 
-    def test_a_host_that_sets_nothing_fits(self, start: Start) -> None:
+    def test_host_without_line_settings_gets_reply(self, start: Start) -> None:
         sim = start()
         terminal = os.open(sim.url, os.O_RDWR | os.O_NOCTTY)
         try:
@@ -224,11 +224,11 @@ class TestPseudoTerminal:
         finally:
             os.close(terminal)
 
-    def test_echo(self, start: Start) -> None:
+    def test_echo_option_returns_sent_bytes(self, start: Start) -> None:
         sim = start("--echo")
         assert ask(sim.url, "82", 2) == b"\x82r"
 
-    def test_several_boards_on_one_wire(self, start: Start) -> None:
+    def test_several_boards_share_one_line(self, start: Start) -> None:
         sim = start("--device", "7", "--device", "9:trexjr", "--firmware", "1.0")
         assert ask(sim.url, "80 07 01", 7) == b"TReX1.0"
         assert ask(sim.url, "80 09 01", 9) == b"TReXJr1.0"
@@ -240,9 +240,7 @@ class TestPseudoTerminal:
             port.timeout = 0.2
             assert port.read(1) == b""
 
-    def test_unplugging_is_noticed_and_the_link_comes_back(
-        self, start: Start, tmp_path: Path
-    ) -> None:
+    def test_unplug_is_detected_and_plug_restores_link(self, start: Start, tmp_path: Path) -> None:
         link = tmp_path / "trex"
         sim = start("--link", str(link))
         assert sim.url == str(link)
@@ -254,13 +252,13 @@ class TestPseudoTerminal:
         assert sim.control("line plug") == f"ok plugged {link}"
         assert ask(sim.url, "81", 7) == b"TReX1.2"
 
-    def test_a_stale_link_is_replaced(self, start: Start, tmp_path: Path) -> None:
+    def test_stale_link_is_replaced(self, start: Start, tmp_path: Path) -> None:
         link = tmp_path / "trex"
         link.symlink_to("/dev/pts/nothing")
         sim = start("--link", str(link))
         assert ask(sim.url, "81", 7) == b"TReX1.2"
 
-    def test_a_file_of_that_name_is_left_alone(self, tmp_path: Path) -> None:
+    def test_existing_file_is_not_replaced_by_link(self, tmp_path: Path) -> None:
         link = tmp_path / "trex"
         link.write_text("mine", encoding="utf-8")
         code, said = refused("--link", str(link))
@@ -272,14 +270,14 @@ class TestPseudoTerminal:
 
 @pytest.mark.realtime
 class TestTcp:
-    def test_hosts_come_and_go(self, start: Start) -> None:
+    def test_tcp_server_accepts_successive_hosts(self, start: Start) -> None:
         sim = start("--tcp", "127.0.0.1:0")
         assert sim.url.startswith("socket://127.0.0.1:")
         assert not sim.url.endswith(":0")
         for _ in range(3):
             assert ask(sim.url, "81", 7) == b"TReX1.2"
 
-    def test_unplugging_is_noticed_and_the_port_comes_back(self, start: Start) -> None:
+    def test_unplug_is_detected_and_plug_restores_tcp_port(self, start: Start) -> None:
         sim = start("--tcp", "127.0.0.1:0")
         address = sim.url.removeprefix("socket://").split(":")
         where = (address[0], int(address[1]))
@@ -293,7 +291,7 @@ class TestTcp:
         assert sim.control("line plug") == f"ok plugged {sim.url}"
         assert ask(sim.url, "82", 1) == b"r"
 
-    def test_the_demo_moves_the_sticks(self, start: Start) -> None:
+    def test_demo_moves_sticks(self, start: Start) -> None:
         sim = start("--tcp", "127.0.0.1:0", "--demo", "--unpaced")
         seen: set[bytes] = set()
         end = time.monotonic() + PATIENCE
@@ -307,7 +305,7 @@ class TestTcp:
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial 3.5
 @pytest.mark.realtime
 class TestRfc2217:
-    def test_the_parity_that_the_host_has_set_is_seen(self, start: Start, tmp_path: Path) -> None:
+    def test_rfc2217_follows_host_parity(self, start: Start, tmp_path: Path) -> None:
         path = tmp_path / "eeprom.json"
         Eeprom.open(path).write("uart_settings", 0x45)
         sim = start("--rfc2217", "127.0.0.1:0", "--eeprom", str(path))
@@ -316,12 +314,12 @@ class TestRfc2217:
         assert ask(sim.url, "85", 1, parity="E") == b"\x04"
         assert is_silent(sim, "82", parity="E", baudrate=38400)
 
-    def test_what_looks_like_telnet_passes(self, start: Start) -> None:
+    def test_rfc2217_passes_bytes_that_look_like_telnet(self, start: Start) -> None:
         sim = start("--rfc2217", "127.0.0.1:0")
         sim.control("channel 1 invalid")
         assert ask(sim.url, "FF FF 86 01", 2) == b"\xff\xff"
 
-    def test_who_speaks_something_else_does_no_harm(self, start: Start) -> None:
+    def test_rfc2217_server_survives_malformed_client(self, start: Start) -> None:
         sim = start("--rfc2217", "127.0.0.1:0")
         address = sim.url.removeprefix("rfc2217://").split(":")
         with socket.create_connection((address[0], int(address[1])), PATIENCE) as host:
@@ -338,7 +336,7 @@ class TestEnd:
         return tmp_path / "trex"
 
     @needs_pty
-    def test_quit(self, start: Start, link: Path) -> None:
+    def test_quit_command_ends_simulator_cleanly(self, start: Start, link: Path) -> None:
         sim = start("--link", str(link))
         assert sim.control("quit") == "ok bye"
         assert (sim.wait(), sim.errors()) == (0, "")
@@ -346,28 +344,28 @@ class TestEnd:
 
     @needs_pty
     @pytest.mark.parametrize("name", sampled(["SIGTERM", "SIGINT", "SIGHUP"], every=3))
-    def test_a_signal(self, start: Start, link: Path, name: str) -> None:
+    def test_signal_ends_simulator_cleanly(self, start: Start, link: Path, name: str) -> None:
         sim = start("--link", str(link))
         sim.process.send_signal(getattr(signal, name))
         assert (sim.wait(), sim.errors()) == (0, "")
         assert not link.is_symlink()
 
     @needs_pty
-    def test_the_end_of_a_pipe_on_standard_input(self, start: Start, link: Path) -> None:
+    def test_closed_stdin_pipe_ends_simulator_cleanly(self, start: Start, link: Path) -> None:
         sim = start("--link", str(link))
         assert sim.process.stdin is not None
         sim.process.stdin.close()
         assert (sim.wait(), sim.errors()) == (0, "")
         assert not link.is_symlink()
 
-    def test_no_standard_input_is_no_end(self, start: Start) -> None:
+    def test_simulator_runs_without_standard_input(self, start: Start) -> None:
         sim = start("--tcp", "127.0.0.1:0", stdin=subprocess.DEVNULL)
         assert ask(sim.url, "82", 1) == b"r"
         assert sim.process.poll() is None
         sim.process.terminate()
         assert (sim.wait(), sim.errors()) == (0, "")
 
-    def test_control_lines_may_come_from_a_file(self, start: Start, tmp_path: Path) -> None:
+    def test_control_lines_are_read_from_file(self, start: Start, tmp_path: Path) -> None:
         script = tmp_path / "script"
         script.write_text("channel 1 4000\nbogus\nchannel 2 4001", encoding="utf-8")
         with script.open("rb") as file:
@@ -380,7 +378,7 @@ class TestEnd:
         assert sim.process.poll() is None
 
     @needs_pty
-    def test_the_end_of_a_terminal_is_no_end(self, start: Start) -> None:
+    def test_simulator_survives_end_of_terminal_input(self, start: Start) -> None:
         master, slave = os.openpty()
         try:
             sim = start("--tcp", "127.0.0.1:0", stdin=slave)
@@ -395,7 +393,7 @@ class TestEnd:
 
 @pytest.mark.realtime
 class TestEeprom:
-    def test_what_is_written_is_there_after_a_restart(self, start: Start, tmp_path: Path) -> None:
+    def test_eeprom_write_survives_restart(self, start: Start, tmp_path: Path) -> None:
         path = tmp_path / "eeprom.json"
         first = start("--tcp", "127.0.0.1:0", "--eeprom", str(path))
         assert ask(first.url, "AF 07 0F 55 2A", 1) == b"\x00"
@@ -403,13 +401,13 @@ class TestEeprom:
         second = start("--tcp", "127.0.0.1:0", "--eeprom", str(path))
         assert ask(second.url, "9F 07", 1) == b"\x0f"
 
-    def test_several_boards_have_a_file_each(self, start: Start, tmp_path: Path) -> None:
+    def test_each_board_has_its_own_eeprom_file(self, start: Start, tmp_path: Path) -> None:
         path = tmp_path / "eeprom.json"
         sim = start("--tcp", "127.0.0.1:0", "--eeprom", str(path), "--device", "7", "--device", "9")
         assert sim.show("@9")["parameters"]["device_number"] == 9
         assert {file.name for file in tmp_path.iterdir()} == {"eeprom-7.json", "eeprom-9.json"}
 
-    def test_a_remembered_device_number_stays(self, start: Start, tmp_path: Path) -> None:
+    def test_stored_device_number_overrides_option(self, start: Start, tmp_path: Path) -> None:
         path = tmp_path / "eeprom.json"
         Eeprom.open(path).write("device_number", 12)
         sim = start("--tcp", "127.0.0.1:0", "--eeprom", str(path), "--device", "9")

@@ -40,7 +40,7 @@ def measured(signal: Signal, source: InputSource) -> int | None:
         ("rest", ANALOG, 512),
     ],
 )
-def test_what_is_connected_is_measured(text: str, source: InputSource, raw: int | None) -> None:
+def test_signal_is_measured_as_raw_value(text: str, source: InputSource, raw: int | None) -> None:
     assert measured(Signal.parse(text, source), source) == raw
 
 
@@ -57,7 +57,7 @@ def test_what_is_connected_is_measured(text: str, source: InputSource, raw: int 
         ("1500us lost 0", True),
     ],
 )
-def test_a_pulse_comes_or_not(text: str, comes: bool) -> None:
+def test_signal_has_pulse_unless_silent_voltage_or_lost(text: str, comes: bool) -> None:
     assert Signal.parse(text, RC).has_pulse(LUCK) is comes
 
 
@@ -70,7 +70,7 @@ def test_a_pulse_comes_or_not(text: str, comes: bool) -> None:
         *("rest noise 1us", "1500us lost 0.1 noise 2us", "2.5V noise 6V", "1500us noise -1"),
     ],
 )
-def test_what_no_input_can_carry_is_refused(text: str) -> None:
+def test_invalid_signal_text_is_rejected(text: str) -> None:
     with pytest.raises(ValueError, match=r".+"):
         Signal.parse(text, RC)
 
@@ -88,7 +88,7 @@ def test_what_no_input_can_carry_is_refused(text: str) -> None:
         ("1500us noise 0 lost 0", RC, Signal(SignalKind.PULSES, 1500)),
     ],
 )
-def test_noise_and_lost_pulses_stand_behind_the_value(
+def test_noise_and_lost_pulses_are_parsed_after_value(
     text: str, source: InputSource, signal: Signal
 ) -> None:
     assert Signal.parse(text, source) == signal
@@ -110,17 +110,17 @@ signals = st.one_of(
 
 
 @given(signal=signals, source=st.sampled_from(InputSource))
-def test_its_text_can_be_read_back(signal: Signal, source: InputSource) -> None:
+def test_signal_text_can_be_parsed_back(signal: Signal, source: InputSource) -> None:
     assert Signal.parse(signal.text, source) == signal
 
 
 @given(counts=st.integers(1250, 6250))
-def test_raw_counts_of_pulses_come_back(counts: int) -> None:
+def test_signal_from_pulse_counts_measures_same_counts(counts: int) -> None:
     assert measured(Signal.from_counts(counts, RC), RC) == counts
 
 
 @given(counts=st.integers(0, 1023))
-def test_raw_counts_of_voltages_come_back(counts: int) -> None:
+def test_signal_from_voltage_counts_measures_same_counts(counts: int) -> None:
     assert measured(Signal.from_counts(counts, ANALOG), ANALOG) == counts
 
 
@@ -128,11 +128,11 @@ def test_raw_counts_of_voltages_come_back(counts: int) -> None:
     signal=st.builds(Signal, st.just(SignalKind.VOLTAGE), st.floats(0, 5), noise=st.floats(0, 5)),
     seed=st.integers(0, 1000),
 )
-def test_a_noisy_voltage_stays_within_the_ten_bits(signal: Signal, seed: int) -> None:
+def test_noisy_voltage_stays_within_ten_bits(signal: Signal, seed: int) -> None:
     assert 0 <= signal.conversion(Random(seed)) <= 1023
 
 
-def test_noise_spreads_the_pulses_around_their_width() -> None:
+def test_noise_spreads_pulses_around_their_width() -> None:
     luck = Random(1)
     signal = Signal.parse("1500us noise 4us", RC)
     widths = [signal.pulse(luck) or 0 for _ in range(2000)]
@@ -142,14 +142,14 @@ def test_noise_spreads_the_pulses_around_their_width() -> None:
     assert spread == pytest.approx(10, rel=0.1)
 
 
-def test_noise_at_the_edge_makes_some_pulses_bad() -> None:
+def test_noise_at_range_limit_makes_some_pulses_bad() -> None:
     luck = Random(1)
     signal = Signal.parse("2500us noise 5us", RC)
     bad = [signal.pulse(luck) for _ in range(1000)].count(None)
     assert bad == pytest.approx(500, abs=60)
 
 
-def test_lost_pulses_are_the_share_that_was_asked_for() -> None:
+def test_share_of_lost_pulses_matches_setting() -> None:
     luck = Random(1)
     signal = Signal.parse("1500us lost 0.2", RC)
     came = sum(signal.has_pulse(luck) for _ in range(5000))

@@ -20,7 +20,7 @@ def start(mode: str) -> Board:
 
 
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
-def test_both_jumpers_are_needed(mode: str) -> None:
+def test_special_start_needs_both_jumpers(mode: str) -> None:
     board = Board(mode=mode, mix=True)
     board.power_cycle()
     assert board.special is None
@@ -29,7 +29,7 @@ def test_both_jumpers_are_needed(mode: str) -> None:
     assert board.special is None
 
 
-def test_the_hand_shake_of_the_boot_loader_restores_lost_serial_settings() -> None:
+def test_boot_loader_handshake_restores_serial_settings() -> None:
     board = Board()
     board.eeprom.write("uart_settings", 0x6A)
     board.eeprom.write("crc7_polynomial", 1)
@@ -51,7 +51,7 @@ def test_the_hand_shake_of_the_boot_loader_restores_lost_serial_settings() -> No
     assert board.memory.active["serial_timeout"] == 3
 
 
-def test_a_board_that_waits_for_the_boot_loader_hears_nothing() -> None:
+def test_board_waiting_for_boot_loader_ignores_packets() -> None:
     board = start("serial")
     port = SerialPort(board)
     assert ask(port, "81") == ""
@@ -63,7 +63,7 @@ def move(board: Board, channel: int, microseconds: float, seconds: float) -> Non
     board.advance(seconds)
 
 
-def test_learning_takes_neutral_and_extremes_from_the_sticks() -> None:
+def test_learning_takes_neutral_and_extremes_from_sticks() -> None:
     board = start("rc")
     board.advance(0.1)
     assert board.show()["leds"] == {"red": "blink 1/s", "green": "blink 1/s"}
@@ -94,7 +94,7 @@ def test_learning_takes_neutral_and_extremes_from_the_sticks() -> None:
     assert board.is_running
 
 
-def test_learning_shows_each_channel_in_green_or_red() -> None:
+def test_learning_shows_each_channel_on_green_led() -> None:
     board = start("rc")
     board.connect(2, Signal(SignalKind.BAD_PULSES))
     board.mix = False
@@ -106,7 +106,7 @@ def test_learning_shows_each_channel_in_green_or_red() -> None:
     assert seen == ["on", "off", "on", "on", "on"]
 
 
-def test_learning_waits_for_a_signal_and_can_be_left() -> None:
+def test_learning_waits_for_signal_and_can_be_aborted() -> None:
     board = Board(mode="rc")
     for channel in range(1, 6):
         board.connect(channel, Signal(SignalKind.BAD_PULSES))
@@ -133,7 +133,7 @@ def test_learning_ends_when_no_channel_is_steady() -> None:
     assert board.eeprom.learned(InputSource.ANALOG) == 0
 
 
-def test_a_stick_that_is_not_moved_is_not_learned() -> None:
+def test_unmoved_stick_is_not_learned() -> None:
     board = start("rc")
     board.mix = False
     board.advance(20)

@@ -42,7 +42,7 @@ def rc() -> Board:
 
 
 class TestChannelControl:
-    def test_safe_start_ends_when_all_is_well(self) -> None:
+    def test_safe_start_ends_when_all_channels_are_at_rest(self) -> None:
         board = Board(mode="rc")
         put(board, 2, "1900us")
         board.power_cycle()
@@ -63,7 +63,9 @@ class TestChannelControl:
         ("channel", "text"),
         [(1, "invalid"), (1, "1300us"), (2, "1900us"), (3, "1900us"), (5, "1000us")],
     )
-    def test_safe_start_waits_for(self, channel: int, text: str, tick: int) -> None:
+    def test_safe_start_waits_while_channel_is_unsafe(
+        self, channel: int, text: str, tick: int
+    ) -> None:
         board = Board(mode="rc")
         put(board, channel, text)
         board.advance(tick * 0.0025)
@@ -75,7 +77,7 @@ class TestChannelControl:
             assert board.aux.speed == 0
 
     @pytest.mark.parametrize("kind", ["silent", "1500us lost 0.6"])
-    def test_a_stick_out_of_place_that_is_heard_late_is_waited_for(self, kind: str) -> None:
+    def test_late_signal_does_not_end_safe_start_with_moved_stick(self, kind: str) -> None:
         for seed in range(20):
             board = Board(mode="rc", seed=seed)
             put(board, 1, kind)
@@ -86,14 +88,14 @@ class TestChannelControl:
             assert waits(board)
             assert board.motors[1].direction is BRAKE
 
-    def test_a_channel_that_is_not_required_may_be_silent(self) -> None:
+    def test_safe_start_ignores_invalid_optional_channel(self) -> None:
         board = Board(mode="rc")
         put(board, 2, "invalid")
         board.power_cycle()
         board.advance(1)
         assert not waits(board)
 
-    def test_a_required_channel_that_falls_silent_stops_the_motors(self, rc: Board) -> None:
+    def test_losing_required_channel_stops_motor(self, rc: Board) -> None:
         put(rc, 2, "2000us")
         rc.advance(0.1)
         assert rc.motors[1].speed == 127
@@ -111,7 +113,7 @@ class TestChannelControl:
         rc.advance(PULSES)
         assert not waits(rc)
 
-    def test_sticks_drive_the_motors_with_their_ramps(self) -> None:
+    def test_sticks_drive_motors_with_their_ramps(self) -> None:
         eeprom = Eeprom()
         eeprom.write("motor1_acceleration", 50)
         board = Board(mode="rc", eeprom=eeprom)
@@ -128,14 +130,14 @@ class TestChannelControl:
         assert board.motors[0].direction is REVERSE
         assert board.aux.speed == 127
 
-    def test_in_the_deadband_the_motor_is_braked_as_told(self) -> None:
+    def test_deadband_applies_configured_brake(self) -> None:
         eeprom = Eeprom()
         eeprom.write("motor1_deadband_brake_pwm", 33)
         board = Board(mode="rc", eeprom=eeprom)
         board.advance(SETTLED)
         assert (board.motors[0].direction, board.motors[0].speed) == (BRAKE, 33)
 
-    def test_the_mix_jumper_acts_at_once(self, rc: Board) -> None:
+    def test_mix_jumper_acts_at_once(self, rc: Board) -> None:
         put(rc, 2, "1750us")
         rc.advance(PULSES)
         rc.mix = True
@@ -154,7 +156,7 @@ class TestChannelControl:
         assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
 
     @pytest.mark.parametrize("mode", ["rc", "analog"])
-    def test_after_power_up_motors_wait_until_every_channel_is_known(self, mode: str) -> None:
+    def test_motors_wait_after_power_up_until_channels_are_known(self, mode: str) -> None:
         board = Board(mode=mode)
         board.advance(0.09)
         assert waits(board)
@@ -164,7 +166,7 @@ class TestChannelControl:
 
 
 class TestSerialOverride:
-    def test_channel_five_hands_control_to_the_latest_serial_orders(self, rc: Board) -> None:
+    def test_channel_5_hands_control_to_latest_serial_setpoints(self, rc: Board) -> None:
         rc.serial.drive(1, FORWARD, 10)
         rc.serial.drive(1, FORWARD, 77)
         rc.serial.drive(2, REVERSE, 55, accelerate=True)
@@ -179,7 +181,7 @@ class TestSerialOverride:
         rc.advance(0.01)
         assert (rc.motors[1].direction, rc.motors[1].speed) == (REVERSE, 55)
 
-    def test_a_motor_without_an_order_stops(self, rc: Board) -> None:
+    def test_serial_override_stops_motor_without_setpoint(self, rc: Board) -> None:
         put(rc, 1, "2000us")
         rc.advance(0.05)
         assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 127)
@@ -187,7 +189,7 @@ class TestSerialOverride:
         rc.advance(PULSES)
         assert (rc.motors[0].direction, rc.motors[0].speed) == (BRAKE, 127)
 
-    def test_the_sticks_take_over_again(self, rc: Board) -> None:
+    def test_sticks_regain_control_after_override(self, rc: Board) -> None:
         rc.serial.drive(1, FORWARD, 77)
         put(rc, 5, "1000us")
         put(rc, 1, "1000us")
@@ -199,7 +201,7 @@ class TestSerialOverride:
         assert not rc.show()["serial_controls"]
         assert (rc.motors[0].direction, rc.motors[0].speed) == (REVERSE, 127)
 
-    def test_serial_mode_knows_no_override(self) -> None:
+    def test_serial_mode_ignores_override_channel(self) -> None:
         board = Board()
         put(board, 5, "1000us")
         board.advance(0.1)

@@ -43,12 +43,12 @@ def currents(board: Board, seconds: float) -> list[float]:
 
 
 class TestMachine:
-    def test_without_current_the_battery_has_its_voltage(self) -> None:
+    def test_battery_without_load_has_full_voltage(self) -> None:
         machine = Machine("trex", 0.15, 0)
         machine.advance(TICK, [IDLE, Drive(brake=1.0)])
         assert machine.volts == TREX.battery
 
-    def test_the_supply_sags_with_every_motor_that_starts(self) -> None:
+    def test_supply_sags_with_each_starting_motor(self) -> None:
         volts = []
         for drives in ([IDLE, IDLE], [Drive(1.0), IDLE], [Drive(1.0), Drive(-1.0)]):
             machine = Machine("trex", 0.15, 0)
@@ -59,7 +59,7 @@ class TestMachine:
         expected = [12 * each / (each + TREX.battery_resistance) for each in resistances]
         assert volts == pytest.approx([12.0, *expected])
 
-    def test_a_motor_that_starts_slows_the_other_one(self) -> None:
+    def test_starting_motor_slows_other_motor(self) -> None:
         machine = Machine("trex", 0.15, 0)
         for _ in range(800):
             machine.advance(TICK, [Drive(1.0), IDLE])
@@ -68,27 +68,27 @@ class TestMachine:
             machine.advance(TICK, [Drive(1.0), Drive(1.0)])
         assert 0 < machine.motors[0].speed < before
 
-    def test_a_running_motor_gives_nothing_back(self) -> None:
+    def test_running_motor_does_not_feed_battery(self) -> None:
         machine = Machine("trex", 0.15, 0)
         for _ in range(800):
             machine.advance(TICK, [Drive(1.0), Drive(1.0)])
         machine.advance(TICK, [Drive(0.2), Drive(0.2)])
         assert machine.volts == TREX.battery
 
-    def test_half_the_duty_takes_a_quarter_of_the_current_from_the_battery(self) -> None:
+    def test_half_duty_draws_quarter_of_battery_current(self) -> None:
         machine = Machine("trex", 0.15, 0)
         machine.advance(TICK, [Drive(0.5), IDLE])
         drawn = (TREX.battery - machine.volts) / TREX.battery_resistance
         assert drawn == pytest.approx(0.25 * machine.volts / TREX.resistance)
 
-    def test_a_driver_with_a_fault_takes_nothing(self) -> None:
+    def test_faulty_driver_draws_no_current(self) -> None:
         machine = Machine("trex", 0.15, 0)
         machine.motors[0].fault = True
         machine.advance(TICK, [Drive(1.0), IDLE])
         assert machine.volts == TREX.battery
 
     @pytest.mark.parametrize("model", CONSTANTS)
-    def test_a_good_battery_bears_both_motors_starting_and_reversing(self, model: str) -> None:
+    def test_good_battery_survives_start_and_reversal_of_motors(self, model: str) -> None:
         board = Board(model)
         for direction in (FORWARD, REVERSE):
             for number in (1, 2):
@@ -99,7 +99,7 @@ class TestMachine:
 
 
 class TestBoard:
-    def test_a_start_at_full_speed_peaks_near_stall_and_falls(self) -> None:
+    def test_full_speed_start_peaks_near_stall_current_and_falls(self) -> None:
         board = Board()
         board.serial.drive(1, FORWARD, 127)
         seen = currents(board, 0.5)
@@ -109,19 +109,19 @@ class TestBoard:
         assert all(after <= before + 0.31 for before, after in pairwise(seen))
         assert seen[-1] == pytest.approx(TREX.free, abs=0.35)
 
-    def test_a_reversal_peaks_higher_than_a_start(self) -> None:
+    def test_reversal_current_peaks_higher_than_start(self) -> None:
         board = Board()
         board.serial.drive(1, FORWARD, 127)
         start = max(currents(board, 1))
         board.serial.drive(1, REVERSE, 127)
         assert max(currents(board, 1)) > 1.4 * start
 
-    def test_a_ramp_spares_the_battery(self) -> None:
+    def test_ramp_limits_start_current(self) -> None:
         board = a_board(motor1_acceleration=20)
         board.serial.drive(1, FORWARD, 127, accelerate=True)
         assert max(currents(board, 1)) < 0.5 * TREX.stall
 
-    def test_a_stalled_motor_holds_its_current_and_its_voltage(self) -> None:
+    def test_stalled_motor_keeps_current_and_supply_constant(self) -> None:
         board = Board()
         board.physics[0].load = 100.0
         board.serial.drive(1, FORWARD, 127)
@@ -131,7 +131,7 @@ class TestBoard:
         assert board.show()["supply"] == pytest.approx(stall * TREX.resistance, abs=0.01)
         assert board.show()["motors"][0]["rpm"] == 0
 
-    def test_the_same_current_is_asked_for_in_counts(self) -> None:
+    def test_current_query_returns_load_current_in_counts(self) -> None:
         board = a_board(model="trexjr")
         board.physics[0].load = 3.0
         board.serial.drive(1, FORWARD, 127)
@@ -140,7 +140,7 @@ class TestBoard:
 
 
 class TestBrownOut:
-    def test_a_weak_battery_resets_the_board_that_starts_a_motor(self) -> None:
+    def test_weak_battery_resets_board_at_motor_start(self) -> None:
         board = Board()
         weaken(board)
         board.advance(0.1)
@@ -156,7 +156,7 @@ class TestBrownOut:
         board.advance(1)
         assert board.counters["brown_outs"] == 1
 
-    def test_it_starts_as_from_a_power_cycle(self) -> None:
+    def test_board_restarts_after_brown_out_like_power_cycle(self) -> None:
         board = Board()
         weaken(board)
         board.advance(2)
@@ -169,7 +169,7 @@ class TestBrownOut:
         assert board.eeprom["serial_timeout"] == 0
         assert board.memory.busy_for == 0
 
-    def test_sticks_that_pull_the_battery_down_end_in_safe_start(self) -> None:
+    def test_brown_out_caused_by_stick_ends_in_safe_start(self) -> None:
         board = Board(mode="rc")
         weaken(board)
         board.advance(SETTLED)
@@ -186,7 +186,7 @@ class TestBrownOut:
         board.advance(SETTLED)
         assert not waits(board)
 
-    def test_an_answer_that_was_under_way_is_cut(self) -> None:
+    def test_brown_out_cuts_off_reply(self) -> None:
         board = Board()
         line = Line([board])
         weaken(board)
@@ -198,7 +198,7 @@ class TestBrownOut:
         line.send(b"\x82")
         assert line.read(9, 1) == b"r"
 
-    def test_an_empty_battery_keeps_it_off_until_it_is_charged(self) -> None:
+    def test_empty_battery_keeps_board_off_until_charged(self) -> None:
         board = Board()
         board.machine.battery = 3.0
         board.advance(1)
@@ -211,7 +211,7 @@ class TestBrownOut:
         assert is_on(board)
         assert board.show()["supply"] == 12.0
 
-    def test_one_that_was_switched_off_stays_off_when_the_battery_recovers(self) -> None:
+    def test_switched_off_board_stays_off_when_battery_recovers(self) -> None:
         board = Board()
         board.machine.battery = 3.0
         board.advance(0.1)

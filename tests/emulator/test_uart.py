@@ -39,11 +39,11 @@ class TestChecksum:
             ("80 07 06 1F", 0x0B),
         ],
     )
-    def test_known_packets(self, packet: str, crc: int) -> None:
+    def test_checksums_of_known_packets_are_correct(self, packet: str, crc: int) -> None:
         assert remainder(bytes.fromhex(packet), 0x89) == crc
 
     @given(data=st.binary(max_size=30), polynomial=st.integers(0x80, 0xFF))
-    def test_it_has_seven_bits_and_divides_the_packet(self, data: bytes, polynomial: int) -> None:
+    def test_checksum_has_seven_bits_and_divides_packet(self, data: bytes, polynomial: int) -> None:
         crc = remainder(data, polynomial)
         assert 0 <= crc <= 0x7F
         whole = int.from_bytes(data) << 7 | crc
@@ -51,22 +51,22 @@ class TestChecksum:
             whole ^= polynomial << excess
         assert whole == 0
 
-    def test_requests_and_answers_carry_it(self, crc_port: SerialPort) -> None:
+    def test_requests_and_replies_carry_checksum(self, crc_port: SerialPort) -> None:
         assert ask(crc_port, "81 48") == "54 52 65 58 31 2E 32 32"
         assert ask(crc_port, "82 53") == "72 5D"
         assert not errors(crc_port)
 
-    def test_expanded_packets_are_covered_from_their_first_byte(self, crc_port: SerialPort) -> None:
+    def test_checksum_covers_expanded_packet_from_first_byte(self, crc_port: SerialPort) -> None:
         assert len(ask(crc_port, "80 07 06 1F 0B").split()) == 11
 
-    def test_a_wrong_one_discards_the_packet(self, crc_port: SerialPort) -> None:
+    def test_wrong_checksum_discards_packet(self, crc_port: SerialPort) -> None:
         assert ask(crc_port, "F0 7F 4C") == NO_REPLY
         assert crc_port.board.aux.speed == 0
         assert errors(crc_port) == UartError.CRC
         ask(crc_port, "F0 7F 4D")
         assert crc_port.board.aux.speed == 127
 
-    def test_another_polynomial_is_another_checksum(self) -> None:
+    def test_checksum_uses_configured_polynomial(self) -> None:
         port = SerialPort(a_board(settings=0x25, crc7_polynomial=0x15))
         ask(port, "F0 7F 4D")
         assert errors(port) == UartError.CRC
@@ -74,7 +74,7 @@ class TestChecksum:
         ask(port, (packet + bytes([remainder(packet, 0x95)])).hex())
         assert port.board.aux.speed == 127
 
-    def test_the_null_command_has_none(self, crc_port: SerialPort) -> None:
+    def test_null_command_has_no_checksum(self, crc_port: SerialPort) -> None:
         assert ask(crc_port, "FF") == NO_REPLY
         assert not errors(crc_port)
 
@@ -84,11 +84,13 @@ class TestQueries:
         ("model", "firmware", "signature"),
         [("trex", "1.0", b"TReX1.0"), ("trex", "1.2", b"TReX1.2"), ("trexjr", "1.2", b"TReXJr1.2")],
     )
-    def test_the_signature(self, model: str, firmware: str, signature: bytes) -> None:
+    def test_signature_names_model_and_firmware(
+        self, model: str, firmware: str, signature: bytes
+    ) -> None:
         port = SerialPort(Board(model, firmware))
         assert ask(port, "81") == signature.hex(" ").upper()
 
-    def test_raw_channels_as_the_documentation_shows_them(self, port: SerialPort) -> None:
+    def test_raw_channels_match_documented_example(self, port: SerialPort) -> None:
         for channel, text in ((1, "3637"), (2, "invalid"), (5, "2715")):
             port.board.connect(channel, Signal.parse(text, InputSource.RC))
         assert ask(port, "86 13") == "FF FF FF FF FF FF"
@@ -96,7 +98,7 @@ class TestQueries:
         # The documentation reads 9B 0A as 2716; it is 2715.
         assert ask(port, "86 13") == "35 0E FF FF 9B 0A"
 
-    def test_both_protocols_say_the_same(self, port: SerialPort) -> None:
+    def test_compact_and_expanded_replies_are_equal(self, port: SerialPort) -> None:
         port.board.advance(PULSES)
         assert ask(port, "80 07 06 1F") == ask(port, "86 1F") != NO_REPLY
 
@@ -109,7 +111,7 @@ class TestQueries:
         assert ask(port, "87 02") == "FF"
 
     @pytest.mark.parametrize("command", ["86 00", "87 00"])
-    def test_no_channel_is_no_answer(
+    def test_query_for_no_channel_gets_no_reply(
         self, port: SerialPort, crc_port: SerialPort, command: str
     ) -> None:
         assert ask(port, command) == NO_REPLY
@@ -117,7 +119,7 @@ class TestQueries:
         assert ask(crc_port, f"{command} {crc:02X}") == NO_REPLY
         assert not errors(port) | errors(crc_port)
 
-    def test_the_mode_and_who_controls(self, port: SerialPort) -> None:
+    def test_mode_and_control_source_are_reported(self, port: SerialPort) -> None:
         assert (ask(port, "82"), ask(port, "83")) == ("72", "01")
         rc = SerialPort(Board(mode="rc"))
         assert (ask(rc, "82"), ask(rc, "83")) == ("52", "00")
@@ -130,24 +132,24 @@ class TestQueries:
         assert (ask(port, "84"), ask(port, "84")) == ("11", "00")
         assert (ask(port, "85"), ask(port, "85")) == ("10", "00")
 
-    def test_currents_in_counts(self, port: SerialPort) -> None:
+    def test_currents_are_reported_in_counts(self, port: SerialPort) -> None:
         port.board.force_current(1, 8.25)
         port.board.force_current(2, 30.0)
         assert (ask(port, "8D"), ask(port, "8E"), ask(port, "8F")) == ("37", "C8", "37 C8")
 
-    def test_calibrations_are_plain_words(self, port: SerialPort) -> None:
+    def test_calibrations_are_sent_as_16_bit_words(self, port: SerialPort) -> None:
         assert ask(port, "90") == ask(port, "94") == "C4 09 A6 0E 88 13 4B 00"
         port.board.eeprom.write_calibration(InputSource.RC, 2, Calibration(2600, 3660, 4700, 300))
         assert ask(port, "91") == "28 0A 4C 0E 5C 12 2C 01"
         assert ask(port, "95") == "02"
 
-    def test_every_parameter_can_be_asked_for(self, port: SerialPort) -> None:
+    def test_every_parameter_can_be_read(self, port: SerialPort) -> None:
         for spec in port.board.memory.parameters.readable:
             assert ask(port, f"9F {spec.number:02X}") == f"{spec.default:02X}"
 
 
 class TestWrites:
-    def test_a_parameter_is_answered_when_it_is_stored(self, port: SerialPort) -> None:
+    def test_parameter_write_is_acknowledged_when_stored(self, port: SerialPort) -> None:
         feed(port, "AF 07 0F 55 2A")
         assert port.pause == pytest.approx(0.004)
         assert answer(port) == NO_REPLY
@@ -158,7 +160,7 @@ class TestWrites:
         port.resume()
         assert answer(port) == "00"
 
-    def test_a_calibration_value_comes_in_two_times_seven_bits(self, port: SerialPort) -> None:
+    def test_calibration_value_is_received_as_two_7_bit_bytes(self, port: SerialPort) -> None:
         feed(port, "A1 28 14 4C 1C 5C 24 2C 02 55 2A")
         assert port.pause == pytest.approx(0.032)
         pass_pause(port)
@@ -174,13 +176,13 @@ class TestWrites:
             ("A0 01 00 01 00 01 00 00 00 55 2A", "02"),
         ],
     )
-    def test_a_refusal_comes_at_once(self, port: SerialPort, packet: str, code: str) -> None:
+    def test_rejection_is_sent_at_once(self, port: SerialPort, packet: str, code: str) -> None:
         assert port.board.now == 0
         assert ask(port, packet) == code
         assert port.board.now == 0
 
     @pytest.mark.parametrize("packet", ["AF 07 0F 55 2A", "A0 00 00 01 00 02 00 00 00 55 2A"])
-    def test_outside_serial_mode_they_are_refused(self, packet: str) -> None:
+    def test_writes_are_rejected_outside_serial_mode(self, packet: str) -> None:
         assert ask(SerialPort(Board(mode="rc")), packet) == "03"
 
     @pytest.mark.parametrize(
@@ -191,12 +193,12 @@ class TestWrites:
             "A0 00 00 01 00 02 00 00 00 55 00",
         ],
     )
-    def test_wrong_format_bytes_get_no_answer(self, port: SerialPort, packet: str) -> None:
+    def test_wrong_format_bytes_get_no_reply(self, port: SerialPort, packet: str) -> None:
         assert ask(port, packet) == NO_REPLY
         assert errors(port) == UartError.FORMAT
         assert port.board.memory.get(0x07) == 0
 
-    def test_a_new_device_number_counts_at_once(self, port: SerialPort) -> None:
+    def test_new_device_number_takes_effect_at_once(self, port: SerialPort) -> None:
         assert ask(port, "AF 00 09 55 2A") == "00"
         assert ask(port, "80 07 02") == NO_REPLY
         assert ask(port, "80 09 02") == "72"

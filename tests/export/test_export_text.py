@@ -72,9 +72,7 @@ def without_version(text: str) -> str:
     ],
     ids=["arduino", "c", "python"],
 )
-def test_the_whole_text_is_as_it_was_last_read_by_a_person(
-    name: str, text: str, tmp_path: Path
-) -> None:
+def test_exported_text_matches_golden_file(name: str, text: str, tmp_path: Path) -> None:
     known = HERE / "golden" / f"{name}.txt"
     new = tmp_path / name
     new.write_text(without_version(text), encoding="ascii")
@@ -88,7 +86,7 @@ def test_the_whole_text_is_as_it_was_last_read_by_a_person(
 
 @examples(deadline=None, max_examples=30)
 @given(settings=any_settings(), line=any_link())
-def test_whatever_is_exported_is_short_lines_of_ascii_without_gaps(
+def test_exported_text_is_short_ascii_lines_without_gaps(
     settings: Settings, line: LinkSettings
 ) -> None:
     for language in Language:
@@ -103,7 +101,7 @@ def test_whatever_is_exported_is_short_lines_of_ascii_without_gaps(
 
 @examples(deadline=None, max_examples=30)
 @given(settings=any_settings(), line=any_link())
-def test_whatever_is_exported_is_python_as_old_as_3_8(
+def test_exported_python_parses_in_3_8_and_has_all_values(
     settings: Settings, line: LinkSettings
 ) -> None:
     text = export_code(settings, line, Language.PYTHON)
@@ -129,7 +127,9 @@ def test_whatever_is_exported_is_python_as_old_as_3_8(
 @pytest.mark.parametrize("expanded", [False, True])
 @pytest.mark.parametrize("crc", [False, True])
 @pytest.mark.parametrize("number", [11, 12])
-def test_python_passes_ruff(expanded: bool, crc: bool, number: int, tmp_path: Path) -> None:
+def test_exported_python_passes_ruff(
+    expanded: bool, crc: bool, number: int, tmp_path: Path
+) -> None:
     line = link(expanded=expanded, crc=crc)
     settings = settings_for(line, device_number=number)
     path = tmp_path / file_name(settings, Language.PYTHON)
@@ -148,7 +148,7 @@ def test_python_passes_ruff(expanded: bool, crc: bool, number: int, tmp_path: Pa
 
 
 @every_language
-def test_only_what_the_framing_needs_is_there(language: Language) -> None:
+def test_export_contains_only_what_framing_needs(language: Language) -> None:
     settings = settings_for(link())
     compact = export_code(settings, link(), language)
     assert "crc7" not in compact
@@ -163,7 +163,7 @@ def test_only_what_the_framing_needs_is_there(language: Language) -> None:
 
 
 @every_language
-def test_only_the_parameters_that_are_given_are_there(language: Language) -> None:
+def test_export_contains_only_given_parameters(language: Language) -> None:
     settings = Settings(TREX, "1.2", {"serial_timeout": 15})
     text = export_code(settings, link(), language)
     assert re.search(r"0x07, 15\b", text)
@@ -173,7 +173,7 @@ def test_only_the_parameters_that_are_given_are_there(language: Language) -> Non
 
 
 @every_language
-def test_what_makes_the_board_another_to_talk_to_comes_last(language: Language) -> None:
+def test_communication_parameters_are_exported_last(language: Language) -> None:
     text = export_code(factory(), link(), language)
     rows = [int(number, 16) for number in re.findall(r"[({](0x[0-9A-F]{2}), \d+", text)]
     assert len(rows) == len(factory().parameters)
@@ -181,7 +181,7 @@ def test_what_makes_the_board_another_to_talk_to_comes_last(language: Language) 
 
 
 @every_language
-def test_the_head_says_what_it_is_for_and_warns_of_motors_that_go_on(language: Language) -> None:
+def test_header_names_board_and_warns_of_running_motors(language: Language) -> None:
     def head(**parameters: int) -> str:
         text = export_code(Settings(TREX_JR, "1.2", parameters), link(), language)
         words = re.sub(r"^[ *]+", "", text[:2200], flags=re.MULTILINE)
@@ -196,7 +196,7 @@ def test_the_head_says_what_it_is_for_and_warns_of_motors_that_go_on(language: L
 
 
 @every_language
-def test_a_line_that_will_be_another_is_announced(language: Language) -> None:
+def test_changed_line_settings_are_announced(language: Language) -> None:
     def announced(line: LinkSettings, **parameters: int) -> str:
         text = export_code(Settings(TREX, "1.2", parameters), line, language)
         found = re.search(r"speaks at (.*)\.", text)
@@ -212,7 +212,7 @@ def test_a_line_that_will_be_another_is_announced(language: Language) -> None:
 
 
 @every_language
-def test_what_the_board_would_refuse_is_said_and_left_out(language: Language) -> None:
+def test_invalid_values_are_reported_and_left_out(language: Language) -> None:
     settings = Settings(
         TREX,
         "1.2",
@@ -226,21 +226,21 @@ def test_what_the_board_would_refuse_is_said_and_left_out(language: Language) ->
     assert "CALIBRATIONS" not in text
 
 
-def test_settings_that_no_board_has_are_refused() -> None:
+def test_unknown_parameter_and_baud_rate_are_rejected() -> None:
     with pytest.raises(BadRequest, match="serial_timeoot"):
         export_code(Settings(TREX, "1.2", {"serial_timeoot": 1}), link(), Language.C)
     with pytest.raises(BadRequest, match="12345"):
         export_code(factory(), link(baud=12345), Language.C)
 
 
-def test_a_file_is_named_after_the_board_and_the_language() -> None:
+def test_file_is_named_after_board_and_language() -> None:
     names = [file_name(factory("trexjr"), language) for language in Language]
     assert names == ["trexjr_board.ino", "trexjr_board.py", "trexjr_board.c"]
     assert file_name(factory(), Language.C) == "trex_board.c"
 
 
 @pytest.mark.parametrize("model", [TREX, TREX_JR], ids=["trex", "trexjr"])
-def test_parameters_that_wait_for_a_power_cycle_are_those_from_one_number_on(model: Model) -> None:
+def test_power_cycle_parameters_have_highest_numbers(model: Model) -> None:
     waiting = [spec.needs_power_cycle for spec in Settings(model).specs]
     assert waiting == sorted(waiting)
 
@@ -251,7 +251,7 @@ ODD = '*/ "??/ \\ µΩ\n# /* %d {x} """ \' \x00 \u202e @baud@ \\'
 
 
 @pytest.mark.parametrize("odd", ["*/", "/*", "a*/*b", "??/", "????=", "\\", '"', "\n", "\r", "\0"])
-def test_no_odd_characters_survive(odd: str) -> None:
+def test_plain_removes_characters_unsafe_in_code(odd: str) -> None:
     shown = plain(f"before{odd}after")
     assert shown.isascii()
     assert shown.isprintable()
@@ -261,18 +261,18 @@ def test_no_odd_characters_survive(odd: str) -> None:
 
 
 @given(st.text())
-def test_any_text_becomes_plain_and_stays_so(text: str) -> None:
+def test_plain_is_safe_and_idempotent_for_any_text(text: str) -> None:
     shown = plain(text)
     assert not re.search(r'[^ -~]|\*/|/\*|\?\?|"|\\', shown)
     assert plain(shown) == shown
 
 
-def test_units_keep_their_meaning() -> None:
+def test_plain_keeps_units_readable() -> None:
     assert plain("1500 µs − 5 … é") == "1500 us - 5 ... e"
 
 
 @every_language
-def test_odd_names_do_no_harm(language: Language, tmp_path: Path) -> None:
+def test_code_compiles_with_special_characters_in_names(language: Language, tmp_path: Path) -> None:
     product = replace(TREX, name=ODD)
     settings = replace(factory(), product=product, firmware=f"1.2.{ODD}")
     text = export_code(settings, link(), language)
@@ -292,7 +292,7 @@ def test_odd_names_do_no_harm(language: Language, tmp_path: Path) -> None:
 # --- Templates
 
 
-def test_a_template_has_values_conditions_and_lines_that_repeat() -> None:
+def test_template_fills_values_conditions_and_repeated_lines() -> None:
     template = (
         "a @x@ b @x@\n@if yes@\n  // @rows@;\n@if not yes@\nno\n@else@\nboth\n@end@\n@end@\nend\n"
     )
@@ -301,13 +301,13 @@ def test_a_template_has_values_conditions_and_lines_that_repeat() -> None:
     assert fill(template, values, {"yes": False}) == "a 1 b 1\nend\n"
 
 
-def test_what_a_value_says_is_no_place_for_another() -> None:
+def test_placeholder_inside_value_is_not_filled() -> None:
     assert fill("@a@\n", {"a": "@b@", "b": "x"}, {}) == "@b@\n"
 
 
 @pytest.mark.parametrize(
     "template", ["@missing@", "@if missing@\n@end@", "@end@", "@else@", "@if yes@\n"]
 )
-def test_a_wrong_template_is_refused(template: str) -> None:
+def test_invalid_template_is_rejected(template: str) -> None:
     with pytest.raises(TemplateError):
         fill(template, {}, {"yes": True})

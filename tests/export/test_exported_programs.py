@@ -82,7 +82,7 @@ def watched(program: Program, board: Board) -> tuple[set[tuple[int, int]], str]:
     sampled(itertools.product((True, False), (True, False), ("trex", "trexjr")), every=8),
 )
 @every_language
-def test_a_program_applies_checks_writes_nothing_twice_and_drives(
+def test_program_applies_settings_once_and_drives(
     language: Language, expanded: bool, crc: bool, model: str, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=expanded, crc=crc)
@@ -112,7 +112,7 @@ def test_a_program_applies_checks_writes_nothing_twice_and_drives(
 
 
 @every_language
-def test_the_demonstration_turns_each_motor_slowly_and_ends_with_a_stop(
+def test_demonstration_turns_motors_slowly_and_ends_with_stop(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=True, crc=True)
@@ -130,7 +130,7 @@ def test_the_demonstration_turns_each_motor_slowly_and_ends_with_a_stop(
 
 @pytest.mark.slow
 @every_language
-def test_a_program_moves_nothing_unless_it_is_told_to(
+def test_program_moves_no_motor_by_default(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link())
@@ -147,7 +147,7 @@ def test_a_program_moves_nothing_unless_it_is_told_to(
 
 
 @every_language
-def test_every_way_of_driving_does_what_it_says(
+def test_every_drive_command_has_its_effect(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=True, crc=True)
@@ -202,7 +202,7 @@ def test_currents_and_faults_can_be_read(
 @pytest.mark.slow
 @pytest.mark.parametrize(("ours", "theirs"), [("trex", "trexjr"), ("trexjr", "trex")])
 @every_language
-def test_settings_for_another_kind_of_board_are_not_written(
+def test_settings_for_other_board_model_are_not_written(
     language: Language, ours: str, theirs: str, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(crc=True)
@@ -219,7 +219,7 @@ def test_settings_for_another_kind_of_board_are_not_written(
 
 @pytest.mark.slow
 @every_language
-def test_a_board_in_another_mode_is_left_alone(
+def test_board_outside_serial_mode_is_left_unchanged(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link())
@@ -236,7 +236,7 @@ def test_a_board_in_another_mode_is_left_alone(
 @pytest.mark.slow
 @pytest.mark.parametrize("why", ["silent", "other framing", "other number"])
 @every_language
-def test_a_board_that_does_not_answer_is_reported_with_the_line_in_force(
+def test_missing_reply_is_reported_with_line_settings(
     language: Language, why: str, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=True, crc=True)
@@ -259,9 +259,7 @@ def test_a_board_that_does_not_answer_is_reported_with_the_line_in_force(
 
 @pytest.mark.slow
 @every_language
-def test_a_parameter_that_the_board_lacks_is_named(
-    language: Language, boards: Boards, tmp_path: Path
-) -> None:
+def test_unsupported_parameter_is_named(language: Language, boards: Boards, tmp_path: Path) -> None:
     board = boards.board(link(), "trex", "--unpaced", "--firmware", "1.0")
     settings = settings_for(link())
     program = made_ready(tmp_path, settings, link(), language, drive=True, patience=3)
@@ -275,7 +273,7 @@ def test_a_parameter_that_the_board_lacks_is_named(
 
 @pytest.mark.slow
 @every_language
-def test_a_new_device_number_is_followed(
+def test_program_follows_new_device_number(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=True)
@@ -291,7 +289,7 @@ def test_a_new_device_number_is_followed(
 
 @pytest.mark.slow
 @every_language
-def test_calibrations_for_the_other_inputs_are_said_to_wait(
+def test_calibration_for_other_input_is_reported_as_skipped(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     as_new = settings_for(link())
@@ -307,7 +305,7 @@ def test_calibrations_for_the_other_inputs_are_said_to_wait(
 
 @pytest.mark.slow
 @every_language
-def test_a_board_that_falls_silent_is_no_success(
+def test_board_that_stops_replying_is_reported(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link())
@@ -324,9 +322,7 @@ def test_a_board_that_falls_silent_is_no_success(
 
 @pytest.mark.slow
 @on_a_computer
-def test_what_the_rs232_connector_sends_back_is_no_answer(
-    language: Language, boards: Boards, tmp_path: Path
-) -> None:
+def test_echo_is_not_taken_for_reply(language: Language, boards: Boards, tmp_path: Path) -> None:
     line = link(crc=True)
     board = boards.board(line, "trex", "--echo")  # bytes without time would collide
     settings = settings_for(line)
@@ -337,7 +333,7 @@ def test_what_the_rs232_connector_sends_back_is_no_answer(
 
 
 @on_a_computer
-def test_ctrl_c_stops_the_motors(language: Language, boards: Boards, tmp_path: Path) -> None:
+def test_ctrl_c_stops_motors(language: Language, boards: Boards, tmp_path: Path) -> None:
     board = boards.board(link())
     program = made_ready(tmp_path, settings_for(link()), link(), language)
     for _ in range(10):  # a busy computer may look away while it drives
@@ -354,7 +350,7 @@ def test_ctrl_c_stops_the_motors(language: Language, boards: Boards, tmp_path: P
 
 @pytest.mark.slow
 @every_language
-def test_other_rates_and_stop_bits_are_set_on_the_port(
+def test_baud_rate_and_stop_bits_are_set_on_port(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(baud=57600, stop_bits=2)
@@ -367,7 +363,9 @@ def test_other_rates_and_stop_bits_are_set_on_the_port(
 
 @pytest.mark.slow
 @on_a_computer
-def test_wrong_usage_and_a_missing_port_are_told_apart(language: Language, tmp_path: Path) -> None:
+def test_wrong_usage_and_missing_port_have_own_exit_codes(
+    language: Language, tmp_path: Path
+) -> None:
     program = made_ready(tmp_path, settings_for(link()), link(), language)
     missing = program.run(str(tmp_path / "no-port"))
     assert missing.returncode == 1
@@ -398,9 +396,7 @@ def text_of_arduino(folder: Path, settings: Settings, line: LinkSettings) -> Non
 @pytest.mark.slow
 @pytest.mark.parametrize("compiled", [text_of_c, text_of_arduino])
 @pytest.mark.parametrize("part", ["nothing", "parameters", "calibrations", "left out"])
-def test_settings_with_only_a_part_compile(
-    part: str, compiled: Callable[..., None], tmp_path: Path
-) -> None:
+def test_partial_settings_compile(part: str, compiled: Callable[..., None], tmp_path: Path) -> None:
     full = settings_for(link())
     settings = Settings(
         full.product,
@@ -421,7 +417,7 @@ def test_settings_with_only_a_part_compile(
 @pytest.mark.parametrize("compiled", [text_of_c, text_of_arduino])
 @pytest.mark.parametrize("stop_bits", [1, 2])
 @pytest.mark.parametrize("detection", list(Detection), ids=lambda value: value.name.lower())
-def test_every_kind_of_line_compiles(
+def test_all_line_formats_compile(
     detection: Detection, stop_bits: int, compiled: Callable[..., None], tmp_path: Path
 ) -> None:
     line = LinkSettings("unused", LineSettings(9600, detection, stop_bits))
@@ -430,7 +426,7 @@ def test_every_kind_of_line_compiles(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("baud", [14400, 28800, 76800])
-def test_a_rate_that_the_system_lacks_is_said_by_the_compiler(baud: int, tmp_path: Path) -> None:
+def test_unsupported_baud_rate_is_a_compile_error(baud: int, tmp_path: Path) -> None:
     if sys.platform != "linux":
         pytest.skip("other systems have other rates")
     need("gcc")

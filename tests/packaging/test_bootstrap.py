@@ -60,16 +60,16 @@ LIBEGL_ONLY = listing(("installed", "libegl1", ""))
 # --- Debian's packages
 
 
-def test_a_package_counts_when_it_is_installed() -> None:
+def test_installed_packages_are_listed() -> None:
     lines = "installed\tlibegl1\t\ninstalled\tlibgl1\t\n"
     assert bootstrap.packages_in(lines) == {"libegl1", "libgl1"}
 
 
-def test_a_removed_package_that_left_its_configuration_does_not_count() -> None:
+def test_removed_package_with_configuration_is_not_listed() -> None:
     assert bootstrap.packages_in("config-files\tlibegl1\t\n") == set()
 
 
-def test_a_library_under_its_later_name_counts_by_the_name_it_provides() -> None:
+def test_renamed_library_is_listed_under_provided_name() -> None:
     lines = "installed\tlibglib2.0-0t64\tlibglib2.0-0 (= 2.84.4-3), libglib2.0-x\n"
     assert bootstrap.packages_in(lines) == {"libglib2.0-0t64", "libglib2.0-0", "libglib2.0-x"}
 
@@ -82,7 +82,7 @@ def test_missing_packages_keep_their_order() -> None:
     ]
 
 
-def test_a_dpkg_that_cannot_be_asked_knows_no_package() -> None:
+def test_package_is_missing_when_dpkg_fails() -> None:
     debian = bootstrap.Debian(Script(dpkg_query=bootstrap.Outcome(127)), is_root=True)
     assert debian.missing(["libegl1"]) == ["libegl1"]
 
@@ -93,7 +93,7 @@ def test_nothing_is_installed_when_nothing_is_missing() -> None:
     assert script.apt_commands == []
 
 
-def test_root_renews_the_list_once_and_installs_what_is_missing() -> None:
+def test_root_updates_apt_once_and_installs_missing_packages() -> None:
     script = Script(dpkg_query=LIBEGL_ONLY)
     bootstrap.Debian(script, is_root=True).supply(["libegl1", "libgl1", "libdbus-1-3"])
     apt = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "--quiet"]
@@ -103,13 +103,13 @@ def test_root_renews_the_list_once_and_installs_what_is_missing() -> None:
     ]
 
 
-def test_sudo_is_used_when_it_asks_for_no_password() -> None:
+def test_passwordless_sudo_is_used_without_root() -> None:
     script = Script(dpkg_query=LIBEGL_ONLY)
     bootstrap.Debian(script, is_root=False).supply(["libgl1"])
     assert [command[:3] for command in script.apt_commands] == [["sudo", "-n", "env"]] * 2
 
 
-def test_without_rights_one_line_says_what_to_install(capsys: pytest.CaptureFixture[str]) -> None:
+def test_install_command_is_printed_without_rights(capsys: pytest.CaptureFixture[str]) -> None:
     script = Script(dpkg_query=LIBEGL_ONLY, sudo=REFUSED)
     bootstrap.Debian(script, is_root=False).supply(["libgl1", "libegl1", "libdbus-1-3"])
     said = capsys.readouterr().out
@@ -118,7 +118,7 @@ def test_without_rights_one_line_says_what_to_install(capsys: pytest.CaptureFixt
     assert script.apt_commands == []
 
 
-def test_a_failed_installation_says_why_and_what_to_do(capsys: pytest.CaptureFixture[str]) -> None:
+def test_failed_installation_reports_cause_and_command(capsys: pytest.CaptureFixture[str]) -> None:
     failed = bootstrap.Outcome(100, errors="E: Unable to locate package libgl1")
     script = Script(dpkg_query=LIBEGL_ONLY, install=failed)
     bootstrap.Debian(script, is_root=True).supply(["libgl1"])
@@ -127,23 +127,23 @@ def test_a_failed_installation_says_why_and_what_to_do(capsys: pytest.CaptureFix
     assert "sudo apt-get install libgl1" in said
 
 
-def test_no_package_is_asked_for_twice() -> None:
+def test_qt_packages_are_unique() -> None:
     assert len(set(bootstrap.QT_PACKAGES)) == len(bootstrap.QT_PACKAGES)
 
 
 # --- Does Qt start?
 
 
-def test_qt_that_started_says_where_and_with_how_many_fonts() -> None:
+def test_qt_start_reports_platform_and_fonts() -> None:
     start = bootstrap.read_qt_start(bootstrap.Outcome(0, "started offscreen 6\n"))
     assert (start.platform, start.fonts, start.has_window) == ("offscreen", 6, False)
 
 
-def test_qt_on_a_display_has_a_window() -> None:
+def test_qt_on_display_has_window() -> None:
     assert bootstrap.read_qt_start(bootstrap.Outcome(0, "started xcb 6\n")).has_window
 
 
-def test_a_missing_library_is_named() -> None:
+def test_missing_library_is_named() -> None:
     errors = (
         "Traceback (most recent call last):\nImportError: libEGL.so.1: "
         "cannot open shared object file: No such file or directory\n"
@@ -154,14 +154,14 @@ def test_a_missing_library_is_named() -> None:
     assert "Traceback" not in start.reason
 
 
-def test_a_display_that_does_not_answer_is_no_window() -> None:
+def test_unreachable_display_has_no_window() -> None:
     errors = "qt.qpa.xcb: could not connect to display :77\n" + "qt.qpa.plugin: ...\n" * 9
     start = bootstrap.read_qt_start(bootstrap.Outcome(-6, errors=errors))
     assert not start.has_window
     assert start.reason == "nothing answers on the display"
 
 
-def test_qt_that_died_without_a_word_is_reported_by_its_status() -> None:
+def test_silent_qt_crash_is_reported_by_exit_status() -> None:
     assert bootstrap.read_qt_start(bootstrap.Outcome(-11)).reason == "status -11"
 
 
@@ -172,7 +172,7 @@ def test_setup_fails_when_qt_does_not_start() -> None:
         bootstrap.require_qt(script)
 
 
-def test_a_system_without_fonts_is_told_so(capsys: pytest.CaptureFixture[str]) -> None:
+def test_missing_fonts_are_reported(capsys: pytest.CaptureFixture[str]) -> None:
     bootstrap.require_qt(Script(**{"-c": bootstrap.Outcome(0, "started offscreen 0\n")}))
     assert "font" in capsys.readouterr().out
 
@@ -189,13 +189,13 @@ def test_a_system_without_fonts_is_told_so(capsys: pytest.CaptureFixture[str]) -
         ({}, "win32", True),
     ],
 )
-def test_where_a_window_is_worth_a_try(
+def test_display_is_expected_by_environment_and_system(
     environment: dict[str, str], system: str, expected: bool
 ) -> None:
     assert bootstrap.may_have_display(environment, system) is expected
 
 
-def test_a_display_that_cannot_be_opened_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_unopenable_display_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DISPLAY", ":77")
     monkeypatch.delenv("QT_QPA_PLATFORM", raising=False)
     monkeypatch.setattr(bootstrap, "find_debian", lambda: None)
@@ -209,22 +209,22 @@ def test_a_display_that_cannot_be_opened_is_explained(monkeypatch: pytest.Monkey
 STAMP = bootstrap.Stamp("3.11 /usr", "/home/ada/trex", "f00d")
 
 
-def test_a_stamp_is_read_back_as_it_was_written(tmp_path: Path) -> None:
+def test_stamp_is_read_back_unchanged(tmp_path: Path) -> None:
     bootstrap.write_stamp(tmp_path / "stamp.json", STAMP)
     assert bootstrap.read_stamp(tmp_path / "stamp.json") == STAMP
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"interpreter": "3.11"}', '{"x": 1}'])
-def test_a_damaged_stamp_counts_as_none(tmp_path: Path, text: str) -> None:
+def test_damaged_stamp_is_ignored(tmp_path: Path, text: str) -> None:
     (tmp_path / "stamp.json").write_text(text, encoding="utf-8")
     assert bootstrap.read_stamp(tmp_path / "stamp.json") is None
 
 
-def test_without_a_stamp_there_is_none(tmp_path: Path) -> None:
+def test_missing_stamp_reads_as_none(tmp_path: Path) -> None:
     assert bootstrap.read_stamp(tmp_path / "stamp.json") is None
 
 
-def test_other_requirements_keep_the_environment() -> None:
+def test_changed_requirements_keep_environment() -> None:
     assert STAMP.can_keep_venv(bootstrap.Stamp("3.11 /usr", "/home/ada/trex", "beef"))
 
 
@@ -236,13 +236,11 @@ def test_other_requirements_keep_the_environment() -> None:
         bootstrap.Stamp("3.11 /usr", "/home/ada/moved", "f00d"),
     ],
 )
-def test_another_python_or_folder_takes_a_new_environment(earlier: Any) -> None:
+def test_changed_python_or_folder_needs_new_environment(earlier: Any) -> None:
     assert not STAMP.can_keep_venv(earlier)
 
 
-def test_the_stamp_changes_with_the_constraints(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_stamp_changes_with_constraints(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     constraints = tmp_path / "constraints.txt"
     monkeypatch.setattr(bootstrap, "CONSTRAINTS", constraints)
     constraints.write_text("numpy==2.4.6\n", encoding="utf-8")
@@ -290,14 +288,14 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Project:
     return Project(tmp_path, monkeypatch)
 
 
-def test_a_second_setup_does_nothing(project: Project) -> None:
+def test_second_setup_does_nothing(project: Project) -> None:
     assert project.set_up()
     commands = len(project.script.commands)
     assert not project.set_up()
     assert (project.installations, len(project.script.commands)) == (1, commands)
 
 
-def test_changed_requirements_are_installed_into_the_same_environment(
+def test_changed_requirements_are_installed_in_same_environment(
     project: Project, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     project.set_up()
@@ -307,14 +305,14 @@ def test_changed_requirements_are_installed_into_the_same_environment(
     assert (project.venvs_made, project.installations) == (1, 2)
 
 
-def test_an_environment_whose_python_is_gone_is_made_again(project: Project) -> None:
+def test_environment_without_python_is_recreated(project: Project) -> None:
     project.set_up()
     bootstrap.venv_python().unlink()
     assert project.set_up()
     assert project.venvs_made == 2
 
 
-def test_an_interrupted_installation_goes_on_in_the_same_environment(
+def test_interrupted_setup_resumes_in_same_environment(
     project: Project, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted() -> None:
@@ -328,7 +326,7 @@ def test_an_interrupted_installation_goes_on_in_the_same_environment(
     assert (project.venvs_made, project.installations) == (1, 1)
 
 
-def test_a_python_that_cannot_make_environments_is_told_the_package(project: Project) -> None:
+def test_missing_venv_package_is_named(project: Project) -> None:
     project.script.outcomes["-c"] = bootstrap.Outcome(1, errors="No module named 'ensurepip'")
     version = f"python{sys.version_info[0]}.{sys.version_info[1]}-venv"
     with pytest.raises(bootstrap.BootstrapError, match=version):
@@ -338,7 +336,7 @@ def test_a_python_that_cannot_make_environments_is_told_the_package(project: Pro
 # --- The commands
 
 
-def test_pip_installs_the_build_backend_first_and_everything_pinned() -> None:
+def test_pip_installs_build_backend_first_and_pins_versions() -> None:
     backend, project_itself = bootstrap.pip_commands(["pip"])
     assert backend[-2:] == ["hatchling", "editables"]
     assert "--no-build-isolation" in project_itself
@@ -346,7 +344,7 @@ def test_pip_installs_the_build_backend_first_and_everything_pinned() -> None:
         assert command[command.index("--constraint") + 1] == str(bootstrap.CONSTRAINTS)
 
 
-def test_the_tests_come_last_and_take_the_arguments() -> None:
+def test_pytest_checks_run_last_and_receive_arguments() -> None:
     checks = bootstrap.checks(["-k", "crc"])
     assert [check.name for check in checks] == [
         "ruff check",
@@ -359,13 +357,13 @@ def test_the_tests_come_last_and_take_the_arguments() -> None:
     assert all(check.command[-2:] == ("-k", "crc") for check in checks if check.is_tests)
 
 
-def test_every_test_is_in_virtual_or_in_real_time() -> None:
+def test_pytest_checks_cover_virtual_and_real_time() -> None:
     virtual, real = (check.command for check in bootstrap.checks([]) if check.is_tests)
     assert "not realtime" in virtual
     assert "realtime" in real
 
 
-def test_all_runs_the_long_tests_with_random_seeds() -> None:
+def test_all_option_runs_slow_tests_with_random_seeds() -> None:
     for every in (False, True):
         for check in bootstrap.checks([], every=every):
             if check.is_tests:
@@ -401,26 +399,24 @@ def closing_lines(capsys: pytest.CaptureFixture[str]) -> list[list[str]]:
     return [line.split() for line in capsys.readouterr().out.splitlines()[-6:]]
 
 
-def test_all_checks_passing_is_success(ended: Ended, capsys: pytest.CaptureFixture[str]) -> None:
+def test_passing_checks_exit_0(ended: Ended, capsys: pytest.CaptureFixture[str]) -> None:
     assert bootstrap.main(["test"]) == 0
     assert [line[3] for line in closing_lines(capsys)[-2:]] == ["12", "12"]
 
 
-def test_later_checks_still_run_after_one_has_failed(
-    ended: Ended, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_checks_continue_after_failure(ended: Ended, capsys: pytest.CaptureFixture[str]) -> None:
     ended.statuses["mypy"] = 1
     assert bootstrap.main(["test"]) == 1
     first = [line[0] for line in closing_lines(capsys)]
     assert first == ["ok", "ok", "FAILED", "ok", "ok", "ok"]
 
 
-def test_a_selection_without_tests_of_one_kind_is_no_failure(ended: Ended) -> None:
+def test_selection_without_tests_of_one_kind_succeeds(ended: Ended) -> None:
     ended.statuses["pytest"] = 5
     assert bootstrap.main(["test"]) == 0
 
 
-def test_no_test_at_all_is_a_failure(ended: Ended) -> None:
+def test_selection_without_any_test_fails(ended: Ended) -> None:
     ended.statuses["pytest"], ended.tests = 5, 0
     assert bootstrap.main(["test"]) == 1
 
@@ -436,7 +432,7 @@ def test_ctrl_c_ends_quietly(
     assert capsys.readouterr() == ("", "")
 
 
-def test_what_stands_after_the_dashes_is_for_pytest() -> None:
+def test_arguments_after_dashes_are_passed_to_pytest() -> None:
     assert bootstrap.split_arguments(["test", "--", "-k", "a", "--", "b"]) == (
         ["test"],
         ["-k", "a", "--", "b"],
@@ -444,13 +440,13 @@ def test_what_stands_after_the_dashes_is_for_pytest() -> None:
 
 
 @pytest.mark.parametrize("arguments", [[], ["launch"], ["setup", "--", "-k"], ["test", "-k"]])
-def test_wrong_usage_ends_with_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_wrong_usage_exits_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:
         bootstrap.main(arguments)
     assert ended.value.code == 2
 
 
-def test_the_demonstration_without_a_display_lists_its_pictures(
+def test_demo_without_display_lists_its_screenshots(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = tmp_path / "demo-screenshots"
@@ -478,11 +474,11 @@ def test_the_demonstration_without_a_display_lists_its_pictures(
 # --- The files
 
 
-def test_an_older_python_can_read_the_script_as_far_as_its_message() -> None:
+def test_script_parses_in_python_3_7() -> None:
     ast.parse(SOURCE.read_text(encoding="utf-8"), feature_version=(3, 7))
 
 
-def test_constraints_are_exact_versions_and_nothing_else() -> None:
+def test_constraints_are_sorted_exact_versions() -> None:
     lines = bootstrap.CONSTRAINTS.read_text(encoding="utf-8").splitlines()
     names = [line.split("==")[0].lower() for line in lines]
     assert [line for line in lines if not re.fullmatch(r"[\w-]+==\d+(\.\d+)*", line)] == []

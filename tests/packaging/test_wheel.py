@@ -23,7 +23,7 @@ def wheel_names(tmp_path_factory: pytest.TempPathFactory) -> set[str]:
         return set(archive.namelist())
 
 
-def test_the_wheel_holds_every_resource(wheel_names: set[str]) -> None:
+def test_wheel_contains_every_resource(wheel_names: set[str]) -> None:
     resources = ROOT / "resources"
     expected = {
         f"trex_gui/_resources/{path.relative_to(resources).as_posix()}"
@@ -34,12 +34,12 @@ def test_the_wheel_holds_every_resource(wheel_names: set[str]) -> None:
     assert expected - wheel_names == set()
 
 
-def test_the_wheel_holds_every_module(wheel_names: set[str]) -> None:
+def test_wheel_contains_every_module(wheel_names: set[str]) -> None:
     modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "trex_gui").rglob("*.py")}
     assert "trex_gui/__init__.py" in modules
     assert modules - wheel_names == set()
 
 
-def test_the_wheel_holds_nothing_else(wheel_names: set[str]) -> None:
+def test_wheel_contains_nothing_else(wheel_names: set[str]) -> None:
     folders = {name.split("/")[0] for name in wheel_names}
     assert {folder for folder in folders if not folder.endswith(".dist-info")} == {"trex_gui"}

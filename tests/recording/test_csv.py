@@ -62,7 +62,7 @@ def test_every_row_can_be_read_back(folder: Path, what: list[Record]) -> None:
 
 
 @pytest.mark.slow
-def test_an_hour_at_full_rate_is_read_back_equal(folder: Path) -> None:
+def test_hour_at_full_rate_is_read_back_unchanged(folder: Path) -> None:
     what = list(an_hour())
     path = folder / "hour.csv"
     size = write(path, what)
@@ -78,7 +78,7 @@ def test_an_hour_at_full_rate_is_read_back_equal(folder: Path) -> None:
     path.unlink()
 
 
-def test_a_spreadsheet_finds_units_in_the_head_and_what_was_last_known_in_each_row(
+def test_header_has_units_and_rows_repeat_last_values(
     folder: Path,
 ) -> None:
     path = folder / "sheet.csv"
@@ -98,7 +98,7 @@ def test_a_spreadsheet_finds_units_in_the_head_and_what_was_last_known_in_each_r
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(share=st.floats(0, 1))
-def test_a_file_cut_anywhere_opens_up_to_its_last_whole_row(folder: Path, share: float) -> None:
+def test_cut_file_is_read_up_to_its_last_whole_row(folder: Path, share: float) -> None:
     what = list(an_hour(1))
     path = folder / "cut.csv"
     write(path, what)
@@ -119,9 +119,7 @@ def test_a_file_cut_anywhere_opens_up_to_its_last_whole_row(folder: Path, share:
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(share=st.floats(0, 1), bits=st.integers(1, 255))
-def test_a_byte_flipped_anywhere_ends_in_nothing_but_our_error(
-    folder: Path, share: float, bits: int
-) -> None:
+def test_flipped_byte_raises_only_recording_error(folder: Path, share: float, bits: int) -> None:
     path = folder / "flipped.csv"
     write(path, list(an_hour(1)))
     data = bytearray(path.read_bytes())
@@ -135,7 +133,7 @@ def test_a_byte_flipped_anywhere_ends_in_nothing_but_our_error(
     file.close()
 
 
-def test_a_row_that_makes_no_sense_is_left_out_and_named(folder: Path) -> None:
+def test_invalid_row_is_skipped_and_reported(folder: Path) -> None:
     path = folder / "odd.csv"
     write(path, [Currents(1235.0, (1, 2)), Marker(1236.0, "stop", 'a, "b"\nc\\n')])
     text = path.read_text(encoding="utf-8").splitlines()
@@ -148,7 +146,7 @@ def test_a_row_that_makes_no_sense_is_left_out_and_named(folder: Path) -> None:
     file.close()
 
 
-def test_another_csv_file_is_refused_with_its_name(folder: Path) -> None:
+def test_other_csv_file_is_rejected_with_its_name(folder: Path) -> None:
     path = folder / "other.csv"
     path.write_text("time_s,motor\n1,2\n", encoding="utf-8")
     with pytest.raises(RecordingError, match=r"other\.csv, line 1: This is no recording"):

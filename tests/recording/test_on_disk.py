@@ -9,7 +9,7 @@ import pytest
 from trex_gui.recording.on_disk import whole_file
 
 
-def test_a_file_takes_its_name_when_all_of_it_is_written(tmp_path: Path) -> None:
+def test_file_is_replaced_when_completely_written(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_bytes(b"old")
     with whole_file(path) as file:
@@ -20,7 +20,7 @@ def test_a_file_takes_its_name_when_all_of_it_is_written(tmp_path: Path) -> None
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_what_is_cut_off_leaves_what_was_there_and_nothing_else(tmp_path: Path) -> None:
+def test_interrupted_write_keeps_old_file(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_bytes(b"old")
 
@@ -36,7 +36,7 @@ def test_what_is_cut_off_leaves_what_was_there_and_nothing_else(tmp_path: Path) 
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
-def test_a_link_stays_one_and_leads_to_the_new_file(tmp_path: Path) -> None:
+def test_symlink_is_kept_and_points_to_new_file(tmp_path: Path) -> None:
     path, link = tmp_path / "a.csv", tmp_path / "link.csv"
     path.write_bytes(b"old")
     link.symlink_to(path)
@@ -46,7 +46,7 @@ def test_a_link_stays_one_and_leads_to_the_new_file(tmp_path: Path) -> None:
     assert path.read_bytes() == b"new"
 
 
-def test_what_is_no_ordinary_file_is_not_replaced() -> None:
+def test_special_file_is_not_replaced() -> None:
     with whole_file(Path(os.devnull)) as file:
         file.write(b"gone")
     assert not Path(os.devnull).is_file()

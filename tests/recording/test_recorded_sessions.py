@@ -83,7 +83,7 @@ def replays_equal(what: list[Record], folder: Path) -> None:
     table.close()
 
 
-def test_a_minute_of_a_session_replays_equal(tmp_path: Path) -> None:
+def test_recorded_minute_of_session_replays_unchanged(tmp_path: Path) -> None:
     what = record_virtually(60, tmp_path)
     assert len(what) > 9_000
     assert any(isinstance(record, Wish) for record in what)
@@ -92,7 +92,7 @@ def test_a_minute_of_a_session_replays_equal(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.timeout(1800)
-def test_an_hour_of_a_session_replays_equal(tmp_path: Path) -> None:
+def test_recorded_hour_of_session_replays_unchanged(tmp_path: Path) -> None:
     what = record_virtually(3600, tmp_path)
     assert len(what) > 600_000
     assert (tmp_path / "a.trexrec").stat().st_size < 8_000_000

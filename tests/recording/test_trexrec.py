@@ -31,15 +31,13 @@ def ten_seconds(folder: Path) -> tuple[bytes, list[Record]]:
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(what=st.lists(records, max_size=60))
-def test_every_record_comes_back_as_it_went_in(what: list[Record]) -> None:
+def test_every_record_is_decoded_as_encoded(what: list[Record]) -> None:
     assert decode(encode(what)) == what
 
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(what=st.lists(records, max_size=60), step=st.integers(1, 20))
-def test_a_file_gives_back_every_record_in_its_order(
-    folder: Path, what: list[Record], step: int
-) -> None:
+def test_file_returns_every_record_in_order(folder: Path, what: list[Record], step: int) -> None:
     path = folder / "any.trexrec"
     write(path, what, flush_every=step)
     assert opened(path) == (HEADER, what, [])
@@ -47,13 +45,13 @@ def test_a_file_gives_back_every_record_in_its_order(
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(data=st.binary(max_size=200))
-def test_bytes_that_are_no_records_are_refused_with_one_error(data: bytes) -> None:
+def test_decoding_arbitrary_bytes_raises_only_value_error(data: bytes) -> None:
     with contextlib.suppress(ValueError):
         decode(data)
 
 
 @pytest.mark.slow
-def test_an_hour_at_full_rate_is_read_back_equal(folder: Path) -> None:
+def test_hour_at_full_rate_is_read_back_unchanged(folder: Path) -> None:
     what = list(an_hour())
     assert len(what) > 680_000
     path = folder / "hour.trexrec"
@@ -65,7 +63,7 @@ def test_an_hour_at_full_rate_is_read_back_equal(folder: Path) -> None:
     assert found == what
 
 
-def test_any_block_can_be_read_by_itself_and_backwards(folder: Path) -> None:
+def test_blocks_can_be_read_separately_and_backwards(folder: Path) -> None:
     what = list(an_hour(60))
     write(folder / "minute.trexrec", what)
     file = TrexrecFile(folder / "minute.trexrec")
@@ -93,7 +91,7 @@ def _is_whole_blocks(found: list[Record], what: list[Record], step: int = 50) ->
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(share=st.floats(0, 1))
-def test_a_file_cut_anywhere_opens_up_to_its_last_whole_block(
+def test_cut_file_is_read_up_to_its_last_whole_block(
     folder: Path, ten_seconds: tuple[bytes, list[Record]], share: float
 ) -> None:
     data, what = ten_seconds
@@ -113,7 +111,7 @@ def test_a_file_cut_anywhere_opens_up_to_its_last_whole_block(
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(share=st.floats(0, 1), bits=st.integers(1, 255), second=st.floats(0, 1))
-def test_bytes_flipped_anywhere_cost_only_the_blocks_they_hit(
+def test_flipped_bytes_lose_only_affected_blocks(
     folder: Path,
     ten_seconds: tuple[bytes, list[Record]],
     share: float,
@@ -138,14 +136,16 @@ def test_bytes_flipped_anywhere_cost_only_the_blocks_they_hit(
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(data=st.binary(max_size=400))
-def test_any_other_file_is_refused_with_its_name_and_the_place(folder: Path, data: bytes) -> None:
+def test_other_file_is_rejected_with_name_and_offset(folder: Path, data: bytes) -> None:
     path = folder / "other.trexrec"
     path.write_bytes(data)
     with pytest.raises(RecordingError, match=r"other\.trexrec, byte"):
         TrexrecFile(path)
 
 
-def test_what_is_missing_is_named(folder: Path, ten_seconds: tuple[bytes, list[Record]]) -> None:
+def test_lost_block_is_reported_with_its_record_count(
+    folder: Path, ten_seconds: tuple[bytes, list[Record]]
+) -> None:
     data, _ = ten_seconds
     path = folder / "hurt.trexrec"
     damaged = bytearray(data)
@@ -157,16 +157,14 @@ def test_what_is_missing_is_named(folder: Path, ten_seconds: tuple[bytes, list[R
     assert "1 blocks with 50 records are lost" in problems[1]
 
 
-def test_a_file_from_a_later_program_says_so(folder: Path) -> None:
+def test_newer_file_format_is_rejected(folder: Path) -> None:
     path = folder / "later.trexrec"
     path.write_bytes(PREAMBLE.pack(b"\x89TREXREC", 2))
     with pytest.raises(RecordingError, match="format, 2, is not known"):
         TrexrecFile(path)
 
 
-def test_sections_of_later_programs_are_skipped(
-    folder: Path, ten_seconds: tuple[bytes, list[Record]]
-) -> None:
+def test_unknown_section_is_skipped(folder: Path, ten_seconds: tuple[bytes, list[Record]]) -> None:
     data, what = ten_seconds
     path = folder / "more.trexrec"
     end = data.index(b"DATA")
@@ -175,7 +173,7 @@ def test_sections_of_later_programs_are_skipped(
     assert found == what
 
 
-def test_a_packed_bomb_is_not_unpacked(folder: Path) -> None:
+def test_decompression_bomb_is_not_unpacked(folder: Path) -> None:
     path = folder / "bomb.trexrec"
     write(path, [])
     head = path.read_bytes().split(b"INDX")[0]
@@ -186,14 +184,14 @@ def test_a_packed_bomb_is_not_unpacked(folder: Path) -> None:
     assert problems
 
 
-def test_a_missing_file_is_an_error_of_ours(folder: Path) -> None:
+def test_unreadable_path_raises_recording_error(folder: Path) -> None:
     with pytest.raises(RecordingError, match="cannot be opened"):
         TrexrecFile(folder / "none.trexrec")
     with pytest.raises(RecordingError):
         TrexrecFile(folder)
 
 
-def test_long_words_do_not_make_a_block_too_large(folder: Path) -> None:
+def test_long_texts_are_split_into_several_blocks(folder: Path) -> None:
     path = folder / "words.trexrec"
     what: list[Record] = [Marker(float(n), "NOTE", f"{n}" * 20_000) for n in range(300)]
     write(path, what)

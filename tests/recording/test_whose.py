@@ -18,13 +18,13 @@ def write_of(path: Path, about: object) -> None:
     path.write_text("\n".join(head) + "\n", encoding="utf-8")
 
 
-def test_a_board_is_named_with_its_firmware(tmp_path: Path) -> None:
+def test_trex_recording_is_identified_with_firmware(tmp_path: Path) -> None:
     write(tmp_path / "a.trexrec", list(an_hour(1)))
     write_an_hour_of_csv(tmp_path / "a.csv", 1)
     assert whose(tmp_path / "a.trexrec") == whose(tmp_path / "a.csv") == "TReX 1.2"
 
 
-def test_any_other_device_is_named_as_its_header_does(tmp_path: Path) -> None:
+def test_other_device_is_named_from_header_and_rejected(tmp_path: Path) -> None:
     path = tmp_path / "mule.csv"
     write_of(path, {"robot": "Mule, the 2nd"})
     assert whose(path) == "Mule, the 2nd"
@@ -36,7 +36,7 @@ def test_any_other_device_is_named_as_its_header_does(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("about", [{}, {"robot": 7}, [], "robot", None])
-def test_a_file_that_names_no_device_is_no_recording(tmp_path: Path, about: object) -> None:
+def test_file_without_device_is_not_a_recording(tmp_path: Path, about: object) -> None:
     path = tmp_path / "table.csv"
     write_of(path, about)
     assert stranger_text(path) == ""
@@ -45,7 +45,7 @@ def test_a_file_that_names_no_device_is_no_recording(tmp_path: Path, about: obje
 
 
 @pytest.mark.parametrize("data", [b"", b"time_s,", b"time_s,\n", b"\x89TREXREC", b"\xff" * 99])
-def test_what_is_damaged_at_the_head_is_nobodys(tmp_path: Path, data: bytes) -> None:
+def test_damaged_header_identifies_no_device(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "a.csv"
     path.write_bytes(data)
     assert whose(path) == ""
