@@ -20,7 +20,9 @@ def seconds(*words: str) -> float:
     return best
 
 
-def test_start(simulator: SimulatedDevice, capsys: pytest.CaptureFixture[str]) -> None:
+def test_command_start_time_is_measured(
+    simulator: SimulatedDevice, capsys: pytest.CaptureFixture[str]
+) -> None:
     port = ("--port", simulator.url)
     to_help, to_answer = seconds("--help"), seconds("get", "device_number", *port)
     to_find = seconds("find", *port)

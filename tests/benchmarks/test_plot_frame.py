@@ -53,7 +53,7 @@ def milliseconds(work: Callable[[TracePanel], None], panel: TracePanel) -> float
     return (time.perf_counter() - begun) * 1000
 
 
-def test_a_frame_of_everything_costs_the_same_whatever_the_length(
+def test_frame_time_does_not_depend_on_history_length(
     qapp: QApplication, qtbot: QtBot, capsys: pytest.CaptureFixture[str]
 ) -> None:
     theme().install(qapp)
@@ -87,7 +87,7 @@ def test_a_frame_of_everything_costs_the_same_whatever_the_length(
         print("\n" + "\n".join(lines))
 
 
-def test_adding_a_sample_costs_the_same_whatever_the_length(
+def test_append_time_is_measured_for_each_history_length(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     lines = []

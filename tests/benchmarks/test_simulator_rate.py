@@ -23,7 +23,7 @@ _TELEMETRY = [("86 1F", 10), ("87 1F", 5), ("8F", 2), ("84", 1)]
 _NULL = b"\xff"
 
 
-def test_unpaced_transactions_a_second(capsys: pytest.CaptureFixture[str]) -> None:
+def test_unpaced_simulator_reaches_required_rate(capsys: pytest.CaptureFixture[str]) -> None:
     line = Line([Board()], paced=False)
     requests = [(bytes.fromhex(packet), size) for packet, size in _TELEMETRY]
     begun = time.perf_counter()
@@ -38,7 +38,7 @@ def test_unpaced_transactions_a_second(capsys: pytest.CaptureFixture[str]) -> No
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_paced_bytes_take_their_time(
+def test_paced_bytes_take_line_time(
     baud: int,
     start_simulator: StartSimulator,
     tmp_path: Path,
@@ -67,7 +67,7 @@ def test_paced_bytes_take_their_time(
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_paced_transactions(
+def test_paced_transactions_take_at_least_line_time(
     baud: int,
     start_simulator: StartSimulator,
     tmp_path: Path,

@@ -16,7 +16,7 @@ from trex_gui.window import Program
 _FRAMES = 20_000
 
 
-def test_twenty_thousand_frames(
+def test_20000_frames_keep_references_to_none(
     program: Program, qtbot: QtBot, capsys: pytest.CaptureFixture[str]
 ) -> None:
     program.connector.connect_to(program.ports.demo)

@@ -28,7 +28,7 @@ print(shown - begun, live - begun)
 """
 
 
-def test_start(capsys: pytest.CaptureFixture[str]) -> None:
+def test_time_to_window_and_live_board_is_measured(capsys: pytest.CaptureFixture[str]) -> None:
     environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
     best = min(
         tuple(

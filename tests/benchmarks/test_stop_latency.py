@@ -15,10 +15,10 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton, QSlider
-from pytestqt.qtbot import QtBot
+from PySide6.QtWidgets import QSlider
 
 from tests.support.simulator import StartSimulator
+from tests.support.window import WindowDriver
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.link.client import Client
 from trex_gui.link.settings import LinkSettings
@@ -26,7 +26,6 @@ from trex_gui.link.transport import SerialTransport
 from trex_gui.model.device import Link
 from trex_gui.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.protocol.line_settings import LineSettings
-from trex_gui.window import Program
 
 _PRESSES = 1000
 _STOP_BYTES = STOP[0].opcode.to_bytes()
@@ -85,10 +84,9 @@ def is_drive(data: bytes, number: int) -> bool:
 
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("baud", [19200, 115200])
-def test_press_to_wire(
+def test_delay_from_press_to_wire_stays_below_limit(
     baud: int,
-    program: Program,
-    qtbot: QtBot,
+    window: WindowDriver,
     start_simulator: StartSimulator,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -99,15 +97,13 @@ def test_press_to_wire(
     eeprom = Eeprom.open(tmp_path / "board.json", "trex")
     eeprom.write("uart_settings", line.to_wire())
     simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
-    device = program.device
+    device, qtbot = window.device, window.qtbot
     device.connect_to(LinkSettings(simulator.url, line))
     qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm, timeout=20_000)
     device.motors.lockout = 0.0
-    program.window.pages.setCurrentIndex(3)
-    stop = program.window.findChild(QPushButton, "stopButton")
-    slider = program.window.findChild(QSlider, "motor1Slider")
-    assert stop is not None
-    assert slider is not None
+    window.window.pages.setCurrentIndex(3)
+    stop = window.button("stopButton")
+    slider = window.find(QSlider, "motor1Slider")
     chance = random.Random(1)
 
     def measure(

@@ -46,7 +46,7 @@ def _possible(settings: LinkSettings) -> dict[str, float]:
 
 @pytest.mark.parametrize("painting", [False, True], ids=["idle", "all pages painting"])
 @pytest.mark.parametrize("baud", [9600, 19200, 115200])
-def test_telemetry_rate(
+def test_telemetry_rate_is_positive_for_every_sample_kind(
     baud: int,
     painting: bool,
     program: Program,
