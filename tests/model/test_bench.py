@@ -29,8 +29,8 @@ LATE = 0.35
 """Seconds by which a simulated motor may follow its command on a machine with much else to do."""
 
 
-class Person:
-    """Somebody with a board on blocks, and a finger on the button."""
+class BenchSetup:
+    """A bench test of a device that is connected to a simulated board."""
 
     def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
         self.device = Device()
@@ -78,60 +78,60 @@ class Person:
 
 
 @pytest.fixture
-def person(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Person]:
-    person = Person(qtbot, quick_simulator)
-    person.connect()
-    yield person
-    qtbot.waitUntil(person.device.shut_down)  # no thread lives on
+def connected(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[BenchSetup]:
+    setup = BenchSetup(qtbot, quick_simulator)
+    setup.connect()
+    yield setup
+    qtbot.waitUntil(setup.device.shut_down)  # no thread lives on
 
 
 @pytest.fixture
-def armed(person: Person) -> Person:
-    person.arm()
-    return person
+def armed(connected: BenchSetup) -> BenchSetup:
+    connected.arm()
+    return connected
 
 
 # --- What stands in the way -------------------------------------------------------------
 
 
-def test_without_a_board_there_is_nothing_to_test(qtbot: QtBot) -> None:
+def test_bench_needs_a_connected_board(qtbot: QtBot) -> None:
     bench = Bench(Device())
     assert "Connect to a board" in bench.obstacle
     assert not bench.begin()
     assert bench.phase is Phase.IDLE
 
 
-def test_nothing_runs_before_the_motors_are_armed(person: Person) -> None:
-    person.plan()
-    assert "press Run motor" in person.bench.obstacle
-    assert not person.bench.begin()
-    assert person.speed() == 0
+def test_bench_needs_armed_motors(connected: BenchSetup) -> None:
+    connected.plan()
+    assert "press Run motor" in connected.bench.obstacle
+    assert not connected.bench.begin()
+    assert connected.speed() == 0
 
 
-def test_motors_that_run_already_are_brought_to_rest_first(armed: Person) -> None:
+def test_running_motors_block_the_test(armed: BenchSetup) -> None:
     armed.device.motors.set_speed(2, 20)
     assert "motor 2 +20" in armed.bench.obstacle
     assert not armed.bench.begin()
 
 
-def test_what_another_control_holds_is_not_taken(armed: Person) -> None:
+def test_held_control_blocks_the_test(armed: BenchSetup) -> None:
     armed.device.motors.hold("pad")
     assert "Another control" in armed.bench.obstacle
     assert not armed.bench.begin()
 
 
-def test_after_stop_the_lock_is_named(armed: Person) -> None:
+def test_lockout_after_stop_is_named_as_obstacle(armed: BenchSetup) -> None:
     armed.device.motors.press_stop()
     assert "locked for" in armed.bench.obstacle
 
 
-def test_joint_motors_are_not_tested_for_nothing_measures_their_current(person: Person) -> None:
-    person.device.parameters.edit("motor_mode", 1)
-    person.device.apply()
-    person.until(lambda: not person.device.applying and person.device.pending == 0)
-    person.device.note_power_cycled()
-    person.arm()
-    assert "joint mode" in person.bench.obstacle
+def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
+    connected.device.parameters.edit("motor_mode", 1)
+    connected.device.apply()
+    connected.until(lambda: not connected.device.applying and connected.device.pending == 0)
+    connected.device.note_power_cycled()
+    connected.arm()
+    assert "joint mode" in connected.bench.obstacle
 
 
 # --- The motors follow ------------------------------------------------------------------
@@ -142,7 +142,7 @@ def test_joint_motors_are_not_tested_for_nothing_measures_their_current(person: 
     ("shape", "motor"),
     [(Shape.RAMP, 1), (Shape.SINE, 2), (Shape.REVERSE, 1), (Shape.STEP, 2)],
 )
-def test_the_simulated_motor_follows_the_profile(armed: Person, shape: Shape, motor: int) -> None:
+def test_simulated_motor_follows_the_profile(armed: BenchSetup, shape: Shape, motor: int) -> None:
     armed.plan(shape, speed=-100, duration=2.0, period=2.0, motor=motor, abort_current=40.0)
     strays = ["not tried"]
     for _ in range(5 * TRIES):  # each takes two seconds, in none of which anybody may stand still
@@ -151,7 +151,7 @@ def test_the_simulated_motor_follows_the_profile(armed: Person, shape: Shape, mo
     assert strays == []
 
 
-def strays_from_the_profile(armed: Person, motor: int) -> list[str]:
+def strays_from_the_profile(armed: BenchSetup, motor: int) -> list[str]:
     """Run a test; return where the simulated motor was somewhere else than it should have been."""
     profile = armed.bench.plan.profile
     seen: list[tuple[float, float, int]] = []
@@ -172,15 +172,15 @@ def strays_from_the_profile(armed: Person, motor: int) -> list[str]:
     inside = [(low, high, speed) for low, high, speed in seen if low > 0 and high < 1.95]
     strays = [] if len(inside) > 10 else [f"looked at {len(inside)} times"]
     for low, high, speed in inside:
-        asked = [profile.speed_at(low + (high - low) * part / 200) for part in range(201)]
-        if not min(asked) <= speed <= max(asked):
+        expected = [profile.speed_at(low + (high - low) * part / 200) for part in range(201)]
+        if not min(expected) <= speed <= max(expected):
             strays.append(f"{speed} between {low:.2f} and {high:.2f} s")
     if max((abs(speed) for *_, speed in inside), default=0) < 90:
         strays.append("never fast")
     return strays
 
 
-def test_a_test_that_is_over_leaves_the_motor_braked_and_armed(armed: Person) -> None:
+def test_completed_test_leaves_the_motor_braked_and_armed(armed: BenchSetup) -> None:
     def lasts() -> float:
         run = armed.run()
         assert run.end is End.COMPLETE
@@ -193,7 +193,7 @@ def test_a_test_that_is_over_leaves_the_motor_braked_and_armed(armed: Person) ->
     assert any(0.6 <= lasts() < 0.6 + LATE for _ in range(TRIES))
 
 
-def test_a_profile_is_asked_for_at_most_fifty_times_a_second(armed: Person) -> None:
+def test_profile_sends_at_most_50_setpoints_per_second(armed: BenchSetup) -> None:
     armed.plan(Shape.SINE, speed=127, duration=1.0, abort_current=40.0)
     counts = [len(armed.run().wishes)]
     while counts[-1] < 10 and len(counts) < TRIES:
@@ -202,7 +202,7 @@ def test_a_profile_is_asked_for_at_most_fifty_times_a_second(armed: Person) -> N
     assert max(counts) <= 51
 
 
-def test_no_speed_goes_beyond_the_ceiling(armed: Person) -> None:
+def test_profile_speed_is_limited_by_the_ceiling(armed: BenchSetup) -> None:
     armed.device.motors.set_ceiling(30)
     armed.plan(Shape.SINE, speed=100, duration=0.6, period=0.6, abort_current=40.0)
     runs = [armed.run()]
@@ -213,11 +213,11 @@ def test_no_speed_goes_beyond_the_ceiling(armed: Person) -> None:
 
 
 def highest(runs: list[Run]) -> int:
-    """Return the highest speed that was asked for in any of several tests."""
+    """Return the highest speed that any of several tests requested."""
     return max((abs(speed) for run in runs for _, speed in run.wishes), default=0)
 
 
-def test_options_of_the_other_controls_are_as_before(armed: Person) -> None:
+def test_options_of_other_controls_are_unchanged(armed: BenchSetup) -> None:
     motors = armed.device.motors
     motors.accelerate = True
     motors.set_linked(True)
@@ -252,13 +252,13 @@ def rush_in(load: float, share: float) -> tuple[float, float]:
     return max(readings), readings[-1]
 
 
-def gapless(person: Person) -> Run:
+def gapless(setup: BenchSetup) -> Run:
     """Return a test in which wishes and readings followed each other closely.
 
     A computer that stands still for a moment holds them up, and then there are other figures.
     """
     for _ in range(TRIES):
-        run = person.run()
+        run = setup.run()
         begun = run.wishes[0][0] < 0.05
         times = [0.0, *(time for time, _ in run.currents if time <= run.ended), run.ended]
         if begun and max(later - earlier for earlier, later in pairwise(times)) < 0.15:
@@ -266,7 +266,7 @@ def gapless(person: Person) -> Run:
     return run
 
 
-def test_peak_and_steady_current_are_those_of_the_motor_model(armed: Person) -> None:
+def test_peak_and_steady_current_match_the_motor_model(armed: BenchSetup) -> None:
     armed.simulator.do("load 1 6")
     armed.plan(speed=64, duration=1.5, accelerate=False, abort_current=38.0)
     found = figures(gapless(armed))
@@ -284,7 +284,7 @@ def test_peak_and_steady_current_are_those_of_the_motor_model(armed: Person) -> 
     assert found.settled < 0.6  # time constant 60 ms, and what the line adds
 
 
-def test_a_ramp_of_the_board_tames_the_rush_in_and_the_figures_show_it(armed: Person) -> None:
+def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> None:
     armed.simulator.do("load 1 3")
     armed.plan(speed=120, duration=1.2, accelerate=True, abort_current=38.0)
     hard = figures(gapless(armed))
@@ -304,7 +304,7 @@ def test_a_ramp_of_the_board_tames_the_rush_in_and_the_figures_show_it(armed: Pe
 
 
 @pytest.fixture
-def driving(armed: Person) -> Person:
+def driving(armed: BenchSetup) -> BenchSetup:
     """A long test that runs."""
     armed.plan(speed=60, duration=30.0, abort_current=20.0)
     assert armed.bench.begin()
@@ -312,7 +312,7 @@ def driving(armed: Person) -> Person:
     return armed
 
 
-def test_letting_go_brakes_the_motor(driving: Person) -> None:
+def test_releasing_the_button_brakes_the_motor(driving: BenchSetup) -> None:
     driving.bench.let_go()
     driving.until(driving.brakes)
     run = driving.result()
@@ -321,7 +321,7 @@ def test_letting_go_brakes_the_motor(driving: Person) -> None:
     assert driving.device.motors.armed
 
 
-def test_after_letting_go_the_next_test_can_begin_at_once(driving: Person) -> None:
+def test_next_test_can_begin_right_after_release(driving: BenchSetup) -> None:
     driving.bench.let_go()
     assert driving.bench.begin()
     driving.until(lambda: driving.speed() == 60)
@@ -330,17 +330,17 @@ def test_after_letting_go_the_next_test_can_begin_at_once(driving: Person) -> No
     driving.until(driving.brakes)
 
 
-def aborted(person: Person) -> Run:
+def aborted(setup: BenchSetup) -> Run:
     """Wait for the end; the simulated motor stands and nothing is armed."""
-    run = person.result()
-    person.until(lambda: person.speed() == 0)
+    run = setup.result()
+    setup.until(lambda: setup.speed() == 0)
     assert run.end is End.ABORTED
-    assert not person.device.motors.armed
-    assert person.bench.phase is Phase.IDLE
+    assert not setup.device.motors.armed
+    assert setup.bench.phase is Phase.IDLE
     return run
 
 
-def test_too_high_a_current_stops_everything(driving: Person) -> None:
+def test_current_above_abort_limit_aborts_and_disarms(driving: BenchSetup) -> None:
     driving.simulator.do("current 1 21")
     run = aborted(driving)
     assert "Motor 1 drew 21.00 A, more than the 20 A to abort at" in run.reason
@@ -348,7 +348,7 @@ def test_too_high_a_current_stops_everything(driving: Person) -> None:
     driving.simulator.do("current 1 auto")
 
 
-def test_a_stalled_motor_is_let_go_within_a_moment(armed: Person) -> None:
+def test_stalled_motor_is_stopped_within_one_second(armed: BenchSetup) -> None:
     def lasts() -> float:
         if not armed.device.motors.armed:
             armed.until(lambda: armed.device.motors.locked_for == 0)
@@ -362,7 +362,7 @@ def test_a_stalled_motor_is_let_go_within_a_moment(armed: Person) -> None:
     assert any(lasts() < 1.0 for _ in range(TRIES))
 
 
-def test_the_other_motors_current_is_not_the_tests_business(driving: Person) -> None:
+def test_current_of_other_motor_does_not_abort_the_test(driving: BenchSetup) -> None:
     driving.simulator.do("current 2 25")
     driving.until(lambda: (driving.device.telemetry.motor_currents or (0, 0))[1] > 24)
     assert driving.bench.phase is Phase.DRIVING
@@ -370,13 +370,13 @@ def test_the_other_motors_current_is_not_the_tests_business(driving: Person) -> 
     driving.until(driving.brakes)
 
 
-def test_a_fault_of_the_driver_stops_everything(driving: Person) -> None:
+def test_motor_fault_aborts_and_disarms(driving: BenchSetup) -> None:
     driving.simulator.do("fault 1 on")
     assert "reported a fault" in aborted(driving).reason
 
 
 @pytest.mark.parametrize("wanted", [False, True])
-def test_the_boards_own_limit_ends_a_test_if_that_is_wanted(armed: Person, *, wanted: bool) -> None:
+def test_board_current_limit_aborts_only_when_enabled(armed: BenchSetup, *, wanted: bool) -> None:
     armed.device.parameters.edit("motor1_current_limit", 20)  # 6 A
     armed.device.apply()
     armed.until(lambda: not armed.device.applying and armed.device.pending == 0)
@@ -388,13 +388,13 @@ def test_the_boards_own_limit_ends_a_test_if_that_is_wanted(armed: Person, *, wa
     assert ("current limit" in run.reason) is wanted
 
 
-def test_a_stop_ends_a_test_and_locks(driving: Person) -> None:
+def test_stop_aborts_the_test_and_locks_it_out(driving: BenchSetup) -> None:
     driving.device.motors.press_stop()
     assert aborted(driving).reason == "Stop was pressed."
     assert not driving.bench.begin()
 
 
-def test_a_board_that_falls_silent_ends_a_test(driving: Person) -> None:
+def test_unresponsive_board_aborts_the_test(driving: BenchSetup) -> None:
     driving.simulator.do("line mute on")
     run = driving.result()
     assert run.end is End.ABORTED
@@ -404,14 +404,14 @@ def test_a_board_that_falls_silent_ends_a_test(driving: Person) -> None:
     driving.until(lambda: driving.speed() == 0)
 
 
-def test_a_cable_that_is_pulled_ends_a_test(driving: Person) -> None:
+def test_unplugged_cable_aborts_the_test(driving: BenchSetup) -> None:
     driving.simulator.do("line unplug")
     run = driving.result()
     assert run.end is End.ABORTED
     assert "line was closed" in run.reason or "stopped answering" in run.reason
 
 
-def test_disconnecting_ends_a_test_and_stops_the_motor(driving: Person) -> None:
+def test_disconnecting_aborts_the_test_and_stops_the_motor(driving: BenchSetup) -> None:
     driving.device.disconnect_line()
     run = driving.result()
     assert run.end is End.ABORTED
@@ -419,25 +419,25 @@ def test_disconnecting_ends_a_test_and_stops_the_motor(driving: Person) -> None:
     driving.until(lambda: driving.speed() == 0)
 
 
-def test_channels_that_take_over_end_a_test(qtbot: QtBot, start_simulator: StartSimulator) -> None:
-    person = Person(qtbot, start_simulator("--unpaced", "--mode", "rc"))
+def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSimulator) -> None:
+    setup = BenchSetup(qtbot, start_simulator("--unpaced", "--mode", "rc"))
     for channel in (1, 2, 3, 4, 5):
-        person.simulator.do(f"channel {channel} 1500us")
-    person.until(lambda: not person.simulator.show()["safe_start"])
-    person.simulator.do("channel 5 1000us")  # hands the motors to the serial port
-    person.connect()
-    person.until(lambda: person.device.motors.can_arm)
-    person.arm()
-    person.plan(speed=60, duration=30.0, abort_current=40.0)
-    assert person.bench.begin()
-    person.until(lambda: person.speed() == 60)
-    person.simulator.do("channel 5 2000us")
-    run = aborted(person)
+        setup.simulator.do(f"channel {channel} 1500us")
+    setup.until(lambda: not setup.simulator.show()["safe_start"])
+    setup.simulator.do("channel 5 1000us")  # hands the motors to the serial port
+    setup.connect()
+    setup.until(lambda: setup.device.motors.can_arm)
+    setup.arm()
+    setup.plan(speed=60, duration=30.0, abort_current=40.0)
+    assert setup.bench.begin()
+    setup.until(lambda: setup.speed() == 60)
+    setup.simulator.do("channel 5 2000us")
+    run = aborted(setup)
     assert "do not control the motors" in run.reason
-    person.until(person.device.shut_down)
+    setup.until(setup.device.shut_down)
 
 
-def test_a_plan_that_changes_meanwhile_is_for_the_next_test(driving: Person) -> None:
+def test_plan_changed_during_a_run_applies_to_the_next_test(driving: BenchSetup) -> None:
     driving.bench.set_plan(replace(driving.bench.plan, motor=2))
     assert driving.speed(1) == 60
     assert driving.speed(2) == 0
@@ -446,7 +446,7 @@ def test_a_plan_that_changes_meanwhile_is_for_the_next_test(driving: Person) -> 
     assert driving.result().motor == 1
 
 
-def test_what_runs_can_be_looked_at(driving: Person) -> None:
+def test_current_run_can_be_read_while_it_runs(driving: BenchSetup) -> None:
     driving.until(lambda: len((driving.bench.current or driving.finished[0]).currents) > 10)
     run = driving.bench.current
     assert run is not None

@@ -29,7 +29,7 @@ STATE = DeviceState(
 ORDERED = (Written("factory_reset", 1),)
 
 
-def test_what_was_read_back_is_what_the_board_holds() -> None:
+def test_verified_writes_update_the_board_state() -> None:
     after = after_writing(STATE, [Written("motor_mode", 1), Written("channel 2", LEARNED)])
     assert after.parameters == {"motor_mode": 1, "serial_timeout": 0}
     assert after.calibrations[2] == LEARNED
@@ -38,7 +38,7 @@ def test_what_was_read_back_is_what_the_board_holds() -> None:
     assert STATE.parameters["motor_mode"] == 0
 
 
-def test_a_channel_with_the_factorys_calibration_counts_as_not_calibrated() -> None:
+def test_factory_calibration_counts_as_uncalibrated() -> None:
     learned = after_writing(STATE, [Written("channel 2", LEARNED)])
     assert after_writing(learned, [Written("channel 2", FACTORY)]).calibrated == 0
 
@@ -51,16 +51,16 @@ def test_a_channel_with_the_factorys_calibration_counts_as_not_calibrated() -> N
         Written("factory_reset", 1),  # is no parameter that the board shows
     ],
 )
-def test_what_was_not_read_back_changes_nothing(result: Written) -> None:
+def test_unverified_result_does_not_change_the_state(result: Written) -> None:
     assert after_writing(STATE, [result]) == STATE
 
 
 @pytest.mark.parametrize(("what", "channel"), [("channel 3", 3), ("channel_input_source", None)])
-def test_a_result_knows_its_channel(what: str, channel: int | None) -> None:
+def test_write_result_gives_its_channel(what: str, channel: int | None) -> None:
     assert Written(what).channel == channel
 
 
-def test_the_line_shows_what_is_in_force_whatever_is_stored() -> None:
+def test_active_values_come_from_the_line_settings() -> None:
     line = LineSettings(57600, Detection.CRC7)
     shown = in_force(STATE, LinkSettings("virtual", line, polynomial=0x91))
     assert shown == {
@@ -70,11 +70,11 @@ def test_the_line_shows_what_is_in_force_whatever_is_stored() -> None:
     }
 
 
-def test_without_crc_nobody_knows_the_polynomial_in_force() -> None:
+def test_active_polynomial_is_unknown_without_crc7() -> None:
     assert "crc7_polynomial" not in in_force(STATE, LinkSettings("virtual"))
 
 
-def test_outside_serial_mode_the_jumper_decides_and_not_the_stored_source() -> None:
+def test_active_input_source_is_unknown_outside_serial_mode() -> None:
     assert in_force(replace(STATE, mode=Mode.ANALOG), None) == {}
 
 
@@ -88,32 +88,32 @@ def ordered() -> ResetOrder:
     return order
 
 
-def test_a_reset_that_was_refused_does_not_stand() -> None:
+def test_refused_reset_is_not_pending() -> None:
     order = ResetOrder()
     order.note_written([Written("factory_reset", error=NoReply("x"))], STATE.parameters)
     order.note_written([Written("motor_mode", 1)], STATE.parameters)
     assert not order.stands
 
 
-def test_a_reset_stands_while_the_board_shows_the_same() -> None:
+def test_reset_stays_pending_while_values_are_unchanged() -> None:
     order = ordered()
     order.note_read(STATE.parameters, power_cycled=False)
     assert order.stands
 
 
-def test_a_power_cycle_carries_out_a_reset() -> None:
+def test_power_cycle_completes_the_reset() -> None:
     order = ordered()
     order.note_read(STATE.parameters, power_cycled=True)
     assert not order.stands
 
 
-def test_a_board_that_shows_other_values_has_started_anew() -> None:
+def test_changed_values_complete_the_reset() -> None:
     order = ordered()
     order.note_read({**STATE.parameters, "motor_mode": 1}, power_cycled=False)
     assert not order.stands
 
 
-def test_a_person_knows_that_the_power_was_off() -> None:
+def test_forget_clears_the_pending_reset() -> None:
     order = ordered()
     order.forget()
     assert not order.stands

@@ -40,7 +40,7 @@ def draft(qapp: object, factory: Settings) -> SettingsDraft:
     return draft
 
 
-def test_a_file_gives_its_calibrations_and_nothing_else(
+def test_import_takes_only_calibrations_of_the_input_source(
     draft: SettingsDraft, factory: Settings, tmp_path: Path
 ) -> None:
     path = tmp_path / "other.txt"
@@ -57,7 +57,7 @@ def test_a_file_gives_its_calibrations_and_nothing_else(
     assert draft.pending == 0
 
 
-def test_a_file_of_another_model_is_not_taken(draft: SettingsDraft, tmp_path: Path) -> None:
+def test_import_rejects_file_of_another_model(draft: SettingsDraft, tmp_path: Path) -> None:
     path = tmp_path / "junior.txt"
     junior = Settings(_model("trexjr"), None, {}, {(RC, 1): OTHER})
     path.write_text(write_settings(junior), encoding="utf-8")
@@ -66,14 +66,14 @@ def test_a_file_of_another_model_is_not_taken(draft: SettingsDraft, tmp_path: Pa
     assert draft.pending == 0
 
 
-def test_a_file_without_calibrations_is_not_taken(draft: SettingsDraft, tmp_path: Path) -> None:
+def test_import_rejects_file_without_calibrations(draft: SettingsDraft, tmp_path: Path) -> None:
     path = tmp_path / "none.txt"
     path.write_text("product: TReX\nserial_timeout: 15\n", encoding="utf-8")
     with pytest.raises(BadRequest, match="no calibrations"):
         take_calibrations(draft, path, "a file")
 
 
-def test_a_new_file_has_only_the_calibrations(factory: Settings, tmp_path: Path) -> None:
+def test_export_to_new_file_writes_only_calibrations(factory: Settings, tmp_path: Path) -> None:
     path = tmp_path / "new.txt"
     put_calibrations(factory, path, "Calibrations.")
     written, _ = read_settings(path.read_bytes(), path.name)
@@ -81,7 +81,7 @@ def test_a_new_file_has_only_the_calibrations(factory: Settings, tmp_path: Path)
     assert written.calibrations == factory.calibrations
 
 
-def test_of_a_file_that_is_there_the_rest_stays(factory: Settings, tmp_path: Path) -> None:
+def test_export_keeps_other_content_of_an_existing_file(factory: Settings, tmp_path: Path) -> None:
     path = tmp_path / "mine.txt"
     before = "product: TReX\n# my robot\nserial_timeout: 15\n"
     path.write_text(before, encoding="utf-8")
@@ -93,7 +93,7 @@ def test_of_a_file_that_is_there_the_rest_stays(factory: Settings, tmp_path: Pat
     assert written.calibrations == factory.calibrations
 
 
-def test_a_file_of_another_model_is_not_written(factory: Settings, tmp_path: Path) -> None:
+def test_export_rejects_file_of_another_model(factory: Settings, tmp_path: Path) -> None:
     path = tmp_path / "junior.txt"
     path.write_text("product: TReX Jr\n", encoding="utf-8")
     with pytest.raises(BadRequest, match="TReX Jr"):

@@ -29,7 +29,7 @@ def calibrations(draw: st.DrawFn) -> Calibration:
 
 
 @given(calibration=calibrations(), handle=st.sampled_from(Handle), count=counts)
-def test_no_move_makes_a_calibration_that_the_board_would_refuse(
+def test_moved_handle_gives_a_calibration_the_board_accepts(
     calibration: Calibration, handle: Handle, count: int
 ) -> None:
     move = moved(calibration, handle, count)
@@ -39,7 +39,7 @@ def test_no_move_makes_a_calibration_that_the_board_would_refuse(
 
 
 @given(calibration=calibrations(), source=st.sampled_from(InputSource), larger=st.booleans())
-def test_symmetric_ends_are_equally_far_from_neutral_and_every_output_can_be_given(
+def test_symmetric_travel_is_equal_and_reaches_every_output(
     calibration: Calibration, source: InputSource, larger: bool
 ) -> None:
     if why_not_symmetric(calibration, source, larger=larger):
@@ -55,7 +55,7 @@ def test_symmetric_ends_are_equally_far_from_neutral_and_every_output_can_be_giv
     assert outputs == set(range(FULL_SCALE + 1))
 
 
-def test_a_side_without_travel_is_no_model_for_the_other() -> None:
+def test_side_without_travel_cannot_be_mirrored() -> None:
     one_sided = Calibration(3750, 3750, 5000, 75)
     why = why_not_symmetric(one_sided, InputSource.RC, larger=False)
     assert why.startswith("That would leave 0 µs to each side of neutral")
@@ -69,7 +69,7 @@ def test_equal_travel_needs_a_count_for_each_output(travel: int, good: bool) -> 
     assert (why_not_symmetric(short, InputSource.RC, larger=False) == "") is good
 
 
-def test_a_pulse_cannot_be_made_to_end_below_500_us() -> None:
+def test_symmetric_pulse_ends_at_500_us_at_least() -> None:
     uneven = Calibration(2000, 2500, 5000, 75)
     assert symmetric(uneven, InputSource.RC, larger=True) == Calibration(1250, 2500, 3750, 75)
 
@@ -84,20 +84,20 @@ def test_a_pulse_cannot_be_made_to_end_below_500_us() -> None:
         (InputSource.ANALOG, Handle.MINIMUM, -9, 0, "A voltage cannot be lower than 0.00 V."),
     ],
 )
-def test_a_handle_stays_within_what_the_input_can_be(
+def test_handle_is_limited_to_the_input_range(
     source: InputSource, handle: Handle, wished: int, kept: int, words: str
 ) -> None:
     calibration = USUAL if source is InputSource.RC else Calibration(100, 512, 900, 20)
     assert within_input(calibration, handle, wished, source) == (kept, words)
 
 
-def test_a_handle_that_is_further_out_may_stay_there() -> None:
+def test_handle_beyond_the_input_range_may_stay() -> None:
     wide = Calibration(100, 3750, 15000, 75)
     assert within_input(wide, Handle.MAXIMUM, 14000, InputSource.RC) == (14000, "")
     assert within_input(wide, Handle.MINIMUM, 50, InputSource.RC)[0] == 100
 
 
-def test_each_handle_moves_its_own_part() -> None:
+def test_each_handle_changes_its_own_value() -> None:
     assert moved(USUAL, Handle.MINIMUM, 2400).calibration == Calibration(2400, 3750, 5000, 75)
     assert moved(USUAL, Handle.NEUTRAL, 3700).calibration == Calibration(2500, 3700, 5000, 75)
     assert moved(USUAL, Handle.MAXIMUM, 5100).calibration == Calibration(2500, 3750, 5100, 75)
@@ -105,7 +105,7 @@ def test_each_handle_moves_its_own_part() -> None:
     assert moved(USUAL, Handle.DEADBAND_HIGH, 3790).calibration.deadband == 40
 
 
-def test_a_handle_that_meets_another_says_which() -> None:
+def test_blocked_handle_names_what_blocks_it() -> None:
     assert moved(USUAL, Handle.MINIMUM, 4000).why == "Minimum cannot pass neutral."
     assert moved(USUAL, Handle.NEUTRAL, 2000).why == "Neutral cannot pass minimum."
     assert moved(USUAL, Handle.NEUTRAL, 6000).why == "Neutral cannot pass maximum."
@@ -115,13 +115,13 @@ def test_a_handle_that_meets_another_says_which() -> None:
     assert moved(at_the_end, Handle.MINIMUM, 5000).why == "Minimum and maximum must differ."
 
 
-def test_travel_is_made_equal_to_the_shorter_or_the_longer_side() -> None:
+def test_symmetric_travel_uses_shorter_or_longer_side() -> None:
     uneven = Calibration(2700, 3700, 5000, 75)
     assert symmetric(uneven, InputSource.RC, larger=False) == Calibration(2700, 3700, 4700, 75)
     assert symmetric(uneven, InputSource.RC, larger=True) == Calibration(2400, 3700, 5000, 75)
 
 
-def test_a_voltage_cannot_be_made_to_end_above_5_v() -> None:
+def test_symmetric_voltage_ends_at_5_v_at_most() -> None:
     uneven = Calibration(100, 600, 1000, 20)
     made = symmetric(uneven, InputSource.ANALOG, larger=True)
     assert made == Calibration(177, 600, 1023, 20)

@@ -25,18 +25,18 @@ def model(qtbot: QtBot) -> Calibrations:
     return model
 
 
-def test_nothing_is_known_before_a_board_was_read(qtbot: QtBot) -> None:
+def test_calibrations_are_empty_before_a_board_is_read(qtbot: QtBot) -> None:
     assert Calibrations().stored(1) is None
     assert Calibrations().pending == ()
 
 
-def test_what_was_read_is_stored(model: Calibrations) -> None:
+def test_loaded_calibrations_are_stored(model: Calibrations) -> None:
     assert model.source is InputSource.RC
     assert model.stored(3) == DEFAULT_CALIBRATION[InputSource.RC]
     assert model.stored(6) is None
 
 
-def test_an_edit_waits_and_is_announced(model: Calibrations, qtbot: QtBot) -> None:
+def test_edit_is_pending_and_emits_signals(model: Calibrations, qtbot: QtBot) -> None:
     with qtbot.waitSignals([model.changed, model.pending_changed]):
         model.edit(2, LEARNED)
     model.edit(1, OTHER)
@@ -44,19 +44,19 @@ def test_an_edit_waits_and_is_announced(model: Calibrations, qtbot: QtBot) -> No
     assert model.stored(2) == DEFAULT_CALIBRATION[InputSource.RC]
 
 
-def test_editing_back_is_no_edit(model: Calibrations) -> None:
+def test_edit_to_stored_value_is_not_pending(model: Calibrations) -> None:
     model.edit(2, LEARNED)
     model.edit(2, DEFAULT_CALIBRATION[InputSource.RC])
     assert model.pending == ()
 
 
-def test_a_calibration_that_makes_no_sense_is_refused(model: Calibrations) -> None:
+def test_inconsistent_calibration_is_rejected(model: Calibrations) -> None:
     with pytest.raises(BadRequest, match="calibration of channel 4: minimum 9 is above neutral 5"):
         model.edit(4, Calibration(9, 5, 10, 0))
     assert model.pending == ()
 
 
-def test_edits_are_discarded_together(model: Calibrations, qtbot: QtBot) -> None:
+def test_discard_drops_all_edits(model: Calibrations, qtbot: QtBot) -> None:
     model.edit(1, LEARNED)
     with qtbot.waitSignal(model.pending_changed) as pending:
         model.discard_edits()
@@ -64,7 +64,7 @@ def test_edits_are_discarded_together(model: Calibrations, qtbot: QtBot) -> None
     assert model.pending == ()
 
 
-def test_what_was_written_is_stored_and_what_was_not_still_waits(model: Calibrations) -> None:
+def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibrations) -> None:
     model.edit(1, LEARNED)
     model.edit(2, LEARNED)
     model.take_results(
@@ -78,25 +78,25 @@ def test_what_was_written_is_stored_and_what_was_not_still_waits(model: Calibrat
     assert model.pending == ((2, LEARNED),)
 
 
-def test_an_edit_that_came_during_the_write_is_kept(model: Calibrations) -> None:
+def test_edit_made_during_the_write_stays_pending(model: Calibrations) -> None:
     model.edit(1, OTHER)
     model.take_results([Written("channel 1", LEARNED)])
     assert model.pending == ((1, OTHER),)
 
 
-def test_edits_stay_when_the_same_inputs_are_read_again(model: Calibrations) -> None:
+def test_edit_survives_reload_of_the_same_source(model: Calibrations) -> None:
     model.edit(1, LEARNED)
     model.load("trex", InputSource.RC, stored(InputSource.RC))
     assert model.pending == ((1, LEARNED),)
 
 
-def test_an_edit_that_somebody_else_has_written_is_none_any_more(model: Calibrations) -> None:
+def test_edit_equal_to_reloaded_value_is_dropped(model: Calibrations) -> None:
     model.edit(1, LEARNED)
     model.load("trex", InputSource.RC, stored(InputSource.RC) | {1: LEARNED})
     assert model.pending == ()
 
 
-def test_edits_of_the_other_kind_of_input_wait(model: Calibrations) -> None:
+def test_edit_is_kept_while_the_other_source_is_active(model: Calibrations) -> None:
     model.edit(1, LEARNED)
     model.load("trex", InputSource.ANALOG, stored(InputSource.ANALOG))
     seen = [(model.pending, model.out_of_reach)]
@@ -106,7 +106,7 @@ def test_edits_of_the_other_kind_of_input_wait(model: Calibrations) -> None:
     assert seen == [((), ((InputSource.RC, 1),)), (((1, LEARNED),), ())]
 
 
-def test_edits_of_another_kind_of_board_are_not_kept(model: Calibrations) -> None:
+def test_edit_is_dropped_for_another_model(model: Calibrations) -> None:
     model.edit(1, LEARNED)
     model.load("trexjr", InputSource.RC, stored(InputSource.RC))
     assert model.edited == {}
@@ -121,13 +121,13 @@ def file(qtbot: QtBot) -> Calibrations:
     return model
 
 
-def test_a_file_can_be_given_calibrations_of_both_sources(file: Calibrations) -> None:
+def test_file_accepts_calibrations_of_both_sources(file: Calibrations) -> None:
     file.edit(1, LEARNED, InputSource.ANALOG)
     assert file.all_shown[InputSource.ANALOG, 1] == LEARNED
     assert (InputSource.ANALOG, 1) not in file.all_stored
 
 
-def test_a_calibration_of_a_file_is_left_out_and_comes_back(file: Calibrations) -> None:
+def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> None:
     file.leave_out(2)
     assert file.shown(2) is None
     assert file.left_out == {(InputSource.RC, 2)}
@@ -141,20 +141,20 @@ def test_a_calibration_of_a_file_is_left_out_and_comes_back(file: Calibrations) 
     assert file.all_shown == file.all_stored
 
 
-def test_leaving_out_what_was_only_added_is_no_edit(file: Calibrations) -> None:
+def test_leaving_out_an_added_calibration_is_not_an_edit(file: Calibrations) -> None:
     file.edit(1, LEARNED)
     file.leave_out(1)
     assert not file.edited
     assert not file.left_out
 
 
-def test_a_board_leaves_no_calibration_out(model: Calibrations) -> None:
+def test_calibration_of_a_board_cannot_be_left_out(model: Calibrations) -> None:
     model.leave_out(2)
     assert model.shown(2) is not None
     assert not model.left_out
 
 
-def test_what_was_seen_of_the_other_source_is_remembered(model: Calibrations) -> None:
+def test_last_seen_keeps_values_of_the_other_source(model: Calibrations) -> None:
     model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
     rc = InputSource.RC
     assert model.stored(2, rc) is None
@@ -163,18 +163,18 @@ def test_what_was_seen_of_the_other_source_is_remembered(model: Calibrations) ->
     assert not model.knows(2, rc)
 
 
-def test_what_was_written_is_what_was_last_seen(model: Calibrations) -> None:
+def test_last_seen_keeps_a_written_value(model: Calibrations) -> None:
     model.take_results([Written("channel 1", LEARNED)])
     model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
     assert model.last_seen(1, InputSource.RC) == LEARNED
 
 
-def test_another_kind_of_board_was_not_seen_yet(model: Calibrations) -> None:
+def test_last_seen_is_empty_for_another_model(model: Calibrations) -> None:
     model.load("trexjr", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
     assert model.last_seen(1, InputSource.RC) is None
 
 
-def test_one_channel_goes_back_to_what_is_stored_and_that_can_be_undone(qtbot: QtBot) -> None:
+def test_restoring_one_channel_can_be_undone(qtbot: QtBot) -> None:
     undo = QUndoStack()
     model = Calibrations(undo=undo)
     model.load("trex", InputSource.RC, stored(InputSource.RC))

@@ -29,7 +29,7 @@ CALIBRATIONS = (
         (True, True, True),
     ],
 )
-def test_the_curve_is_the_boards_own_remapping_at_every_raw_count(
+def test_curve_matches_board_remapping_at_every_raw_count(
     calibration: Calibration, reversed_: bool, parabolic: bool, ignored: bool
 ) -> None:
     curve = ChannelCurve(calibration, reversed_, parabolic, ignored)
@@ -56,7 +56,7 @@ def test_the_curve_is_the_boards_own_remapping_at_every_raw_count(
 
 
 @pytest.mark.parametrize("calibration", CALIBRATIONS, ids=str)
-def test_what_is_drawn_lies_on_the_outputs_and_leaves_no_change_out(
+def test_drawn_corners_reproduce_every_output(
     calibration: Calibration,
 ) -> None:
     curve = ChannelCurve(calibration, parabolic=True)
@@ -73,9 +73,7 @@ def test_what_is_drawn_lies_on_the_outputs_and_leaves_no_change_out(
 @pytest.mark.parametrize("channel", [4, 5])
 @pytest.mark.parametrize("reversed_", [False, True])
 @pytest.mark.parametrize("ignored", [False, True])
-def test_a_switch_switches_where_the_boards_does(
-    channel: int, reversed_: bool, ignored: bool
-) -> None:
+def test_switch_threshold_matches_the_board(channel: int, reversed_: bool, ignored: bool) -> None:
     for calibration in CALIBRATIONS:
         curve = ChannelCurve(calibration, reversed_, ignored=ignored)
         setup = ChannelSetup((calibration,) * 5, 0x1F * ignored, 0x1F * reversed_)

@@ -49,11 +49,11 @@ def tick(table: ComparisonTable, key: str, wanted: bool) -> bool:
     return table.setData(index(table, key), state, Qt.ItemDataRole.CheckStateRole)
 
 
-def test_qt_finds_nothing_wrong_with_it(table: ComparisonTable, qtmodeltester: ModelTester) -> None:
+def test_table_passes_qt_model_tester(table: ComparisonTable, qtmodeltester: ModelTester) -> None:
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
 
 
-def test_qt_finds_nothing_wrong_with_what_becomes_of_it(
+def test_table_passes_qt_model_tester_through_changes(
     table: ComparisonTable, qtmodeltester: ModelTester
 ) -> None:
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
@@ -68,7 +68,7 @@ def test_qt_finds_nothing_wrong_with_what_becomes_of_it(
     table.show_comparison(Comparison(()), "", "")
 
 
-def test_the_rows_that_differ_are_shown_and_ticked(table: ComparisonTable) -> None:
+def test_differing_rows_are_shown_and_checked(table: ComparisonTable) -> None:
     assert set(keys(table)) == {"serial_timeout", "motor1_acceleration"}
     assert ticked(table) == set(keys(table))
     heads = [
@@ -79,7 +79,7 @@ def test_the_rows_that_differ_are_shown_and_ticked(table: ComparisonTable) -> No
     assert index(table, "serial_timeout", ComparisonColumn.WIRE).data() == "0 → 5"
 
 
-def test_rows_that_match_are_shown_when_wanted_and_have_no_tick(table: ComparisonTable) -> None:
+def test_equal_rows_are_shown_on_request_without_check_box(table: ComparisonTable) -> None:
     place = QPersistentModelIndex(index(table, "serial_timeout"))
     table.set_with_equal(True)
     assert table.rowCount() == len(table.comparison.rows)
@@ -91,7 +91,7 @@ def test_rows_that_match_are_shown_when_wanted_and_have_no_tick(table: Compariso
     assert place.data(ComparisonRole.KEY) == "serial_timeout"
 
 
-def test_a_tick_is_taken_away_and_put_back(table: ComparisonTable, qtbot: QtBot) -> None:
+def test_row_can_be_unchecked_and_checked(table: ComparisonTable, qtbot: QtBot) -> None:
     with qtbot.waitSignal(table.ticked_changed):
         assert tick(table, "serial_timeout", False)
     assert ticked(table) == {"motor1_acceleration"}
@@ -103,7 +103,7 @@ def test_a_tick_is_taken_away_and_put_back(table: ComparisonTable, qtbot: QtBot)
     assert len(table.ticked) == 2
 
 
-def test_without_ticks_nothing_can_be_ticked(table: ComparisonTable) -> None:
+def test_rows_cannot_be_checked_without_check_boxes(table: ComparisonTable) -> None:
     table.show_comparison(comparison(serial_timeout=5), "Now", "File", with_ticks=False)
     assert not table.ticked
     table.tick_all(True)
@@ -112,7 +112,7 @@ def test_without_ticks_nothing_can_be_ticked(table: ComparisonTable) -> None:
     assert not tick(table, "serial_timeout", True)
 
 
-def test_what_was_unticked_stays_so_while_things_change(table: ComparisonTable) -> None:
+def test_unchecked_row_stays_unchecked_when_values_change(table: ComparisonTable) -> None:
     tick(table, "serial_timeout", False)
     table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1))
     assert ticked(table) == {"motor1_acceleration", "motor_mode"}
@@ -121,20 +121,20 @@ def test_what_was_unticked_stays_so_while_things_change(table: ComparisonTable) 
     assert ticked(table) == {"motor1_acceleration"}
 
 
-def test_new_changes_wait_for_a_tick_where_that_is_wished(table: ComparisonTable) -> None:
+def test_new_row_is_unchecked_when_tick_new_is_off(table: ComparisonTable) -> None:
     tick(table, "serial_timeout", False)
     table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1), tick_new=False)
     assert ticked(table) == {"motor1_acceleration"}
 
 
-def test_renewing_keeps_rows_in_their_place(table: ComparisonTable, qtbot: QtBot) -> None:
+def test_renewing_keeps_persistent_indexes(table: ComparisonTable, qtbot: QtBot) -> None:
     place = QPersistentModelIndex(index(table, "motor1_acceleration"))
     with qtbot.assertNotEmitted(table.modelReset):
         table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1))
     assert place.data(ComparisonRole.KEY) == "motor1_acceleration"
 
 
-def test_outcomes_stand_in_a_column_of_their_own(table: ComparisonTable) -> None:
+def test_outcomes_add_a_column(table: ComparisonTable) -> None:
     table.set_outcomes({"serial_timeout": "", "motor1_acceleration": "the board refused it"})
     assert table.columnCount() == 5
     outcome = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
@@ -147,14 +147,14 @@ def test_outcomes_stand_in_a_column_of_their_own(table: ComparisonTable) -> None
     assert table.columnCount() == 4
 
 
-def test_frozen_rows_are_the_ticked_ones(table: ComparisonTable) -> None:
+def test_freezing_keeps_only_checked_rows(table: ComparisonTable) -> None:
     tick(table, "serial_timeout", False)
     table.freeze("Was", "Is")
     assert keys(table) == ["motor1_acceleration"]
     assert not tick(table, "motor1_acceleration", False)
 
 
-def test_of_a_calibration_only_what_differs_is_shown(table: ComparisonTable) -> None:
+def test_calibration_row_shows_only_differing_fields(table: ComparisonTable) -> None:
     place = (InputSource.RC, 2)
     old = BEFORE.calibrations[place]
     new = Calibration(old.minimum, old.neutral, old.maximum, old.deadband + 10)
@@ -166,7 +166,7 @@ def test_of_a_calibration_only_what_differs_is_shown(table: ComparisonTable) -> 
     assert wires == f"{old.deadband} → {new.deadband}"
 
 
-def test_a_side_that_says_nothing_is_called_so(table: ComparisonTable) -> None:
+def test_missing_value_is_shown_as_not_given(table: ComparisonTable) -> None:
     little = replace(BEFORE, parameters={"serial_timeout": 5}, calibrations={})
     table.show_comparison(compare(BEFORE, little), "Now", "File")
     assert index(table, "motor_mode", ComparisonColumn.AFTER).data() == "not given"

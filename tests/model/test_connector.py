@@ -49,12 +49,12 @@ def until(qtbot: QtBot) -> Until:
 # --- Line settings ----------------------------------------------------------------------
 
 
-def test_at_first_the_line_is_the_factorys(connector: Connector) -> None:
+def test_line_settings_default_to_factory(connector: Connector) -> None:
     assert connector.settings == LinkSettings("")
 
 
 @pytest.mark.parametrize("number", [None, 0, 7, 127])
-def test_line_settings_are_remembered(
+def test_line_settings_are_saved(
     connector: Connector, device: Device, ports: Ports, qtbot: QtBot, number: int | None
 ) -> None:
     line = LineSettings(57600, Detection.CRC7, 2)
@@ -74,7 +74,7 @@ def test_line_settings_are_remembered(
         ("line/polynomial", ""),
     ],
 )
-def test_line_settings_that_make_no_sense_are_forgotten(
+def test_invalid_saved_line_settings_fall_back_to_factory(
     device: Device, ports: Ports, key: str, value: object, connector: Connector
 ) -> None:
     connector.set_settings(LinkSettings("", LineSettings(57600)))
@@ -85,7 +85,7 @@ def test_line_settings_that_make_no_sense_are_forgotten(
 # --- Connecting -------------------------------------------------------------------------
 
 
-def test_a_port_is_opened_with_the_settings_that_were_chosen(
+def test_port_is_opened_with_the_chosen_settings(
     connector: Connector,
     device: Device,
     ports: Ports,
@@ -101,16 +101,14 @@ def test_a_port_is_opened_with_the_settings_that_were_chosen(
     assert Ports().preferred == ports.find(url)
 
 
-def test_a_port_that_does_not_open_is_no_port_any_more(
-    connector: Connector, device: Device, until: Until
-) -> None:
+def test_failed_open_clears_the_port(connector: Connector, device: Device, until: Until) -> None:
     connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
     assert connector.port is not None
     until(lambda: device.link is Link.NONE)
     assert connector.port is None
 
 
-def test_disconnecting_frees_the_port(
+def test_disconnecting_clears_the_port(
     connector: Connector,
     device: Device,
     ports: Ports,
@@ -124,7 +122,7 @@ def test_disconnecting_frees_the_port(
     assert connector.port is None
 
 
-def test_the_simulated_board_is_started_when_it_is_wanted(
+def test_choosing_the_demo_port_starts_the_simulator(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.set_settings(LinkSettings("", LineSettings(115200, Detection.CRC7)))
@@ -138,7 +136,7 @@ def test_the_simulated_board_is_started_when_it_is_wanted(
     assert device.settings.line == LineSettings()
 
 
-def test_the_simulated_board_keeps_running_for_the_next_time(
+def test_simulator_keeps_running_after_disconnect(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
@@ -151,7 +149,7 @@ def test_the_simulated_board_keeps_running_for_the_next_time(
     assert connector.simulator.url == url
 
 
-def test_another_choice_while_the_simulated_board_starts_wins(
+def test_later_port_choice_wins_while_the_simulator_starts(
     connector: Connector,
     device: Device,
     ports: Ports,
@@ -165,7 +163,7 @@ def test_another_choice_while_the_simulated_board_starts_wins(
     assert device.settings.url == quick_simulator.url
 
 
-def test_giving_up_while_the_simulated_board_starts_connects_nothing(
+def test_disconnecting_while_the_simulator_starts_cancels(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
@@ -175,7 +173,7 @@ def test_giving_up_while_the_simulated_board_starts_connects_nothing(
     assert device.link is Link.NONE
 
 
-def test_shutting_down_ends_line_and_simulator(
+def test_shutdown_ends_line_and_simulator(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
@@ -195,13 +193,13 @@ def demo(qtbot: QtBot) -> Iterator[Simulator]:
     demo.stop()
 
 
-def test_the_simulator_says_where_it_can_be_reached(demo: Simulator, qtbot: QtBot) -> None:
+def test_simulator_reports_its_url(demo: Simulator, qtbot: QtBot) -> None:
     with qtbot.waitSignal(demo.ready) as ready:
         demo.start()
     assert ready.args == [demo.url]
 
 
-def test_a_running_simulator_is_not_started_twice(demo: Simulator, qtbot: QtBot) -> None:
+def test_running_simulator_is_not_started_twice(demo: Simulator, qtbot: QtBot) -> None:
     with qtbot.waitSignal(demo.ready) as first:
         demo.start()
         demo.start()
@@ -210,7 +208,7 @@ def test_a_running_simulator_is_not_started_twice(demo: Simulator, qtbot: QtBot)
     assert first.args == second.args
 
 
-def test_a_stopped_simulator_can_be_started_again(demo: Simulator, qtbot: QtBot) -> None:
+def test_stopped_simulator_can_be_restarted(demo: Simulator, qtbot: QtBot) -> None:
     with qtbot.waitSignal(demo.ready):
         demo.start()
     demo.stop()
@@ -219,13 +217,13 @@ def test_a_stopped_simulator_can_be_started_again(demo: Simulator, qtbot: QtBot)
         demo.start()
 
 
-def test_stopping_what_does_not_run_does_no_harm(demo: Simulator) -> None:
+def test_stop_without_running_simulator_is_harmless(demo: Simulator) -> None:
     demo.stop()
     demo.send("power off")
 
 
 @pytest.mark.realtime
-def test_a_simulator_that_does_not_start_says_why(
+def test_simulator_that_exits_at_start_reports_the_reason(
     demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
@@ -237,7 +235,7 @@ def test_a_simulator_that_does_not_start_says_why(
     assert failed.args == ["The simulator ended at once. no room"]
 
 
-def test_a_simulator_that_is_not_there_says_so(
+def test_missing_simulator_program_is_reported(
     demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trex_gui.model.simulator.simulator_command", lambda: ("/nothing/here", []))
@@ -246,7 +244,7 @@ def test_a_simulator_that_is_not_there_says_so(
     assert "does not start" in failed.args[0]
 
 
-def test_a_frozen_program_is_its_own_simulator(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_frozen_program_runs_itself_as_simulator(monkeypatch: pytest.MonkeyPatch) -> None:
     assert simulator_command() == (sys.executable, ["-m", "trex_gui.emulator"])
     monkeypatch.setattr(sys, "frozen", True, raising=False)
     assert simulator_command() == (sys.executable, ["--simulator"])

@@ -43,7 +43,7 @@ def seen(board: DemoBoard) -> DemoSnapshot:
 # --- What is seen -----------------------------------------------------------------------
 
 
-def test_a_new_board_is_a_serial_one_with_power_and_moving_sticks(board: DemoBoard) -> None:
+def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: DemoBoard) -> None:
     assert seen(board).power
     assert seen(board).mode is Mode.SERIAL_RC
     assert seen(board).mode_jumper_in_force == seen(board).jumpers.mode == "serial"
@@ -53,12 +53,12 @@ def test_a_new_board_is_a_serial_one_with_power_and_moving_sticks(board: DemoBoa
     assert board.automatic == frozenset(CHANNELS)
 
 
-def test_the_sticks_are_seen_to_move_while_somebody_looks(board: DemoBoard, qtbot: QtBot) -> None:
+def test_sticks_move_while_the_board_is_watched(board: DemoBoard, qtbot: QtBot) -> None:
     first = seen(board).channels[0].raw
     qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
 
 
-def test_nothing_is_asked_while_nobody_looks(
+def test_unwatched_board_is_not_polled(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
     board.watch(False)
@@ -72,7 +72,7 @@ def test_nothing_is_asked_while_nobody_looks(
     assert simulator.lines == ["jumper mix on", "jumper mix on"]
 
 
-def test_a_simulator_that_ends_is_seen_no_more(
+def test_ended_simulator_clears_the_snapshot(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
     board.hold_stick(1, 1200)
@@ -85,7 +85,7 @@ def test_a_simulator_that_ends_is_seen_no_more(
     qtbot.waitUntil(lambda: board.snapshot is not None)
 
 
-def test_what_the_simulator_shows_is_read() -> None:
+def test_snapshot_is_parsed_from_show() -> None:
     line = Line([Board()])
     for text in ("channel 2 silent", "load 1 4.5", "fault 2 on", "battery 11.5", "jumper mix on"):
         assert control(line, text).startswith("ok")
@@ -114,7 +114,7 @@ def test_what_the_simulator_shows_is_read() -> None:
         ("silent", None, InputSource.RC, None),
     ],
 )
-def test_a_stick_is_where_its_signal_says(
+def test_stick_position_follows_its_signal(
     signal: str, raw: int | None, source: InputSource, stick: float | None
 ) -> None:
     assert DemoChannel(signal, raw).stick(source) == stick
@@ -123,14 +123,14 @@ def test_a_stick_is_where_its_signal_says(
 # --- What hands do ----------------------------------------------------------------------
 
 
-def test_power_goes_and_comes(board: DemoBoard, qtbot: QtBot) -> None:
+def test_power_is_switched_off_and_on(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_power(False)
     qtbot.waitUntil(lambda: not seen(board).power)
     board.set_power(True)
     qtbot.waitUntil(lambda: seen(board).power)
 
 
-def test_a_power_cycle_is_long_enough_to_be_noticed(
+def test_power_cycle_is_visible_and_runs_once(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
     off: list[bool] = []
@@ -150,7 +150,7 @@ def test_a_power_cycle_is_long_enough_to_be_noticed(
     assert any(off)
 
 
-def test_the_mode_jumper_acts_at_the_next_power_up(board: DemoBoard, qtbot: QtBot) -> None:
+def test_mode_jumper_takes_effect_at_next_power_up(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_mode_jumper("rc")
     qtbot.waitUntil(lambda: seen(board).jumpers.mode == "rc")
     assert seen(board).mode_jumper_in_force == "serial"
@@ -159,19 +159,19 @@ def test_the_mode_jumper_acts_at_the_next_power_up(board: DemoBoard, qtbot: QtBo
     assert seen(board).safe_start
 
 
-def test_the_other_jumpers_are_seen(board: DemoBoard, qtbot: QtBot) -> None:
+def test_mix_and_so_ground_jumpers_are_set(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_mix(True)
     board.set_so_ground(True)
     qtbot.waitUntil(lambda: seen(board).jumpers.mix and seen(board).jumpers.so_ground)
 
 
-def test_a_held_stick_stays(board: DemoBoard, qtbot: QtBot) -> None:
+def test_held_stick_keeps_its_position(board: DemoBoard, qtbot: QtBot) -> None:
     board.hold_stick(2, 1850)
     assert board.automatic == {1, 3, 4, 5}
     qtbot.waitUntil(lambda: seen(board).channels[1].raw == InputSource.RC.counts(1850))
 
 
-def test_of_many_positions_the_last_arrives_and_few_travel(
+def test_stick_positions_are_coalesced_to_first_and_last(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
     simulator.lines.clear()
@@ -181,7 +181,7 @@ def test_of_many_positions_the_last_arrives_and_few_travel(
     assert simulator.orders() == ["channel 1 1000us", "channel 1 2000us"]
 
 
-def test_what_was_seen_before_a_wish_is_not_shown_after_it(
+def test_snapshot_older_than_a_command_is_not_shown(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
     board.hold_stick(1, 1000)
@@ -199,9 +199,7 @@ def test_what_was_seen_before_a_wish_is_not_shown_after_it(
     assert "1000us" not in shown
 
 
-def test_an_input_without_signal_gets_back_what_its_stick_gives(
-    board: DemoBoard, qtbot: QtBot
-) -> None:
+def test_restored_signal_returns_to_the_stick_position(board: DemoBoard, qtbot: QtBot) -> None:
     board.hold_stick(3, 1700)
     board.set_silent(3, True)
     qtbot.waitUntil(lambda: not seen(board).channels[2].has_signal)
@@ -215,7 +213,7 @@ def test_an_input_without_signal_gets_back_what_its_stick_gives(
     assert 1 in board.automatic
 
 
-def test_sticks_stop_where_they_are_and_move_again(
+def test_automatic_sticks_can_be_stopped_and_restarted(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
     board.set_automatic(False)
@@ -227,9 +225,7 @@ def test_sticks_stop_where_they_are_and_move_again(
     qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
 
 
-def test_an_input_without_signal_stays_so_when_sticks_begin_to_move(
-    board: DemoBoard, qtbot: QtBot
-) -> None:
+def test_silent_input_stays_silent_when_sticks_move(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_silent(2, True)
     qtbot.waitUntil(lambda: not seen(board).channels[1].has_signal)
     board.set_automatic(False)
@@ -240,7 +236,7 @@ def test_an_input_without_signal_stays_so_when_sticks_begin_to_move(
     assert not seen(board).channels[1].has_signal
 
 
-def test_centred_sticks_end_safe_start(board: DemoBoard, qtbot: QtBot) -> None:
+def test_centering_the_sticks_ends_safe_start(board: DemoBoard, qtbot: QtBot) -> None:
     board.hold_stick(1, 2000)
     board.set_mode_jumper("rc")
     board.power_cycle()
@@ -249,9 +245,7 @@ def test_centred_sticks_end_safe_start(board: DemoBoard, qtbot: QtBot) -> None:
     qtbot.waitUntil(lambda: not seen(board).safe_start)
 
 
-def test_sticks_of_the_other_kind_are_held_at_the_same_place(
-    board: DemoBoard, qtbot: QtBot
-) -> None:
+def test_held_sticks_keep_their_position_in_analog_mode(board: DemoBoard, qtbot: QtBot) -> None:
     board.hold_stick(1, 2100)
     board.hold_stick(2, 1500)
     board.set_mode_jumper("analog")
@@ -260,7 +254,7 @@ def test_sticks_of_the_other_kind_are_held_at_the_same_place(
     qtbot.waitUntil(lambda: seen(board).channels[1].raw == InputSource.ANALOG.counts(2.5))
 
 
-def test_loads_and_faults_are_seen_at_their_motor(board: DemoBoard, qtbot: QtBot) -> None:
+def test_load_and_fault_apply_to_their_motor(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_load(2, 11.5)
     board.set_fault(1, True)
     qtbot.waitUntil(lambda: seen(board).motors[1].load == 11.5 and seen(board).motors[0].fault)
@@ -269,14 +263,14 @@ def test_loads_and_faults_are_seen_at_their_motor(board: DemoBoard, qtbot: QtBot
     qtbot.waitUntil(lambda: not seen(board).motors[0].fault)
 
 
-def test_the_wire_is_seen_as_it_is(board: DemoBoard, qtbot: QtBot) -> None:
+def test_noise_and_mute_are_shown_for_the_line(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_noise(0.012)
     board.set_mute(True)
     qtbot.waitUntil(lambda: seen(board).line.mute)
     assert seen(board).line.noise == pytest.approx(0.012)
 
 
-def test_a_cable_that_was_pulled_gives_another_address(
+def test_replugged_cable_gets_a_working_url(
     board: DemoBoard, simulator: Overheard, qtbot: QtBot
 ) -> None:
     board.set_plugged(False)
@@ -288,7 +282,7 @@ def test_a_cable_that_was_pulled_gives_another_address(
     assert again.args == [simulator.url]
 
 
-def test_the_factory_state_undoes_everything(board: DemoBoard, qtbot: QtBot) -> None:
+def test_factory_reset_restores_board_and_sticks(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_mode_jumper("rc")
     board.power_cycle()
     board.hold_stick(1, 1100)
@@ -306,7 +300,7 @@ def test_the_factory_state_undoes_everything(board: DemoBoard, qtbot: QtBot) -> 
     qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
 
 
-def test_a_battery_is_felt_at_the_board(board: DemoBoard, qtbot: QtBot) -> None:
+def test_battery_voltage_reaches_the_board(board: DemoBoard, qtbot: QtBot) -> None:
     board.set_battery(9.0)
     qtbot.waitUntil(lambda: seen(board).supply == pytest.approx(9.0, abs=0.2))
     assert seen(board).battery == 9.0
@@ -315,16 +309,14 @@ def test_a_battery_is_felt_at_the_board(board: DemoBoard, qtbot: QtBot) -> None:
 
 
 @pytest.mark.parametrize("error", ["framing", "parity", "overrun"])
-def test_a_byte_can_be_spoilt(board: DemoBoard, qtbot: QtBot, error: str) -> None:
+def test_byte_can_be_corrupted(board: DemoBoard, qtbot: QtBot, error: str) -> None:
     with qtbot.assertNotEmitted(board.refused):
         board.spoil(error)
         board.set_mix(True)
         qtbot.waitUntil(lambda: seen(board).jumpers.mix)
 
 
-def test_what_is_refused_is_a_sentence_and_can_be_taken_back(
-    board: DemoBoard, qtbot: QtBot
-) -> None:
+def test_refused_command_emits_a_sentence(board: DemoBoard, qtbot: QtBot) -> None:
     with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.refused) as refused:
         board.set_mode_jumper("boat")
     assert refused.args[0].startswith("Jumper mode serial|rc|analog")

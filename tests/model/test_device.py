@@ -26,8 +26,8 @@ TRIES = 4
 """How often is tried what a computer that stands still for a moment spoils."""
 
 
-class Watched:
-    """A device, and what it announced."""
+class DeviceRecorder:
+    """A device, and the states, failures and results it reported."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.device = Device()
@@ -73,33 +73,35 @@ class Watched:
 
 
 @pytest.fixture
-def watched(qtbot: QtBot) -> Iterator[Watched]:
-    watched = Watched(qtbot)
-    yield watched
-    qtbot.waitUntil(watched.device.shut_down)  # no thread lives on
+def recorder(qtbot: QtBot) -> Iterator[DeviceRecorder]:
+    recorder = DeviceRecorder(qtbot)
+    yield recorder
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
 
 
 @pytest.fixture
-def up(watched: Watched, quick_simulator: SimulatedDevice) -> Watched:
+def connected(recorder: DeviceRecorder, quick_simulator: SimulatedDevice) -> DeviceRecorder:
     """A device that is connected to `quick_simulator`."""
-    watched.connect(quick_simulator.url)
-    return watched
+    recorder.connect(quick_simulator.url)
+    return recorder
 
 
 # --- Connecting -------------------------------------------------------------------------
 
 
-def test_before_a_connection_nothing_is_known(watched: Watched) -> None:
-    device = watched.device
+def test_device_is_empty_before_connecting(recorder: DeviceRecorder) -> None:
+    device = recorder.device
     assert device.link is Link.NONE
     assert device.state is None
     assert device.settings is None
     assert not device.motors.can_arm
 
 
-def test_a_connection_brings_everything(up: Watched, quick_simulator: SimulatedDevice) -> None:
-    device = up.device
-    assert up.links == [Link.OPENING, Link.UP]
+def test_connecting_reads_state_and_enables_arming(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    device = connected.device
+    assert connected.links == [Link.OPENING, Link.UP]
     assert "Connected to TReX 1.2" in device.status
     assert device.state is not None
     assert device.state.parameters == quick_simulator.show()["parameters"]
@@ -108,51 +110,59 @@ def test_a_connection_brings_everything(up: Watched, quick_simulator: SimulatedD
     assert device.motors.can_arm
     assert not device.motors.armed
     assert not device.echo
-    assert up.steps[-1][0] == up.steps[-1][1]
-    assert up.failures == []
+    assert connected.steps[-1][0] == connected.steps[-1][1]
+    assert connected.failures == []
 
 
-def test_values_come_in_by_themselves(up: Watched, quick_simulator: SimulatedDevice) -> None:
+def test_telemetry_updates_after_connecting(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
     quick_simulator.do("channel 1 2000us")
     quick_simulator.do("current 1 3.0")
-    telemetry = up.device.telemetry
-    up.until(lambda: telemetry.raw_of(1) == 5000)
-    up.until(lambda: telemetry.motor_currents == pytest.approx((3.0, 0.0)))
-    up.until(lambda: telemetry.remapped_of(1) == 127)
+    telemetry = connected.device.telemetry
+    connected.until(lambda: telemetry.raw_of(1) == 5000)
+    connected.until(lambda: telemetry.motor_currents == pytest.approx((3.0, 0.0)))
+    connected.until(lambda: telemetry.remapped_of(1) == 127)
     assert len(telemetry.currents) > 0
-    assert up.device.counters.requests > 0
+    assert connected.device.counters.requests > 0
 
 
-def test_the_rs232_side_is_known(watched: Watched, start_simulator: StartSimulator) -> None:
-    watched.connect(start_simulator("--echo").url)
-    assert watched.device.echo
+def test_echo_of_the_rs232_side_is_detected(
+    recorder: DeviceRecorder, start_simulator: StartSimulator
+) -> None:
+    recorder.connect(start_simulator("--echo").url)
+    assert recorder.device.echo
 
 
-def test_a_port_that_is_not_there_is_told(watched: Watched) -> None:
-    watched.device.connect_to(LinkSettings("/dev/ttyNothing9"))
-    watched.until_link(Link.NONE)
-    assert watched.links == [Link.OPENING, Link.NONE]
-    assert len(watched.failures) == 1
-    assert "There is no port /dev/ttyNothing9" in watched.failures[0]
-    assert watched.device.status == "Not connected."
+def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:
+    recorder.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    recorder.until_link(Link.NONE)
+    assert recorder.links == [Link.OPENING, Link.NONE]
+    assert len(recorder.failures) == 1
+    assert "There is no port /dev/ttyNothing9" in recorder.failures[0]
+    assert recorder.device.status == "Not connected."
 
 
-def test_a_board_without_power_is_told(watched: Watched, quick_simulator: SimulatedDevice) -> None:
+def test_unpowered_board_is_reported(
+    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
     quick_simulator.do("power off")
-    watched.device.connect_to(LinkSettings(quick_simulator.url))
-    watched.until_link(Link.NONE)
-    assert "No TReX answers" in watched.failures[0]
+    recorder.device.connect_to(LinkSettings(quick_simulator.url))
+    recorder.until_link(Link.NONE)
+    assert "No TReX answers" in recorder.failures[0]
 
 
-def test_errors_of_the_board_are_counted(up: Watched, quick_simulator: SimulatedDevice) -> None:
+def test_board_errors_are_counted(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
     def count(bit: Status | UartError) -> int:
-        return next(one.count for one in up.device.errors.entries if one.bit is bit)
+        return next(one.count for one in connected.device.errors.entries if one.bit is bit)
 
     seen = 0
     for _ in range(2):
         quick_simulator.do("fault 2 on")
         quick_simulator.do("fault 2 off")  # as often as it was looked at meanwhile, it counts
-        up.until(lambda: count(Status.MOTOR2_FAULT) > seen)  # noqa: B023
+        connected.until(lambda: count(Status.MOTOR2_FAULT) > seen)  # noqa: B023
         seen = count(Status.MOTOR2_FAULT)
     assert count(Status.MOTOR1_FAULT) == 0
 
@@ -160,138 +170,148 @@ def test_errors_of_the_board_are_counted(up: Watched, quick_simulator: Simulated
 # --- Editing ----------------------------------------------------------------------------
 
 
-def test_an_edit_is_applied_and_proved(up: Watched, quick_simulator: SimulatedDevice) -> None:
-    up.edit("serial_timeout", 15)
-    up.device.calibrations.edit(2, LEARNED)
-    assert up.device.pending == 2
-    results = up.apply()
+def test_edits_are_applied_and_verified(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    connected.edit("serial_timeout", 15)
+    connected.device.calibrations.edit(2, LEARNED)
+    assert connected.device.pending == 2
+    results = connected.apply()
     assert set(results) == {Written("channel 2", LEARNED), Written("serial_timeout", 15)}
-    assert up.device.pending == 0
+    assert connected.device.pending == 0
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
-    assert up.device.calibrations.stored(2) == LEARNED
+    assert connected.device.calibrations.stored(2) == LEARNED
 
 
-def test_what_the_board_stored_is_kept_before_it_is_changed(up: Watched) -> None:
-    up.edit("serial_timeout", 15)
-    up.edit("motor_mode", 1)
-    up.apply()
-    (snapshot,) = up.device.history.snapshots()
+def test_apply_saves_a_snapshot_of_old_values(connected: DeviceRecorder) -> None:
+    connected.edit("serial_timeout", 15)
+    connected.edit("motor_mode", 1)
+    connected.apply()
+    (snapshot,) = connected.device.history.snapshots()
     assert snapshot.product == "TReX"
     assert snapshot.reason == "Apply of 2 settings"
     assert snapshot.adapter
-    kept = up.device.history.load(snapshot)
+    kept = connected.device.history.load(snapshot)
     assert kept.parameters["serial_timeout"] == 0
     assert kept.parameters["motor_mode"] == 0
     assert len(kept.calibrations) == 5
 
 
-def test_without_a_snapshot_nothing_is_written(
-    up: Watched, quick_simulator: SimulatedDevice, tmp_path: Path
+def test_apply_without_a_snapshot_writes_nothing(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     (tmp_path / "taken").write_text("a file where the folder should be", encoding="utf-8")
-    up.device.history.folder = tmp_path / "taken"
-    up.edit("serial_timeout", 15)
-    up.device.apply()
-    assert "Nothing was written" in up.failures[-1]
-    assert up.device.pending == 1
-    assert not up.device.applying
+    connected.device.history.folder = tmp_path / "taken"
+    connected.edit("serial_timeout", 15)
+    connected.device.apply()
+    assert "Nothing was written" in connected.failures[-1]
+    assert connected.device.pending == 1
+    assert not connected.device.applying
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
 
 
-def test_nothing_to_apply_is_nothing_done(up: Watched) -> None:
-    up.device.apply()
-    up.device.reload()
-    steps = len(up.steps)
-    up.until(lambda: len(up.steps) > steps and up.steps[-1][0] == up.steps[-1][1])
-    assert up.results == []
+def test_apply_without_edits_writes_nothing(connected: DeviceRecorder) -> None:
+    connected.device.apply()
+    connected.device.reload()
+    steps = len(connected.steps)
+    connected.until(
+        lambda: len(connected.steps) > steps and connected.steps[-1][0] == connected.steps[-1][1]
+    )
+    assert connected.results == []
 
 
-def test_a_refused_write_stays_an_edit_and_says_why(
-    watched: Watched, start_simulator: StartSimulator
+def test_refused_write_stays_pending_with_a_reason(
+    recorder: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
-    watched.connect(start_simulator("--mode", "rc").url)
-    watched.edit("serial_timeout", 15)
-    (result,) = watched.apply()
+    recorder.connect(start_simulator("--mode", "rc").url)
+    recorder.edit("serial_timeout", 15)
+    (result,) = recorder.apply()
     assert "remove the mode jumper" in str(result.error)
-    assert watched.device.pending == 1
+    assert recorder.device.pending == 1
 
 
-def test_reading_again_shows_what_somebody_else_has_written(
-    up: Watched, start_simulator: StartSimulator
+def test_reload_shows_stored_values(
+    connected: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
-    up.edit("serial_timeout", 15)
-    up.apply()
-    up.device.reload()
+    connected.edit("serial_timeout", 15)
+    connected.apply()
+    connected.device.reload()
     states: list[object] = []
-    up.device.state_changed.connect(lambda: states.append(up.device.state))
-    up.until(lambda: bool(states))
-    assert up.device.parameters.stored_of("serial_timeout") == 15
+    connected.device.state_changed.connect(lambda: states.append(connected.device.state))
+    connected.until(lambda: bool(states))
+    assert connected.device.parameters.stored_of("serial_timeout") == 15
 
 
-def test_what_is_asked_without_a_board_fails_in_words(watched: Watched) -> None:
-    watched.device.reload()
-    assert watched.failures == ["No board is connected."]
+def test_reload_without_a_board_is_rejected(recorder: DeviceRecorder) -> None:
+    recorder.device.reload()
+    assert recorder.failures == ["No board is connected."]
 
 
-def test_edits_are_discarded_together(up: Watched) -> None:
-    up.edit("serial_timeout", 15)
-    up.device.calibrations.edit(2, LEARNED)
+def test_discard_drops_all_edits(connected: DeviceRecorder) -> None:
+    connected.edit("serial_timeout", 15)
+    connected.device.calibrations.edit(2, LEARNED)
     counts: list[int] = []
-    up.device.pending_changed.connect(counts.append)
-    up.device.discard_edits()
+    connected.device.pending_changed.connect(counts.append)
+    connected.device.discard_edits()
     assert counts[-1] == 0
-    assert up.device.pending == 0
+    assert connected.device.pending == 0
 
 
 # --- Power ------------------------------------------------------------------------------
 
 
-def test_what_waits_for_the_power_acts_after_a_power_cycle(
-    up: Watched, quick_simulator: SimulatedDevice
+def test_power_cycle_activates_waiting_parameter(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    up.edit("motor_mode", 1)
-    up.apply()
-    assert up.device.parameters.waiting_for_power == ("Motor Mode",)
-    assert up.device.parameters.active_of("motor_mode") == 0
+    connected.edit("motor_mode", 1)
+    connected.apply()
+    assert connected.device.parameters.waiting_for_power == ("Motor Mode",)
+    assert connected.device.parameters.active_of("motor_mode") == 0
     quick_simulator.do("power off")
-    up.until_link(Link.SILENT)
-    waiting = [up.device.parameters.waiting_for_power]
+    connected.until_link(Link.SILENT)
+    waiting = [connected.device.parameters.waiting_for_power]
     quick_simulator.do("power on")
-    up.until_link(Link.UP)
-    waiting.append(up.device.parameters.waiting_for_power)
+    connected.until_link(Link.UP)
+    waiting.append(connected.device.parameters.waiting_for_power)
     assert waiting == [("Motor Mode",), ()]
-    assert up.device.parameters.active_of("motor_mode") == 1
-    assert up.failures == []
+    assert connected.device.parameters.active_of("motor_mode") == 1
+    assert connected.failures == []
 
 
-def test_a_board_without_power_can_neither_be_driven_nor_edited(
-    up: Watched, quick_simulator: SimulatedDevice
+def test_unpowered_board_cannot_be_driven_or_edited(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    up.device.motors.arm()
+    connected.device.motors.arm()
     quick_simulator.do("power off")
-    up.until_link(Link.SILENT)
-    assert not up.device.motors.armed
-    assert not up.device.motors.can_arm
-    model = up.device.parameters
+    connected.until_link(Link.SILENT)
+    assert not connected.device.motors.armed
+    assert not connected.device.motors.can_arm
+    model = connected.device.parameters
     assert not model.setData(model.index_of("serial_timeout"), 9)
-    assert up.device.telemetry.raw is None
-    assert "power" in up.device.status
+    assert connected.device.telemetry.raw is None
+    assert "power" in connected.device.status
 
 
-def test_edits_outlive_a_power_cycle(up: Watched, quick_simulator: SimulatedDevice) -> None:
-    up.edit("serial_timeout", 15)
+def test_edits_survive_a_power_cycle(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    connected.edit("serial_timeout", 15)
     quick_simulator.do("power off")
-    up.until_link(Link.SILENT)
+    connected.until_link(Link.SILENT)
     quick_simulator.do("power on")
-    up.until_link(Link.UP)
-    assert up.device.parameters.pending == (("serial_timeout", 15),)
+    connected.until_link(Link.UP)
+    assert connected.device.parameters.pending == (("serial_timeout", 15),)
 
 
-def test_another_mode_is_noticed(up: Watched, quick_simulator: SimulatedDevice) -> None:
+def test_mode_change_is_detected(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
-    up.until(lambda: up.device.state is not None and not up.device.state.mode.is_serial)
-    assert up.device.telemetry.serial_controls is False
+    connected.until(
+        lambda: connected.device.state is not None and not connected.device.state.mode.is_serial
+    )
+    assert connected.device.telemetry.serial_controls is False
 
 
 # --- Motors -----------------------------------------------------------------------------
@@ -302,220 +322,230 @@ def speed(simulator: SimulatedDevice) -> tuple[str, int]:
     return motor["direction"], motor["speed"]
 
 
-def test_armed_motors_obey_and_a_stop_brakes_them(
-    up: Watched, quick_simulator: SimulatedDevice
+def test_armed_motor_runs_and_stop_brakes_it(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    motors = up.device.motors
+    motors = connected.device.motors
     motors.accelerate = False
     motors.arm()
     motors.set_speed(1, 90)
-    up.until(lambda: speed(quick_simulator) == ("forward", 90))
+    connected.until(lambda: speed(quick_simulator) == ("forward", 90))
     motors.stop()
-    up.until(lambda: speed(quick_simulator) == ("brake", 127))
-    assert up.failures == []
+    connected.until(lambda: speed(quick_simulator) == ("brake", 127))
+    assert connected.failures == []
 
 
-def test_a_stop_without_arming_is_sent_as_well(
-    up: Watched, quick_simulator: SimulatedDevice
+def test_stop_is_sent_without_arming(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
     before = quick_simulator.show()["motors"][1]["speed"]
-    up.device.motors.stop()
-    up.until(lambda: quick_simulator.show()["motors"][1]["speed"] == 127)
-    assert before != 127 or up.failures == []
+    connected.device.motors.stop()
+    connected.until(lambda: quick_simulator.show()["motors"][1]["speed"] == 127)
+    assert before != 127 or connected.failures == []
 
 
-def test_a_stop_that_nobody_answers_is_told(up: Watched, quick_simulator: SimulatedDevice) -> None:
+def test_unanswered_stop_is_reported(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
     quick_simulator.do("power off")
-    up.device.motors.stop()
-    up.until(lambda: bool(up.failures))
-    assert "cut its power" in up.failures[0]
+    connected.device.motors.stop()
+    connected.until(lambda: bool(connected.failures))
+    assert "cut its power" in connected.failures[0]
 
 
-def test_a_stop_without_a_line_does_no_harm(watched: Watched) -> None:
-    watched.device.motors.stop()
-    assert watched.failures == []
+def test_stop_without_a_connection_is_harmless(recorder: DeviceRecorder) -> None:
+    recorder.device.motors.stop()
+    assert recorder.failures == []
 
 
-def test_disconnecting_stops_the_motors(up: Watched, quick_simulator: SimulatedDevice) -> None:
-    motors = up.device.motors
+def test_disconnecting_stops_the_motors(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    motors = connected.device.motors
     motors.accelerate = False
     motors.arm()
     motors.set_speed(1, 90)
-    up.until(lambda: speed(quick_simulator) == ("forward", 90))
-    up.device.disconnect_line()
+    connected.until(lambda: speed(quick_simulator) == ("forward", 90))
+    connected.device.disconnect_line()
     assert not motors.armed
-    up.until_link(Link.NONE)
-    up.until(lambda: speed(quick_simulator) == ("brake", 127))
+    connected.until_link(Link.NONE)
+    connected.until(lambda: speed(quick_simulator) == ("brake", 127))
 
 
-def test_motors_that_the_channels_drive_cannot_be_armed(
-    watched: Watched, start_simulator: StartSimulator
+def test_channel_driven_motors_cannot_be_armed(
+    recorder: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
-    watched.connect(start_simulator("--mode", "rc").url)
-    assert not watched.device.motors.can_arm
-    watched.device.motors.arm()
-    assert not watched.device.motors.armed
-    assert "The RC channels control the motors" in watched.device.control_text
+    recorder.connect(start_simulator("--mode", "rc").url)
+    assert not recorder.device.motors.can_arm
+    recorder.device.motors.arm()
+    assert not recorder.device.motors.armed
+    assert "The RC channels control the motors" in recorder.device.control_text
 
 
-def test_driven_motors_may_move_until_a_stop_is_proved(
-    up: Watched, quick_simulator: SimulatedDevice
+def test_driven_motors_may_move_until_stop_is_confirmed(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    moving: list[bool] = [up.device.may_move]
-    up.device.motors.arm()
-    up.device.motors.set_speed(1, 90)
-    moving.append(up.device.may_move)
-    up.device.motors.stop()
-    up.until(lambda: not up.device.may_move)
+    moving: list[bool] = [connected.device.may_move]
+    connected.device.motors.arm()
+    connected.device.motors.set_speed(1, 90)
+    moving.append(connected.device.may_move)
+    connected.device.motors.stop()
+    connected.until(lambda: not connected.device.may_move)
     assert moving == [False, True]
 
 
-def test_motors_that_ran_when_the_cable_was_pulled_are_stopped_first_of_all(
-    up: Watched, quick_simulator: SimulatedDevice
+def test_reconnect_stops_motors_that_ran_when_unplugged(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    motors = up.device.motors
+    motors = connected.device.motors
     motors.accelerate = False
     motors.arm()
     motors.set_speed(1, 90)
-    up.until(lambda: speed(quick_simulator) == ("forward", 90))
+    connected.until(lambda: speed(quick_simulator) == ("forward", 90))
     quick_simulator.do("line unplug")
-    up.until_link(Link.NONE)
-    assert up.device.may_move
+    connected.until_link(Link.NONE)
+    assert connected.device.may_move
     assert speed(quick_simulator) == ("forward", 90)
-    up.connect(quick_simulator.do("line plug").split()[-1])
+    connected.connect(quick_simulator.do("line plug").split()[-1])
     assert speed(quick_simulator) == ("brake", 127)
-    up.until(lambda: not up.device.may_move)
+    connected.until(lambda: not connected.device.may_move)
 
 
 # --- The end of a line ------------------------------------------------------------------
 
 
-def test_disconnecting_is_no_failure(up: Watched) -> None:
-    up.device.disconnect_line()
-    up.device.disconnect_line()
-    assert up.device.link is Link.CLOSING
-    up.until_link(Link.NONE)
-    assert up.links.count(Link.NONE) == 1
-    assert up.failures == []
-    assert up.device.state is None
-    assert up.device.status == "Not connected."
-    assert up.device.telemetry.raw is None
-    assert up.device.parameters.rowCount() > 0  # still to be looked at
+def test_disconnecting_reports_no_failure(connected: DeviceRecorder) -> None:
+    connected.device.disconnect_line()
+    connected.device.disconnect_line()
+    assert connected.device.link is Link.CLOSING
+    connected.until_link(Link.NONE)
+    assert connected.links.count(Link.NONE) == 1
+    assert connected.failures == []
+    assert connected.device.state is None
+    assert connected.device.status == "Not connected."
+    assert connected.device.telemetry.raw is None
+    assert connected.device.parameters.rowCount() > 0  # still to be looked at
 
 
-def test_a_pulled_cable_is_told_at_once(up: Watched, quick_simulator: SimulatedDevice) -> None:
+def test_unplugged_cable_is_reported_within_half_a_second(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
     def take() -> float:
-        up.device.motors.arm()
+        connected.device.motors.arm()
         quick_simulator.do("line unplug")
         begun = now()
-        up.until_link(Link.NONE)
+        connected.until_link(Link.NONE)
         took = now() - begun
-        assert len(up.failures) == 1
-        assert "Plug it in, then connect again" in up.failures.pop()
-        assert not up.device.motors.can_arm
-        up.connect(quick_simulator.do("line plug").split()[-1])
+        assert len(connected.failures) == 1
+        assert "Plug it in, then connect again" in connected.failures.pop()
+        assert not connected.device.motors.can_arm
+        connected.connect(quick_simulator.do("line plug").split()[-1])
         return took
 
     assert any(take() < 0.5 for _ in range(TRIES))
 
 
-def test_a_pulled_cable_during_a_write_keeps_the_edits(
-    up: Watched, quick_simulator: SimulatedDevice
+def test_cable_unplugged_during_a_write_keeps_the_edits(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
     for key in ("serial_timeout", "motor1_acceleration", "motor2_acceleration"):
-        up.edit(key, 15)
+        connected.edit(key, 15)
     quick_simulator.do("line unplug")
-    up.device.apply()
-    up.until_link(Link.NONE)
-    assert any("Plug it in, then connect again" in failure for failure in up.failures)
-    assert up.device.pending == 3
-    assert not up.device.applying
+    connected.device.apply()
+    connected.until_link(Link.NONE)
+    assert any("Plug it in, then connect again" in failure for failure in connected.failures)
+    assert connected.device.pending == 3
+    assert not connected.device.applying
 
 
-def test_a_cable_that_is_plugged_in_again_can_be_connected_to(
-    up: Watched, quick_simulator: SimulatedDevice
+def test_replugged_cable_can_be_reconnected_and_keeps_edits(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    up.edit("serial_timeout", 15)
+    connected.edit("serial_timeout", 15)
     quick_simulator.do("line unplug")
-    up.until_link(Link.NONE)
+    connected.until_link(Link.NONE)
     url = quick_simulator.do("line plug").split()[-1]
-    up.connect(url)
-    assert up.device.parameters.pending == (("serial_timeout", 15),)
-    assert up.apply() == (Written("serial_timeout", 15),)
+    connected.connect(url)
+    assert connected.device.parameters.pending == (("serial_timeout", 15),)
+    assert connected.apply() == (Written("serial_timeout", 15),)
 
 
-def test_one_line_is_closed_before_another_is_opened(
-    up: Watched,
+def test_line_is_closed_before_another_is_opened(
+    connected: DeviceRecorder,
     quick_simulator: SimulatedDevice,
     start_simulator: StartSimulator,
 ) -> None:
-    up.edit("serial_timeout", 15)
+    connected.edit("serial_timeout", 15)
     other = start_simulator("--model", "trexjr")
-    up.connect(other.url, again=True)
-    assert up.links == [Link.OPENING, Link.UP, Link.CLOSING, Link.OPENING, Link.UP]
-    assert up.device.state is not None
-    assert up.device.state.signature.model.key == "trexjr"
-    assert up.device.parameters.pending == ()
-    assert up.failures == []
-    fresh = Watched(up.qtbot)
+    connected.connect(other.url, again=True)
+    assert connected.links == [Link.OPENING, Link.UP, Link.CLOSING, Link.OPENING, Link.UP]
+    assert connected.device.state is not None
+    assert connected.device.state.signature.model.key == "trexjr"
+    assert connected.device.parameters.pending == ()
+    assert connected.failures == []
+    fresh = DeviceRecorder(connected.qtbot)
     fresh.connect(quick_simulator.url)  # nobody holds it any more
     fresh.until(fresh.device.shut_down)
 
 
-def test_the_last_choice_of_several_is_connected_to(
-    up: Watched, start_simulator: StartSimulator
+def test_last_of_several_chosen_ports_is_connected(
+    connected: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
     other = start_simulator("--model", "trexjr")
-    up.device.connect_to(LinkSettings("/dev/ttyNothing9"))
-    up.connect(other.url, again=True)
-    assert up.device.settings == LinkSettings(other.url)
-    assert up.failures == []
+    connected.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    connected.connect(other.url, again=True)
+    assert connected.device.settings == LinkSettings(other.url)
+    assert connected.failures == []
 
 
-def test_a_wrong_choice_after_a_good_one_is_told(up: Watched) -> None:
-    up.device.connect_to(LinkSettings("/dev/ttyNothing9"))
-    up.until_link(Link.NONE)
-    assert "There is no port" in up.failures[0]
+def test_missing_port_chosen_while_connected_is_reported(connected: DeviceRecorder) -> None:
+    connected.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    connected.until_link(Link.NONE)
+    assert "There is no port" in connected.failures[0]
 
 
-def test_shutting_down_ends_within_a_second(up: Watched, quick_simulator: SimulatedDevice) -> None:
+def test_shutdown_stops_motors_within_one_second(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
     def take() -> float:
-        if up.device.link is Link.NONE:
-            up.connect(quick_simulator.url)
-        motors = up.device.motors
+        if connected.device.link is Link.NONE:
+            connected.connect(quick_simulator.url)
+        motors = connected.device.motors
         motors.accelerate = False
         motors.arm()
         motors.set_speed(1, 90)
-        up.until(lambda: speed(quick_simulator) == ("forward", 90))
+        connected.until(lambda: speed(quick_simulator) == ("forward", 90))
         begun = now()
-        in_time = up.device.shut_down()
+        in_time = connected.device.shut_down()
         took = now() - begun
-        assert up.device.link is Link.NONE
-        up.until(up.device.shut_down)
-        up.until(lambda: speed(quick_simulator) == ("brake", 127))
+        assert connected.device.link is Link.NONE
+        connected.until(connected.device.shut_down)
+        connected.until(lambda: speed(quick_simulator) == ("brake", 127))
         return took if in_time else math.inf
 
     assert any(take() < 1.0 for _ in range(TRIES))
 
 
-def test_shutting_down_without_a_line_is_done_at_once(watched: Watched) -> None:
-    assert watched.device.shut_down()
-    assert watched.links == []
+def test_shutdown_without_a_connection_is_immediate(recorder: DeviceRecorder) -> None:
+    assert recorder.device.shut_down()
+    assert recorder.links == []
 
 
-def test_what_a_closed_line_still_reports_changes_nothing(up: Watched, qtbot: QtBot) -> None:
-    up.until(up.device.shut_down)
-    links = list(up.links)
+def test_device_does_not_change_after_shutdown(connected: DeviceRecorder, qtbot: QtBot) -> None:
+    connected.until(connected.device.shut_down)
+    links = list(connected.links)
     states: list[None] = []
-    up.device.telemetry.updated.connect(lambda: states.append(None))
+    connected.device.telemetry.updated.connect(lambda: states.append(None))
     with pytest.raises(qtbot.TimeoutError):
-        qtbot.waitUntil(lambda: up.links != links or bool(states), timeout=200)
-    assert up.links == links
-    assert up.failures == []
-    assert up.device.state is None
+        qtbot.waitUntil(lambda: connected.links != links or bool(states), timeout=200)
+    assert connected.links == links
+    assert connected.failures == []
+    assert connected.device.state is None
 
 
-def test_line_settings_reach_the_line(watched: Watched, quick_simulator: SimulatedDevice) -> None:
-    watched.device.connect_to(LinkSettings(quick_simulator.url, LineSettings(9600)))
-    watched.until_link(Link.NONE)
-    assert "9600 baud" in watched.failures[0]
+def test_line_settings_are_used_for_the_connection(
+    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    recorder.device.connect_to(LinkSettings(quick_simulator.url, LineSettings(9600)))
+    recorder.until_link(Link.NONE)
+    assert "9600 baud" in recorder.failures[0]

@@ -26,12 +26,12 @@ def loaded() -> Draft:
     return draft
 
 
-def test_a_fresh_draft_has_nothing_to_write() -> None:
+def test_loaded_draft_has_no_pending_edits() -> None:
     assert loaded().pending == ()
     assert Draft().value("serial_timeout") is None
 
 
-def test_an_edit_waits_to_be_written() -> None:
+def test_edit_is_pending() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     assert draft.pending == (("serial_timeout", 9),)
@@ -39,14 +39,14 @@ def test_an_edit_waits_to_be_written() -> None:
     assert draft.stored["serial_timeout"] == TIMEOUT.default
 
 
-def test_editing_back_forgets_the_edit() -> None:
+def test_edit_to_stored_value_is_not_pending() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     draft.edit(TIMEOUT, TIMEOUT.default)
     assert draft.pending == ()
 
 
-def test_an_edit_is_taken_back_by_editing_to_nothing() -> None:
+def test_edit_to_none_drops_the_edit() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     draft.edit(TIMEOUT, None)
@@ -54,7 +54,7 @@ def test_an_edit_is_taken_back_by_editing_to_nothing() -> None:
     assert draft.pending == ()
 
 
-def test_an_edit_outside_the_table_leaves_the_one_before() -> None:
+def test_invalid_edit_keeps_the_previous_edit() -> None:
     draft = loaded()
     draft.edit(MODE, 1)
     with pytest.raises(BadRequest, match="Motor Mode"):
@@ -62,7 +62,7 @@ def test_an_edit_outside_the_table_leaves_the_one_before() -> None:
     assert draft.pending == (("motor_mode", 1),)
 
 
-def test_what_was_read_back_is_stored_and_no_edit_any_more() -> None:
+def test_verified_value_is_stored_and_not_pending() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     draft.note_stored(TIMEOUT, 9)
@@ -70,7 +70,7 @@ def test_what_was_read_back_is_stored_and_no_edit_any_more() -> None:
     assert draft.pending == ()
 
 
-def test_an_edit_that_came_during_the_write_is_kept() -> None:
+def test_edit_made_during_the_write_stays_pending() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     draft.edit(TIMEOUT, 10)
@@ -78,7 +78,7 @@ def test_an_edit_that_came_during_the_write_is_kept() -> None:
     assert draft.pending == (("serial_timeout", 10),)
 
 
-def test_reading_again_keeps_edits_only_when_asked_to() -> None:
+def test_reload_keeps_edits_only_on_request() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     draft.load(FACTORY, keep_edits=True)
@@ -87,14 +87,14 @@ def test_reading_again_keeps_edits_only_when_asked_to() -> None:
     assert dict(draft.pending) == {}
 
 
-def test_an_edit_that_somebody_else_has_written_is_none_any_more() -> None:
+def test_edit_equal_to_reloaded_value_is_dropped() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     draft.load(FACTORY | {"serial_timeout": 9}, keep_edits=True)
     assert draft.pending == ()
 
 
-def test_an_edit_of_what_the_board_does_not_have_is_dropped() -> None:
+def test_edit_of_missing_parameter_is_dropped() -> None:
     draft = loaded()
     draft.edit(TIMEOUT, 9)
     draft.load({"motor_mode": 0}, keep_edits=True)
@@ -104,27 +104,27 @@ def test_an_edit_of_what_the_board_does_not_have_is_dropped() -> None:
 # --- Stored and active ------------------------------------------------------------------
 
 
-def test_what_needs_a_power_cycle_is_stored_beside_what_is_active() -> None:
+def test_power_cycle_parameter_keeps_its_active_value() -> None:
     draft = loaded()
     draft.note_stored(MODE, 1)
     assert draft.stored["motor_mode"] == 1
     assert draft.active == {"motor_mode": 0}
 
 
-def test_what_acts_at_once_has_no_second_truth() -> None:
+def test_immediate_parameter_has_no_separate_active_value() -> None:
     draft = loaded()
     draft.note_stored(TIMEOUT, 9)
     assert draft.active == {}
 
 
-def test_storing_the_active_value_again_ends_the_waiting() -> None:
+def test_storing_the_active_value_ends_the_waiting() -> None:
     draft = loaded()
     draft.note_stored(MODE, 1)
     draft.note_stored(MODE, 0)
     assert draft.active == {}
 
 
-def test_the_active_value_stays_through_several_writes() -> None:
+def test_active_value_survives_several_writes() -> None:
     draft = loaded()
     uart = SPECS["uart_settings"]
     draft.note_stored(uart, 3)
@@ -132,21 +132,21 @@ def test_the_active_value_stays_through_several_writes() -> None:
     assert draft.active == {"uart_settings": uart.default}
 
 
-def test_a_power_cycle_makes_everything_active() -> None:
+def test_power_cycle_activates_all_stored_values() -> None:
     draft = loaded()
     draft.note_stored(MODE, 1)
     draft.load(FACTORY | {"motor_mode": 1}, power_cycled=True)
     assert draft.active == {}
 
 
-def test_reading_again_without_a_power_cycle_changes_nothing_about_what_is_active() -> None:
+def test_reload_without_power_cycle_keeps_active_values() -> None:
     draft = loaded()
     draft.note_stored(MODE, 1)
     draft.load(FACTORY | {"motor_mode": 1}, power_cycled=False)
     assert draft.active == {"motor_mode": 0}
 
 
-def test_a_value_that_was_not_known_before_has_no_active_one() -> None:
+def test_previously_unknown_value_has_no_active_value() -> None:
     draft = Draft()
     draft.note_stored(MODE, 1)
     assert draft.active == {}
@@ -161,7 +161,7 @@ def of_a_file() -> Draft:
     return draft
 
 
-def test_what_a_file_does_not_give_can_be_given_and_taken_back() -> None:
+def test_parameter_can_be_added_to_a_file_and_left_out() -> None:
     draft = of_a_file()
     assert draft.takes("serial_timeout")
     draft.edit(TIMEOUT, 9)
@@ -171,7 +171,7 @@ def test_what_a_file_does_not_give_can_be_given_and_taken_back() -> None:
     assert not draft.is_modified("serial_timeout")
 
 
-def test_what_a_file_gives_can_be_left_out_and_given_again() -> None:
+def test_parameter_of_a_file_can_be_left_out_and_restored() -> None:
     draft = of_a_file()
     draft.leave_out("motor_mode")
     assert draft.value("motor_mode") is None
@@ -181,7 +181,7 @@ def test_what_a_file_gives_can_be_left_out_and_given_again() -> None:
     assert not draft.is_modified("motor_mode")
 
 
-def test_what_is_left_out_stays_so_when_the_same_is_read_again() -> None:
+def test_left_out_parameter_survives_reload_of_the_same_file() -> None:
     draft = of_a_file()
     draft.leave_out("motor_mode")
     draft.edit(TIMEOUT, 9)
@@ -193,7 +193,7 @@ def test_what_is_left_out_stays_so_when_the_same_is_read_again() -> None:
     assert not draft.pending
 
 
-def test_nothing_can_be_left_out_of_a_board() -> None:
+def test_parameter_of_a_board_cannot_be_left_out() -> None:
     draft = loaded()
     draft.leave_out("motor_mode")
     assert draft.value("motor_mode") == MODE.default
@@ -209,7 +209,7 @@ edits = st.lists(
 
 @modest
 @given(edits)
-def test_dirty_is_the_difference_whatever_was_edited(
+def test_pending_equals_the_difference_after_any_edits(
     steps: list[tuple[ParameterSpec, int | None]],
 ) -> None:
     draft = loaded()
@@ -228,7 +228,7 @@ def test_dirty_is_the_difference_whatever_was_edited(
 
 @modest
 @given(edits, st.randoms(use_true_random=False))
-def test_taking_back_every_edit_in_any_order_leaves_nothing(
+def test_dropping_edits_in_any_order_leaves_none_pending(
     steps: list[tuple[ParameterSpec, int | None]], chance: random.Random
 ) -> None:
     draft = loaded()
@@ -247,7 +247,7 @@ def test_taking_back_every_edit_in_any_order_leaves_nothing(
 
 @modest
 @given(edits)
-def test_writing_everything_that_waits_leaves_nothing(
+def test_writing_all_pending_edits_leaves_none(
     steps: list[tuple[ParameterSpec, int | None]],
 ) -> None:
     draft = loaded()

@@ -31,20 +31,20 @@ def counts(log: ErrorLog) -> list[int]:
     return [entry.count for entry in log.entries]
 
 
-def test_all_thirteen_bits_have_an_entry_of_their_own(log: ErrorLog) -> None:
+def test_each_of_13_bits_has_its_own_entry(log: ErrorLog) -> None:
     assert [entry.bit for entry in log.entries] == BITS
     assert [type(entry.bit) for entry in log.entries] == [Status] * 5 + [UartError] * 8
     assert len({entry.name for entry in log.entries}) == 13
     assert all(entry.meaning for entry in log.entries)
 
 
-def test_nothing_was_seen_at_first(log: ErrorLog) -> None:
+def test_log_starts_with_zero_counts(log: ErrorLog) -> None:
     assert counts(log) == [0] * 13
     assert all(entry.last is None for entry in log.entries)
 
 
 @pytest.mark.parametrize("position", range(13), ids=lambda index: BITS[index].name or "")
-def test_each_bit_is_counted_by_itself(log: ErrorLog, position: int) -> None:
+def test_each_bit_is_counted_separately(log: ErrorLog, position: int) -> None:
     before = datetime.now(UTC)
     log.take(news(BITS[position]))
     log.take(news(BITS[position]))
@@ -56,23 +56,23 @@ def test_each_bit_is_counted_by_itself(log: ErrorLog, position: int) -> None:
     assert before <= last <= datetime.now(UTC)
 
 
-def test_bits_that_come_together_are_counted_together(log: ErrorLog) -> None:
+def test_simultaneous_bits_are_all_counted(log: ErrorLog) -> None:
     log.take(news(*BITS))
     assert counts(log) == [1] * 13
 
 
-def test_a_bit_with_an_equal_number_in_the_other_byte_stays_uncounted(log: ErrorLog) -> None:
+def test_same_bit_of_the_other_byte_is_not_counted(log: ErrorLog) -> None:
     log.take(news(Status.UART_ERROR))
     entry = next(one for one in log.entries if one.bit is UartError.SEND_OVERRUN)
     assert entry.count == 0
 
 
-def test_news_are_announced(log: ErrorLog, qtbot: QtBot) -> None:
+def test_new_bits_emit_changed(log: ErrorLog, qtbot: QtBot) -> None:
     with qtbot.waitSignal(log.changed):
         log.take(news(Status.MOTOR1_FAULT))
 
 
-def test_a_reset_forgets_counts_and_times(log: ErrorLog, qtbot: QtBot) -> None:
+def test_reset_clears_counts_and_times(log: ErrorLog, qtbot: QtBot) -> None:
     log.take(news(*BITS))
     with qtbot.waitSignal(log.changed):
         log.reset()
@@ -80,7 +80,7 @@ def test_a_reset_forgets_counts_and_times(log: ErrorLog, qtbot: QtBot) -> None:
     assert all(entry.last is None for entry in log.entries)
 
 
-def test_entries_that_were_handed_out_do_not_change(log: ErrorLog) -> None:
+def test_returned_entries_are_not_updated(log: ErrorLog) -> None:
     before = log.entries
     log.take(news(*BITS))
     assert [entry.count for entry in before] == [0] * 13

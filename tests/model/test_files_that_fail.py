@@ -15,7 +15,7 @@ from trex_gui.model.file_saver import FileSaver
 from trex_gui.model.record_thread import RecordThread
 from trex_gui.model.transcript_saver import TranscriptSaver
 from trex_gui.recording.recording import Marker
-from trex_gui.worker.file_worker import Done, FileWorker, Tell
+from trex_gui.worker.file_worker import Done, FileWorker
 from trex_gui.worker.record_worker import Writer
 
 
@@ -23,7 +23,9 @@ def fail(_: object) -> int:
     raise ZeroDivisionError("on purpose")
 
 
-def test_work_that_fails_by_a_fault_says_so(qtbot: QtBot, caplog: pytest.LogCaptureFixture) -> None:
+def test_internal_error_in_a_worker_is_reported_and_logged(
+    qtbot: QtBot, caplog: pytest.LogCaptureFixture
+) -> None:
     worker = FileWorker(fail)
     with qtbot.waitSignal(worker.done) as done:
         worker.start()
@@ -35,9 +37,7 @@ def test_work_that_fails_by_a_fault_says_so(qtbot: QtBot, caplog: pytest.LogCapt
     assert "ZeroDivisionError: on purpose" in caplog.text
 
 
-def test_a_file_that_a_fault_ends_is_told_and_the_next_can_be_written(
-    qtbot: QtBot, tmp_path: Path
-) -> None:
+def test_saver_reports_an_internal_error_and_stays_usable(qtbot: QtBot, tmp_path: Path) -> None:
     saver = FileSaver()
     with qtbot.waitSignal(saver.failed) as failed:
         saver.begin(tmp_path / "line.txt", fail)
@@ -49,26 +49,19 @@ def test_a_file_that_a_fault_ends_is_told_and_the_next_can_be_written(
     assert saved.args == [3, tmp_path / "line.txt"]
 
 
-def test_a_thread_that_ends_without_a_word_is_told_as_a_failure(
-    qtbot: QtBot, tmp_path: Path
+def test_silent_end_of_a_worker_is_reported_as_a_failure(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(FileWorker, "run", lambda _worker: None)  # as a thread that dies
     saver = FileSaver()
-
-    def work(tell: Tell) -> int:
-        while True:
-            tell(0.0)
-
-    saver.begin(tmp_path / "line.txt", work)
-    worker = saver.findChild(FileWorker)
-    assert worker is not None
     with qtbot.waitSignal(saver.failed) as failed:
-        worker.cancel()
+        saver.begin(tmp_path / "line.txt", lambda _tell: 0)
     assert failed.args == ["line.txt was not written."]
     assert not saver.is_saving
 
 
 @pytest.mark.skipif(os.name == "nt", reason="names there are text")
-def test_a_port_whose_name_is_no_text_is_in_the_transcript(qtbot: QtBot, tmp_path: Path) -> None:
+def test_undecodable_port_name_is_saved_in_the_transcript(qtbot: QtBot, tmp_path: Path) -> None:
     device = Device()
     device.connect_to(LinkSettings(os.fsdecode(b"/dev/pts/\xe9")))
     qtbot.waitUntil(lambda: device.link is Link.NONE)
@@ -79,15 +72,15 @@ def test_a_port_whose_name_is_no_text_is_in_the_transcript(qtbot: QtBot, tmp_pat
     qtbot.waitUntil(device.shut_down)
 
 
-class Anything(RecordThread[Marker]):
-    """A recorder of anything."""
+class MarkerRecorder(RecordThread[Marker]):
+    """A recorder that can always record."""
 
     @property
     def is_there(self) -> bool:
         return True
 
 
-class Odd:
+class FailingWriter:
     """Writes nothing, and fails at its end."""
 
     size = 0
@@ -102,14 +95,14 @@ class Odd:
         raise ZeroDivisionError("on purpose")
 
 
-@pytest.mark.parametrize("make", [fail, lambda _file: Odd()], ids=["beginning", "end"])
-def test_a_recording_that_a_fault_ends_is_not_told_as_recorded(
+@pytest.mark.parametrize("make", [fail, lambda _file: FailingWriter()], ids=["beginning", "end"])
+def test_internal_error_fails_the_recording(
     qtbot: QtBot,
     tmp_path: Path,
     caplog: pytest.LogCaptureFixture,
     make: Callable[[BinaryIO], Writer[Marker]],
 ) -> None:
-    recorder = Anything()
+    recorder = MarkerRecorder()
     told: list[str] = []
     ended: list[Path] = []
     recorder.failed.connect(told.append)

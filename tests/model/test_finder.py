@@ -7,6 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.link import looking
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
@@ -46,7 +47,7 @@ def at(url: str) -> Port:
 
 
 @pytest.mark.usefixtures("unhurried")
-def test_a_board_is_told_with_where_and_how_it_is_reached(
+def test_found_board_is_listed_with_port_and_settings(
     finder: Finder, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     port = at(quick_simulator.url)
@@ -62,7 +63,7 @@ def test_a_board_is_told_with_where_and_how_it_is_reached(
     assert not finder.is_searching(port)
 
 
-def test_what_is_tried_is_told(
+def test_scan_reports_progress_until_cancelled(
     finder: Finder, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     quick_simulator.do("power off")
@@ -84,7 +85,7 @@ def test_what_is_tried_is_told(
     assert finder.text == ""
 
 
-def test_a_port_that_does_not_open_says_why(finder: Finder, until: Until) -> None:
+def test_port_that_does_not_open_is_listed_with_the_reason(finder: Finder, until: Until) -> None:
     finder.start([at("/dev/ttyNothing9")])
     until(lambda: not finder.running)
     (finding,) = finder.findings
@@ -93,7 +94,7 @@ def test_a_port_that_does_not_open_says_why(finder: Finder, until: Until) -> Non
     assert finder.summary == "No board was found."
 
 
-def test_one_search_at_a_time(
+def test_second_scan_is_ignored_while_one_runs(
     finder: Finder, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     finder.start([])
@@ -104,14 +105,17 @@ def test_one_search_at_a_time(
     assert [finding.port.url for finding in finder.findings] == [quick_simulator.url]
 
 
-def test_a_search_that_is_shut_down_says_no_more(
-    finder: Finder, quick_simulator: SimulatedDevice, qtbot: QtBot
+def test_scan_emits_nothing_after_shutdown(
+    finder: Finder,
+    quick_simulator: SimulatedDevice,
+    qtbot: QtBot,
+    virtual_time: VirtualRuntime,
 ) -> None:
     def ends_in_time() -> bool:
         finder.start([at(quick_simulator.url)])
         with qtbot.assertNotEmitted(finder.finished):
             in_time = finder.shut_down()
-            qtbot.wait(50)
+            virtual_time.advance(0.05)
         assert not finder.running
         return in_time
 
@@ -120,7 +124,7 @@ def test_a_search_that_is_shut_down_says_no_more(
     quick_simulator.do("power on")
 
 
-def test_connecting_to_a_port_that_is_searched_ends_the_search_first(
+def test_connecting_to_a_scanned_port_ends_the_scan_first(
     quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     device, ports = Device(), Ports()
@@ -138,7 +142,7 @@ def test_connecting_to_a_port_that_is_searched_ends_the_search_first(
 
 
 @pytest.mark.usefixtures("unhurried")
-def test_the_simulated_board_can_be_found_and_connected_to(until: Until) -> None:
+def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
     device, ports = Device(), Ports()
     connector = Connector(device, ports)
     connector.simulator.start()

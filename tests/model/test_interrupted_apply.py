@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.model.test_device import Watched
+from tests.model.test_device import DeviceRecorder
 from tests.support.simulator import SimulatedDevice
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.writing import NotTried, Written
@@ -42,19 +42,19 @@ STEPS = range(len(WANTED) + 2)
 every_step = pytest.mark.parametrize("step", STEPS)
 
 
-class Applied:
-    """A board with edits that wait, and what was kept and told when their Apply was disturbed."""
+class InterruptedApply:
+    """A board with pending edits, and what was kept and reported when Apply was interrupted."""
 
-    def __init__(self, watched: Watched, simulator: SimulatedDevice) -> None:
+    def __init__(self, recorder: DeviceRecorder, simulator: SimulatedDevice) -> None:
         for key, wire in OLD.items():
             simulator.do(f"eeprom {key} {wire}")
         simulator.do("power cycle")
-        self.watched = watched
-        self.device = watched.device
+        self.recorder = recorder
+        self.device = recorder.device
         self.simulator = simulator
-        watched.connect(simulator.url)
+        recorder.connect(simulator.url)
         for key, wire in WANTED.items():
-            watched.edit(key, wire)
+            recorder.edit(key, wire)
         self.device.calibrations.edit(CHANNEL, LEARNED)
         assert self.device.state is not None
         self.before = settings_of(self.device.state)
@@ -71,13 +71,13 @@ class Applied:
 
         self.device.progressed.connect(on_progressed)
         self.device.apply()
-        self.watched.until(lambda: bool(done) and not self.device.applying)
+        self.recorder.until(lambda: bool(done) and not self.device.applying)
         self.device.progressed.disconnect(on_progressed)
 
     @property
     def results(self) -> tuple[Written, ...]:
         """How each write went, as far as that was told."""
-        return self.watched.results[-1] if self.watched.results else ()
+        return self.recorder.results[-1] if self.recorder.results else ()
 
     @property
     def stored(self) -> dict[str, int]:
@@ -110,7 +110,7 @@ class Applied:
     def finish(self) -> None:
         """Apply again; everything is as it was wanted, and nothing else has changed."""
         if self.device.pending:
-            results = self.watched.apply()
+            results = self.recorder.apply()
             assert [result.error for result in results] == [None] * len(results)
         assert self.device.pending == 0
         assert self.stored == self.after
@@ -118,10 +118,10 @@ class Applied:
 
 
 @pytest.fixture
-def applied(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Applied]:
-    watched = Watched(qtbot)
-    yield Applied(watched, quick_simulator)
-    qtbot.waitUntil(watched.device.shut_down)  # no thread lives on
+def applied(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[InterruptedApply]:
+    recorder = DeviceRecorder(qtbot)
+    yield InterruptedApply(recorder, quick_simulator)
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
 
 
 def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -> None:
@@ -131,31 +131,29 @@ def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -
 
 
 @every_step
-def test_after_a_power_cut_the_board_is_there_again_and_the_rest_can_be_applied(
-    step: int, applied: Applied
-) -> None:
+def test_apply_resumes_after_a_power_cut(step: int, applied: InterruptedApply) -> None:
     applied.disturb(step, lambda: applied.simulator.do("power off"))
-    applied.watched.until_link(Link.SILENT)
+    applied.recorder.until_link(Link.SILENT)
     applied.simulator.do("power on")
     applied.require_kept()
     applied.require_named()
     require_old_or_new(applied.stored, applied.before, lost=1)
 
     # With the line settings stored it comes back at those: Apply has said where to look.
-    applied.watched.until_link(Link.UP)
+    applied.recorder.until_link(Link.UP)
     applied.require_waiting()
     applied.finish()
 
 
 @every_step
-def test_after_a_pulled_cable_the_rest_can_be_applied(step: int, applied: Applied) -> None:
+def test_apply_resumes_after_an_unplugged_cable(step: int, applied: InterruptedApply) -> None:
     applied.disturb(step, lambda: applied.simulator.do("line unplug"))
-    applied.watched.until_link(Link.NONE)
+    applied.recorder.until_link(Link.NONE)
     applied.require_kept()
     applied.require_named()
     require_old_or_new(applied.stored, applied.before, lost=0)
 
-    applied.watched.connect(applied.simulator.do("line plug").split()[-1])
+    applied.recorder.connect(applied.simulator.do("line plug").split()[-1])
     applied.require_waiting()
     applied.finish()
 
@@ -163,15 +161,15 @@ def test_after_a_pulled_cable_the_rest_can_be_applied(step: int, applied: Applie
 # --- A line that is closed meanwhile ----------------------------------------------------
 
 
-def connect_after_power_cycle(applied: Applied) -> None:
+def connect_after_power_cycle(applied: InterruptedApply) -> None:
     """Switch the board off and on, and connect at the line settings that it has stored."""
     applied.simulator.do("power cycle")
     line = LineSettings.from_wire(applied.stored["uart_settings"])
     applied.device.connect_to(LinkSettings(applied.simulator.url, line))
-    applied.watched.until_link(Link.UP)
+    applied.recorder.until_link(Link.UP)
 
 
-def require_told(applied: Applied) -> None:
+def require_told(applied: InterruptedApply) -> None:
     """Each setting is stored or was not tried, and nobody speaks of a failure."""
     applied.require_kept()
     applied.require_named()
@@ -179,28 +177,28 @@ def require_told(applied: Applied) -> None:
     require_old_or_new(applied.stored, applied.before, lost=0)
     failures = [result.error for result in applied.results if result.error is not None]
     assert all(isinstance(error, NotTried) for error in failures)
-    assert applied.watched.failures == []
+    assert applied.recorder.failures == []
     pair = [applied.stored[key] == WANTED[key] for key in ("crc7_polynomial", "uart_settings")]
     assert len(set(pair)) == 1
 
 
 @every_step
-def test_after_disconnecting_the_rest_can_be_applied(step: int, applied: Applied) -> None:
+def test_apply_resumes_after_disconnecting(step: int, applied: InterruptedApply) -> None:
     applied.disturb(step, applied.device.disconnect_line)
-    applied.watched.until_link(Link.NONE)
+    applied.recorder.until_link(Link.NONE)
     require_told(applied)
 
-    applied.watched.connect(applied.simulator.url)
+    applied.recorder.connect(applied.simulator.url)
     applied.require_waiting()
     applied.finish()
 
 
 @every_step
-def test_after_disconnecting_and_a_power_cycle_the_rest_can_be_applied(
-    step: int, applied: Applied
+def test_apply_resumes_after_disconnect_and_power_cycle(
+    step: int, applied: InterruptedApply
 ) -> None:
     applied.disturb(step, applied.device.disconnect_line)
-    applied.watched.until_link(Link.NONE)
+    applied.recorder.until_link(Link.NONE)
     require_told(applied)
 
     connect_after_power_cycle(applied)
@@ -209,13 +207,13 @@ def test_after_disconnecting_and_a_power_cycle_the_rest_can_be_applied(
 
 
 @every_step
-def test_how_far_it_came_is_told_before_the_program_ends(step: int, applied: Applied) -> None:
+def test_shutdown_reports_the_results_of_an_apply(step: int, applied: InterruptedApply) -> None:
     ended: list[bool] = []
     told: list[int] = []
 
     def end() -> None:
         ended.append(applied.device.shut_down())
-        told.append(len(applied.watched.results))
+        told.append(len(applied.recorder.results))
 
     applied.disturb(step, end)
     assert (ended, told) == ([True], [1])
@@ -228,11 +226,13 @@ def test_how_far_it_came_is_told_before_the_program_ends(step: int, applied: App
 
 
 @every_step
-def test_after_a_change_of_port_what_was_stored_is_no_edit(step: int, applied: Applied) -> None:
+def test_reconnecting_during_apply_keeps_only_unwritten_edits(
+    step: int, applied: InterruptedApply
+) -> None:
     """Connecting elsewhere closes the line first."""
     again = LinkSettings(applied.simulator.url)
     applied.disturb(step, lambda: applied.device.connect_to(again))
-    applied.watched.until_link(Link.UP)
+    applied.recorder.until_link(Link.UP)
     require_told(applied)
     applied.finish()
 
@@ -241,17 +241,17 @@ def test_after_a_change_of_port_what_was_stored_is_no_edit(step: int, applied: A
 
 
 @pytest.fixture
-def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Watched]:
+def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[DeviceRecorder]:
     """A device that calls its board by the number 7."""
-    watched = Watched(qtbot)
-    watched.device.connect_to(LinkSettings(quick_simulator.url, device_number=7))
-    watched.until_link(Link.UP)
-    yield watched
-    qtbot.waitUntil(watched.device.shut_down)  # no thread lives on
+    recorder = DeviceRecorder(qtbot)
+    recorder.device.connect_to(LinkSettings(quick_simulator.url, device_number=7))
+    recorder.until_link(Link.UP)
+    yield recorder
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
 
 
-def test_a_board_that_gets_another_number_is_called_by_it_at_once(
-    addressed: Watched, quick_simulator: SimulatedDevice
+def test_new_device_number_is_used_immediately(
+    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
     for key, wire in {"device_number": 9, **WANTED}.items():
         addressed.edit(key, wire)
@@ -265,8 +265,8 @@ def test_a_board_that_gets_another_number_is_called_by_it_at_once(
     assert addressed.failures == []
 
 
-def test_a_board_with_another_number_is_there_again_after_a_power_cycle(
-    addressed: Watched, quick_simulator: SimulatedDevice
+def test_renumbered_board_reconnects_after_power_cycle(
+    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
     addressed.edit("device_number", 9)
     addressed.edit("uart_settings", WANTED["uart_settings"])
@@ -280,8 +280,8 @@ def test_a_board_with_another_number_is_there_again_after_a_power_cycle(
     assert addressed.device.parameters.stored_of("device_number") == 9
 
 
-def test_a_board_with_another_number_is_there_again_after_a_pulled_cable(
-    addressed: Watched, quick_simulator: SimulatedDevice
+def test_renumbered_board_reconnects_after_unplugged_cable(
+    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
     addressed.edit("device_number", 9)
     addressed.apply()

@@ -13,7 +13,7 @@ from trex_gui.protocol.commands import Drive
 
 
 @pytest.mark.parametrize("drives", [False, True])
-def test_a_session_that_dies_of_a_fault_closes_the_line_and_remembers_what_was_driven(
+def test_crashed_session_closes_the_line_and_keeps_may_move(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, drives: bool
 ) -> None:
     told = threading.Event()
@@ -32,7 +32,7 @@ def test_a_session_that_dies_of_a_fault_closes_the_line_and_remembers_what_was_d
     assert not line.is_open
 
 
-def test_without_a_session_nothing_is_taken(qtbot: QtBot) -> None:
+def test_requests_without_a_session_are_rejected(qtbot: QtBot) -> None:
     del qtbot
     line = Line()
     outcomes: list[object] = []

@@ -72,7 +72,7 @@ def line_of(device: Device) -> LineSettings:
     return device.settings.line
 
 
-def test_a_board_that_comes_back_elsewhere_is_connected_there_and_that_is_remembered(
+def test_reconnect_at_new_line_settings_is_saved(
     connector: Connector,
     device: Device,
     ports: Ports,
@@ -101,7 +101,7 @@ def test_a_board_that_comes_back_elsewhere_is_connected_there_and_that_is_rememb
 
 
 @pytest.mark.parametrize("baud", [4800, 14400, 38400, 76800, 115200])
-def test_many_rates_of_a_real_port(
+def test_board_reconnects_at_a_new_baud_rate(
     connector: Connector,
     device: Device,
     ports: Ports,
@@ -120,7 +120,7 @@ def test_many_rates_of_a_real_port(
     assert line_of(device) == LineSettings(baud)
 
 
-def test_the_simulated_board_is_reached_again_where_it_was_left(
+def test_simulated_board_reconnects_at_its_last_settings(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
@@ -137,7 +137,7 @@ def test_the_simulated_board_is_reached_again_where_it_was_left(
     assert line_of(device) == NEW
 
 
-def test_a_new_simulated_board_has_the_factorys_settings(
+def test_new_simulated_board_uses_factory_line_settings(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)

@@ -11,24 +11,24 @@ outputs = st.integers(-127, 127)
 
 
 @given(turn=outputs, forward=outputs, mix=st.booleans(), skew=st.integers(-10, 10))
-def test_what_is_told_of_the_jumper_is_so(turn: int, forward: int, mix: bool, skew: int) -> None:
+def test_detected_mix_jumper_is_never_wrong(turn: int, forward: int, mix: bool, skew: int) -> None:
     first, second = motor_values([turn, forward], mix=mix, flip=False, joint=False)
     assert is_mixed((turn, forward), (first + skew, second)) in {mix, None}
 
 
 @pytest.mark.parametrize("pushed", [(80, 0), (-80, 0), (0, 80), (60, 60), (127, 127)])
 @pytest.mark.parametrize("mix", [True, False])
-def test_a_stick_that_is_pushed_shows_it(pushed: tuple[int, int], mix: bool) -> None:
+def test_pushed_stick_reveals_the_mix_jumper(pushed: tuple[int, int], mix: bool) -> None:
     answered = motor_values(pushed, mix=mix, flip=False, joint=False)
     assert is_mixed(pushed, answered) is mix
 
 
-def test_sticks_at_neutral_show_nothing_and_neither_do_values_that_fit_neither_way() -> None:
+def test_neutral_or_inconsistent_values_give_no_result() -> None:
     assert is_mixed((0, 0), (0, 0)) is None
     assert is_mixed((80, 0), (-40, 90)) is None
 
 
-def test_one_value_is_not_believed_and_what_was_seen_is_kept_at_neutral() -> None:
+def test_mix_result_needs_several_values_and_survives_neutral() -> None:
     watch, seen = MixWatch(), []
     for times, outputs, answered in (
         (1, (80, 0), (80, -80)),

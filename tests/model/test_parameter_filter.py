@@ -37,28 +37,28 @@ def in_groups(*groups: str) -> list[str]:
     return [spec.key for group in groups for spec in SPECS.readable if spec.group == group]
 
 
-def test_qt_finds_nothing_wrong_with_it(rows: ParameterFilter, qtmodeltester: ModelTester) -> None:
+def test_filter_passes_qt_model_tester(rows: ParameterFilter, qtmodeltester: ModelTester) -> None:
     rows.set_words("motor")
     qtmodeltester.check(rows)  # type: ignore[no-untyped-call] # of pytest-qt
 
 
-def test_without_wishes_everything_is_shown_in_its_order(rows: ParameterFilter) -> None:
+def test_unfiltered_rows_are_all_shown_in_order(rows: ParameterFilter) -> None:
     assert shown(rows) == in_groups("motors", "channels", "serial", "system")
 
 
 @pytest.mark.parametrize("words", ["serial timeout", "TIMEOUT serial", "serial_timeout"])
-def test_words_are_found_in_any_order_and_case(rows: ParameterFilter, words: str) -> None:
+def test_words_match_in_any_order_and_case(rows: ParameterFilter, words: str) -> None:
     rows.set_words(words)
     assert "serial_timeout" in shown(rows)
     assert "motor_mode" not in shown(rows)
 
 
-def test_words_are_found_in_descriptions_too(rows: ParameterFilter) -> None:
+def test_words_match_descriptions(rows: ParameterFilter) -> None:
     rows.set_words("compact packets are obeyed")
     assert shown(rows) == ["device_number"]
 
 
-def test_words_that_stand_nowhere_leave_nothing(rows: ParameterFilter) -> None:
+def test_unmatched_words_leave_no_rows(rows: ParameterFilter) -> None:
     rows.set_words("flux capacitor")
     assert shown(rows) == []
     rows.set_words("")
@@ -66,12 +66,12 @@ def test_words_that_stand_nowhere_leave_nothing(rows: ParameterFilter) -> None:
 
 
 @pytest.mark.parametrize("group", ["motors", "channels", "serial"])
-def test_a_group_is_shown_alone(rows: ParameterFilter, group: str) -> None:
+def test_selected_group_is_shown_alone(rows: ParameterFilter, group: str) -> None:
     rows.set_group(group)
     assert shown(rows) == in_groups(group)
 
 
-def test_only_what_waits_for_apply_follows_the_edits(
+def test_modified_only_filter_follows_the_edits(
     rows: ParameterFilter, model: ParameterModel
 ) -> None:
     rows.set_modified_only(True)
@@ -82,7 +82,9 @@ def test_only_what_waits_for_apply_follows_the_edits(
     assert shown(rows) == []
 
 
-def test_only_what_is_not_the_factorys(rows: ParameterFilter, model: ParameterModel) -> None:
+def test_not_default_filter_shows_changed_values(
+    rows: ParameterFilter, model: ParameterModel
+) -> None:
     rows.set_not_default_only(True)
     assert shown(rows) == ["serial_timeout"]
     model.edit("serial_timeout", FACTORY["serial_timeout"])
@@ -90,7 +92,7 @@ def test_only_what_is_not_the_factorys(rows: ParameterFilter, model: ParameterMo
     assert shown(rows) == ["motor_mode"]
 
 
-def test_wishes_add_up(rows: ParameterFilter, model: ParameterModel) -> None:
+def test_filters_are_combined(rows: ParameterFilter, model: ParameterModel) -> None:
     model.edit("motor1_acceleration", 4)
     model.edit("device_number", 9)
     rows.set_modified_only(True)
@@ -106,7 +108,7 @@ def headings(rows: ParameterFilter) -> list[str]:
     return [rows.index(row, 0).data() for row in range(rows.rowCount())]
 
 
-def test_a_group_without_rows_has_no_heading(rows: ParameterFilter, model: ParameterModel) -> None:
+def test_group_without_rows_has_no_heading(rows: ParameterFilter, model: ParameterModel) -> None:
     rows.set_words("timeout")
     assert headings(rows) == ["Serial (6)"]
     rows.set_words("")
@@ -120,7 +122,7 @@ def test_a_group_without_rows_has_no_heading(rows: ParameterFilter, model: Param
     assert headings(rows) == []
 
 
-def test_qt_finds_nothing_wrong_while_rows_come_and_go(
+def test_filter_passes_qt_model_tester_through_changes(
     rows: ParameterFilter, model: ParameterModel, qtmodeltester: ModelTester
 ) -> None:
     qtmodeltester.check(rows, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
@@ -134,7 +136,7 @@ def test_qt_finds_nothing_wrong_while_rows_come_and_go(
     qtmodeltester.check(rows, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
 
 
-def test_it_says_whether_anything_is_wished_for(rows: ParameterFilter) -> None:
+def test_is_narrowed_reports_an_active_filter(rows: ParameterFilter) -> None:
     before = rows.is_narrowed
     rows.set_group("serial")
     assert (before, rows.is_narrowed) == (False, True)

@@ -50,13 +50,13 @@ def said(model: ParameterModel, key: str, column: Column, role: int = 0) -> str:
 # --- Headings ---------------------------------------------------------------------------
 
 
-def test_groups_stand_in_their_order_with_their_counts(model: ParameterModel) -> None:
+def test_groups_are_listed_in_order_with_counts(model: ParameterModel) -> None:
     texts = [model.index(row, 0).data() for row in range(model.rowCount())]
     assert texts == ["Motors (17)", "Channels (5)", "Serial (6)"]
     assert model.groups == ("motors", "channels", "serial")
 
 
-def test_a_heading_counts_what_is_modified(model: ParameterModel, qtbot: QtBot) -> None:
+def test_heading_counts_modified_parameters(model: ParameterModel, qtbot: QtBot) -> None:
     heading = model.index_of_group("motors")
     told: list[QModelIndex] = []
     model.dataChanged.connect(lambda first, _last: told.append(first))
@@ -68,7 +68,7 @@ def test_a_heading_counts_what_is_modified(model: ParameterModel, qtbot: QtBot) 
     assert heading.data() == "Motors (17)"
 
 
-def test_a_heading_is_no_parameter(model: ParameterModel) -> None:
+def test_heading_has_no_parameter_data_and_is_read_only(model: ParameterModel) -> None:
     heading = model.index_of_group("serial")
     assert heading.data(Role.GROUP) == "serial"
     for role in Role:
@@ -80,12 +80,12 @@ def test_a_heading_is_no_parameter(model: ParameterModel) -> None:
     assert not model.index_of_group("nonsense").isValid()
 
 
-def test_rows_know_their_heading(model: ParameterModel) -> None:
+def test_rows_have_their_group_as_parent(model: ParameterModel) -> None:
     for spec in SPECS.readable:
         assert model.index_of(spec.key).parent() == model.index_of_group(spec.group)
 
 
-def test_qt_finds_nothing_wrong_with_groups(
+def test_grouped_model_passes_qt_model_tester(
     model: ParameterModel, file: ParameterModel, qtmodeltester: ModelTester
 ) -> None:
     for each in (model, file):
@@ -100,7 +100,7 @@ def test_qt_finds_nothing_wrong_with_groups(
 # --- Back to the default, to what is stored ---------------------------------------------
 
 
-def test_going_back_to_the_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
+def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
     model.load(SPECS, FACTORY | {"serial_timeout": 15}, {}, power_cycled=True)
     assert said(model, "serial_timeout", Column.RESET, Role.RESET) == "Back to default: 0 (off)"
     model.reset("serial_timeout")
@@ -110,7 +110,9 @@ def test_going_back_to_the_default_is_an_edit(model: ParameterModel, undo: QUndo
     assert not model.pending
 
 
-def test_going_back_to_what_is_stored_is_one_step(model: ParameterModel, undo: QUndoStack) -> None:
+def test_restoring_the_stored_value_is_one_undo_step(
+    model: ParameterModel, undo: QUndoStack
+) -> None:
     model.edit("device_number", 9)
     assert "Stored: 7." in said(model, "device_number", Column.VALUE, TIP)
     model.restore("device_number")
@@ -122,7 +124,7 @@ def test_going_back_to_what_is_stored_is_one_step(model: ParameterModel, undo: Q
 # --- Both motors ------------------------------------------------------------------------
 
 
-def test_every_parameter_of_one_motor_has_its_twin(model: ParameterModel) -> None:
+def test_each_motor_parameter_has_a_counterpart(model: ParameterModel) -> None:
     for spec in SPECS.readable:
         twin = model.twin_of(spec.key)
         assert (twin is not None) == (spec.subject in {"motor1", "motor2"})
@@ -133,7 +135,7 @@ def test_every_parameter_of_one_motor_has_its_twin(model: ParameterModel) -> Non
     assert motor_name("serial_timeout") == ""
 
 
-def test_one_edit_for_both_motors_is_one_step(model: ParameterModel, undo: QUndoStack) -> None:
+def test_edit_of_both_motors_is_one_undo_step(model: ParameterModel, undo: QUndoStack) -> None:
     model.set_both_motors(True)
     model.edit("motor2_current_limit", 25)
     assert dict(model.pending) == {"motor1_current_limit": 25, "motor2_current_limit": 25}
@@ -144,9 +146,7 @@ def test_one_edit_for_both_motors_is_one_step(model: ParameterModel, undo: QUndo
     assert len(model.pending) == 2
 
 
-def test_resetting_and_going_back_serve_both_motors(
-    model: ParameterModel, undo: QUndoStack
-) -> None:
+def test_reset_and_restore_apply_to_both_motors(model: ParameterModel, undo: QUndoStack) -> None:
     stored = FACTORY | {"motor1_current_limit": 10, "motor2_current_limit": 20}
     model.load(SPECS, stored, {}, power_cycled=True)
     model.set_both_motors(True)
@@ -157,14 +157,14 @@ def test_resetting_and_going_back_serve_both_motors(
     assert undo.count() == 2
 
 
-def test_what_has_no_twin_is_edited_alone(model: ParameterModel) -> None:
+def test_parameter_without_counterpart_is_edited_alone(model: ParameterModel) -> None:
     model.set_both_motors(True)
     model.edit("aux_acceleration", 4)
     model.edit("serial_timeout", 4)
     assert dict(model.pending) == {"aux_acceleration": 4, "serial_timeout": 4}
 
 
-def test_a_twin_that_was_not_read_is_left_alone(model: ParameterModel) -> None:
+def test_unread_counterpart_is_not_edited(model: ParameterModel) -> None:
     stored = {key: wire for key, wire in FACTORY.items() if key != "motor2_acceleration"}
     model.load(SPECS, stored, {"motor2_acceleration": "No answer."}, power_cycled=True)
     model.set_both_motors(True)
@@ -172,21 +172,21 @@ def test_a_twin_that_was_not_read_is_left_alone(model: ParameterModel) -> None:
     assert dict(model.pending) == {"motor1_acceleration": 4}
 
 
-def test_an_editor_left_as_it_was_does_not_touch_the_other_motor(model: ParameterModel) -> None:
+def test_unchanged_value_does_not_change_the_other_motor(model: ParameterModel) -> None:
     model.edit("motor1_acceleration", 4)
     model.set_both_motors(True)
     model.edit("motor1_acceleration", 4)
     assert dict(model.pending) == {"motor1_acceleration": 4}
 
 
-def test_a_value_that_neither_motor_takes_changes_neither(model: ParameterModel) -> None:
+def test_invalid_value_changes_neither_motor(model: ParameterModel) -> None:
     model.set_both_motors(True)
     with pytest.raises(BadRequest):
         model.edit("motor1_pwm_prescaler", 9)
     assert not model.pending
 
 
-def test_motors_that_differ_say_so(model: ParameterModel) -> None:
+def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel) -> None:
     assert model.index_of("motor1_current_limit").data(Role.TWIN) is None
     model.edit("motor2_current_limit", 25)
     assert said(model, "motor1_current_limit", Column.VALUE, Role.TWIN) == "Motor 2 differs: 2 A."
@@ -195,7 +195,7 @@ def test_motors_that_differ_say_so(model: ParameterModel) -> None:
     assert model.value_of("motor1_current_limit") == 25
 
 
-def test_files_and_boards_keep_motors_apart_when_both_are_edited_as_one(qtbot: QtBot) -> None:
+def test_staged_settings_keep_motors_separate_in_both_mode(qtbot: QtBot) -> None:
     draft = SettingsDraft()
     before = Settings(SPECS.model, "1.2", FACTORY)
     draft.parameters.load(SPECS, FACTORY, {}, power_cycled=True)
@@ -208,7 +208,7 @@ def test_files_and_boards_keep_motors_apart_when_both_are_edited_as_one(qtbot: Q
     assert not draft.parameters.pending
 
 
-def test_an_accepted_proposal_serves_both_motors_in_one_step(qtbot: QtBot) -> None:
+def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     draft = SettingsDraft()
     stored = FACTORY | {"motor1_current_limit": 10, "motor1_current_limit_p": 0}
     draft.take_settings(Settings(SPECS.model, "1.2", stored))
@@ -228,9 +228,7 @@ def test_an_accepted_proposal_serves_both_motors_in_one_step(qtbot: QtBot) -> No
 # --- A file -----------------------------------------------------------------------------
 
 
-def test_what_a_file_does_not_give_can_be_given_and_undone(
-    file: ParameterModel, undo: QUndoStack
-) -> None:
+def test_adding_a_parameter_to_a_file_can_be_undone(file: ParameterModel, undo: QUndoStack) -> None:
     assert said(file, "motor_mode", Column.VALUE) == "not given"
     assert said(file, "motor_mode", Column.WIRE) == ""
     assert file.index_of("motor_mode").data(Role.RESET) is None
@@ -243,7 +241,7 @@ def test_what_a_file_does_not_give_can_be_given_and_undone(
     assert "motor_mode" not in file.all_shown
 
 
-def test_what_a_file_gives_can_be_left_out_and_undone(
+def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     file: ParameterModel, undo: QUndoStack, qtbot: QtBot
 ) -> None:
     with qtbot.waitSignal(file.pending_changed) as changed:
@@ -264,7 +262,7 @@ def test_what_a_file_gives_can_be_left_out_and_undone(
     assert not file.modified
 
 
-def test_leaving_out_serves_both_motors(file: ParameterModel, undo: QUndoStack) -> None:
+def test_leaving_out_applies_to_both_motors(file: ParameterModel, undo: QUndoStack) -> None:
     file.set_both_motors(True)
     file.edit("motor1_current_limit", 12)
     assert file.value_of("motor2_current_limit") == 12
@@ -274,7 +272,9 @@ def test_leaving_out_serves_both_motors(file: ParameterModel, undo: QUndoStack) 
     assert file.value_of("motor1_current_limit") == 12
 
 
-def test_what_cannot_be_left_out_stays(model: ParameterModel, undo: QUndoStack) -> None:
+def test_leave_out_reset_and_restore_ignore_invalid_keys(
+    model: ParameterModel, undo: QUndoStack
+) -> None:
     model.leave_out("serial_timeout")
     model.reset("nonsense")
     model.restore("nonsense")
@@ -282,7 +282,7 @@ def test_what_cannot_be_left_out_stays(model: ParameterModel, undo: QUndoStack) 
     assert not undo.canUndo()
 
 
-def test_a_draft_of_a_file_counts_what_is_left_out(qtbot: QtBot) -> None:
+def test_left_out_parameter_counts_as_pending(qtbot: QtBot) -> None:
     draft = SettingsDraft()
     draft.take_settings(Settings(SPECS.model, "1.2", {"serial_timeout": 5}))
     assert draft.knows("motor_mode")
@@ -298,7 +298,7 @@ def test_a_draft_of_a_file_counts_what_is_left_out(qtbot: QtBot) -> None:
 # --- In words ---------------------------------------------------------------------------
 
 
-def test_values_are_in_units_that_a_person_knows(model: ParameterModel) -> None:
+def test_values_are_shown_in_physical_units(model: ParameterModel) -> None:
     for key, wire, text in (
         ("motor1_current_limit", 25, "2 A"),
         ("motor1_acceleration", 4, "3.2 s to full speed"),
@@ -318,7 +318,7 @@ def test_values_are_in_units_that_a_person_knows(model: ParameterModel) -> None:
         assert said(model, key, Column.WIRE) == str(wire)
 
 
-def test_another_prescaler_announces_the_frequency_of_the_maximum(model: ParameterModel) -> None:
+def test_prescaler_edit_updates_the_pwm_maximum_row(model: ParameterModel) -> None:
     told: list[str] = []
     model.dataChanged.connect(
         lambda first, _last: told.append(first.siblingAtColumn(Column.NAME).data())
@@ -327,13 +327,13 @@ def test_another_prescaler_announces_the_frequency_of_the_maximum(model: Paramet
     assert "Motor 1 PWM Maximum" in told
 
 
-def test_a_board_with_an_unknown_prescaler_shows_no_frequency(model: ParameterModel) -> None:
+def test_unknown_prescaler_shows_no_frequency(model: ParameterModel) -> None:
     model.load(SPECS, FACTORY | {"motor1_pwm_prescaler": 9}, {}, power_cycled=True)
     assert said(model, "motor1_pwm_maximum", Column.VALUE) == "127"
     assert said(model, "motor1_pwm_prescaler", Column.VALUE) == "wire 9"
 
 
-def test_the_source_tells_what_the_maker_confirms(model: ParameterModel) -> None:
+def test_source_column_names_what_is_inferred(model: ParameterModel) -> None:
     for key, text, told in (
         ("device_number", "range inferred", "default is confirmed"),
         ("serial_timeout", "default inferred", "range is confirmed"),
@@ -344,14 +344,14 @@ def test_the_source_tells_what_the_maker_confirms(model: ParameterModel) -> None
         assert told in said(model, key, Column.SOURCE, TIP)
 
 
-def test_a_confirmed_parameter_is_the_vendors(model: ParameterModel) -> None:
+def test_fully_confirmed_parameter_has_vendor_as_source(model: ParameterModel) -> None:
     spec = replace(SPECS["serial_timeout"], inferred=frozenset())
     assert model.text.source(spec) == "vendor"
     assert "confirm" in model.text.origin(spec)
     assert "last word" not in model.text.origin(spec)
 
 
-def test_every_tool_tip_says_what_the_column_has_no_room_for(model: ParameterModel) -> None:
+def test_tool_tips_give_details_of_each_column(model: ParameterModel) -> None:
     assert "wire value 0 to 127" in said(model, "motor1_acceleration", Column.RANGE, TIP)
     assert "0.1 to 12.7 s" in said(model, "motor1_acceleration", Column.RANGE, TIP)
     assert "5 (19200 baud" in said(model, "uart_settings", Column.DEFAULT, TIP)

@@ -56,11 +56,11 @@ def of(model: ParameterModel, key: str, role: Role) -> object:
 # --- What Qt asks of a model ------------------------------------------------------------
 
 
-def test_qt_finds_nothing_wrong_with_it(model: ParameterModel, qtmodeltester: ModelTester) -> None:
+def test_model_passes_qt_model_tester(model: ParameterModel, qtmodeltester: ModelTester) -> None:
     qtmodeltester.check(model)  # type: ignore[no-untyped-call] # of pytest-qt
 
 
-def test_qt_finds_nothing_wrong_through_everything_that_happens_to_it(
+def test_model_passes_qt_model_tester_through_changes(
     qtmodeltester: ModelTester, qtbot: QtBot
 ) -> None:
     model = ParameterModel()
@@ -74,7 +74,7 @@ def test_qt_finds_nothing_wrong_through_everything_that_happens_to_it(
     qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
 
 
-def test_there_is_a_row_for_each_parameter_and_a_name_for_each_column(
+def test_each_parameter_has_a_row_and_each_column_a_name(
     model: ParameterModel,
 ) -> None:
     assert model.count == len(SPECS.readable)
@@ -88,16 +88,16 @@ def test_there_is_a_row_for_each_parameter_and_a_name_for_each_column(
     assert model.headerData(0, Qt.Orientation.Vertical) is None
 
 
-def test_before_a_board_there_are_no_rows(qtbot: QtBot) -> None:
+def test_model_is_empty_before_a_board_is_read(qtbot: QtBot) -> None:
     assert ParameterModel().rowCount() == 0
 
 
-def test_no_parameter_has_children(model: ParameterModel) -> None:
+def test_parameters_have_no_children(model: ParameterModel) -> None:
     for spec in SPECS.readable:
         assert model.rowCount(model.index_of(spec.key, Column.NAME)) == 0
 
 
-def test_an_unknown_key_has_no_cell(model: ParameterModel) -> None:
+def test_unknown_key_has_no_index(model: ParameterModel) -> None:
     assert not model.index_of("nonsense").isValid()
     assert model.index_of("motor_mode").isValid()
 
@@ -105,7 +105,7 @@ def test_an_unknown_key_has_no_cell(model: ParameterModel) -> None:
 # --- What is shown ----------------------------------------------------------------------
 
 
-def test_a_row_shows_value_wire_default_and_effect(model: ParameterModel) -> None:
+def test_row_shows_value_wire_default_and_effect(model: ParameterModel) -> None:
     load(model, factory() | {"serial_timeout": 15})
     assert text(model, "serial_timeout", Column.NAME) == "Serial Timeout"
     assert text(model, "serial_timeout") == "1.5 s"
@@ -117,7 +117,7 @@ def test_a_row_shows_value_wire_default_and_effect(model: ParameterModel) -> Non
     assert text(model, "serial_timeout", Column.RANGE) == default.short_range()
 
 
-def test_every_cell_of_every_model_has_a_text(qtbot: QtBot) -> None:
+def test_each_cell_except_reset_has_a_text(qtbot: QtBot) -> None:
     for specs in (SPECS, JUNIOR, parameters_of("trex", "1.0")):
         model = ParameterModel()
         load(model, factory(specs), specs)
@@ -127,19 +127,19 @@ def test_every_cell_of_every_model_has_a_text(qtbot: QtBot) -> None:
                 assert empty == (column is Column.RESET)
 
 
-def test_a_pwm_maximum_shows_the_frequency_that_follows(model: ParameterModel) -> None:
+def test_pwm_maximum_shows_the_resulting_frequency(model: ParameterModel) -> None:
     before = text(model, "motor1_pwm_maximum")
     assert "Hz" in before
     edit(model, "motor1_pwm_prescaler", (SPECS["motor1_pwm_prescaler"].default + 1) % 4)
     assert text(model, "motor1_pwm_maximum") != before
 
 
-def test_an_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> None:
+def test_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> None:
     edit(model, "motor1_acceleration", 127)
     assert "100 ms to full speed" in text(model, "motor1_acceleration")
 
 
-def test_what_could_not_be_read_says_so_and_why(model: ParameterModel) -> None:
+def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
     stored = factory()
     del stored["serial_timeout"]
     load(model, stored, unread={"serial_timeout": "No answer to 9F 07."})
@@ -155,7 +155,7 @@ def test_what_could_not_be_read_says_so_and_why(model: ParameterModel) -> None:
 # --- Edits ------------------------------------------------------------------------------
 
 
-def test_an_edit_is_shown_and_waits(model: ParameterModel, qtbot: QtBot) -> None:
+def test_edit_is_shown_and_pending(model: ParameterModel, qtbot: QtBot) -> None:
     with qtbot.waitSignal(model.pending_changed) as pending:
         assert edit(model, "serial_timeout", 15)
     assert pending.args == [1]
@@ -166,14 +166,14 @@ def test_an_edit_is_shown_and_waits(model: ParameterModel, qtbot: QtBot) -> None
     assert model.stored_of("serial_timeout") == SPECS["serial_timeout"].default
 
 
-def test_only_the_row_that_was_edited_is_announced(model: ParameterModel, qtbot: QtBot) -> None:
+def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> None:
     with qtbot.waitSignal(model.dataChanged) as changed, qtbot.assertNotEmitted(model.modelReset):
         edit(model, "serial_timeout", 15)
     row = model.index_of("serial_timeout").row()
     assert [index.row() for index in changed.args[:2]] == [row, row]
 
 
-def test_editing_back_is_no_edit(model: ParameterModel) -> None:
+def test_edit_to_stored_value_is_not_pending(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 15)
     edit(model, "serial_timeout", SPECS["serial_timeout"].default)
     assert model.pending == ()
@@ -181,7 +181,7 @@ def test_editing_back_is_no_edit(model: ParameterModel) -> None:
 
 
 @pytest.mark.parametrize("spec", SPECS.readable, ids=lambda spec: spec.key)
-def test_what_the_table_does_not_allow_is_refused_with_the_reason(
+def test_invalid_wire_value_is_rejected_with_a_reason(
     model: ParameterModel, qtbot: QtBot, spec: object
 ) -> None:
     assert isinstance(spec, type(SPECS["motor_mode"]))
@@ -193,7 +193,7 @@ def test_what_the_table_does_not_allow_is_refused_with_the_reason(
 
 
 @pytest.mark.parametrize("nonsense", ["abc", "", None, []])
-def test_what_is_no_number_is_refused(
+def test_non_numeric_value_is_rejected(
     model: ParameterModel, qtbot: QtBot, nonsense: object
 ) -> None:
     with qtbot.waitSignal(model.refused):
@@ -202,20 +202,20 @@ def test_what_is_no_number_is_refused(
 
 
 @pytest.mark.parametrize("column", [column for column in Column if column is not Column.VALUE])
-def test_only_the_value_can_be_edited(model: ParameterModel, column: Column) -> None:
+def test_only_the_value_column_is_editable(model: ParameterModel, column: Column) -> None:
     index = model.index_of("serial_timeout", column)
     assert not index.flags() & Qt.ItemFlag.ItemIsEditable
     assert not model.setData(index, 9)
 
 
-def test_nothing_is_edited_outside_the_table_or_in_another_role(model: ParameterModel) -> None:
+def test_edit_needs_a_valid_index_and_the_edit_role(model: ParameterModel) -> None:
     assert not model.setData(QModelIndex(), 9)
     index = model.index_of("serial_timeout")
     assert not model.setData(index, 9, Qt.ItemDataRole.DisplayRole)
     assert model.pending == ()
 
 
-def test_without_a_board_rows_can_be_looked_at_but_not_edited(model: ParameterModel) -> None:
+def test_disabled_model_shows_values_but_rejects_edits(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 9)
     model.set_editable(False)
     assert not edit(model, "serial_timeout", 10)
@@ -225,7 +225,7 @@ def test_without_a_board_rows_can_be_looked_at_but_not_edited(model: ParameterMo
     assert edit(model, "serial_timeout", 10)
 
 
-def test_edits_are_discarded_together(model: ParameterModel) -> None:
+def test_discard_drops_all_edits(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 9)
     edit(model, "motor_mode", 1)
     told: list[int] = []
@@ -239,7 +239,7 @@ def test_edits_are_discarded_together(model: ParameterModel) -> None:
 # --- Writes -----------------------------------------------------------------------------
 
 
-def test_what_was_written_is_no_edit_any_more(model: ParameterModel, qtbot: QtBot) -> None:
+def test_written_value_is_stored_and_not_pending(model: ParameterModel, qtbot: QtBot) -> None:
     edit(model, "serial_timeout", 9)
     with qtbot.waitSignal(model.pending_changed) as pending:
         model.take_results([Written("serial_timeout", 9)])
@@ -247,7 +247,7 @@ def test_what_was_written_is_no_edit_any_more(model: ParameterModel, qtbot: QtBo
     assert model.stored_of("serial_timeout") == 9
 
 
-def test_what_was_not_written_stays_an_edit_and_says_why(model: ParameterModel) -> None:
+def test_failed_write_stays_pending_with_a_reason(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 9)
     edit(model, "motor_mode", 1)
     model.take_results(
@@ -258,14 +258,14 @@ def test_what_was_not_written_stays_an_edit_and_says_why(model: ParameterModel) 
     assert of(model, "serial_timeout", Role.PROBLEM) is None
 
 
-def test_a_problem_is_gone_after_a_write_that_works(model: ParameterModel) -> None:
+def test_successful_write_clears_the_problem(model: ParameterModel) -> None:
     edit(model, "motor_mode", 1)
     model.take_results([Written("motor_mode", error=BadReply("It did not stick."))])
     model.take_results([Written("motor_mode", 1)])
     assert of(model, "motor_mode", Role.PROBLEM) is None
 
 
-def test_results_of_something_else_do_not_matter(model: ParameterModel) -> None:
+def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
     model.take_results([Written("channel 1", error=NoReply("x")), Written("nonsense", 1)])
     assert model.pending == ()
 
@@ -273,7 +273,7 @@ def test_results_of_something_else_do_not_matter(model: ParameterModel) -> None:
 # --- Stored and active ------------------------------------------------------------------
 
 
-def test_what_waits_for_the_power_is_named(model: ParameterModel) -> None:
+def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -> None:
     assert not model.waiting_for_power
     model.take_results([Written("motor_mode", 1), Written("serial_timeout", 9)])
     assert model.waiting_for_power == ("Motor Mode",)
@@ -281,13 +281,13 @@ def test_what_waits_for_the_power_is_named(model: ParameterModel) -> None:
     assert of(model, "serial_timeout", Role.WAITING) is None
 
 
-def test_what_waited_acts_after_a_power_cycle(model: ParameterModel) -> None:
+def test_power_cycle_ends_the_waiting(model: ParameterModel) -> None:
     model.take_results([Written("motor_mode", 1)])
     load(model, factory() | {"motor_mode": 1})
     assert model.waiting_for_power == ()
 
 
-def test_reading_again_alone_does_not_end_the_waiting(model: ParameterModel) -> None:
+def test_reload_without_power_cycle_keeps_the_waiting(model: ParameterModel) -> None:
     model.take_results([Written("motor_mode", 1)])
     load(model, factory() | {"motor_mode": 1}, power_cycled=False)
     assert model.waiting_for_power == ("Motor Mode",)
@@ -296,14 +296,14 @@ def test_reading_again_alone_does_not_end_the_waiting(model: ParameterModel) -> 
 # --- Another board ----------------------------------------------------------------------
 
 
-def test_edits_are_kept_when_the_same_board_comes_back(model: ParameterModel) -> None:
+def test_edit_survives_reload_of_the_same_model(model: ParameterModel) -> None:
     edit(model, "serial_timeout", 9)
     model.set_editable(False)
     load(model)
     assert model.pending == (("serial_timeout", 9),)
 
 
-def test_edits_of_another_kind_of_board_are_not_kept(model: ParameterModel, qtbot: QtBot) -> None:
+def test_edit_is_dropped_for_another_model(model: ParameterModel, qtbot: QtBot) -> None:
     edit(model, "serial_timeout", 9)
     with qtbot.waitSignal(model.pending_changed) as pending:
         load(model, factory(JUNIOR), JUNIOR)
@@ -311,7 +311,7 @@ def test_edits_of_another_kind_of_board_are_not_kept(model: ParameterModel, qtbo
     assert model.pending == ()
 
 
-def test_an_edit_of_what_an_older_firmware_lacks_is_dropped(model: ParameterModel) -> None:
+def test_edit_missing_in_older_firmware_is_dropped(model: ParameterModel) -> None:
     edit(model, "uart_response_delay", 1)
     old = parameters_of("trex", "1.0")
     load(model, factory(old), old)
@@ -319,7 +319,7 @@ def test_an_edit_of_what_an_older_firmware_lacks_is_dropped(model: ParameterMode
     assert not model.index_of("uart_response_delay").isValid()
 
 
-def test_each_row_carries_its_specification(model: ParameterModel) -> None:
+def test_row_carries_its_specification(model: ParameterModel) -> None:
     spec = of(model, "serial_timeout", Role.SPEC)
     assert spec == replace(SPECS["serial_timeout"])
     assert of(model, "serial_timeout", Role.WIRE) == SPECS["serial_timeout"].default

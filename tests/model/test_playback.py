@@ -23,6 +23,7 @@ from trex_gui.recording.files import open_recording
 from trex_gui.recording.recording import Marker, Record, SettingsSeen, Wish
 from trex_gui.recording.replay import Latest
 from trex_gui.runtime import now
+from trex_gui.worker.file_worker import FileWorker
 
 T0 = HEADER.clock
 
@@ -64,7 +65,7 @@ def test_progress_of_reading_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     playback.close()
 
 
-def test_any_position_shows_what_reading_from_the_start_does(minute: Playback) -> None:
+def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) -> None:
     random = Random(3)
     places = [random.uniform(0, 60) for _ in range(60)]
     straight = Latest(HEADER.mode, HEADER.settings)
@@ -113,7 +114,7 @@ def test_traces_hold_channels_and_setpoints(tmp_path: Path, qtbot: QtBot) -> Non
     playback.close()
 
 
-def test_events_and_settings_are_those_of_the_position(tmp_path: Path, qtbot: QtBot) -> None:
+def test_settings_follow_the_position_and_events_are_sorted(tmp_path: Path, qtbot: QtBot) -> None:
     later = "product: TReX\nmotor1_current_limit: 20\n"
     playback = playback_of(
         tmp_path / "a.trexrec",
@@ -137,7 +138,7 @@ def test_events_and_settings_are_those_of_the_position(tmp_path: Path, qtbot: Qt
     playback.close()
 
 
-def test_limits_come_from_the_settings() -> None:
+def test_current_limits_come_from_the_settings() -> None:
     limits = limits_in("product: TReX\nmotor1_current_limit: 20\nmotor2_current_limit: 0\n")
     assert limits == {"motor1_current": pytest.approx(6.0)}
     assert limits_in("nonsense") == {}
@@ -274,11 +275,26 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     )
 
 
+@pytest.fixture
+def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
+    """The threads that the test has started."""
+    workers: list[FileWorker] = []
+    start = FileWorker.start
+
+    def record_and_start(worker: FileWorker, priority: QThread.Priority) -> None:
+        workers.append(worker)
+        start(worker, priority)
+
+    monkeypatch.setattr(FileWorker, "start", record_and_start)
+    return workers
+
+
 @pytest.mark.realtime
-def test_close_while_reading_ends_the_thread(hour: Path, qtbot: QtBot) -> None:
+def test_close_while_reading_ends_the_thread(
+    hour: Path, qtbot: QtBot, started_workers: list[FileWorker]
+) -> None:
     playback = Playback.open(hour)
-    (thread,) = playback.findChildren(QThread)
-    assert isinstance(thread, QThread)
+    (thread,) = started_workers
     qtbot.waitUntil(lambda: playback.progress > 0)
     told: list[str] = []
     playback.loaded.connect(lambda: told.append("loaded"))

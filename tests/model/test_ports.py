@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator
 
 import pytest
-from PySide6.QtCore import QTimer
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
@@ -45,14 +44,14 @@ def urls(ports: Ports) -> list[str]:
     return [entry.url for entry in ports.entries]
 
 
-def test_without_any_port_there_is_the_simulated_board(make: Make) -> None:
+def test_demo_board_is_listed_without_any_port(make: Make) -> None:
     ports = make()
     assert [entry.kind for entry in ports.entries] == [PortKind.DEMO]
     assert ports.demo.kind is PortKind.DEMO
     assert ports.preferred is None
 
 
-def test_serial_ports_come_first_and_the_simulated_board_last(
+def test_serial_ports_come_first_and_demo_board_last(
     make: Make, computer: list[ListPortInfo]
 ) -> None:
     computer += [port("/dev/ttyUSB10"), port("/dev/ttyUSB2", "FT232R")]
@@ -67,7 +66,7 @@ def test_serial_ports_come_first_and_the_simulated_board_last(
     ]
 
 
-def test_a_port_is_labelled_with_what_the_system_says_of_it(
+def test_port_label_includes_the_system_description(
     make: Make, computer: list[ListPortInfo]
 ) -> None:
     computer += [port("/dev/ttyS0"), port("/dev/ttyUSB0", "FT232R USB UART")]
@@ -77,44 +76,43 @@ def test_a_port_is_labelled_with_what_the_system_says_of_it(
     ]
 
 
-def test_a_port_that_is_plugged_in_appears_by_itself(
+def test_plugged_in_port_appears_automatically(
     make: Make, computer: list[ListPortInfo], qtbot: QtBot
 ) -> None:
     ports = make()
-    timer = ports.findChild(QTimer)
-    assert isinstance(timer, QTimer)
-    timer.setInterval(10)  # nobody waits that long
     with qtbot.waitSignal(ports.changed):
         computer.append(port("/dev/ttyUSB0"))
     assert urls(ports) == ["/dev/ttyUSB0", ""]
 
 
-def test_a_list_that_stays_the_same_is_not_announced(make: Make, qtbot: QtBot) -> None:
+def test_unchanged_list_emits_no_signal(make: Make, qtbot: QtBot) -> None:
     ports = make()
     with qtbot.assertNotEmitted(ports.changed):
         ports.refresh()
 
 
-def test_a_typed_address_is_remembered(make: Make) -> None:
+def test_typed_address_is_saved(make: Make) -> None:
     typed = make().add_typed("  /dev/pts/7 ")
     assert typed == Port(PortKind.TYPED, "/dev/pts/7", "/dev/pts/7")
     assert urls(make()) == ["/dev/pts/7", ""]
 
 
-def test_typing_an_address_twice_does_not_list_it_twice(make: Make) -> None:
+def test_address_typed_twice_is_listed_once(make: Make) -> None:
     ports = make()
     assert ports.add_typed("/dev/pts/7") == ports.add_typed("/dev/pts/7")
     assert urls(ports) == ["/dev/pts/7", ""]
 
 
-def test_typing_a_serial_port_finds_it(make: Make, computer: list[ListPortInfo]) -> None:
+def test_typed_serial_port_selects_the_listed_port(
+    make: Make, computer: list[ListPortInfo]
+) -> None:
     computer.append(port("/dev/ttyUSB0"))
     ports = make()
     assert ports.add_typed("/dev/ttyUSB0").kind is PortKind.SERIAL
     assert urls(make()) == ["/dev/ttyUSB0", ""]
 
 
-def test_a_typed_address_that_becomes_a_serial_port_is_listed_once(
+def test_typed_address_of_a_new_serial_port_is_listed_once(
     make: Make, computer: list[ListPortInfo]
 ) -> None:
     ports = make()
@@ -127,20 +125,20 @@ def test_a_typed_address_that_becomes_a_serial_port_is_listed_once(
     ]
 
 
-def test_only_the_last_few_typed_addresses_are_remembered(make: Make) -> None:
+def test_only_the_last_eight_typed_addresses_are_saved(make: Make) -> None:
     ports = make()
     for number in range(12):
         ports.add_typed(f"/dev/pts/{number}")
     assert urls(make()) == [*(f"/dev/pts/{number}" for number in range(4, 12)), ""]
 
 
-def test_nothing_typed_is_nothing_remembered(make: Make) -> None:
+def test_blank_address_is_not_saved(make: Make) -> None:
     ports = make()
     ports.add_typed("  ")
     assert urls(make()) == [""]
 
 
-def test_an_address_is_found_by_its_url(make: Make) -> None:
+def test_port_is_found_by_its_url(make: Make) -> None:
     ports = make()
     typed = ports.add_typed("/dev/pts/7")
     assert ports.find("/dev/pts/7") == typed
@@ -148,21 +146,19 @@ def test_an_address_is_found_by_its_url(make: Make) -> None:
     assert ports.find("") is None
 
 
-def test_the_only_serial_port_is_offered(make: Make, computer: list[ListPortInfo]) -> None:
+def test_single_serial_port_is_preferred(make: Make, computer: list[ListPortInfo]) -> None:
     computer.append(port("/dev/ttyUSB0"))
     preferred = make().preferred
     assert preferred is not None
     assert preferred.url == "/dev/ttyUSB0"
 
 
-def test_among_several_serial_ports_none_is_guessed(
-    make: Make, computer: list[ListPortInfo]
-) -> None:
+def test_no_port_is_preferred_among_several(make: Make, computer: list[ListPortInfo]) -> None:
     computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
     assert make().preferred is None
 
 
-def test_the_port_that_was_used_last_is_offered(make: Make, computer: list[ListPortInfo]) -> None:
+def test_last_used_port_is_preferred(make: Make, computer: list[ListPortInfo]) -> None:
     computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
     ports = make()
     ports.note_used(ports.entries[1])
@@ -171,9 +167,7 @@ def test_the_port_that_was_used_last_is_offered(make: Make, computer: list[ListP
     assert preferred.url == "/dev/ttyUSB1"
 
 
-def test_the_port_that_was_used_last_is_not_offered_when_it_is_gone(
-    make: Make, computer: list[ListPortInfo]
-) -> None:
+def test_missing_last_used_port_is_not_preferred(make: Make, computer: list[ListPortInfo]) -> None:
     computer += [port("/dev/ttyUSB0"), port("/dev/ttyUSB1")]
     ports = make()
     ports.note_used(ports.entries[1])
@@ -188,7 +182,7 @@ def test_the_port_that_was_used_last_is_not_offered_when_it_is_gone(
 WALKER = Kind("walker", "Walker")
 
 
-def test_each_kind_of_device_has_a_simulated_one(make: Make) -> None:
+def test_each_device_kind_has_a_demo_port(make: Make) -> None:
     ports = make(TREX, WALKER)
     labels = [port.label for port in ports.entries if port.kind is PortKind.DEMO]
     assert labels == ["Demo TReX (no hardware)", "Demo Walker (no hardware)"]
@@ -196,7 +190,7 @@ def test_each_kind_of_device_has_a_simulated_one(make: Make) -> None:
     assert ports.demo_of("walker").label == "Demo Walker (no hardware)"
 
 
-def test_what_a_port_leads_to_is_remembered_and_shown(make: Make) -> None:
+def test_device_kind_of_a_port_is_saved_and_shown(make: Make) -> None:
     ports = make(TREX, WALKER)
     port = ports.lead_to(ports.add_typed("socket://robot:1"), "walker")
     assert (port.device, port.label) == ("walker", "Walker: socket://robot:1")
@@ -208,7 +202,7 @@ def test_what_a_port_leads_to_is_remembered_and_shown(make: Make) -> None:
     assert found.device == "trex"
 
 
-def test_a_kind_that_is_not_known_any_more_is_a_trex(make: Make) -> None:
+def test_unknown_saved_device_kind_becomes_trex(make: Make) -> None:
     ports = make(TREX, WALKER)
     ports.lead_to(ports.add_typed("socket://robot:1"), "walker")
     found = make().find("socket://robot:1")
@@ -216,6 +210,6 @@ def test_a_kind_that_is_not_known_any_more_is_a_trex(make: Make) -> None:
     assert (found.device, found.label) == ("trex", "socket://robot:1")
 
 
-def test_a_simulated_device_leads_to_nothing_else(make: Make) -> None:
+def test_device_kind_of_a_demo_port_cannot_change(make: Make) -> None:
     ports = make(TREX, WALKER)
     assert ports.lead_to(ports.demo, "walker") == ports.demo

@@ -19,7 +19,7 @@ from trex_gui.recording.files import open_recording
 from trex_gui.recording.recording import Marker, Record, SettingsSeen, Wish
 
 
-class Session:
+class RecorderSetup:
     """A device on a simulated board, its recorder, and everything the line reported."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
@@ -52,8 +52,8 @@ class Session:
 
 
 @pytest.fixture
-def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Session]:
-    session = Session(quick_simulator, qtbot)
+def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RecorderSetup]:
+    session = RecorderSetup(quick_simulator, qtbot)
     yield session
     session.end()
 
@@ -67,8 +67,8 @@ def everything(path: Path) -> list[Record]:
 
 
 @pytest.mark.parametrize("suffix", [".trexrec", ".csv"])
-def test_every_sample_that_the_line_reports_is_recorded(
-    session: Session, tmp_path: Path, suffix: str
+def test_every_reported_sample_is_recorded(
+    session: RecorderSetup, tmp_path: Path, suffix: str
 ) -> None:
     path = tmp_path / f"session{suffix}"
     assert session.recorder.start(path)
@@ -83,9 +83,7 @@ def test_every_sample_that_the_line_reports_is_recorded(
     assert {Currents, Raw, Remapped, Control} <= {type(sample) for sample in samples}
 
 
-def test_the_header_says_of_which_board_and_how_it_was_set(
-    session: Session, tmp_path: Path
-) -> None:
+def test_header_names_board_mode_and_settings(session: RecorderSetup, tmp_path: Path) -> None:
     session.recorder.start(tmp_path / "a.trexrec")
     session.end_recording()
     file = open_recording(tmp_path / "a.trexrec")
@@ -99,8 +97,8 @@ def test_the_header_says_of_which_board_and_how_it_was_set(
     file.close()
 
 
-def test_wishes_events_and_new_settings_are_recorded_where_they_happened(
-    session: Session, tmp_path: Path
+def test_setpoints_events_and_settings_are_recorded_in_order(
+    session: RecorderSetup, tmp_path: Path
 ) -> None:
     device, path = session.device, tmp_path / "a.trexrec"
     session.recorder.start(path)
@@ -125,7 +123,7 @@ def test_wishes_events_and_new_settings_are_recorded_where_they_happened(
     assert min(times) <= wishes[0].time < seen.time <= max(times)
 
 
-def test_a_recording_ends_whole_when_the_line_is_closed(session: Session, tmp_path: Path) -> None:
+def test_disconnecting_ends_the_recording_intact(session: RecorderSetup, tmp_path: Path) -> None:
     session.recorder.start(tmp_path / "a.trexrec")
     session.wait(lambda: len(session.samples) > 50)
     with session.qtbot.waitSignals([session.recorder.told, session.recorder.ended]):
@@ -134,7 +132,9 @@ def test_a_recording_ends_whole_when_the_line_is_closed(session: Session, tmp_pa
     assert everything(tmp_path / "a.trexrec")
 
 
-def test_a_recording_goes_on_while_the_board_is_silent(session: Session, tmp_path: Path) -> None:
+def test_recording_continues_while_the_board_is_unresponsive(
+    session: RecorderSetup, tmp_path: Path
+) -> None:
     session.recorder.start(tmp_path / "a.trexrec")
     session.wait(lambda: len(session.samples) > 50)
     session.simulator.do("power off")
@@ -149,8 +149,8 @@ def test_a_recording_goes_on_while_the_board_is_silent(session: Session, tmp_pat
     assert len(everything(tmp_path / "a.trexrec")) >= before + 50
 
 
-def test_a_recording_ends_when_the_board_comes_back_with_other_inputs(
-    session: Session, tmp_path: Path
+def test_recording_ends_when_the_input_source_changes(
+    session: RecorderSetup, tmp_path: Path
 ) -> None:
     session.recorder.start(tmp_path / "a.trexrec")
     session.simulator.do("jumper mode analog")
@@ -159,8 +159,8 @@ def test_a_recording_ends_when_the_board_comes_back_with_other_inputs(
     assert everything(tmp_path / "a.trexrec")
 
 
-def test_a_full_disk_is_told_and_stops_neither_line_nor_window(
-    session: Session, tmp_path: Path
+def test_full_disk_fails_the_recording_but_not_the_connection(
+    session: RecorderSetup, tmp_path: Path
 ) -> None:
     full = Path("/dev/full")
     if not full.exists():
@@ -173,14 +173,14 @@ def test_a_full_disk_is_told_and_stops_neither_line_nor_window(
     session.wait(lambda: session.device.telemetry.samples > samples)
 
 
-def test_a_folder_that_is_not_there_is_told(session: Session, tmp_path: Path) -> None:
+def test_missing_folder_is_reported(session: RecorderSetup, tmp_path: Path) -> None:
     with session.qtbot.waitSignal(session.recorder.failed, timeout=20_000) as failed:
         session.recorder.start(tmp_path / "none" / "a.trexrec")
     assert "No such file" in failed.args[0]
     session.wait(lambda: session.recorder.can_record)
 
 
-def test_nothing_is_recorded_without_a_board(tmp_path: Path, qtbot: QtBot) -> None:
+def test_recording_needs_a_connected_board(tmp_path: Path, qtbot: QtBot) -> None:
     device = Device()
     recorder = Recorder(device)
     assert not recorder.can_record
@@ -188,7 +188,7 @@ def test_nothing_is_recorded_without_a_board(tmp_path: Path, qtbot: QtBot) -> No
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_disk_that_is_too_slow_costs_samples_that_are_counted_and_marked() -> None:
+def test_slow_disk_drops_samples_and_marks_the_gap() -> None:
     backlog: Backlog[Record] = Backlog(most=10)
     first: list[Record] = [Control(float(n), by_serial=True) for n in range(8)]
     backlog.put(first)

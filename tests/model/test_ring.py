@@ -14,21 +14,21 @@ def rows(ring: Ring, columns: int) -> list[tuple[float, ...]]:
     return list(zip(ring.times, *(ring.values(column) for column in range(columns)), strict=True))
 
 
-def test_an_empty_ring_has_no_rows() -> None:
+def test_empty_ring_has_no_rows() -> None:
     ring = Ring(3, columns=2)
     assert len(ring) == 0
     assert ring.times.size == 0
     assert ring.values(1).size == 0
 
 
-def test_the_oldest_row_makes_room() -> None:
+def test_full_ring_drops_the_oldest_row() -> None:
     ring = Ring(3, columns=1)
     for number in range(5):
         ring.append(number, number * 10)
     assert rows(ring, 1) == [(2, 20), (3, 30), (4, 40)]
 
 
-def test_what_is_read_is_not_copied() -> None:
+def test_columns_are_returned_without_copying() -> None:
     ring = Ring(3, columns=1)
     ring.append(1, 2)
     assert np.shares_memory(ring.times, ring.values(0).base)
@@ -41,7 +41,7 @@ def test_what_is_read_is_not_copied() -> None:
     columns=st.integers(0, 3),
     steps=st.lists(st.one_of(st.floats(-1e9, 1e9), st.just("clear")), max_size=60),
 )
-def test_a_ring_is_the_end_of_a_list(
+def test_ring_equals_the_end_of_a_list(
     *, capacity: int, columns: int, steps: list[float | str]
 ) -> None:
     ring = Ring(capacity, columns)

@@ -38,7 +38,7 @@ _rows = st.dictionaries(st.integers(0, 9), st.sampled_from("ab"))
 
 
 @given(first=_rows, second=_rows)
-def test_whatever_the_rows_were_they_become_the_wanted_ones(
+def test_renewed_rows_equal_the_new_list_and_keep_indexes(
     first: dict[int, str], second: dict[int, str]
 ) -> None:
     table = Table()
@@ -54,14 +54,14 @@ def test_whatever_the_rows_were_they_become_the_wanted_ones(
 
 
 @given(first=st.permutations(range(5)), second=st.permutations(range(5)))
-def test_rows_in_another_order_are_right_too(first: list[int], second: list[int]) -> None:
+def test_reordered_rows_are_renewed_correctly(first: list[int], second: list[int]) -> None:
     table = Table()
     table.become([(number, "") for number in first])
     table.become([(number, "") for number in second])
     assert table.rows == [(number, "") for number in second]
 
 
-def test_what_stays_the_same_is_not_announced(qtbot: QtBot) -> None:
+def test_unchanged_rows_emit_no_signal(qtbot: QtBot) -> None:
     table = Table()
     table.become([(1, "a"), (2, "a")])
     with qtbot.assertNotEmitted(table.dataChanged), qtbot.assertNotEmitted(table.modelReset):

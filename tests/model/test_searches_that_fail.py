@@ -22,7 +22,7 @@ def finder(qtbot: QtBot) -> Finder:
     return Finder(Simulator())
 
 
-def test_a_port_whose_search_fails_is_told_as_such_and_the_next_is_searched(
+def test_internal_error_is_listed_and_the_scan_continues(
     finder: Finder, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     def odd(settings: LinkSettings, *, full: bool, known: bool) -> Seeker:
@@ -39,7 +39,7 @@ def test_a_port_whose_search_fails_is_told_as_such_and_the_next_is_searched(
     )
 
 
-def test_ports_that_are_not_searched_any_more_are_counted(
+def test_ports_left_unscanned_are_counted(
     finder: Finder, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(FindWorker, "run", lambda _worker: None)  # as a thread that dies
@@ -50,7 +50,7 @@ def test_ports_that_are_not_searched_any_more_are_counted(
     )
 
 
-def test_a_search_without_a_fault_speaks_of_none(finder: Finder, qtbot: QtBot) -> None:
+def test_scan_without_internal_error_mentions_none(finder: Finder, qtbot: QtBot) -> None:
     assert not seeking.PortSearch().is_fault
     finder.start([at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not finder.running)

@@ -7,6 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.aracna.link.messages import Halt
 from trex_gui.aracna.model.connection import RobotConnection
 from trex_gui.aracna.model.robot import Robot
@@ -24,25 +25,42 @@ from trex_gui.worker.find_worker import FindWorker
 Emit = Callable[[object], None]
 
 
-class Noting:
-    """A session that notes what it is asked, and ends as it is told to."""
+class Gate:
+    """Holds up a thread of the program until a test opens it."""
 
-    def __init__(self, last: object = None, until: threading.Event | None = None) -> None:
-        self.asked: list[object] = []
+    def __init__(self) -> None:
+        self._condition = runtime().condition()
+        self._is_open = False
+
+    def wait(self) -> None:
+        with self._condition:
+            while not self._is_open:
+                self._condition.wait()
+
+    def open(self) -> None:
+        with self._condition:
+            self._is_open = True
+            self._condition.notify()
+
+
+class RecordingSession:
+    """A session that keeps its requests and ends with a given report, once it is released."""
+
+    def __init__(self, last: object = None, until: Gate | None = None) -> None:
+        self.requests: list[object] = []
         self._last, self._until = last, until
 
-    def make(self, inbox: QueueInbox, emit: Emit) -> "Noting":
+    def make(self, inbox: QueueInbox, emit: Emit) -> "RecordingSession":
         self._inbox, self._emit = inbox, emit
         return self
 
     def run(self) -> None:
         while (request := self._inbox.get(60)) is not None:
-            self.asked.append(request)
+            self.requests.append(request)
             if isinstance(request, Close):
                 break
         if self._until is not None:
-            while not self._until.is_set():
-                runtime().sleep(0.01)
+            self._until.wait()
         if self._last is not None:
             self._emit(self._last)
 
@@ -51,46 +69,50 @@ class Noting:
 
 
 @pytest.mark.parametrize("may_move", [True, False])
-def test_who_shuts_down_knows_whether_motors_may_still_turn(qtbot: QtBot, may_move: bool) -> None:
+def test_shutdown_records_whether_motors_may_still_move(
+    qtbot: QtBot, virtual_time: VirtualRuntime, may_move: bool
+) -> None:
     line = SessionThread()
-    line.start(Noting(Closed(None, may_move)).make, may_move=True)
+    line.start(RecordingSession(Closed(None, may_move)).make, may_move=True)
     with qtbot.assertNotEmitted(line.closed):
         qtbot.waitUntil(line.shut_down)
-        qtbot.wait(10)
+        virtual_time.advance(0.01)
     assert line.last == Closed(None, may_move)
 
 
-def test_a_session_without_a_last_word_leaves_turning_what_was_driven(qtbot: QtBot) -> None:
+def test_session_without_final_report_keeps_may_move(qtbot: QtBot) -> None:
     line = SessionThread()
-    line.start(Noting().make, may_move=True)
+    line.start(RecordingSession().make, may_move=True)
     qtbot.waitUntil(line.shut_down)
     assert line.last is not None
     assert line.last.may_move
 
 
-def test_the_last_word_of_a_session_that_ends_too_late_is_told(qtbot: QtBot) -> None:
-    goes_on = threading.Event()
+def test_late_final_report_of_a_session_is_emitted(qtbot: QtBot) -> None:
+    gate = Gate()
     line = SessionThread()
-    line.start(Noting(Closed(None, may_move=False), goes_on).make, may_move=True)
+    line.start(RecordingSession(Closed(None, may_move=False), gate).make, may_move=True)
     assert not line.shut_down()
     assert line.last is None
     assert abandoned.any_running()
     with qtbot.waitSignal(line.closed) as closed:
-        goes_on.set()
+        gate.open()
     assert closed.args == [Closed(None, may_move=False)]
     qtbot.waitUntil(line.shut_down)
 
 
-def test_the_last_word_of_a_session_that_was_given_up_ends_no_other(qtbot: QtBot) -> None:
-    goes_on = threading.Event()
+def test_final_report_of_old_session_does_not_close_the_new_one(
+    qtbot: QtBot, virtual_time: VirtualRuntime
+) -> None:
+    gate = Gate()
     line = SessionThread()
-    line.start(Noting(Closed(None), goes_on).make, may_move=False)
+    line.start(RecordingSession(Closed(None), gate).make, may_move=False)
     assert not line.shut_down()
-    line.start(Noting(Closed(None, may_move=True)).make, may_move=False)
+    line.start(RecordingSession(Closed(None, may_move=True)).make, may_move=False)
     with qtbot.assertNotEmitted(line.closed):
-        goes_on.set()
+        gate.open()
         qtbot.waitUntil(lambda: not abandoned.any_running())
-        qtbot.wait(10)
+        virtual_time.advance(0.01)
     assert line.is_open
     qtbot.waitUntil(line.shut_down)
     assert line.last == Closed(None, may_move=True)
@@ -107,7 +129,7 @@ def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     return device
 
 
-def test_a_board_that_does_not_prove_its_stop_may_move_when_the_line_is_closed(
+def test_unconfirmed_stop_keeps_may_move_after_shutdown(
     quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     device = driven(quick_simulator, qtbot)
@@ -117,7 +139,7 @@ def test_a_board_that_does_not_prove_its_stop_may_move_when_the_line_is_closed(
     assert device.may_move
 
 
-def test_motors_that_were_proved_to_stand_move_no_more_when_the_line_is_closed(
+def test_confirmed_stop_clears_may_move_after_shutdown(
     quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     device = driven(quick_simulator, qtbot)
@@ -136,7 +158,7 @@ def connector(qtbot: QtBot) -> Iterator[Connector]:
     qtbot.waitUntil(connector.shut_down)
 
 
-def test_the_line_is_told_to_end_before_a_search_is_waited_for(
+def test_shutdown_closes_the_line_before_waiting_for_a_scan(
     connector: Connector,
     quick_simulator: SimulatedDevice,
     qtbot: QtBot,
@@ -161,31 +183,31 @@ def test_the_line_is_told_to_end_before_a_search_is_waited_for(
 # --- Requests from other threads --------------------------------------------------------
 
 
-def test_a_request_that_comes_while_the_session_ends_is_no_mistake() -> None:
+def test_request_is_accepted_while_the_session_ends() -> None:
     class Ending(SessionThread):
-        """A line whose session ends while somebody hands over a request."""
+        """A line whose session ends while a request is submitted."""
 
         def moves(self, request: object) -> bool:
             self._worker = None
             return False
 
-    line, session = Ending(), Noting(Closed(None))
+    line, session = Ending(), RecordingSession(Closed(None))
     line.start(session.make, may_move=False)
     worker = line._worker
     assert worker is not None
     assert line.submit("something")
     assert worker.close(15_000)
-    assert session.asked == ["something", Close()]
+    assert session.requests == ["something", Close()]
 
 
-def test_a_halt_from_another_thread_is_followed_by_the_close_of_the_same_session(
+def test_halt_from_another_thread_also_closes_the_session(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def end_meanwhile(line: RobotConnection, request: object) -> bool:
         line._worker = None
         return False
 
-    robot, session = Robot(), Noting(Closed(None))
+    robot, session = Robot(), RecordingSession(Closed(None))
     robot._line.start(session.make, may_move=False)
     worker = robot._line._worker
     assert worker is not None
@@ -195,4 +217,4 @@ def test_a_halt_from_another_thread_is_followed_by_the_close_of_the_same_session
     thread.join(15)
     worker.submit(None)  # where nobody has closed it: the thread has to end
     assert worker.wait(15_000)
-    assert session.asked == [Halt(), Close()]
+    assert session.requests == [Halt(), Close()]

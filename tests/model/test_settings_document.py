@@ -50,7 +50,7 @@ def test_opening_and_saving_changes_no_byte(rover: Path) -> None:
     assert rover.read_bytes() == ROVER.encode()
 
 
-def test_an_edit_changes_its_value_and_nothing_else(rover: Path) -> None:
+def test_edit_changes_only_its_value_and_comment(rover: Path) -> None:
     document = SettingsDocument.open(rover)
     document.draft.parameters.edit("serial_timeout", 15)
     before = document.modified, document.draft.pending
@@ -61,7 +61,7 @@ def test_an_edit_changes_its_value_and_nothing_else(rover: Path) -> None:
     assert after == ROVER.replace("  5  # 0.5 s", "  15  # 1.5 s")
 
 
-def test_undoing_every_edit_gives_the_old_bytes_even_after_a_save(rover: Path) -> None:
+def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
     document = SettingsDocument.open(rover)
     document.draft.parameters.edit("motor_mode", 1)
     document.draft.parameters.edit("aux_acceleration", 7)
@@ -78,7 +78,7 @@ def test_undoing_every_edit_gives_the_old_bytes_even_after_a_save(rover: Path) -
     assert rover.read_bytes() == ROVER.encode()
 
 
-def test_edits_of_both_kinds_are_undone_and_redone_one_by_one(rover: Path) -> None:
+def test_edits_are_undone_and_redone_one_by_one(rover: Path) -> None:
     document = SettingsDocument.open(rover)
     texts = [document.text]
     document.draft.parameters.edit("motor_mode", 1)
@@ -96,7 +96,7 @@ def test_edits_of_both_kinds_are_undone_and_redone_one_by_one(rover: Path) -> No
         assert document.text == text
 
 
-def test_a_change_is_announced_once_for_many_edits(rover: Path, qtbot: QtBot) -> None:
+def test_several_edits_emit_changed_once(rover: Path, qtbot: QtBot) -> None:
     document = SettingsDocument.open(rover)
     heard = []
     document.changed.connect(lambda: heard.append(document.text))
@@ -108,9 +108,7 @@ def test_a_change_is_announced_once_for_many_edits(rover: Path, qtbot: QtBot) ->
 
 
 @pytest.mark.parametrize("bad", BAD_FILES, ids=lambda bad: bad.name)
-def test_a_file_with_errors_opens_as_its_text_and_names_the_lines(
-    bad: BadFile, tmp_path: Path
-) -> None:
+def test_file_with_errors_opens_as_text_with_findings(bad: BadFile, tmp_path: Path) -> None:
     path = tmp_path / "bad.txt"
     path.write_bytes(bad.data)
     if not bad.is_text:
@@ -124,7 +122,7 @@ def test_a_file_with_errors_opens_as_its_text_and_names_the_lines(
     assert any(bad.words in found.message and found.line == bad.line for found in document.findings)
 
 
-def test_mended_text_gives_settings_and_keeps_what_was_written(tmp_path: Path) -> None:
+def test_corrected_text_gives_settings_and_keeps_comments(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\n# mine\nmotor_mode: 9\n", encoding="utf-8")
     document = SettingsDocument.open(path)
@@ -138,7 +136,7 @@ def test_mended_text_gives_settings_and_keeps_what_was_written(tmp_path: Path) -
     assert path.read_text(encoding="utf-8") == "product: TReX\n# mine\nmotor_mode: 1\n"
 
 
-def test_text_with_errors_can_be_saved_so_that_no_work_is_lost(tmp_path: Path) -> None:
+def test_text_with_errors_can_be_saved(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nmotor_mode: 9\n", encoding="utf-8")
     document = SettingsDocument.open(path)
@@ -148,7 +146,7 @@ def test_text_with_errors_can_be_saved_so_that_no_work_is_lost(tmp_path: Path) -
     assert not document.modified
 
 
-def test_western_european_text_waits_for_a_look_and_is_saved_as_utf8(tmp_path: Path) -> None:
+def test_cp1252_text_needs_a_check_and_is_saved_as_utf8(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
     path.write_bytes("product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode("cp1252"))
     document = SettingsDocument.open(path)
@@ -159,7 +157,7 @@ def test_western_european_text_waits_for_a_look_and_is_saved_as_utf8(tmp_path: P
     assert path.read_bytes() == "product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode()
 
 
-def test_a_change_by_another_program_is_seen(rover: Path) -> None:
+def test_change_by_another_program_is_detected(rover: Path) -> None:
     document = SettingsDocument.open(rover)
     assert not document.changed_on_disk()
     rover.write_text("product: TReX\n", encoding="utf-8")
@@ -170,7 +168,7 @@ def test_a_change_by_another_program_is_seen(rover: Path) -> None:
     assert not document.changed_on_disk()
 
 
-def test_what_cannot_be_amended_in_place_is_saved_fresh_on_demand(tmp_path: Path) -> None:
+def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> None:
     path = tmp_path / "odd.txt"
     # The block of text ends where the file ends; with a line behind it, it would end in a break.
     path.write_text("product: TReX\nfirmware: |\n  1.2", encoding="utf-8")
@@ -185,7 +183,7 @@ def test_what_cannot_be_amended_in_place_is_saved_fresh_on_demand(tmp_path: Path
     assert not document.modified
 
 
-def test_a_new_file_needs_a_place(tmp_path: Path) -> None:
+def test_new_file_needs_a_path(tmp_path: Path) -> None:
     document = SettingsDocument.of_settings(factory(), "new.txt", title="As from the factory.")
     assert document.settings == factory()
     assert not document.modified
@@ -196,7 +194,7 @@ def test_a_new_file_needs_a_place(tmp_path: Path) -> None:
     assert "As from the factory." in (tmp_path / "mine.txt").read_text(encoding="utf-8")
 
 
-def test_a_folder_that_is_gone_is_a_sentence(rover: Path, tmp_path: Path) -> None:
+def test_missing_folder_is_reported_and_keeps_the_path(rover: Path, tmp_path: Path) -> None:
     document = SettingsDocument.open(rover)
     with pytest.raises(SettingsError, match="no folder"):
         document.save(tmp_path / "gone" / "rover.txt")
@@ -204,7 +202,7 @@ def test_a_folder_that_is_gone_is_a_sentence(rover: Path, tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("path", sorted(resource("samples").glob("*.txt")), ids=lambda p: p.stem)
-def test_a_sample_opens_and_an_edit_of_it_changes_one_line(path: Path) -> None:
+def test_edit_of_a_sample_changes_one_line(path: Path) -> None:
     document = SettingsDocument.open(path)
     before = document.text
     document.draft.parameters.edit("device_number", 9)
@@ -213,7 +211,9 @@ def test_a_sample_opens_and_an_edit_of_it_changes_one_line(path: Path) -> None:
 
 @settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.binary(max_size=200) | st.text(max_size=200).map(str.encode))
-def test_no_bytes_bring_it_down(qapp: QApplication, tmp_path: Path, data: bytes) -> None:
+def test_arbitrary_bytes_do_not_crash_the_document(
+    qapp: QApplication, tmp_path: Path, data: bytes
+) -> None:
     path = tmp_path / "any.txt"
     path.write_bytes(data)
     try:
@@ -230,7 +230,7 @@ def test_no_bytes_bring_it_down(qapp: QApplication, tmp_path: Path, data: bytes)
 
 @settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(before=any_settings(), after=any_settings())
-def test_any_settings_become_any_others_and_the_text_says_so(
+def test_edited_document_text_parses_to_its_settings(
     qapp: QApplication, before: Settings, after: Settings
 ) -> None:
     document = SettingsDocument.of_settings(before, "any.txt")

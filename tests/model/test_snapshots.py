@@ -36,7 +36,7 @@ def text(table: SnapshotTable, row: int, column: SnapshotColumn) -> str:
     return str(table.index(row, column).data())
 
 
-def test_qt_finds_nothing_wrong_with_it(
+def test_table_passes_qt_model_tester(
     table: SnapshotTable, history: History, qtmodeltester: ModelTester
 ) -> None:
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
@@ -49,7 +49,9 @@ def test_qt_finds_nothing_wrong_with_it(
     assert table.rowCount() == 3
 
 
-def test_the_newest_comes_first_and_says_everything(table: SnapshotTable, history: History) -> None:
+def test_newest_snapshot_comes_first_with_all_columns(
+    table: SnapshotTable, history: History
+) -> None:
     take(history, 5 * MINUTE, reason="trexcmd restore-defaults")
     take(history, device_number=9)
     table.refresh()
@@ -62,7 +64,7 @@ def test_the_newest_comes_first_and_says_everything(table: SnapshotTable, histor
     assert heads == ["Time", "Before", "Board", "No.", "Adapter"]
 
 
-def test_times_are_local_and_near_days_have_names(table: SnapshotTable, history: History) -> None:
+def test_times_are_local_and_recent_days_are_named(table: SnapshotTable, history: History) -> None:
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=0, microsecond=0)
     now = datetime.now().astimezone()
     taken = [take(history, now - noon + days * DAY) for days in (0, 1, 400)]
@@ -73,7 +75,7 @@ def test_times_are_local_and_near_days_have_names(table: SnapshotTable, history:
     assert table.time_text(taken[2]) == f"{long_ago.day} {long_ago:%b %Y} {long_ago:%H:%M}"
 
 
-def test_seconds_tell_those_of_one_minute_apart(table: SnapshotTable, history: History) -> None:
+def test_snapshots_of_one_minute_show_seconds(table: SnapshotTable, history: History) -> None:
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=1, microsecond=0)
     now = datetime.now().astimezone()
     taken = [take(history, now - noon - timedelta(seconds=seconds)) for seconds in (0, 30)]
@@ -82,7 +84,7 @@ def test_seconds_tell_those_of_one_minute_apart(table: SnapshotTable, history: H
     assert times == [f"today 12:03:{one.taken.astimezone():%S}" for one in reversed(taken)]
 
 
-def test_looking_again_keeps_what_stays_in_its_place(
+def test_refresh_keeps_persistent_indexes(
     table: SnapshotTable, history: History, qtbot: QtBot
 ) -> None:
     kept, gone = take(history, 2 * MINUTE), take(history, 3 * MINUTE)
@@ -97,7 +99,7 @@ def test_looking_again_keeps_what_stays_in_its_place(
     assert table.row_of(gone.path) is None
 
 
-def test_a_damaged_head_shows_at_once(table: SnapshotTable, history: History) -> None:
+def test_damaged_header_is_shown_after_refresh(table: SnapshotTable, history: History) -> None:
     take(history).path.write_text("rubbish", encoding="utf-8")
     table.refresh()
     assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
@@ -105,7 +107,7 @@ def test_a_damaged_head_shows_at_once(table: SnapshotTable, history: History) ->
     assert "cannot be restored" in table.index(0, 0).data(Qt.ItemDataRole.ToolTipRole)
 
 
-def test_damage_further_down_shows_once_it_was_met_and_until_it_is_mended(
+def test_damaged_body_is_shown_from_load_until_repair(
     table: SnapshotTable, history: History
 ) -> None:
     snapshot = take(history)
@@ -125,7 +127,7 @@ def test_damage_further_down_shows_once_it_was_met_and_until_it_is_mended(
     assert table.load(snapshot).product.name == "TReX"
 
 
-def test_what_was_loaded_is_read_again_only_when_the_file_changed(
+def test_snapshot_is_reloaded_only_after_a_file_change(
     table: SnapshotTable, history: History
 ) -> None:
     snapshot = take(history)
@@ -136,7 +138,7 @@ def test_what_was_loaded_is_read_again_only_when_the_file_changed(
     assert table.load(snapshot).parameters["motor_mode"] == 1
 
 
-def test_a_neighbour_is_the_next_newer_of_the_same_product_else_the_next_older(
+def test_neighbour_is_next_newer_or_older_of_same_product(
     table: SnapshotTable, history: History
 ) -> None:
     oldest, junior, middle, damaged, newest = (
@@ -164,7 +166,7 @@ def test_a_neighbour_is_the_next_newer_of_the_same_product_else_the_next_older(
         *(("cp2102 9", 1), ("cp2102 apply", 0)),
     ],
 )
-def test_words_are_searched_in_every_column(
+def test_words_match_in_every_column(
     table: SnapshotTable, history: History, words: str, count: int
 ) -> None:
     now = datetime.now().astimezone()

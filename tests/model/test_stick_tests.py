@@ -80,12 +80,12 @@ def sticks(connect: Callable[..., Device]) -> Callable[..., Sticks]:
 
 
 @pytest.mark.parametrize("reversed_", [False, True])
-def test_the_side_to_which_a_throttle_is_only_trimmed_is_idle(reversed_: bool) -> None:
+def test_trim_side_of_a_throttle_is_idle(reversed_: bool) -> None:
     trimmed = remap(2600, THROTTLE, reversed_=reversed_)
     assert idle_side(THROTTLE, reversed_=reversed_) == (1 if trimmed > 0 else -1)
 
 
-def test_full_output_of_a_throttle_counts_on_the_side_that_it_travels() -> None:
+def test_throttle_passes_with_full_output_on_its_travel_side() -> None:
     test = StickTest(3)
     idle = idle_side(THROTTLE, reversed_=False)
     for step, microseconds in enumerate([1040] * 30 + [1100] * 40):
@@ -99,7 +99,7 @@ def test_full_output_of_a_throttle_counts_on_the_side_that_it_travels() -> None:
     assert test.tested.passed
 
 
-def test_a_throttle_with_its_rest_in_the_middle_may_go_either_way() -> None:
+def test_centered_throttle_passes_on_either_side() -> None:
     even = Calibration(2500, 3750, 5000, 75)
     assert idle_side(even, reversed_=True) == 0
     test = StickTest(3)
@@ -108,7 +108,7 @@ def test_a_throttle_with_its_rest_in_the_middle_may_go_either_way() -> None:
     assert test.tested.passed
 
 
-def test_both_sides_of_a_stick_count_however_long_they_are() -> None:
+def test_uneven_stick_passes_with_both_ends() -> None:
     test = StickTest(1)
     for step, count in enumerate([2600] * 5 + [4730] * 5 + [2750] * 40):
         test.feed(step / 50, remap(count, THROTTLE), idle=-1)
@@ -118,80 +118,80 @@ def test_both_sides_of_a_stick_count_however_long_they_are() -> None:
 # --- Good is what is good now -----------------------------------------------------------
 
 
-def test_a_channel_that_was_good_and_is_held_away_from_rest_is_not_good(
+def test_passed_channel_held_off_neutral_fails_until_released(
     sticks: Callable[..., Sticks],
 ) -> None:
-    desk = sticks(1)
-    desk.push(1)
-    assert desk.text(1) == "Good."
-    assert desk.passed()
-    desk.hold(1, 1650)
-    assert desk.text(1).startswith("Full output reached. Let go: at rest it must give 0")
-    assert not desk.passed()
-    desk.hold(1, 1500)
-    assert desk.passed()
+    inputs = sticks(1)
+    inputs.push(1)
+    assert inputs.text(1) == "Good."
+    assert inputs.passed()
+    inputs.hold(1, 1650)
+    assert inputs.text(1).startswith("Full output reached. Let go: at rest it must give 0")
+    assert not inputs.passed()
+    inputs.hold(1, 1500)
+    assert inputs.passed()
 
 
 @pytest.mark.parametrize("channel", [1, 4])
-def test_a_channel_whose_signal_is_lost_is_not_good_any_more(
+def test_passed_channel_fails_when_its_signal_is_lost(
     sticks: Callable[..., Sticks], channel: int
 ) -> None:
-    desk = sticks(channel)
-    desk.push(channel)
-    assert desk.passed()
-    desk.hold(channel, None)
-    assert desk.text(channel) == "No signal comes in."
-    assert not desk.passed()
+    inputs = sticks(channel)
+    inputs.push(channel)
+    assert inputs.passed()
+    inputs.hold(channel, None)
+    assert inputs.text(channel) == "No signal comes in."
+    assert not inputs.passed()
 
 
-def test_another_channel_that_holds_the_motors_keeps_the_test_from_passing(
+def test_safe_start_of_another_channel_blocks_passing(
     sticks: Callable[..., Sticks],
 ) -> None:
-    desk = sticks(1)
-    desk.hold(2, 1600)
-    desk.push(1)
-    assert desk.text(1) == "Good."
-    assert desk.tests.channels_passed
-    assert not desk.passed()
-    (reason,) = desk.tests.safe_start_reasons
+    inputs = sticks(1)
+    inputs.hold(2, 1600)
+    inputs.push(1)
+    assert inputs.text(1) == "Good."
+    assert inputs.tests.channels_passed
+    assert not inputs.passed()
+    (reason,) = inputs.tests.safe_start_reasons
     assert reason.startswith("channel 2 gives +")
-    desk.hold(2, 1500)
-    assert desk.passed()
+    inputs.hold(2, 1500)
+    assert inputs.passed()
 
 
 # --- Ignored channels -------------------------------------------------------------------
 
 
-def test_an_ignored_channel_says_so_and_does_not_count(connect: Callable[..., Device]) -> None:
-    desk = Sticks(connect("eeprom ignored_channels 2"), 1, 2)
-    desk.hold()
-    assert desk.text(2) == "Ignored: the board holds it at neutral. There is nothing to test."
-    desk.push(2)
-    assert not desk.passed()
-    desk.push(1)
-    assert desk.passed()
-    assert desk.to_learn_again() == ()
+def test_ignored_channel_is_named_and_not_counted(connect: Callable[..., Device]) -> None:
+    inputs = Sticks(connect("eeprom ignored_channels 2"), 1, 2)
+    inputs.hold()
+    assert inputs.text(2) == "Ignored: the board holds it at neutral. There is nothing to test."
+    inputs.push(2)
+    assert not inputs.passed()
+    inputs.push(1)
+    assert inputs.passed()
+    assert inputs.to_learn_again() == ()
 
 
-def test_where_every_channel_is_ignored_nothing_passes(connect: Callable[..., Device]) -> None:
-    desk = Sticks(connect("eeprom ignored_channels 1"), 1)
-    desk.push(1)
-    assert desk.tests.all_ignored
-    assert not desk.passed()
+def test_stick_test_of_only_ignored_channels_never_passes(connect: Callable[..., Device]) -> None:
+    inputs = Sticks(connect("eeprom ignored_channels 1"), 1)
+    inputs.push(1)
+    assert inputs.tests.all_ignored
+    assert not inputs.passed()
 
 
 # --- What to learn again ----------------------------------------------------------------
 
 
-def test_a_channel_that_was_moved_and_is_not_good_is_offered_to_be_learned_again(
+def test_moved_channel_that_fails_is_offered_for_relearning(
     sticks: Callable[..., Sticks],
 ) -> None:
-    desk = sticks(1, 2)
-    desk.hold()
-    assert desk.to_learn_again() == ()
-    desk.hold(2, 1900)
-    desk.hold(2, 1500)
-    assert desk.to_learn_again() == (2,)
-    desk.push(2)
-    desk.hold(2, 1700)  # it was good: nothing is wrong with its values
-    assert desk.to_learn_again() == ()
+    inputs = sticks(1, 2)
+    inputs.hold()
+    assert inputs.to_learn_again() == ()
+    inputs.hold(2, 1900)
+    inputs.hold(2, 1500)
+    assert inputs.to_learn_again() == (2,)
+    inputs.push(2)
+    inputs.hold(2, 1700)  # it was good: nothing is wrong with its values
+    assert inputs.to_learn_again() == ()

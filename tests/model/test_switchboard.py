@@ -10,8 +10,8 @@ from trex_gui.model.ports import Port, PortKind
 from trex_gui.model.switchboard import Switchboard
 
 
-class Road(QObject):
-    """A way whose link does what the test says; see `switchboard.Way`."""
+class FakeDevice(QObject):
+    """A device whose connection does what the test says; see `switchboard.Way`."""
 
     changed = Signal()
     progressed = Signal(int, int, str)
@@ -66,29 +66,29 @@ def port(url: str, device: str) -> Port:
 
 
 @pytest.fixture
-def roads(qapp: QObject) -> tuple[Road, Road]:
-    return Road("first"), Road("second")
+def devices(qapp: QObject) -> tuple[FakeDevice, FakeDevice]:
+    return FakeDevice("first"), FakeDevice("second")
 
 
 @pytest.fixture
-def board(roads: tuple[Road, Road]) -> Switchboard:
-    return Switchboard(roads)
+def board(devices: tuple[FakeDevice, FakeDevice]) -> Switchboard:
+    return Switchboard(devices)
 
 
-def test_the_first_is_in_use_until_another_is_asked_for(
-    board: Switchboard, roads: tuple[Road, Road]
+def test_first_device_is_current_by_default(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
-    assert board.current is roads[0]
+    assert board.current is devices[0]
     assert board.is_idle
     board.connect_to(port("a", "first"))
-    assert roads[0].done == ["connect a"]
+    assert devices[0].done == ["connect a"]
     assert not board.is_idle
 
 
-def test_the_device_before_is_left_first_and_awaited(
-    board: Switchboard, roads: tuple[Road, Road]
+def test_previous_device_disconnects_before_the_next_connects(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
-    first, second = roads
+    first, second = devices
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     assert first.done[-1] == "leave"
@@ -98,18 +98,18 @@ def test_the_device_before_is_left_first_and_awaited(
     assert board.current is second
 
 
-def test_one_that_is_idle_is_left_too_since_it_may_wait_for_a_search(
-    board: Switchboard, roads: tuple[Road, Road]
+def test_idle_previous_device_is_left_too(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     board.connect_to(port("b", "second"))
-    assert roads[0].done == ["leave"]
-    assert roads[1].done == ["connect b"]
+    assert devices[0].done == ["leave"]
+    assert devices[1].done == ["connect b"]
 
 
-def test_leaving_forgets_what_was_to_come_next(
-    board: Switchboard, roads: tuple[Road, Road]
+def test_leaving_cancels_the_pending_connection(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
-    first, second = roads
+    first, second = devices
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     board.leave()
@@ -117,8 +117,10 @@ def test_leaving_forgets_what_was_to_come_next(
     assert second.done == []
 
 
-def test_the_newest_choice_counts(board: Switchboard, roads: tuple[Road, Road]) -> None:
-    first, second = roads
+def test_last_chosen_port_is_connected(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+) -> None:
+    first, second = devices
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     board.connect_with(port("c", "second"), LinkSettings(""))
@@ -126,22 +128,24 @@ def test_the_newest_choice_counts(board: Switchboard, roads: tuple[Road, Road]) 
     assert second.done == ["with 19200 8N1", "connect c"]
 
 
-def test_a_stop_reaches_every_device(board: Switchboard, roads: tuple[Road, Road]) -> None:
+def test_stop_reaches_every_device(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+) -> None:
     board.press_stop()
-    assert [road.done for road in roads] == [["stop"], ["stop"]]
+    assert [device.done for device in devices] == [["stop"], ["stop"]]
 
 
-def test_every_line_is_shut_down_though_one_does_not_end(
-    board: Switchboard, roads: tuple[Road, Road]
+def test_every_device_is_shut_down_when_one_does_not_end(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     assert not board.shut_down()
-    assert [road.done[-1] for road in roads] == ["shut down", "shut down"]
+    assert [device.done[-1] for device in devices] == ["shut down", "shut down"]
 
 
-def test_no_line_waits_for_another_before_it_is_told_to_end(
-    board: Switchboard, roads: tuple[Road, Road], monkeypatch: pytest.MonkeyPatch
+def test_shutdown_begins_on_all_devices_before_waiting(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    first, second = roads
+    first, second = devices
     told: list[list[str]] = []
 
     def shut_down() -> bool:
@@ -153,13 +157,13 @@ def test_no_line_waits_for_another_before_it_is_told_to_end(
     assert told == [["begin to shut down"]]
 
 
-def test_what_every_device_has_left_turning_is_told(
-    board: Switchboard, roads: tuple[Road, Road]
+def test_unconfirmed_stops_of_all_devices_are_listed(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     assert board.unstopped == ""
-    roads[1].unstopped = "The second may turn."
+    devices[1].unstopped = "The second may turn."
     assert board.unstopped == "The second may turn."
-    roads[0].unstopped = "The first may turn."
+    devices[0].unstopped = "The first may turn."
     assert board.unstopped == "The first may turn.\nThe second may turn."
 
 
@@ -171,25 +175,25 @@ def told(board: Switchboard) -> list[str]:
     return told
 
 
-def test_a_stop_that_nobody_asked_for_reaches_all_and_is_told_in_the_words_of_the_one_in_use(
-    board: Switchboard, roads: tuple[Road, Road], told: list[str]
+def test_automatic_stop_reaches_all_and_current_device_reports(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice], told: list[str]
 ) -> None:
     board.connect_to(port("b", "second"))
     board.stop_because("It rains")
-    assert [road.done[-1] for road in roads] == ["stop: It rains"] * 2
+    assert [device.done[-1] for device in devices] == ["stop: It rains"] * 2
     assert told == ["It rains, so Second is told."]
 
 
-def test_what_becomes_known_later_of_a_stop_is_told_for_the_device_in_use_only(
-    board: Switchboard, roads: tuple[Road, Road], told: list[str]
+def test_stop_report_is_forwarded_only_for_the_current_device(
+    board: Switchboard, devices: tuple[FakeDevice, FakeDevice], told: list[str]
 ) -> None:
-    roads[1].stop_told.emit("The second stands.")
+    devices[1].stop_told.emit("The second stands.")
     assert told == []
-    roads[0].stop_told.emit("The first stands.")
+    devices[0].stop_told.emit("The first stands.")
     assert told == ["The first stands."]
 
 
-def test_with_nothing_connected_a_reason_is_told_only_where_it_is_news_by_itself(
+def test_unconnected_stop_is_reported_only_if_reason_is_news(
     board: Switchboard, told: list[str]
 ) -> None:
     board.stop_because("It rains")

@@ -32,7 +32,7 @@ def take(telemetry: Telemetry, *samples: Sample) -> None:
     telemetry.take(Batch(samples, Counters()))
 
 
-def test_nothing_is_known_at_first(telemetry: Telemetry) -> None:
+def test_telemetry_starts_empty(telemetry: Telemetry) -> None:
     assert telemetry.raw is None
     assert telemetry.remapped is None
     assert telemetry.motor_currents is None
@@ -41,7 +41,7 @@ def test_nothing_is_known_at_first(telemetry: Telemetry) -> None:
     assert telemetry.remapped_of(1) is None
 
 
-def test_the_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
+def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
     take(
         telemetry,
         Raw(1.0, (1, 2, 3, 4, 5)),
@@ -59,7 +59,7 @@ def test_the_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
     assert telemetry.samples == 5
 
 
-def test_currents_are_kept_in_ampere_with_their_times(telemetry: Telemetry) -> None:
+def test_currents_are_kept_in_amperes_with_times(telemetry: Telemetry) -> None:
     take(telemetry, Currents(1.0, (0, 10)), Currents(1.0125, (20, 255)))
     assert telemetry.motor_currents == pytest.approx((3.0, 38.25))
     assert list(telemetry.currents.times) == [1.0, 1.0125]
@@ -67,14 +67,14 @@ def test_currents_are_kept_in_ampere_with_their_times(telemetry: Telemetry) -> N
     assert list(telemetry.currents.values(1)) == pytest.approx([1.5, 38.25])
 
 
-def test_one_batch_is_one_announcement(telemetry: Telemetry, qtbot: QtBot) -> None:
+def test_batch_emits_one_update(telemetry: Telemetry, qtbot: QtBot) -> None:
     announced: list[None] = []
     telemetry.updated.connect(lambda: announced.append(None))
     take(telemetry, *(Raw(float(time), (1, 2, 3, 4, 5)) for time in range(20)))
     assert len(announced) == 1
 
 
-def test_status_and_mode_are_somebody_elses_business(telemetry: Telemetry) -> None:
+def test_status_and_mode_samples_set_only_the_time(telemetry: Telemetry) -> None:
     take(
         telemetry,
         StatusNews(2.0, Status.MOTOR1_FAULT, UartError(0)),
@@ -84,7 +84,7 @@ def test_status_and_mode_are_somebody_elses_business(telemetry: Telemetry) -> No
     assert telemetry.latest == 3.0
 
 
-def test_forgetting_the_present_keeps_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
+def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
     take(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
     with qtbot.waitSignal(telemetry.updated):
         telemetry.forget()
@@ -94,7 +94,7 @@ def test_forgetting_the_present_keeps_the_history(telemetry: Telemetry, qtbot: Q
     assert len(telemetry.currents) == 1
 
 
-def test_a_new_board_begins_an_empty_history(telemetry: Telemetry) -> None:
+def test_begin_clears_the_history_and_sets_the_unit(telemetry: Telemetry) -> None:
     take(telemetry, Currents(1.0, (1, 2)))
     telemetry.begin(0.04)
     assert len(telemetry.currents) == 0
@@ -102,19 +102,19 @@ def test_a_new_board_begins_an_empty_history(telemetry: Telemetry) -> None:
     assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
 
 
-def test_who_controls_is_known_before_the_first_sample(telemetry: Telemetry) -> None:
+def test_control_is_known_before_the_first_sample(telemetry: Telemetry) -> None:
     telemetry.note_control(by_serial=True)
     assert telemetry.serial_controls is True
 
 
-def test_an_hour_of_currents_is_kept(telemetry: Telemetry) -> None:
+def test_current_history_holds_one_hour(telemetry: Telemetry) -> None:
     for number in range(3):
         take(telemetry, *(Currents(float(time), (number, 0)) for time in range(1000)))
     assert len(telemetry.currents) == 3000
     assert telemetry.currents.capacity >= 3600 * 80
 
 
-def test_wishes_and_channels_are_kept_beside_the_currents(telemetry: Telemetry) -> None:
+def test_setpoints_and_channels_are_kept_with_the_currents(telemetry: Telemetry) -> None:
     motors = Motors()
     take(telemetry, Currents(1.0, (0, 0)))
     assert math.isnan(telemetry.currents.values(Series.WISHED1)[0])
@@ -134,7 +134,7 @@ def test_wishes_and_channels_are_kept_beside_the_currents(telemetry: Telemetry) 
     assert telemetry.currents.values(Series.WISHED1)[2] == 0
 
 
-def test_inputs_are_kept_with_their_times_and_gaps(telemetry: Telemetry) -> None:
+def test_inputs_are_kept_with_times_and_gaps(telemetry: Telemetry) -> None:
     take(telemetry, Raw(1.0, (1, None, 3, 4, 5)), Raw(1.02, (7, 8, 3, 4, 5)))
     assert list(telemetry.inputs.times) == [1.0, 1.02]
     assert list(telemetry.inputs.values(0)) == [1, 7]

@@ -19,7 +19,7 @@ def filled(count: int, capacity: int = 1_000_000, seed: int = 1, rate: float = 8
     return history
 
 
-def test_without_rows_there_is_nothing_to_draw() -> None:
+def test_empty_history_has_no_points() -> None:
     history = History(2)
     assert history.span is None
     assert len(history) == 0
@@ -30,7 +30,7 @@ def test_without_rows_there_is_nothing_to_draw() -> None:
     assert math.isnan(history.value_at(0, 1))
 
 
-def test_rows_are_read_as_they_were_added() -> None:
+def test_rows_are_returned_as_added() -> None:
     history = History(2)
     history.append(1.0, 2.0, 3.0)
     history.append(1.5, 4.0, math.nan)
@@ -40,14 +40,14 @@ def test_rows_are_read_as_they_were_added() -> None:
     assert history.span == (1.0, 1.5)
 
 
-def test_a_clock_that_steps_back_does_not_mix_up_the_rows() -> None:
+def test_times_stay_sorted_when_the_clock_steps_back() -> None:
     history = History(1)
     history.append(2.0, 1.0)
     history.append(1.0, 2.0)
     assert history.times.tolist() == [2.0, 2.0]
 
 
-def test_few_samples_are_drawn_as_they_are_with_one_beyond_either_edge() -> None:
+def test_few_samples_are_drawn_with_one_beyond_each_edge() -> None:
     history = History(1)
     history.extend(np.arange(10.0) / 4, [np.arange(10.0)])
     times, values = history.points(0, 1.0, 2.0, 500)
@@ -63,7 +63,7 @@ def test_few_samples_are_drawn_as_they_are_with_one_beyond_either_edge() -> None
     bins=st.integers(1, 60),
     place=st.tuples(st.floats(0, 1), st.floats(0, 1)),
 )
-def test_whatever_the_span_points_are_few_and_no_peak_is_lost(
+def test_points_are_few_and_keep_every_peak(
     count: int, capacity: int, seed: int, bins: int, place: tuple[float, float]
 ) -> None:
     history = filled(count, capacity, seed)
@@ -90,7 +90,7 @@ def test_whatever_the_span_points_are_few_and_no_peak_is_lost(
     holes=st.lists(st.integers(0, 5999), max_size=5),
     step=st.integers(20, 700),
 )
-def test_statistics_are_those_of_adding_up_every_sample(
+def test_statistics_equal_a_plain_sum_of_samples(
     count: int,
     capacity: int,
     seed: int,
@@ -132,7 +132,7 @@ def plainly(times: Floats, values: Floats) -> list[float]:
     return [seconds, integral, integral / seconds, math.sqrt(squares / seconds), *ends]
 
 
-def test_rows_added_one_by_one_are_as_good_as_many_at_once() -> None:
+def test_append_equals_extend() -> None:
     many, single = filled(5000, 1000), History(2, 1000)
     noise = np.random.default_rng(1).normal(size=(2, 5000))
     for row in range(5000):
@@ -143,14 +143,14 @@ def test_rows_added_one_by_one_are_as_good_as_many_at_once() -> None:
         assert many.statistics(column, 51, 60) == single.statistics(column, 51, 60)
 
 
-def test_the_oldest_rows_go_when_the_memory_is_full() -> None:
+def test_oldest_rows_are_dropped_at_capacity() -> None:
     history = filled(20_000, 3000)
     assert len(history) == 3000
     assert history.span == (17_000 / 80, 19_999 / 80)
     assert history._times.nbytes < 2 * 8 * 3000
 
 
-def test_a_constant_ampere_for_an_hour_is_an_ampere_hour() -> None:
+def test_one_ampere_for_an_hour_is_one_ampere_hour() -> None:
     history = History(1)
     times = np.arange(3600 * 80 + 1) / 80
     history.extend(times, [np.full_like(times, 1.0)])
@@ -160,7 +160,7 @@ def test_a_constant_ampere_for_an_hour_is_an_ampere_hour() -> None:
     assert found.rms == pytest.approx(1, rel=1e-12)
 
 
-def test_no_charge_is_counted_while_the_line_was_silent() -> None:
+def test_gap_in_samples_counts_no_charge() -> None:
     history = History(1)
     for time in (0.0, 0.25, 0.5, 10.5, 10.75):
         history.append(time, 2.0)
@@ -170,7 +170,7 @@ def test_no_charge_is_counted_while_the_line_was_silent() -> None:
     assert found.mean == 2
 
 
-def test_the_line_is_interrupted_where_nothing_came() -> None:
+def test_gap_in_samples_interrupts_the_curve() -> None:
     history = History(1)
     for time in (0.0, 0.25, 0.5, 10.5, 10.75):
         history.append(time, 2.0)
@@ -179,7 +179,7 @@ def test_the_line_is_interrupted_where_nothing_came() -> None:
     assert np.isnan(values).tolist() == [False, False, False, True, False, False]
 
 
-def test_a_long_silence_is_seen_in_a_long_history_too() -> None:
+def test_gap_is_drawn_in_a_long_history() -> None:
     history = History(1)
     times = np.arange(200_000) / 80
     times[77_777:] += 600
@@ -189,14 +189,14 @@ def test_a_long_silence_is_seen_in_a_long_history_too() -> None:
     assert times[gap + 1] - times[gap - 1] == pytest.approx(600, abs=0.1)
 
 
-def test_many_silences_cost_no_more_than_some() -> None:
+def test_many_gaps_keep_the_points_few() -> None:
     history = History(1)
     history.extend(np.arange(20_000.0), [np.ones(20_000)])  # every interval is one
     times, _ = history.points(0, 0, 100, 500)
     assert len(times) <= 1000
 
 
-def test_the_value_at_a_time_is_that_of_the_last_sample_before() -> None:
+def test_value_at_gives_the_last_sample_before_a_time() -> None:
     history = History(1)
     history.append(1.0, 5.0)
     history.append(1.2, 6.0)
@@ -207,7 +207,7 @@ def test_the_value_at_a_time_is_that_of_the_last_sample_before() -> None:
     assert math.isnan(history.value_at(0, 2.0))
 
 
-def test_the_picture_does_not_flicker_while_it_scrolls() -> None:
+def test_scrolling_keeps_the_drawn_bins() -> None:
     history = filled(50_000)
     _, before = history.points(0, 0, 200, 100)
     _, after = history.points(0, 20, 220, 100)
@@ -215,7 +215,7 @@ def test_the_picture_does_not_flicker_while_it_scrolls() -> None:
     assert np.array_equal(before[20:-5], after[2 : len(before) - 23])
 
 
-def test_clearing_begins_anew() -> None:
+def test_cleared_history_starts_over() -> None:
     history = filled(5000)
     history.clear()
     assert history.span is None

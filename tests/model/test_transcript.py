@@ -18,8 +18,8 @@ POLL, ANSWER = b"\x8f", b"\x02\x00"
 WRITE, STORED = b"\xaf\x07\x0f\x55\x2a", b"\x00"
 
 
-class Wire:
-    """A thread of sessions whose tape a test writes on."""
+class TranscriptSetup:
+    """A transcript of a line whose traffic a test writes."""
 
     def __init__(self) -> None:
         self.line = SessionThread()
@@ -40,87 +40,89 @@ class Wire:
 
 
 @pytest.fixture
-def wire(qtbot: QtBot) -> Wire:
+def setup(qtbot: QtBot) -> TranscriptSetup:
     del qtbot
-    return Wire()
+    return TranscriptSetup()
 
 
-def test_what_is_polled_stands_apart_from_what_is_asked(wire: Wire) -> None:
-    wire.say(POLL, ANSWER)
-    wire.say(WRITE, STORED)
-    wire.say(POLL, ANSWER)
-    assert wire.told == ["set Serial Timeout to 1.5 s (15) → stored"]
-    assert wire.transcript.everything.count == 3
-    assert wire.transcript.faults == 0
+def test_polls_are_separated_from_commands(setup: TranscriptSetup) -> None:
+    setup.say(POLL, ANSWER)
+    setup.say(WRITE, STORED)
+    setup.say(POLL, ANSWER)
+    assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
+    assert setup.transcript.everything.count == 3
+    assert setup.transcript.faults == 0
 
 
-def test_a_poll_that_fails_is_told_in_its_place(wire: Wire) -> None:
-    wire.say(WRITE, STORED)
-    wire.say(POLL)
-    wire.say(POLL, ANSWER)
-    wire.say(WRITE, STORED)
-    told = wire.told
+def test_failed_poll_is_listed_in_its_place(setup: TranscriptSetup) -> None:
+    setup.say(WRITE, STORED)
+    setup.say(POLL)
+    setup.say(POLL, ANSWER)
+    setup.say(WRITE, STORED)
+    told = setup.told
     assert told[1] == "get currents of both motors → no answer"
     assert [text.startswith("set") for text in told] == [True, False, True]
-    assert wire.transcript.faults == 1
+    assert setup.transcript.faults == 1
 
 
-def test_a_poll_that_fails_between_two_looks_is_told_once(wire: Wire) -> None:
-    wire.say(POLL)
-    assert wire.told == []
-    wire.say(POLL, ANSWER)
-    assert wire.told == ["get currents of both motors → no answer"]
-    wire.say(POLL, ANSWER)
-    assert len(wire.told) == 1
+def test_failed_poll_between_two_pulls_is_listed_once(setup: TranscriptSetup) -> None:
+    setup.say(POLL)
+    assert setup.told == []
+    setup.say(POLL, ANSWER)
+    assert setup.told == ["get currents of both motors → no answer"]
+    setup.say(POLL, ANSWER)
+    assert len(setup.told) == 1
 
 
-def test_telemetry_does_not_push_out_a_write(wire: Wire, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_telemetry_does_not_displace_a_write(
+    setup: TranscriptSetup, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(model, "MOST_KEPT", 100)
     monkeypatch.setattr(model, "_TRIMMED", 90)
-    wire.say(WRITE, STORED)
+    setup.say(WRITE, STORED)
     for _ in range(500):
-        wire.say(POLL, ANSWER)
-    assert wire.told == ["set Serial Timeout to 1.5 s (15) → stored"]
-    everything = wire.transcript.everything
+        setup.say(POLL, ANSWER)
+    assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
+    everything = setup.transcript.everything
     assert 90 <= len(everything.rows) <= 100
     assert everything.count == 501
     assert [row.number for row in everything.since(499)] == [500, 501]
     assert len(everything.since(0)) == len(everything.rows)
 
 
-def test_units_follow_the_board_that_answers(wire: Wire) -> None:
-    wire.say(POLL, ANSWER)
-    wire.say(POLL, ANSWER)
-    wire.transcript.pull()
-    row = wire.transcript.everything.rows[0]
-    assert "2 counts" in wire.transcript.words_of(row).text
-    wire.wording.board = Signature(device_table().model("trex"), "1.2")
-    wire.transcript.forget_words()
-    assert " A," in wire.transcript.words_of(row).text
+def test_units_follow_the_identified_board(setup: TranscriptSetup) -> None:
+    setup.say(POLL, ANSWER)
+    setup.say(POLL, ANSWER)
+    setup.transcript.pull()
+    row = setup.transcript.everything.rows[0]
+    assert "2 counts" in setup.transcript.words_of(row).text
+    setup.wording.board = Signature(device_table().model("trex"), "1.2")
+    setup.transcript.forget_words()
+    assert " A," in setup.transcript.words_of(row).text
 
 
-def test_who_clears_begins_anew(wire: Wire, qtbot: QtBot) -> None:
-    wire.say(POLL)
-    wire.say(WRITE, STORED)
-    wire.transcript.pull()
-    with qtbot.waitSignal(wire.transcript.cleared):
-        wire.transcript.clear()
-    assert wire.told == []
-    assert wire.transcript.faults == 0
-    wire.say(WRITE, STORED)
-    assert len(wire.told) == 1
+def test_clear_empties_the_transcript(setup: TranscriptSetup, qtbot: QtBot) -> None:
+    setup.say(POLL)
+    setup.say(WRITE, STORED)
+    setup.transcript.pull()
+    with qtbot.waitSignal(setup.transcript.cleared):
+        setup.transcript.clear()
+    assert setup.told == []
+    assert setup.transcript.faults == 0
+    setup.say(WRITE, STORED)
+    assert len(setup.told) == 1
 
 
-def test_rows_are_written_whole_with_what_they_mean(
-    wire: Wire, qtbot: QtBot, tmp_path: Path
+def test_saved_rows_include_bytes_and_meaning(
+    setup: TranscriptSetup, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    wire.say(WRITE, STORED)
-    wire.say(POLL)
-    wire.say(POLL, ANSWER)
-    wire.transcript.pull()
-    saver, path = TranscriptSaver(wire.transcript), tmp_path / "line.txt"
+    setup.say(WRITE, STORED)
+    setup.say(POLL)
+    setup.say(POLL, ANSWER)
+    setup.transcript.pull()
+    saver, path = TranscriptSaver(setup.transcript), tmp_path / "line.txt"
     with qtbot.waitSignal(saver.saved, timeout=15_000) as saved:
-        saver.save(path, wire.transcript.everything.rows)
+        saver.save(path, setup.transcript.everything.rows)
     assert saved.args == [3, path]
     lines = path.read_text(encoding="utf-8").splitlines()
     body = [line.split("\t") for line in lines if not line.startswith("#")]
@@ -132,14 +134,14 @@ def test_rows_are_written_whole_with_what_they_mean(
     assert len(body) == 4
 
 
-def test_a_file_that_cannot_be_written_is_told_and_leaves_nothing(
-    wire: Wire, qtbot: QtBot, tmp_path: Path
+def test_failed_save_is_reported_and_leaves_no_file(
+    setup: TranscriptSetup, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    wire.say(WRITE, STORED)
-    wire.transcript.pull()
-    saver = TranscriptSaver(wire.transcript)
+    setup.say(WRITE, STORED)
+    setup.transcript.pull()
+    saver = TranscriptSaver(setup.transcript)
     with qtbot.waitSignal(saver.failed, timeout=15_000) as failed:
-        saver.save(tmp_path / "no such folder" / "line.txt", wire.transcript.everything.rows)
+        saver.save(tmp_path / "no such folder" / "line.txt", setup.transcript.everything.rows)
     assert "line.txt: It was not written: No such file or directory." in failed.args
     assert not saver.is_saving
     assert list(tmp_path.iterdir()) == []

@@ -31,7 +31,7 @@ def device(qtbot: QtBot) -> Device:
     return device
 
 
-def test_the_last_edit_is_undone_first_across_parameters_and_calibrations(device: Device) -> None:
+def test_undo_order_spans_parameters_and_calibrations(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.calibrations.edit(2, NEW)
     device.parameters.edit("motor_mode", 1)
@@ -57,7 +57,7 @@ def test_edits_of_one_run_are_one_step(device: Device) -> None:
 
 
 @pytest.mark.parametrize("between", ["another run", "another channel", "another kind", "no run"])
-def test_whatever_comes_between_two_edits_of_a_run_parts_them(device: Device, between: str) -> None:
+def test_intervening_edit_splits_a_run(device: Device, between: str) -> None:
     run = object()
     device.calibrations.edit(1, NEW, run=run)
     match between:
@@ -74,7 +74,7 @@ def test_whatever_comes_between_two_edits_of_a_run_parts_them(device: Device, be
     assert device.undo.count() == steps + 1
 
 
-def test_a_run_that_leads_back_leaves_nothing_to_undo(device: Device) -> None:
+def test_run_back_to_the_old_value_leaves_no_step(device: Device) -> None:
     run = object()
     device.parameters.edit("serial_timeout", 5)
     device.calibrations.edit(1, NEW, run=run)
@@ -84,7 +84,7 @@ def test_a_run_that_leads_back_leaves_nothing_to_undo(device: Device) -> None:
     assert device.undo.count() == 1
 
 
-def test_discarded_edits_come_back_at_once(device: Device) -> None:
+def test_discarded_edits_are_restored_by_one_undo(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.calibrations.edit(1, NEW)
     device.discard_edits()
@@ -93,12 +93,12 @@ def test_discarded_edits_come_back_at_once(device: Device) -> None:
     assert device.pending == 2
 
 
-def test_nothing_to_discard_leaves_nothing_to_undo(device: Device) -> None:
+def test_discard_without_edits_leaves_no_step(device: Device) -> None:
     device.discard_edits()
     assert not device.undo.canUndo()
 
 
-def test_a_step_in_which_nothing_changed_is_none(device: Device) -> None:
+def test_step_without_change_is_dropped(device: Device) -> None:
     device.parameters.edit("motor_mode", 1)
     with device.draft.one_edit("Open settings file"):
         device.parameters.edit("serial_timeout", FACTORY["serial_timeout"])
@@ -107,13 +107,13 @@ def test_a_step_in_which_nothing_changed_is_none(device: Device) -> None:
     assert device.parameters.pending == (("motor_mode", 1),)
 
 
-def test_an_edit_to_the_same_value_is_none(device: Device) -> None:
+def test_edit_to_the_same_value_leaves_no_step(device: Device) -> None:
     device.parameters.edit("serial_timeout", FACTORY["serial_timeout"])
     device.calibrations.edit(1, OLD)
     assert not device.undo.canUndo()
 
 
-def test_a_value_that_is_refused_is_nothing_to_undo(device: Device) -> None:
+def test_rejected_value_leaves_no_step(device: Device) -> None:
     with pytest.raises(BadRequest):
         device.parameters.edit("serial_timeout", 128)
     with pytest.raises(BadRequest):
@@ -121,7 +121,7 @@ def test_a_value_that_is_refused_is_nothing_to_undo(device: Device) -> None:
     assert not device.undo.canUndo()
 
 
-def test_after_apply_undoing_makes_the_old_value_an_edit(device: Device) -> None:
+def test_undo_after_apply_makes_the_old_value_pending(device: Device) -> None:
     device.parameters.edit("serial_timeout", 5)
     device.parameters.take_results([Written("serial_timeout", 5)])
     assert device.pending == 0
@@ -129,12 +129,12 @@ def test_after_apply_undoing_makes_the_old_value_an_edit(device: Device) -> None
     assert device.parameters.pending == (("serial_timeout", FACTORY["serial_timeout"]),)
 
 
-def test_what_was_read_again_is_no_edit(device: Device) -> None:
+def test_reloaded_value_leaves_no_step(device: Device) -> None:
     device.parameters.load(SPECS, {**FACTORY, "serial_timeout": 9}, {}, power_cycled=True)
     assert not device.undo.canUndo()
 
 
-def test_calibrations_of_the_hidden_set_are_left_alone(device: Device) -> None:
+def test_undo_does_not_change_the_other_input_source(device: Device) -> None:
     device.calibrations.edit(1, NEW)
     analog = Calibration(0, 512, 1023, 20)
     device.calibrations.load("trex", InputSource.ANALOG, dict.fromkeys(range(1, 6), analog))
@@ -143,7 +143,7 @@ def test_calibrations_of_the_hidden_set_are_left_alone(device: Device) -> None:
     assert device.calibrations.stored(1) == analog
 
 
-def test_a_parameter_that_the_board_lacks_now_is_left_alone(device: Device) -> None:
+def test_undo_ignores_a_parameter_missing_in_firmware(device: Device) -> None:
     device.parameters.edit("uart_response_delay", 1)
     older = parameters_of("trex", "1.0")
     stored = {spec.key: spec.default for spec in older.readable}
@@ -152,7 +152,7 @@ def test_a_parameter_that_the_board_lacks_now_is_left_alone(device: Device) -> N
     assert device.pending == 0
 
 
-def test_models_alone_have_a_stack_of_their_own(qtbot: QtBot) -> None:
+def test_models_without_a_shared_undo_stack_can_be_edited(qtbot: QtBot) -> None:
     parameters, calibrations = ParameterModel(), Calibrations()
     parameters.load(SPECS, FACTORY, {}, power_cycled=True)
     calibrations.load("trex", InputSource.RC, {1: OLD})
@@ -164,7 +164,7 @@ def test_models_alone_have_a_stack_of_their_own(qtbot: QtBot) -> None:
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 @given(data=st.data())
-def test_undoing_everything_ends_where_it_began(qtbot: QtBot, data: st.DataObject) -> None:
+def test_undo_and_redo_pass_through_every_state(qtbot: QtBot, data: st.DataObject) -> None:
     undo = QUndoStack()
     model = ParameterModel(undo=undo)
     model.load(SPECS, FACTORY, {}, power_cycled=True)

@@ -15,24 +15,24 @@ NO_STATUS = Status(0)
 
 
 @pytest.mark.parametrize("errors_stop", [False, True])
-def test_a_serial_timeout_stops_the_motors_whatever_is_set(*, errors_stop: bool) -> None:
+def test_serial_timeout_always_explains_the_stop(*, errors_stop: bool) -> None:
     news = StatusNews(0.0, Status.UART_ERROR, UartError.TIMEOUT)
     assert "Serial Timeout" in why_the_board_stopped(news, errors_stop=errors_stop)
 
 
 @pytest.mark.parametrize("bit", [bit for bit in UartError if bit is not UartError.TIMEOUT])
-def test_another_error_does_where_the_board_is_told_to(bit: UartError) -> None:
+def test_line_error_explains_the_stop_only_if_errors_stop(bit: UartError) -> None:
     news = StatusNews(0.0, Status.UART_ERROR, bit)
     assert "error on the line" in why_the_board_stopped(news, errors_stop=True)
     assert why_the_board_stopped(news, errors_stop=False) == ""
 
 
-def test_no_other_bit_says_that_they_stand() -> None:
+def test_motor_status_bits_do_not_explain_a_stop() -> None:
     news = StatusNews(0.0, Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT, UartError(0))
     assert why_the_board_stopped(news, errors_stop=True) == ""
 
 
-def test_after_an_error_on_the_line_the_window_wishes_nothing_any_more(
+def test_line_error_disarms_and_clears_setpoints(
     program: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     device = program.device

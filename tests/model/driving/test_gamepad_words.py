@@ -16,12 +16,12 @@ def words(qapp: QCoreApplication) -> GamepadWords:
     return GamepadWords()
 
 
-def test_parts_are_counted_from_one(words: GamepadWords) -> None:
+def test_parts_are_numbered_from_one(words: GamepadWords) -> None:
     assert words.axis(UNKNOWN, 0) == "axis 1"
     assert words.button(UNKNOWN, 4) == "button 5"
 
 
-def test_parts_that_sdl_knows_bear_their_names_too(words: GamepadWords) -> None:
+def test_parts_known_to_sdl_show_their_names(words: GamepadWords) -> None:
     assert words.axis(PAD, 0) == "axis 1 (left stick, sideways)"
     assert words.button(PAD, 4) == "button 5 (left shoulder)"
     assert words.button(PAD, None) == "none"

@@ -31,28 +31,28 @@ def held(*names: str) -> HeldKeys:
         ("WASD", (0, 0)),
     ],
 )
-def test_held_keys_add_up(names: str, wish: tuple[float, float]) -> None:
+def test_held_keys_are_combined(names: str, wish: tuple[float, float]) -> None:
     assert held(*names).wish == wish
 
 
-def test_a_key_that_goes_up_leaves_the_others() -> None:
+def test_released_key_leaves_the_others_held() -> None:
     keys = held("W", "D")
     assert keys.release(ord("W"))
     assert keys.wish == (0, 1)
 
 
-def test_two_keys_for_the_same_heading_are_one_until_both_are_up() -> None:
+def test_heading_is_held_until_both_of_its_keys_are_released() -> None:
     keys = held("W")
     keys.press(1, Heading.FORWARD)
     keys.release(1)
     assert keys.wish == (1, 0)
 
 
-def test_a_key_that_was_never_down_cannot_go_up() -> None:
+def test_release_of_unpressed_key_is_ignored() -> None:
     assert not held("W").release(ord("S"))
 
 
-def test_nothing_is_held_after_letting_go_of_all() -> None:
+def test_clear_releases_all_keys() -> None:
     keys = held("W", "A")
     keys.clear()
     assert not keys

@@ -23,21 +23,19 @@ SHARE = st.floats(-1, 1, allow_nan=False)
         (-0.5, 0.25, (-32, -95)),
     ],
 )
-def test_forward_and_turn_are_two_speeds(
+def test_forward_and_turn_are_mixed_into_two_speeds(
     forward: float, turn: float, speeds: tuple[int, int]
 ) -> None:
     assert mix(forward, turn) == speeds
 
 
 @given(forward=SHARE, turn=SHARE, ceiling=st.integers(1, 127))
-def test_no_motor_is_asked_for_more_than_the_ceiling(
-    forward: float, turn: float, ceiling: int
-) -> None:
+def test_mixed_speeds_stay_within_the_ceiling(forward: float, turn: float, ceiling: int) -> None:
     assert all(abs(speed) <= ceiling for speed in mix(forward, turn, ceiling))
 
 
 @given(forward=SHARE, turn=SHARE)
-def test_a_robot_turns_as_it_does_by_the_boards_own_mixing(forward: float, turn: float) -> None:
+def test_mixed_speeds_match_the_board_direction(forward: float, turn: float) -> None:
     by_pad = mix(forward, turn)
     channels = (round(turn * 127), round(forward * 127), 0, 0, 0)
     by_stick = motor_values(channels, mix=True, flip=False, joint=False)
@@ -47,9 +45,7 @@ def test_a_robot_turns_as_it_does_by_the_boards_own_mixing(forward: float, turn:
 
 
 @given(forward=SHARE, turn=SHARE)
-def test_the_curve_that_was_asked_for_is_kept_beyond_full_speed(
-    forward: float, turn: float
-) -> None:
+def test_mixing_keeps_the_speed_ratio_when_limited(forward: float, turn: float) -> None:
     left, right = mix(forward, turn)
     # Either way the two stand in the ratio of the sums, within what rounding does.
     assert abs(left * (forward - turn) - right * (forward + turn)) <= 2

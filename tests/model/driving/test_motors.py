@@ -14,15 +14,15 @@ from trex_gui.protocol.commands import Drive
 from trex_gui.protocol.errors import BadRequest
 
 
-class Asked:
-    """Motors, and what they asked for."""
+class RequestRecorder:
+    """Motors, and the requests, stops and changes they emitted."""
 
     def __init__(self) -> None:
         self.motors = Motors()
-        self.wishes: list[MotorRequest] = []
+        self.requests: list[MotorRequest] = []
         self.stops = 0
         self.changes = 0
-        self.motors.requested.connect(self.wishes.append)
+        self.motors.requested.connect(self.requests.append)
         self.motors.stop_requested.connect(self._on_stop)
         self.motors.changed.connect(self._on_changed)
 
@@ -34,15 +34,15 @@ class Asked:
 
 
 @pytest.fixture
-def asked(qtbot: QtBot) -> Asked:
-    return Asked()
+def recorder(qtbot: QtBot) -> RequestRecorder:
+    return RequestRecorder()
 
 
 @pytest.fixture
-def armed(asked: Asked) -> Asked:
-    asked.motors.allow(True)
-    asked.motors.arm()
-    return asked
+def armed(recorder: RequestRecorder) -> RequestRecorder:
+    recorder.motors.allow(True)
+    recorder.motors.arm()
+    return recorder
 
 
 def drive_everything(motors: Motors) -> None:
@@ -55,34 +55,34 @@ def drive_everything(motors: Motors) -> None:
 # --- Arming -----------------------------------------------------------------------------
 
 
-def test_nothing_is_asked_for_before_the_motors_are_armed(asked: Asked) -> None:
-    asked.motors.allow(True)
-    drive_everything(asked.motors)
-    assert asked.wishes == []
-    assert asked.motors.drive(1) is None
-    assert asked.motors.auxiliary == 0
+def test_unarmed_motors_send_nothing(recorder: RequestRecorder) -> None:
+    recorder.motors.allow(True)
+    drive_everything(recorder.motors)
+    assert recorder.requests == []
+    assert recorder.motors.drive(1) is None
+    assert recorder.motors.auxiliary == 0
 
 
-def test_without_a_board_the_motors_cannot_be_armed(asked: Asked) -> None:
-    asked.motors.arm()
-    assert not asked.motors.armed
-    assert not asked.motors.can_arm
-    drive_everything(asked.motors)
-    assert asked.wishes == []
+def test_motors_cannot_be_armed_without_a_board(recorder: RequestRecorder) -> None:
+    recorder.motors.arm()
+    assert not recorder.motors.armed
+    assert not recorder.motors.can_arm
+    drive_everything(recorder.motors)
+    assert recorder.requests == []
 
 
-def test_arming_asks_for_nothing_by_itself(armed: Asked) -> None:
+def test_arming_sends_nothing(armed: RequestRecorder) -> None:
     assert armed.motors.armed
-    assert armed.wishes == []
+    assert armed.requests == []
     assert armed.stops == 0
 
 
-def test_armed_motors_obey(armed: Asked) -> None:
+def test_armed_motors_send_setpoints(armed: RequestRecorder) -> None:
     armed.motors.accelerate = False
     armed.motors.set_speed(2, -50)
     armed.motors.set_brake(1, 10)
     armed.motors.set_auxiliary(30)
-    assert armed.wishes == [
+    assert armed.requests == [
         SetDrive(2, Drive.at(-50)),
         SetDrive(1, Drive.brake(10)),
         SetAuxiliary(30),
@@ -92,52 +92,52 @@ def test_armed_motors_obey(armed: Asked) -> None:
 
 
 @pytest.mark.parametrize("accelerate", [False, True])
-def test_wishes_say_whether_to_go_there_slowly(armed: Asked, *, accelerate: bool) -> None:
+def test_setpoints_carry_the_accelerate_option(armed: RequestRecorder, *, accelerate: bool) -> None:
     armed.motors.accelerate = accelerate
     armed.motors.set_speed(1, 1)
     armed.motors.set_auxiliary(1)
-    told = [wish.accelerate for wish in armed.wishes if not isinstance(wish, SetDrives)]
+    told = [request.accelerate for request in armed.requests if not isinstance(request, SetDrives)]
     assert told == [accelerate, accelerate]
 
 
-def test_the_same_wish_again_is_not_sent_again(armed: Asked) -> None:
+def test_repeated_setpoint_is_sent_once(armed: RequestRecorder) -> None:
     for _ in range(3):
         armed.motors.set_speed(1, 50)
         armed.motors.set_auxiliary(50)
-    assert len(armed.wishes) == 2
+    assert len(armed.requests) == 2
 
 
 @pytest.mark.parametrize("speed", [-128, 128, 1000])
-def test_a_speed_that_no_motor_has_is_refused(armed: Asked, speed: int) -> None:
+def test_speed_out_of_range_is_rejected(armed: RequestRecorder, speed: int) -> None:
     with pytest.raises(BadRequest, match="-127 to 127"):
         armed.motors.set_speed(1, speed)
-    assert armed.wishes == []
+    assert armed.requests == []
 
 
-def test_a_braking_that_no_motor_has_is_refused(armed: Asked) -> None:
+def test_brake_out_of_range_is_rejected(armed: RequestRecorder) -> None:
     with pytest.raises(BadRequest, match="0 to 127"):
         armed.motors.set_brake(1, 128)
 
 
-def test_arming_twice_does_not_take_wishes_back(armed: Asked) -> None:
+def test_arming_twice_keeps_setpoints(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, 50)
     armed.motors.arm()
     assert armed.motors.drive(1) == Drive.at(50)
 
 
-def test_motors_begin_at_rest_when_they_are_armed_again(armed: Asked) -> None:
+def test_rearmed_motors_have_no_setpoint(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, 50)
     armed.motors.stop()
     armed.motors.arm()
     assert armed.motors.drive(1) is None
     armed.motors.set_speed(1, 50)
-    assert len(armed.wishes) == 2
+    assert len(armed.requests) == 2
 
 
 # --- Stopping ---------------------------------------------------------------------------
 
 
-def test_a_stop_disarms_and_puts_everything_to_rest(armed: Asked) -> None:
+def test_stop_disarms_and_clears_setpoints(armed: RequestRecorder) -> None:
     drive_everything(armed.motors)
     armed.motors.stop()
     assert armed.stops == 1
@@ -145,47 +145,47 @@ def test_a_stop_disarms_and_puts_everything_to_rest(armed: Asked) -> None:
     assert armed.motors.drive(1) is None
     assert armed.motors.drive(2) is None
     assert armed.motors.auxiliary == 0
-    armed.wishes.clear()
+    armed.requests.clear()
     drive_everything(armed.motors)
-    assert armed.wishes == []
+    assert armed.requests == []
 
 
 @pytest.mark.parametrize("allowed", [False, True])
-def test_a_stop_is_never_refused(asked: Asked, *, allowed: bool) -> None:
-    asked.motors.allow(allowed)
+def test_stop_is_always_accepted(recorder: RequestRecorder, *, allowed: bool) -> None:
+    recorder.motors.allow(allowed)
     for _ in range(3):
-        asked.motors.stop()
-    assert asked.stops == 3
+        recorder.motors.stop()
+    assert recorder.stops == 3
 
 
-def test_a_board_that_goes_disarms_the_motors_and_asks_nothing(armed: Asked) -> None:
+def test_lost_board_disarms_without_sending(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, 50)
-    armed.wishes.clear()
+    armed.requests.clear()
     armed.motors.allow(False)
     assert not armed.motors.armed
     assert not armed.motors.can_arm
     assert armed.motors.drive(1) is None
-    assert armed.wishes == []
+    assert armed.requests == []
     assert armed.stops == 0
 
 
-def test_a_board_that_comes_back_does_not_arm_the_motors(armed: Asked) -> None:
+def test_returning_board_does_not_arm_the_motors(armed: RequestRecorder) -> None:
     armed.motors.allow(False)
     armed.motors.allow(True)
     assert armed.motors.can_arm
     assert not armed.motors.armed
 
 
-def test_each_change_is_announced(asked: Asked) -> None:
-    asked.motors.allow(True)
-    asked.motors.arm()
-    asked.motors.set_speed(1, 5)
-    asked.motors.set_auxiliary(5)
-    asked.motors.stop()
-    assert asked.changes == 5
+def test_each_change_emits_changed(recorder: RequestRecorder) -> None:
+    recorder.motors.allow(True)
+    recorder.motors.arm()
+    recorder.motors.set_speed(1, 5)
+    recorder.motors.set_auxiliary(5)
+    recorder.motors.stop()
+    assert recorder.changes == 5
 
 
-def test_wishes_are_told_in_few_words(armed: Asked) -> None:
+def test_setpoint_text_names_each_motor(armed: RequestRecorder) -> None:
     assert armed.motors.text == ""
     armed.motors.set_brake(2, 127)
     armed.motors.set_speed(1, -90)
@@ -195,9 +195,9 @@ def test_wishes_are_told_in_few_words(armed: Asked) -> None:
     assert armed.motors.text == ""
 
 
-def test_the_first_wish_is_sent_even_when_it_is_to_brake(armed: Asked) -> None:
+def test_first_setpoint_is_sent_even_if_it_is_a_brake(armed: RequestRecorder) -> None:
     armed.motors.set_brake(1, 127)
-    assert armed.wishes == [SetDrive(1, Drive.brake(), accelerate=True)]
+    assert armed.requests == [SetDrive(1, Drive.brake(), accelerate=True)]
 
 
 # --- The lock after a stop --------------------------------------------------------------
@@ -213,7 +213,7 @@ class Clock:
         return self.now
 
 
-def test_after_stop_was_pressed_the_motors_cannot_be_armed_for_a_while(qtbot: QtBot) -> None:
+def test_pressed_stop_prevents_arming_during_the_lockout(qtbot: QtBot) -> None:
     clock = Clock()
     motors = Motors(clock=clock)
     motors.allow(True)
@@ -232,7 +232,7 @@ def test_after_stop_was_pressed_the_motors_cannot_be_armed_for_a_while(qtbot: Qt
     assert motors.armed
 
 
-def test_a_second_press_lengthens_the_lock_and_never_shortens_it(qtbot: QtBot) -> None:
+def test_second_stop_extends_but_never_shortens_the_lockout(qtbot: QtBot) -> None:
     clock = Clock()
     motors = Motors(clock=clock)
     motors.press_stop()
@@ -245,7 +245,7 @@ def test_a_second_press_lengthens_the_lock_and_never_shortens_it(qtbot: QtBot) -
     assert motors.locked_for == pytest.approx(9)
 
 
-def test_a_stop_of_the_program_locks_nothing_and_says_why(armed: Asked) -> None:
+def test_automatic_stop_has_no_lockout_and_gives_a_reason(armed: RequestRecorder) -> None:
     armed.motors.stop("The gamepad is gone.")
     assert armed.motors.stop_reason == "The gamepad is gone."
     armed.motors.arm()
@@ -254,9 +254,7 @@ def test_a_stop_of_the_program_locks_nothing_and_says_why(armed: Asked) -> None:
 
 
 @pytest.mark.parametrize(("chosen", "kept"), [(60.0, 10.0), (4.5, 4.5), (0.0, 0.0), (-1.0, 0.0)])
-def test_lockout_is_remembered_within_its_limits(
-    qapp: QApplication, chosen: float, kept: float
-) -> None:
+def test_lockout_is_saved_within_its_limits(qapp: QApplication, chosen: float, kept: float) -> None:
     remember_lockout(chosen)
     assert Motors().lockout == kept
 
@@ -264,33 +262,35 @@ def test_lockout_is_remembered_within_its_limits(
 # --- Ceiling and link -------------------------------------------------------------------
 
 
-def test_no_wish_goes_beyond_the_ceiling(armed: Asked) -> None:
+def test_setpoints_are_limited_by_the_ceiling(armed: RequestRecorder) -> None:
     armed.motors.set_ceiling(40)
     armed.motors.set_speed(1, 100)
     armed.motors.set_speed(2, -100)
     armed.motors.set_auxiliary(100)
-    assert [wish.drive.signed for wish in armed.wishes if isinstance(wish, SetDrive)] == [40, -40]
+    assert [
+        request.drive.signed for request in armed.requests if isinstance(request, SetDrive)
+    ] == [40, -40]
     assert armed.motors.auxiliary == 40
 
 
-def test_a_lower_ceiling_slows_down_what_runs_faster(armed: Asked) -> None:
+def test_lower_ceiling_slows_faster_motors(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, -100)
     armed.motors.set_brake(2, 127)
     armed.motors.set_auxiliary(100)
-    armed.wishes.clear()
+    armed.requests.clear()
     armed.motors.set_ceiling(30)
-    assert armed.wishes == [SetDrive(1, Drive.at(-30), True), SetAuxiliary(30, True)]
+    assert armed.requests == [SetDrive(1, Drive.at(-30), True), SetAuxiliary(30, True)]
 
 
-def test_a_higher_ceiling_speeds_nothing_up(armed: Asked) -> None:
+def test_higher_ceiling_does_not_speed_up_motors(armed: RequestRecorder) -> None:
     armed.motors.set_ceiling(30)
     armed.motors.set_speed(1, 100)
-    armed.wishes.clear()
+    armed.requests.clear()
     armed.motors.set_ceiling(127)
-    assert armed.wishes == []
+    assert armed.requests == []
 
 
-def test_a_higher_ceiling_waits_for_a_control_that_is_held(armed: Asked) -> None:
+def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> None:
     armed.motors.set_ceiling(30)
     armed.motors.hold("stick")
     armed.motors.set_speed(1, 127, "stick")
@@ -309,32 +309,34 @@ def test_a_higher_ceiling_waits_for_a_control_that_is_held(armed: Asked) -> None
 
 
 @pytest.mark.parametrize("speed", [0, 128])
-def test_a_ceiling_that_is_none_is_refused(asked: Asked, speed: int) -> None:
+def test_ceiling_out_of_range_is_rejected(recorder: RequestRecorder, speed: int) -> None:
     with pytest.raises(ValueError, match="1 to 127"):
-        asked.motors.set_ceiling(speed)
+        recorder.motors.set_ceiling(speed)
 
 
-def test_linked_motors_do_the_same(armed: Asked) -> None:
+def test_linked_motors_get_the_same_setpoint(armed: RequestRecorder) -> None:
     armed.motors.set_linked(True)
     armed.motors.set_speed(2, 30)
     armed.motors.set_brake(1, 60)
-    assert armed.wishes == [
+    assert armed.requests == [
         SetDrives((SetDrive(1, Drive.at(30), True), SetDrive(2, Drive.at(30), True))),
         SetDrives((SetDrive(1, Drive.brake(60), True), SetDrive(2, Drive.brake(60), True))),
     ]
 
 
 @pytest.mark.parametrize("drives", [(50, 20), (50, 0), (0, -50)])
-def test_motors_that_run_differently_are_not_linked(armed: Asked, drives: tuple[int, int]) -> None:
+def test_motors_with_different_speeds_cannot_be_linked(
+    armed: RequestRecorder, drives: tuple[int, int]
+) -> None:
     armed.motors.set_speeds(*drives)
-    armed.wishes.clear()
+    armed.requests.clear()
     assert not armed.motors.can_link
     armed.motors.set_linked(True)
     assert not armed.motors.linked
-    assert armed.wishes == []
+    assert armed.requests == []
 
 
-def test_motors_that_rest_or_run_alike_are_linked_and_go_on_as_they_are(armed: Asked) -> None:
+def test_linking_idle_or_equal_motors_sends_nothing(armed: RequestRecorder) -> None:
     alike: list[Callable[[Motors], None]] = [
         lambda motors: motors.set_brake(1, 60),
         lambda motors: motors.set_speeds(0, 0),
@@ -342,15 +344,15 @@ def test_motors_that_rest_or_run_alike_are_linked_and_go_on_as_they_are(armed: A
     ]
     for drive in alike:
         drive(armed.motors)
-        armed.wishes.clear()
+        armed.requests.clear()
         armed.motors.set_linked(True)
-        assert armed.wishes == []
+        assert armed.requests == []
         armed.motors.set_speed(2, 10)
         assert armed.motors.drive(1) == Drive.at(10)
         armed.motors.set_linked(False)
 
 
-def test_linked_motors_stay_linked_however_often_it_is_said(armed: Asked) -> None:
+def test_linking_twice_keeps_motors_linked(armed: RequestRecorder) -> None:
     armed.motors.set_linked(True)
     armed.motors.set_speed(1, 40)
     armed.motors.set_linked(True)
@@ -360,21 +362,21 @@ def test_linked_motors_stay_linked_however_often_it_is_said(armed: Asked) -> Non
 # --- Controls that must be held ---------------------------------------------------------
 
 
-def test_a_held_control_that_lets_go_leaves_the_motors_braked(armed: Asked) -> None:
+def test_releasing_a_held_control_brakes_its_motors(armed: RequestRecorder) -> None:
     armed.motors.set_release_brake(64)
     assert armed.motors.hold("pad")
     armed.motors.set_speed(1, 50, "pad")
     armed.motors.set_speed(2, 50, "pad")
-    armed.wishes.clear()
+    armed.requests.clear()
     armed.motors.let_go("pad")
-    assert armed.wishes == [
+    assert armed.requests == [
         SetDrives((SetDrive(1, Drive.brake(64), True), SetDrive(2, Drive.brake(64), True)))
     ]
     assert armed.motors.armed
     assert armed.motors.holder == ""
 
 
-def test_letting_go_stops_what_was_held_and_nothing_else(armed: Asked) -> None:
+def test_release_affects_only_the_held_motor(armed: RequestRecorder) -> None:
     armed.motors.set_speed(2, 30)
     armed.motors.set_auxiliary(30)
     armed.motors.hold("motor1")
@@ -385,14 +387,14 @@ def test_letting_go_stops_what_was_held_and_nothing_else(armed: Asked) -> None:
     assert armed.motors.auxiliary == 30
 
 
-def test_an_auxiliary_motor_that_was_held_is_let_go_too(armed: Asked) -> None:
+def test_releasing_the_auxiliary_sets_it_to_zero(armed: RequestRecorder) -> None:
     armed.motors.hold("aux")
     armed.motors.set_auxiliary(50, "aux")
     armed.motors.let_go("aux")
     assert armed.motors.auxiliary == 0
 
 
-def test_two_controls_cannot_hold_at_once(armed: Asked) -> None:
+def test_only_one_control_can_hold_the_motors(armed: RequestRecorder) -> None:
     assert armed.motors.hold("pad")
     assert armed.motors.hold("pad")
     assert not armed.motors.hold("keys")
@@ -404,7 +406,7 @@ def test_two_controls_cannot_hold_at_once(armed: Asked) -> None:
     assert armed.motors.holder == "pad"
 
 
-def test_a_wish_that_comes_after_letting_go_is_dropped(armed: Asked) -> None:
+def test_setpoint_after_release_is_dropped(armed: RequestRecorder) -> None:
     armed.motors.hold("pad")
     armed.motors.set_speed(1, 20, "pad")
     armed.motors.let_go("pad")
@@ -412,12 +414,12 @@ def test_a_wish_that_comes_after_letting_go_is_dropped(armed: Asked) -> None:
     assert armed.motors.drive(1) == Drive.brake(127)
 
 
-def test_nothing_can_be_held_before_the_motors_are_armed(asked: Asked) -> None:
-    asked.motors.allow(True)
-    assert not asked.motors.hold("pad")
+def test_unarmed_motors_cannot_be_held(recorder: RequestRecorder) -> None:
+    recorder.motors.allow(True)
+    assert not recorder.motors.hold("pad")
 
 
-def test_a_control_that_disappears_stops_everything(armed: Asked) -> None:
+def test_losing_the_holding_control_stops_and_disarms(armed: RequestRecorder) -> None:
     armed.motors.hold("gamepad")
     armed.motors.set_speed(1, 20, "gamepad")
     armed.motors.lose("keys", "not held")
@@ -430,38 +432,40 @@ def test_a_control_that_disappears_stops_everything(armed: Asked) -> None:
 
 
 @pytest.mark.parametrize("linked", [False, True])
-def test_pad_and_keys_ask_both_motors_in_one_message(armed: Asked, *, linked: bool) -> None:
+def test_held_control_sends_both_motors_in_one_request(
+    armed: RequestRecorder, *, linked: bool
+) -> None:
     armed.motors.set_linked(linked)
     drive = HeldDrive(armed.motors, "pad")
     for _ in range(3):
         drive.steer(0.5, 0.1)
         drive.let_go()
-    assert len(armed.wishes) == 6
-    assert {type(wish) for wish in armed.wishes} == {SetDrives}
+    assert len(armed.requests) == 6
+    assert {type(request) for request in armed.requests} == {SetDrives}
 
 
-def test_held_control_drives_linked_motors_straight(armed: Asked) -> None:
+def test_held_control_drives_linked_motors_straight(armed: RequestRecorder) -> None:
     armed.motors.set_linked(True)
     HeldDrive(armed.motors, "pad").steer(0.5, 0.3)
     assert armed.motors.drive(1) == armed.motors.drive(2) == Drive.at(64)
 
 
-def test_a_ceiling_slows_both_motors_in_one_message(armed: Asked) -> None:
+def test_lower_ceiling_slows_both_motors_in_one_request(armed: RequestRecorder) -> None:
     armed.motors.set_speeds(100, -100)
-    armed.wishes.clear()
+    armed.requests.clear()
     armed.motors.set_ceiling(30)
     both = SetDrive(1, Drive.at(30), True), SetDrive(2, Drive.at(-30), True)
-    assert armed.wishes == [SetDrives(both)]
+    assert armed.requests == [SetDrives(both)]
 
 
-def test_what_a_motor_does_already_is_not_asked_again_with_the_other(armed: Asked) -> None:
+def test_unchanged_setpoint_is_not_sent_with_the_other(armed: RequestRecorder) -> None:
     armed.motors.set_speeds(50, 50)
     armed.motors.set_speeds(50, 60)
     armed.motors.set_speeds(50, 60)
-    assert armed.wishes[1:] == [SetDrive(2, Drive.at(60), True)]
+    assert armed.requests[1:] == [SetDrive(2, Drive.at(60), True)]
 
 
-def test_a_speed_that_no_motor_has_is_refused_for_both(armed: Asked) -> None:
+def test_speed_out_of_range_is_rejected_for_both(armed: RequestRecorder) -> None:
     with pytest.raises(BadRequest, match="-127 to 127"):
         armed.motors.set_speeds(50, 128)
-    assert armed.wishes == []
+    assert armed.requests == []

@@ -66,7 +66,7 @@ def is_braked(simulator: SimulatedDevice) -> bool:
     return bool(simulator.show()["motors"][0]["direction"] == "brake")
 
 
-def test_a_stop_from_another_thread_arrives_and_wishes_that_pass_it_are_dropped(
+def test_stop_from_another_thread_drops_later_setpoints(
     driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     thread = threading.Thread(target=driven.stop_now)
@@ -84,10 +84,10 @@ def test_a_stop_from_another_thread_arrives_and_wishes_that_pass_it_are_dropped(
     qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40, timeout=20_000)
 
 
-def test_a_board_that_was_restarted_finds_nothing_armed(
+def test_restarted_board_disarms_the_motors(
     driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    """So quickly that nobody missed it: another source of the channels is what tells."""
+    """The restart is so short that only the changed input source reveals it."""
     simulator.do("eeprom channel_input_source 1")
     simulator.do("power cycle")
     qtbot.waitUntil(lambda: not driven.motors.armed, timeout=20_000)
@@ -96,7 +96,7 @@ def test_a_board_that_was_restarted_finds_nothing_armed(
     assert not driven.motors.armed
 
 
-def test_a_window_that_stood_still_says_what_became_of_the_stop(
+def test_frozen_window_reports_the_confirmed_stop(
     driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     said: list[str] = []
@@ -110,7 +110,7 @@ def test_a_window_that_stood_still_says_what_became_of_the_stop(
     assert driven.motors.stop_reason == STOOD_STILL
 
 
-def test_a_stop_that_is_not_proved_is_not_said_to_have_stopped_anything(qtbot: QtBot) -> None:
+def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     connection, motors = Connection(), Motors()
     driving = Driving(motors, connection)
     with qtbot.waitSignal(driving.failed) as said:
@@ -156,9 +156,7 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
     assert failures == []
 
 
-def test_stop_says_that_it_does_not_reach_what_channels_drive(
-    rc_device: Device, qtbot: QtBot
-) -> None:
+def test_stop_warns_that_channel_driven_motors_may_go_on(rc_device: Device, qtbot: QtBot) -> None:
     with qtbot.waitSignal(rc_device.failed) as said:
         rc_device.motors.stop()
     assert said.args == [BEYOND_A_STOP]

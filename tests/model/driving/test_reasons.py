@@ -56,7 +56,7 @@ from trex_gui.protocol.flags import Mode, UartError
         (Situation(mode=Mode.RC, armed=True), Kind.RUNNING, "Channel 5 overrides"),
     ],
 )
-def test_what_is_said(situation: Situation, kind: Kind, said: str) -> None:
+def test_reason_explains_the_situation(situation: Situation, kind: Kind, said: str) -> None:
     reason = reason_for(situation)
     assert reason.kind is kind
     assert said in reason.text
@@ -95,14 +95,14 @@ _EVERYTHING = [
 ]
 
 
-def test_every_situation_has_a_reason_that_is_a_sentence() -> None:
+def test_every_situation_gives_a_sentence() -> None:
     for situation in _EVERYTHING:
         reason = reason_for(situation)
         assert reason.text.endswith("."), situation
         assert not reason.remedy or reason.remedy.endswith("."), situation
 
 
-def test_motors_are_said_to_obey_only_where_they_do() -> None:
+def test_obeyed_is_set_only_when_serial_commands_act() -> None:
     for now in _EVERYTHING:
         obeyed = (
             now.link is Link.UP
@@ -115,7 +115,7 @@ def test_motors_are_said_to_obey_only_where_they_do() -> None:
         assert reason_for(now).obeyed is obeyed, now
 
 
-def test_all_reasons_can_be_met() -> None:
+def test_every_kind_of_reason_can_occur() -> None:
     met = {reason_for(situation).kind for situation in _EVERYTHING}
     assert met == set(Kind)
 
@@ -150,7 +150,7 @@ def test_fault_names_the_motor_that_has_it(
     qtbot.waitUntil(lambda: situation_of(rc_device).faults == (2,))
 
 
-def test_situation_tells_the_serial_timeout_of_the_board(
+def test_situation_includes_the_serial_timeout_of_the_board(
     device: Device, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert situation_of(device).timeout == ""

@@ -41,7 +41,7 @@ def test_motor_current_shows_that_safe_start_is_over(
     assert not watch.may_hold
 
 
-def test_required_channel_that_falls_silent_begins_safe_start_anew(
+def test_required_channel_losing_signal_restarts_safe_start(
     watch: SafeStartWatch, device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     rc_board.do("channel 1 1500us")

@@ -30,7 +30,7 @@ def test_warning_about_the_timeout_fits_the_line(
         assert weakness.seconds == offered
 
 
-def test_line_that_needs_longer_than_any_offer_gets_the_longest() -> None:
+def test_slow_line_gets_the_longest_offered_timeout() -> None:
     settings = LinkSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
     weakness = weakness_on(settings, 1.0)
     assert weakness is not None

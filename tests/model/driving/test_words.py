@@ -31,11 +31,11 @@ def test_speed_names_direction_and_share_of_full(speed: int, text: str) -> None:
         (Drive.at(-64), "reverse 64 (50 %)"),
     ],
 )
-def test_setpoint_text_says_what_the_motor_shall_do(drive: Drive | None, text: str) -> None:
+def test_setpoint_text_names_the_commanded_drive(drive: Drive | None, text: str) -> None:
     assert wish_text(drive).endswith(text)
 
 
-def test_channel_without_signal_is_told_from_one_at_rest(
+def test_channel_text_shows_a_missing_signal(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert channel_text(rc_device, 2) == "Channel 2: N/A"
@@ -55,7 +55,7 @@ def test_report_gives_each_motor_its_own_current(
     assert auxiliary_report_text(rc_device) == "Board: serial not in control"
 
 
-def test_report_warns_of_the_speed_that_waits_behind_channel_5(
+def test_report_shows_the_speed_waiting_behind_channel_5(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     rc_board.do("channel 1 1900us")
