@@ -3,7 +3,6 @@
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TypeVar
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
@@ -16,13 +15,13 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDoubleSpinBox,
-    QLabel,
     QSpinBox,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
 
 from tests.bench.runs import run_of
+from tests.support.window import LEFT, WidgetDriver
 from trex_gui.bench.profile import Profile, Shape
 from trex_gui.bench.run import End
 from trex_gui.model.bench import Bench
@@ -33,141 +32,144 @@ from trex_gui.views.bench.hold_button import HoldButton
 from trex_gui.views.bench.plot import BenchPlot
 from trex_gui.views.theme import theme
 
-WidgetT = TypeVar("WidgetT", bound=QWidget)
-
 # --- The button -------------------------------------------------------------------------
 
 
-class Finger:
-    """Somebody at a button in a window with another field."""
+class HoldButtonDriver(WidgetDriver):
+    """A button to hold, in a window with another field.
+
+    Attributes:
+        signals: "held" and "let go", in the order in which the button emitted them.
+    """
 
     def __init__(self, qtbot: QtBot) -> None:
-        self.window = QWidget()
-        self.window.resize(300, 120)
-        self.other = QSpinBox(self.window)
-        self.other.move(0, 70)
-        self.button = HoldButton("Hold", self.window)
-        self.button.resize(200, 60)
-        self.heard: list[str] = []
-        self.button.held.connect(lambda: self.heard.append("held"))
-        self.button.let_go.connect(lambda: self.heard.append("let go"))
-        qtbot.addWidget(self.window)
-        self.window.show()
-        self.window.activateWindow()
-        self.button.setFocus()
-        qtbot.waitUntil(self.button.hasFocus)
+        window = QWidget()
+        super().__init__(window, qtbot)
+        window.resize(300, 120)
+        self.other_field = QSpinBox(window)
+        self.other_field.move(0, 70)
+        self.widget = HoldButton("Hold", window)
+        self.widget.resize(200, 60)
+        self.signals: list[str] = []
+        self.widget.held.connect(lambda: self.signals.append("held"))
+        self.widget.let_go.connect(lambda: self.signals.append("let go"))
+        qtbot.addWidget(window)
+        window.show()
+        window.activateWindow()
+        self.widget.setFocus()
+        self.wait(self.widget.hasFocus)
 
     def press(self) -> None:
-        QTest.mousePress(self.button, Qt.MouseButton.LeftButton)
+        QTest.mousePress(self.widget, LEFT)
 
     def release(self) -> None:
-        QTest.mouseRelease(self.button, Qt.MouseButton.LeftButton)
+        QTest.mouseRelease(self.widget, LEFT)
 
     def move(self, to: QPoint) -> None:
         """Move with the button of the mouse down."""
-        left = Qt.MouseButton.LeftButton
         event = QMouseEvent(
             QEvent.Type.MouseMove,
             QPointF(to),
-            QPointF(self.button.mapToGlobal(to)),
-            left,
-            left,
+            QPointF(self.widget.mapToGlobal(to)),
+            LEFT,
+            LEFT,
             Qt.KeyboardModifier.NoModifier,
         )
-        QCoreApplication.sendEvent(self.button, event)
+        QCoreApplication.sendEvent(self.widget, event)
 
-    def key(self, kind: QEvent.Type, *, repeated: bool = False) -> None:
+    def send_space(self, kind: QEvent.Type, *, repeated: bool = False) -> None:
         none = Qt.KeyboardModifier.NoModifier
         event = QKeyEvent(kind, Qt.Key.Key_Space, none, " ", repeated)
-        QCoreApplication.sendEvent(self.button, event)
+        QCoreApplication.sendEvent(self.widget, event)
 
 
 @pytest.fixture
-def finger(qtbot: QtBot) -> Finger:
-    return Finger(qtbot)
+def hold_button(qtbot: QtBot) -> HoldButtonDriver:
+    return HoldButtonDriver(qtbot)
 
 
-def test_a_button_is_held_from_the_press_to_the_release(finger: Finger) -> None:
-    finger.press()
-    assert finger.heard == ["held"]
-    assert finger.button.is_held
-    finger.release()
-    assert finger.heard == ["held", "let go"]
+def test_button_is_held_from_press_to_release(hold_button: HoldButtonDriver) -> None:
+    hold_button.press()
+    assert hold_button.signals == ["held"]
+    assert hold_button.widget.is_held
+    hold_button.release()
+    assert hold_button.signals == ["held", "let go"]
 
 
-def test_the_space_bar_holds_it_and_its_repeats_mean_nothing(finger: Finger) -> None:
-    finger.key(QEvent.Type.KeyPress)
+def test_space_bar_holds_button_and_repeats_are_ignored(hold_button: HoldButtonDriver) -> None:
+    hold_button.send_space(QEvent.Type.KeyPress)
     for _ in range(3):
-        finger.key(QEvent.Type.KeyRelease, repeated=True)
-        finger.key(QEvent.Type.KeyPress, repeated=True)
-    assert finger.heard == ["held"]
-    finger.key(QEvent.Type.KeyRelease)
-    assert finger.heard == ["held", "let go"]
+        hold_button.send_space(QEvent.Type.KeyRelease, repeated=True)
+        hold_button.send_space(QEvent.Type.KeyPress, repeated=True)
+    assert hold_button.signals == ["held"]
+    hold_button.send_space(QEvent.Type.KeyRelease)
+    assert hold_button.signals == ["held", "let go"]
 
 
-def test_a_mouse_that_slips_off_lets_go_and_does_not_hold_again_by_coming_back(
-    finger: Finger,
+def test_returning_mouse_does_not_hold_a_released_button(
+    hold_button: HoldButtonDriver,
 ) -> None:
-    finger.press()
-    finger.move(QPoint(500, 500))
-    assert finger.heard == ["held", "let go"]
-    finger.move(QPoint(10, 10))
-    assert not finger.button.is_held
-    finger.release()
-    assert finger.heard == ["held", "let go"]
+    hold_button.press()
+    hold_button.move(QPoint(500, 500))
+    assert hold_button.signals == ["held", "let go"]
+    hold_button.move(QPoint(10, 10))
+    assert not hold_button.widget.is_held
+    hold_button.release()
+    assert hold_button.signals == ["held", "let go"]
 
 
-LOSSES: dict[str, Callable[[Finger], object]] = {
-    "the focus goes elsewhere": lambda finger: finger.other.setFocus(),
-    "it is greyed": lambda finger: finger.button.setEnabled(False),
-    "it is hidden": lambda finger: finger.button.hide(),
-    "its window is hidden": lambda finger: finger.window.hide(),
-    "another window comes forward": lambda finger: QCoreApplication.sendEvent(
-        finger.button, QEvent(QEvent.Type.WindowDeactivate)
+LOSSES: dict[str, Callable[[HoldButtonDriver], object]] = {
+    "the focus goes elsewhere": lambda hold_button: hold_button.other_field.setFocus(),
+    "it is greyed": lambda hold_button: hold_button.widget.setEnabled(False),
+    "it is hidden": lambda hold_button: hold_button.widget.hide(),
+    "its window is hidden": lambda hold_button: hold_button.root.hide(),
+    "another window comes forward": lambda hold_button: QCoreApplication.sendEvent(
+        hold_button.widget, QEvent(QEvent.Type.WindowDeactivate)
     ),
-    "the mouse is taken away": lambda finger: QCoreApplication.sendEvent(
-        finger.button, QEvent(QEvent.Type.UngrabMouse)
+    "the mouse is taken away": lambda hold_button: QCoreApplication.sendEvent(
+        hold_button.widget, QEvent(QEvent.Type.UngrabMouse)
     ),
-    "the touch is cancelled": lambda finger: QCoreApplication.sendEvent(
-        finger.button, QEvent(QEvent.Type.TouchCancel)
+    "the touch is cancelled": lambda hold_button: QCoreApplication.sendEvent(
+        hold_button.widget, QEvent(QEvent.Type.TouchCancel)
     ),
 }
 
 
 @pytest.mark.parametrize("loss", LOSSES)
-def test_whatever_takes_the_button_away_lets_go(finger: Finger, loss: str) -> None:
-    finger.press()
-    LOSSES[loss](finger)
-    assert finger.heard == ["held", "let go"]
+def test_loss_of_input_releases_button(hold_button: HoldButtonDriver, loss: str) -> None:
+    hold_button.press()
+    LOSSES[loss](hold_button)
+    assert hold_button.signals == ["held", "let go"]
 
 
-def test_a_greyed_button_cannot_be_held(finger: Finger) -> None:
-    finger.button.setEnabled(False)
-    finger.press()
-    assert finger.heard == []
+def test_disabled_button_cannot_be_held(hold_button: HoldButtonDriver) -> None:
+    hold_button.widget.setEnabled(False)
+    hold_button.press()
+    assert hold_button.signals == []
 
 
 # --- The window -------------------------------------------------------------------------
 
 
-class Window:
-    """The window of bench tests without a board."""
+class BenchDialogDriver(WidgetDriver):
+    """The dialog of bench tests without a board."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.device = Device()
         self.bench = Bench(self.device)
-        self.dialog = BenchDialog(self.device, self.bench)
-        qtbot.addWidget(self.dialog)
-        self.dialog.open_bench()
+        dialog = BenchDialog(self.device, self.bench)
+        super().__init__(dialog, qtbot)
+        self.files = dialog.files
+        qtbot.addWidget(dialog)
+        dialog.open_bench()
 
-    def find(self, kind: type[WidgetT], name: str) -> WidgetT:
-        widget = self.dialog.findChild(kind, name)
-        assert isinstance(widget, kind), name
-        return widget
+    @property
+    def note(self) -> str:
+        return self.text("benchNote")
 
-    def choose(self, name: str, data: object) -> None:
-        combo = self.find(QComboBox, name)
-        combo.setCurrentIndex(combo.findData(data))
+    @property
+    def plot(self) -> BenchPlot:
+        return self.find(BenchPlot, "benchPlot")
 
     def figure(self, row: int, column: int) -> str:
         item = self.find(FiguresTable, "benchFigures").item(row, column)
@@ -176,37 +178,39 @@ class Window:
 
 
 @pytest.fixture
-def window(qtbot: QtBot, qapp: QApplication) -> Iterator[Window]:
+def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[BenchDialogDriver]:
     theme().install(qapp)
-    window = Window(qtbot)
-    yield window
-    window.dialog.close()
+    dialog = BenchDialogDriver(qtbot)
+    yield dialog
+    dialog.root.close()
 
 
-def test_without_a_board_the_button_is_greyed_and_the_reason_given(window: Window) -> None:
-    assert not window.find(HoldButton, "benchHoldButton").isEnabled()
-    assert "Connect to a board" in window.find(QLabel, "benchNote").text()
+def test_unconnected_dialog_disables_button_and_says_why(
+    dialog: BenchDialogDriver,
+) -> None:
+    assert not dialog.is_enabled("benchHoldButton")
+    assert "Connect to a board" in dialog.note
 
 
-def test_the_red_button_stops_when_it_goes_down(window: Window) -> None:
-    stop = window.find(QAbstractButton, "benchStopButton")
+def test_stop_button_stops_on_press(dialog: BenchDialogDriver) -> None:
+    stop = dialog.button("benchStopButton")
     stop.setEnabled(True)
-    assert not window.device.motors.locked_for
-    QTest.mousePress(stop, Qt.MouseButton.LeftButton)
-    assert window.device.motors.locked_for
+    assert not dialog.device.motors.locked_for
+    QTest.mousePress(stop, LEFT)
+    assert dialog.device.motors.locked_for
 
 
-def test_the_form_makes_the_plan(window: Window) -> None:
-    window.choose("benchMotor", 2)
-    window.choose("benchShape", Shape.SINE)
-    window.choose("benchDirection", -1)
-    window.find(QSpinBox, "benchSpeed").setValue(70)
-    window.find(QDoubleSpinBox, "benchDuration").setValue(6.5)
-    window.find(QDoubleSpinBox, "benchPeriod").setValue(1.25)
-    window.choose("benchSent", False)
-    window.find(QDoubleSpinBox, "benchAbort").setValue(7.5)
-    window.find(QCheckBox, "benchAbortAtLimit").setChecked(True)
-    plan = window.bench.plan
+def test_form_fields_define_the_plan(dialog: BenchDialogDriver) -> None:
+    dialog.select("benchMotor", 2)
+    dialog.select("benchShape", Shape.SINE)
+    dialog.select("benchDirection", -1)
+    dialog.find(QSpinBox, "benchSpeed").setValue(70)
+    dialog.find(QDoubleSpinBox, "benchDuration").setValue(6.5)
+    dialog.find(QDoubleSpinBox, "benchPeriod").setValue(1.25)
+    dialog.select("benchSent", False)
+    dialog.find(QDoubleSpinBox, "benchAbort").setValue(7.5)
+    dialog.find(QCheckBox, "benchAbortAtLimit").setChecked(True)
+    plan = dialog.bench.plan
     assert plan.motor == 2
     assert plan.profile == Profile(shape=Shape.SINE, speed=-70, duration=6.5, period=1.25)
     assert not plan.accelerate
@@ -214,76 +218,76 @@ def test_the_form_makes_the_plan(window: Window) -> None:
     assert plan.abort_at_limit
 
 
-def test_a_step_has_no_period_and_a_ramp_a_time_to_rise(window: Window) -> None:
-    period = window.find(QDoubleSpinBox, "benchPeriod")
+def test_period_is_enabled_for_ramp_but_not_for_step(dialog: BenchDialogDriver) -> None:
+    period = dialog.find(QDoubleSpinBox, "benchPeriod")
     assert not period.isEnabled()
-    window.choose("benchShape", Shape.RAMP)
+    dialog.select("benchShape", Shape.RAMP)
     assert period.isEnabled()
     assert "rises" in period.toolTip()
 
 
-def test_no_speed_beyond_the_ceiling_can_be_chosen(window: Window) -> None:
-    window.device.motors.set_ceiling(50)
-    assert window.find(QSpinBox, "benchSpeed").maximum() == 50
+def test_speed_is_limited_to_the_ceiling(dialog: BenchDialogDriver) -> None:
+    dialog.device.motors.set_ceiling(50)
+    assert dialog.find(QSpinBox, "benchSpeed").maximum() == 50
 
 
-def test_a_plan_is_seen_before_it_runs(window: Window, qtbot: QtBot) -> None:
-    plot = window.find(BenchPlot, "benchPlot")
-    window.find(QDoubleSpinBox, "benchDuration").setValue(9.4)
-    qtbot.waitUntil(lambda: plot.seconds == pytest.approx(10))
+def test_plan_is_plotted_before_it_runs(dialog: BenchDialogDriver) -> None:
+    plot = dialog.plot
+    dialog.find(QDoubleSpinBox, "benchDuration").setValue(9.4)
+    dialog.wait(lambda: plot.seconds == pytest.approx(10))
 
 
 READINGS = [(index / 80, 12.0 if index < 10 else 4.0) for index in range(160)]
 GENTLER = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
 
 
-def test_a_result_stands_beside_the_one_before(window: Window, qtbot: QtBot) -> None:
-    window.bench.keep(run_of(READINGS))
-    assert [window.figure(0, column) for column in range(3)] == ["12.00 A", "–", "–"]
-    window.bench.keep(run_of(GENTLER))
-    assert [window.figure(0, column) for column in range(3)] == ["6.00 A", "12.00 A", "−6.00 A"]
-    assert window.figure(1, 0) == "4.00 A"
-    plot = window.find(BenchPlot, "benchPlot")
-    qtbot.waitUntil(lambda: plot.highest >= 12.0)
+def test_result_is_shown_beside_the_previous_one(dialog: BenchDialogDriver) -> None:
+    dialog.bench.keep(run_of(READINGS))
+    assert [dialog.figure(0, column) for column in range(3)] == ["12.00 A", "–", "–"]
+    dialog.bench.keep(run_of(GENTLER))
+    assert [dialog.figure(0, column) for column in range(3)] == ["6.00 A", "12.00 A", "−6.00 A"]
+    assert dialog.figure(1, 0) == "4.00 A"
+    plot = dialog.plot
+    dialog.wait(lambda: plot.highest >= 12.0)
 
 
-def test_what_is_compared_with_can_be_chosen(window: Window) -> None:
+def test_reference_run_can_be_selected(dialog: BenchDialogDriver) -> None:
     for readings in (READINGS, GENTLER, GENTLER):
-        window.bench.keep(run_of(readings))
-    compare = window.find(QComboBox, "benchCompare")
-    assert window.figure(0, 1) == "6.00 A"
+        dialog.bench.keep(run_of(readings))
+    compare = dialog.combo("benchCompare")
+    assert dialog.figure(0, 1) == "6.00 A"
     compare.setCurrentIndex(compare.count() - 1)  # the oldest
-    assert window.figure(0, 1) == "12.00 A"
+    assert dialog.figure(0, 1) == "12.00 A"
     compare.setCurrentIndex(1)  # nothing
-    assert window.figure(0, 1) == "–"
+    assert dialog.figure(0, 1) == "–"
 
 
-def test_what_counts_as_settled_can_be_chosen(window: Window) -> None:
+def test_settling_band_can_be_selected(dialog: BenchDialogDriver) -> None:
     rising = [(index / 80, index / 40) for index in range(80)]
-    window.bench.keep(run_of(rising + [(1 + index / 80, 2.0) for index in range(80)]))
-    assert window.figure(5, 0) == "850 ms"  # two counts are more than a tenth of 2 A
-    window.find(QSpinBox, "benchBand").setValue(50)
-    assert window.figure(5, 0) == "500 ms"
-    header = window.find(FiguresTable, "benchFigures").verticalHeaderItem(5)
+    dialog.bench.keep(run_of(rising + [(1 + index / 80, 2.0) for index in range(80)]))
+    assert dialog.figure(5, 0) == "850 ms"  # two counts are more than a tenth of 2 A
+    dialog.find(QSpinBox, "benchBand").setValue(50)
+    assert dialog.figure(5, 0) == "500 ms"
+    header = dialog.find(FiguresTable, "benchFigures").verticalHeaderItem(5)
     assert header is not None
     assert header.text() == "Settled within 50 % after"
 
 
-def test_why_a_test_was_aborted_is_said(window: Window) -> None:
+def test_reason_for_an_abort_is_shown(dialog: BenchDialogDriver) -> None:
     reason = "Motor 1 drew 12.00 A, more than the 10 A to abort at."
-    window.bench.keep(run_of(READINGS, ended=0.5, end=End.ABORTED, reason=reason))
-    note = window.find(QLabel, "benchNote").text()
+    dialog.bench.keep(run_of(READINGS, ended=0.5, end=End.ABORTED, reason=reason))
+    note = dialog.note
     assert f"Aborted after 0.50 s: {reason}" in note
 
 
-def test_a_saved_test_is_opened_again(window: Window, tmp_path: Path) -> None:
-    window.bench.keep(run_of(READINGS))
+def test_saved_run_can_be_opened(dialog: BenchDialogDriver, tmp_path: Path) -> None:
+    dialog.bench.keep(run_of(READINGS))
     path = tmp_path / "test.csv"
-    window.dialog.files.save(window.bench.runs[0], path)
-    assert "Saved as test.csv" in window.find(QLabel, "benchNote").text()
-    window.dialog.files.open(path)
-    assert len(window.bench.runs) == 2
-    assert window.figure(0, 2) == "+0.00 A"
+    dialog.files.save(dialog.bench.runs[0], path)
+    assert "Saved as test.csv" in dialog.note
+    dialog.files.open(path)
+    assert len(dialog.bench.runs) == 2
+    assert dialog.figure(0, 2) == "+0.00 A"
 
 
 @pytest.mark.parametrize(
@@ -294,44 +298,44 @@ def test_a_saved_test_is_opened_again(window: Window, tmp_path: Path) -> None:
         (None, "was not opened"),
     ],
 )
-def test_a_file_that_is_no_test_is_refused_with_the_reason(
-    window: Window, tmp_path: Path, content: bytes | None, words: str
+def test_invalid_file_is_rejected_with_the_reason(
+    dialog: BenchDialogDriver, tmp_path: Path, content: bytes | None, words: str
 ) -> None:
     path = tmp_path / "other.csv"
     if content is not None:
         path.write_bytes(content)
-    window.dialog.files.open(path)
-    assert words in window.find(QLabel, "benchNote").text()
-    assert window.bench.runs == ()
+    dialog.files.open(path)
+    assert words in dialog.note
+    assert dialog.bench.runs == ()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="every folder can be written to")
-def test_a_test_is_saved_as_a_picture_of_its_plot(window: Window, tmp_path: Path) -> None:
-    window.bench.keep(run_of(READINGS))
-    window.dialog.files.save(window.bench.runs[0], tmp_path / "test.PNG")
+def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchDialogDriver, tmp_path: Path) -> None:
+    dialog.bench.keep(run_of(READINGS))
+    dialog.files.save(dialog.bench.runs[0], tmp_path / "test.PNG")
     picture = QImage(str(tmp_path / "test.PNG"))
-    plot = window.find(QWidget, "benchPlot")
+    plot = dialog.plot
     assert picture.size() == plot.size() * plot.devicePixelRatio()
-    assert "Saved as test.PNG" in window.find(QLabel, "benchNote").text()
-    window.dialog.files.save(window.bench.runs[0], tmp_path / "nowhere" / "test.png")
-    assert "test.png was not saved" in window.find(QLabel, "benchNote").text()
+    assert "Saved as test.PNG" in dialog.note
+    dialog.files.save(dialog.bench.runs[0], tmp_path / "nowhere" / "test.png")
+    assert "test.png was not saved" in dialog.note
 
 
-def test_a_test_that_cannot_be_saved_is_told(window: Window, tmp_path: Path) -> None:
-    window.dialog.files.save(run_of(READINGS), tmp_path / "nowhere" / "test.csv")
-    assert "test.csv was not saved" in window.find(QLabel, "benchNote").text()
+def test_failed_save_is_reported(dialog: BenchDialogDriver, tmp_path: Path) -> None:
+    dialog.files.save(run_of(READINGS), tmp_path / "nowhere" / "test.csv")
+    assert "test.csv was not saved" in dialog.note
 
 
-def test_escape_leaves_the_window_and_its_result(window: Window) -> None:
-    QTest.keyClick(window.dialog, Qt.Key.Key_Escape)
-    assert window.dialog.isVisible()
+def test_escape_keeps_the_dialog_open(dialog: BenchDialogDriver) -> None:
+    dialog.press_escape()
+    assert dialog.root.isVisible()
 
 
-def test_every_control_has_a_name_for_those_who_cannot_see_it(window: Window) -> None:
+def test_every_control_has_an_accessible_name(dialog: BenchDialogDriver) -> None:
     kinds = (QAbstractButton, QComboBox, QAbstractSpinBox, FiguresTable, BenchPlot)
     found = [
         widget
-        for widget in window.dialog.findChildren(QWidget)
+        for widget in dialog.find_all(QWidget)
         if isinstance(widget, kinds) and widget.objectName().startswith("bench")
     ]
     assert len(found) >= 17
@@ -341,11 +345,11 @@ def test_every_control_has_a_name_for_those_who_cannot_see_it(window: Window) ->
         assert interface.text(QAccessible.Text.Name), widget.objectName()
 
 
-def test_the_mouse_over_the_plot_reads_the_values(window: Window, qtbot: QtBot) -> None:
-    window.bench.keep(run_of(READINGS))
-    plot = window.find(BenchPlot, "benchPlot")
-    qtbot.waitUntil(lambda: plot.highest >= 12.0)
-    viewport = window.find(QWidget, "benchCurrents")
+def test_plot_shows_values_under_the_mouse(dialog: BenchDialogDriver) -> None:
+    dialog.bench.keep(run_of(READINGS))
+    plot = dialog.plot
+    dialog.wait(lambda: plot.highest >= 12.0)
+    viewport = dialog.find(QWidget, "benchCurrents")
     where = QPointF(viewport.width() / 2, viewport.height() / 2)
     none = Qt.MouseButton.NoButton
     event = QMouseEvent(
@@ -357,12 +361,12 @@ def test_the_mouse_over_the_plot_reads_the_values(window: Window, qtbot: QtBot) 
         Qt.KeyboardModifier.NoModifier,
     )
     QCoreApplication.sendEvent(viewport, event)
-    assert window.find(QLabel, "benchValues").text().endswith("+40  4.00 A")
+    assert dialog.text("benchValues").endswith("+40  4.00 A")
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_both_schemes_are_drawn(window: Window, scheme: str) -> None:
+def test_dialog_is_drawn_in_both_schemes(dialog: BenchDialogDriver, scheme: str) -> None:
     theme().set_scheme("dark" if scheme == "dark" else "light")
-    window.bench.keep(run_of(READINGS))
-    assert not window.dialog.grab().isNull()
+    dialog.bench.keep(run_of(READINGS))
+    assert not dialog.root.grab().isNull()
     theme().set_scheme("system")

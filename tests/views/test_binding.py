@@ -5,7 +5,7 @@ import sys
 import pytest
 from PySide6.QtWidgets import QWidget
 
-from tests.support.window import WindowDriver
+from tests.support.window import WidgetDriver, WindowDriver
 
 
 def repaint_pages(window: WindowDriver, times: int) -> None:
@@ -15,7 +15,8 @@ def repaint_pages(window: WindowDriver, times: int) -> None:
         tabs.setCurrentIndex(index)
         for _ in range(times):
             window.device.telemetry.updated.emit()
-            for widget in tabs.currentWidget().findChildren(QWidget):
+            page = WidgetDriver(tabs.currentWidget(), window.qtbot)
+            for widget in page.find_all(QWidget):
                 widget.repaint()
 
 

@@ -57,7 +57,7 @@ def test_values_can_be_typed_in_any_unit(page: CalibrationPage) -> None:
     assert page.text("deadbandCounts") == "= 1 count"
 
 
-def test_steps_in_one_field_are_undone_at_once(page: CalibrationPage) -> None:
+def test_steps_in_one_field_are_undone_together(page: CalibrationPage) -> None:
     page.widget.activateWindow()
     undo = page.device.undo
     deadband, maximum = (page.find(QSpinBox, f"{name}Edit") for name in ("deadband", "maximum"))
@@ -97,7 +97,7 @@ def test_steps_in_one_field_are_undone_at_once(page: CalibrationPage) -> None:
     assert undo.count() == 3
 
 
-def test_impossible_values_are_refused_beside_the_fields(page: CalibrationPage) -> None:
+def test_impossible_values_are_rejected_with_a_note(page: CalibrationPage) -> None:
     page.type_into("minimumEdit", "1600")
     assert page.note == "Minimum (1600 µs) cannot be above neutral (1500 µs)."
     assert page.marked_handle == "minimum"
@@ -122,7 +122,7 @@ def test_impossible_values_are_refused_beside_the_fields(page: CalibrationPage) 
     assert "problem" in page.row(1)
 
 
-def test_values_beyond_every_input_are_a_problem(page: CalibrationPage) -> None:
+def test_values_beyond_the_input_range_are_marked(page: CalibrationPage) -> None:
     page.type_into("maximumEdit", "6000")
     assert page.note.startswith("Maximum (6000 µs) is beyond")
     assert "problem" in page.row(1)
@@ -135,7 +135,7 @@ def test_values_beyond_every_input_are_a_problem(page: CalibrationPage) -> None:
 # --- The handles ------------------------------------------------------------------------
 
 
-def test_held_handle_says_why_it_goes_no_further(page: CalibrationPage) -> None:
+def test_blocked_handle_shows_the_reason(page: CalibrationPage) -> None:
     page.drag_handle(Handle.MAXIMUM, 7000, release=False)
     assert page.note == "A pulse cannot be longer than 2500 µs."
     assert page.plot.message == page.note
@@ -159,7 +159,7 @@ def test_held_handle_says_why_it_goes_no_further(page: CalibrationPage) -> None:
     assert "No board answers" in page.note
 
 
-def test_other_model_is_calibrated_alike(
+def test_trex_jr_is_calibrated_like_a_trex(
     unconnected_page: CalibrationPage, start_simulator: StartSimulator
 ) -> None:
     page = unconnected_page
@@ -172,7 +172,7 @@ def test_other_model_is_calibrated_alike(
     assert page.device.calibrations.stored(5) == edited
 
 
-def test_disconnected_page_can_only_be_read(page: CalibrationPage) -> None:
+def test_disconnected_page_is_read_only(page: CalibrationPage) -> None:
     page.type_into("minimumEdit", "1100")
     page.disconnect()
     for name in ("minimumEdit", "reversedBox", "learnButton", "learnAllButton"):
@@ -248,7 +248,7 @@ def test_mix_jumper_is_shown_when_a_stick_reveals_it(
 # --- Switches and the menu --------------------------------------------------------------
 
 
-def test_check_boxes_are_bits_of_parameters(
+def test_check_boxes_edit_parameter_bits(
     page: CalibrationPage, quick_simulator: SimulatedDevice
 ) -> None:
     page.select_channel(3)
@@ -282,7 +282,7 @@ def test_switching_point_follows_the_calibration(page: CalibrationPage) -> None:
     assert "above about 1800 µs" in page.text("channelDoes")
 
 
-def test_calibration_is_copied_made_symmetric_reset_and_discarded(page: CalibrationPage) -> None:
+def test_calibration_is_copied_made_symmetric_and_reset(page: CalibrationPage) -> None:
     undo = page.device.undo
     page.type_into("minimumEdit", "1100")
     edited = page.shown()
@@ -351,7 +351,7 @@ def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_
 # --- Sources and modes ------------------------------------------------------------------
 
 
-def test_other_source_is_shown_and_can_be_switched_to(
+def test_inactive_source_is_shown_and_can_be_activated(
     page: CalibrationPage, quick_simulator: SimulatedDevice
 ) -> None:
     bar = page.find(QTabBar, "sourceTabs")
@@ -453,12 +453,12 @@ def test_plot_follows_the_theme(page: CalibrationPage) -> None:
 
 def test_every_control_has_an_accessible_name(page: CalibrationPage) -> None:
     for kind in (QAbstractButton, QSpinBox, QListWidget, QTabBar, CurvePlot):
-        for widget in page.widget.findChildren(kind):
+        for widget in page.find_all(kind):
             if isinstance(widget.parentWidget(), QTabBar):
                 continue  # the arrows of a bar that is too narrow
             text = widget.text() if isinstance(widget, QAbstractButton) else ""
             assert widget.accessibleName() or text, widget.objectName()
-    for editor in page.widget.findChildren(QLineEdit):
+    for editor in page.find_all(QLineEdit):
         box = editor.parentWidget()
         assert box is not None
         assert box.accessibleName()

@@ -54,26 +54,26 @@ def named(name: str) -> str:
     return theme().color(name).name()
 
 
-def test_a_value_below_neutral_fills_to_the_left(bar: ChannelBar) -> None:
+def test_value_below_neutral_fills_to_the_left(bar: ChannelBar) -> None:
     bar.set_raw(2800)
     edge = bar.x_of(RC.neutral - RC.deadband)
     assert colours(bar, bar.x_of(2800), edge) == {named("bar_negative")}
     assert named("bar") not in colours(bar, bar.x_of(2000), bar.x_of(5500))
 
 
-def test_a_value_above_neutral_fills_to_the_right(bar: ChannelBar) -> None:
+def test_value_above_neutral_fills_to_the_right(bar: ChannelBar) -> None:
     bar.set_raw(4700)
     edge = bar.x_of(RC.neutral + RC.deadband)
     assert colours(bar, edge, bar.x_of(4700)) == {named("bar")}
     assert named("bar_negative") not in colours(bar, bar.x_of(2000), bar.x_of(5500))
 
 
-def test_nothing_is_filled_beyond_the_value(bar: ChannelBar) -> None:
+def test_track_beyond_the_value_is_not_filled(bar: ChannelBar) -> None:
     bar.set_raw(4000)
     assert colours(bar, bar.x_of(4000), bar.x_of(RC.maximum)) == {named("track")}
 
 
-def test_within_the_deadband_the_fill_is_neutral(bar: ChannelBar) -> None:
+def test_fill_within_the_deadband_is_neutral(bar: ChannelBar) -> None:
     wide = Calibration(2500, 3750, 5000, 500)
     bar.set_calibration(wide)
     bar.set_raw(4200)
@@ -83,13 +83,13 @@ def test_within_the_deadband_the_fill_is_neutral(bar: ChannelBar) -> None:
     assert bar.accessibleDescription() == "1680 µs, neutral"
 
 
-def test_the_deadband_is_shaded_on_both_sides(bar: ChannelBar) -> None:
+def test_deadband_above_neutral_is_shaded(bar: ChannelBar) -> None:
     bar.set_calibration(Calibration(2500, 3750, 5000, 500))
     bar.set_raw(2600)
     assert colours(bar, bar.x_of(3750), bar.x_of(4250)) == {named("deadband")}
 
 
-def test_the_value_has_a_pointer(bar: ChannelBar) -> None:
+def test_value_has_a_pointer(bar: ChannelBar) -> None:
     bar.set_raw(3000)
     x = round(bar.x_of(3000))
     picture = bar.grab().toImage()
@@ -109,7 +109,7 @@ def test_minimum_neutral_and_maximum_are_marked(bar: ChannelBar) -> None:
 
 
 @pytest.mark.parametrize("raw", [None, 3000])
-def test_without_a_connection_there_is_no_value(bar: ChannelBar, raw: int | None) -> None:
+def test_disconnected_bar_shows_no_value(bar: ChannelBar, raw: int | None) -> None:
     bar.set_raw(raw)
     bar.set_connected(False)
     assert bar.state is BarState.DISCONNECTED
@@ -118,7 +118,7 @@ def test_without_a_connection_there_is_no_value(bar: ChannelBar, raw: int | None
     assert bar.accessibleDescription() == "not connected"
 
 
-def test_a_new_connection_starts_without_a_value(bar: ChannelBar) -> None:
+def test_new_connection_starts_without_a_value(bar: ChannelBar) -> None:
     bar.set_raw(3000)
     bar.set_connected(False)
     bar.set_connected(True)
@@ -126,7 +126,7 @@ def test_a_new_connection_starts_without_a_value(bar: ChannelBar) -> None:
     assert bar.accessibleDescription() == "no data yet"
 
 
-def test_no_signal_is_hatched_and_said(bar: ChannelBar) -> None:
+def test_missing_signal_is_hatched_and_described(bar: ChannelBar) -> None:
     bar.set_raw(4000)
     bar.set_raw(None)
     assert bar.state is BarState.NO_SIGNAL
@@ -136,7 +136,7 @@ def test_no_signal_is_hatched_and_said(bar: ChannelBar) -> None:
     assert shown.isdisjoint({named("bar"), named("bar_negative"), named("track")})
 
 
-def test_the_axis_widens_for_a_value_outside(bar: ChannelBar) -> None:
+def test_axis_widens_for_a_value_outside(bar: ChannelBar) -> None:
     bar.set_raw(5600)
     assert bar.axis == (2000, 5750)
     bar.set_raw(3750)
@@ -144,7 +144,7 @@ def test_the_axis_widens_for_a_value_outside(bar: ChannelBar) -> None:
 
 
 @pytest.mark.parametrize(("raw", "axis"), [(9000, (2000, 6250)), (10, (1250, 5500))])
-def test_the_axis_ends_at_what_the_board_can_measure(
+def test_axis_ends_at_the_measurable_limit(
     bar: ChannelBar, raw: int, axis: tuple[int, int]
 ) -> None:
     bar.set_raw(raw)
@@ -154,7 +154,7 @@ def test_the_axis_ends_at_what_the_board_can_measure(
     bar.grab()
 
 
-def test_the_axis_widens_for_the_calibration(bar: ChannelBar) -> None:
+def test_axis_follows_the_calibration(bar: ChannelBar) -> None:
     bar.set_calibration(Calibration(1500, 3750, 6000, 75))
     assert bar.axis == (1500, 6000)
     bar.set_calibration(RC)
@@ -171,7 +171,7 @@ def test_voltages_have_their_own_axis(bar: ChannelBar) -> None:
     assert bar.accessibleDescription() == "5.00 V, 2.50 V above neutral"
 
 
-def test_a_screen_reader_hears_the_direction(bar: ChannelBar) -> None:
+def test_accessible_description_names_the_direction(bar: ChannelBar) -> None:
     bar.set_raw(2500)
     assert bar.accessibleDescription() == "1000 µs, 500 µs below neutral"
     bar.set_calibration(None)
@@ -189,7 +189,7 @@ def test_a_screen_reader_hears_the_direction(bar: ChannelBar) -> None:
         Calibration(5000, 3000, 1000, 5),
     ],
 )
-def test_any_width_and_calibration_can_be_painted(
+def test_bar_is_painted_at_any_width_and_calibration(
     bar: ChannelBar, width: int, calibration: Calibration | None
 ) -> None:
     bar.set_calibration(calibration)
@@ -200,7 +200,7 @@ def test_any_width_and_calibration_can_be_painted(
 
 
 @pytest.mark.parametrize("make", [ChannelBar, OutputBar])
-def test_a_bar_takes_the_new_theme(qtbot: QtBot, make: Callable[[], Bar]) -> None:
+def test_bar_follows_the_theme(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     widget = make()
     qtbot.addWidget(widget)
     widget.resize(300, widget.sizeHint().height())
@@ -213,7 +213,7 @@ def test_a_bar_takes_the_new_theme(qtbot: QtBot, make: Callable[[], Bar]) -> Non
 
 
 @pytest.mark.parametrize("make", [ChannelBar, OutputBar])
-def test_a_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
+def test_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
     widget = make()
     qtbot.addWidget(widget)
     before = widget.sizeHint()
@@ -224,7 +224,7 @@ def test_a_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> Non
     assert widget.sizeHint().width() > before.width() * 1.5
 
 
-def test_without_its_number_the_bar_is_longer(bar: ChannelBar) -> None:
+def test_bar_without_its_number_is_longer(bar: ChannelBar) -> None:
     before = bar._track().width()
     bar.set_value_shown(False)
     assert bar._track().width() > before
@@ -232,7 +232,7 @@ def test_without_its_number_the_bar_is_longer(bar: ChannelBar) -> None:
     bar.grab()
 
 
-def test_an_output_shows_its_sign_by_its_side(output: OutputBar) -> None:
+def test_output_bar_fills_to_the_side_of_its_sign(output: OutputBar) -> None:
     output.set_value(-100)
     assert colours(output, output.x_of(-100), output.x_of(0)) == {named("bar_negative")}
     assert colours(output, output.x_of(0), output.x_of(127)) == {named("track")}
@@ -241,7 +241,7 @@ def test_an_output_shows_its_sign_by_its_side(output: OutputBar) -> None:
     assert colours(output, output.x_of(-127), output.x_of(0)) == {named("track")}
 
 
-def test_an_output_of_zero_has_no_fill(output: OutputBar) -> None:
+def test_zero_output_has_no_fill(output: OutputBar) -> None:
     output.set_value(0)
     assert colours(output, output.x_of(-127), output.x_of(0)) == {named("track")}
     assert colours(output, output.x_of(0), output.x_of(127)) == {named("track")}
@@ -250,19 +250,19 @@ def test_an_output_of_zero_has_no_fill(output: OutputBar) -> None:
 @pytest.mark.parametrize(
     ("value", "spoken"), [(64, "+64 of 127"), (0, "0 of 127"), (-64, "\N{MINUS SIGN}64 of 127")]
 )
-def test_an_output_is_read_out(output: OutputBar, value: int, spoken: str) -> None:
+def test_output_is_described_for_screen_readers(output: OutputBar, value: int, spoken: str) -> None:
     output.set_value(value)
     assert output.accessibleDescription() == spoken
 
 
-def test_an_output_without_a_signal_says_so(output: OutputBar) -> None:
+def test_output_without_signal_has_no_value(output: OutputBar) -> None:
     output.set_value(None)
     assert output.state is BarState.NO_SIGNAL
     assert output.value is None
     output.grab()
 
 
-def test_the_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
+def test_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
     auxiliary = OutputBar(label="Auxiliary", bipolar=False)
     qtbot.addWidget(auxiliary)
     auxiliary.resize(400, auxiliary.sizeHint().height())
@@ -274,7 +274,7 @@ def test_the_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
     assert auxiliary.accessibleName() == "Auxiliary"
 
 
-def test_a_motor_keeps_its_colour_in_reverse(qtbot: QtBot) -> None:
+def test_motor_bar_keeps_its_colour_in_reverse(qtbot: QtBot) -> None:
     motor = OutputBar(label="Motor 2", color="motor2")
     qtbot.addWidget(motor)
     motor.resize(400, motor.sizeHint().height())

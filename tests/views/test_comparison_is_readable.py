@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QSplitter, QTableView, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.settings.samples import factory
+from tests.support.pages.settings import ComparisonDialog
 from trex_gui.model.comparison_table import ComparisonColumn, ComparisonRole
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
@@ -41,15 +42,8 @@ def worst() -> Comparison:
     )
 
 
-def table_of(view: QWidget) -> QTableView:
-    found = view.findChild(QTableView, "comparisonTable")
-    assert found is not None
-    return found
-
-
-def cut_short(view: QWidget) -> list[str]:
+def cut_short(table: QTableView) -> list[str]:
     """Return the texts that their cells do not hold, measured without the view's own help."""
-    table = table_of(view)
     bold = table.font()
     bold.setBold(True)
     model, cut = table.model(), []
@@ -78,41 +72,46 @@ def view(qtbot: QtBot) -> ComparisonView:
     return view
 
 
-def test_the_worst_rows_are_readable(view: ComparisonView) -> None:
-    texts = {str(table_of(view).model().index(row, 2).data()) for row in range(40)}
+@pytest.fixture
+def driver(view: ComparisonView, qtbot: QtBot) -> ComparisonDialog:
+    return ComparisonDialog(view, qtbot)
+
+
+def test_longest_rows_are_readable(driver: ComparisonDialog) -> None:
+    texts = {str(driver.table.model().index(row, 2).data()) for row in range(40)}
     assert any("stop bit" in text for text in texts)
-    assert cut_short(view) == []
+    assert cut_short(driver.table) == []
 
 
-def test_rows_that_match_are_readable(view: ComparisonView) -> None:
-    box = view.findChild(QCheckBox, "showEqualBox")
-    assert box is not None
-    box.setChecked(True)
-    assert cut_short(view) == []
+def test_matching_rows_are_readable(driver: ComparisonDialog) -> None:
+    driver.find(QCheckBox, "showEqualBox").setChecked(True)
+    assert cut_short(driver.table) == []
 
 
-def test_reasons_are_readable(view: ComparisonView) -> None:
+def test_rejection_reasons_are_readable(view: ComparisonView, driver: ComparisonDialog) -> None:
     why = "The board refused it: Channels 1, 2 and 3 drive the motors, but not in this mode."
     view.show_outcomes({row.key: why for row in view.table.comparison.rows})
-    assert cut_short(view) == []
+    assert cut_short(driver.table) == []
     view.freeze("Before", "Written")
-    assert cut_short(view) == []
+    assert cut_short(driver.table) == []
 
 
-def test_rows_grow_when_a_column_is_made_narrow(view: ComparisonView) -> None:
-    table = table_of(view)
+def test_rows_stay_readable_when_a_column_is_narrowed(driver: ComparisonDialog) -> None:
+    table = driver.table
     table.setColumnWidth(ComparisonColumn.AFTER, 90)
-    assert cut_short(view) == []
+    assert cut_short(driver.table) == []
 
 
-def test_rows_grow_when_the_view_is_made_narrow(view: ComparisonView) -> None:
-    before = table_of(view).verticalHeader().length()
+def test_rows_grow_when_the_view_is_narrowed(
+    view: ComparisonView, driver: ComparisonDialog
+) -> None:
+    before = driver.table.verticalHeader().length()
     view.resize(640, 400)
-    assert table_of(view).verticalHeader().length() > before
-    assert cut_short(view) == []
+    assert driver.table.verticalHeader().length() > before
+    assert cut_short(driver.table) == []
 
 
-def test_rows_grow_when_a_splitter_is_moved(qtbot: QtBot) -> None:
+def test_rows_stay_readable_when_a_splitter_is_moved(qtbot: QtBot) -> None:
     splitter = QSplitter()
     qtbot.addWidget(splitter)
     view = ComparisonView(splitter)
@@ -121,17 +120,17 @@ def test_rows_grow_when_a_splitter_is_moved(qtbot: QtBot) -> None:
     splitter.show()
     view.show_comparison(worst(), "Now", "File")
     splitter.setSizes([640, 560])
-    assert cut_short(view) == []
+    assert cut_short(ComparisonDialog(view, qtbot).table) == []
 
 
-def test_what_is_renewed_is_readable(view: ComparisonView) -> None:
+def test_renewed_comparison_is_readable(view: ComparisonView, driver: ComparisonDialog) -> None:
     view.show_comparison(compare(BEFORE, BEFORE), "Now", "File")
     view.renew(worst())
-    assert cut_short(view) == []
+    assert cut_short(driver.table) == []
 
 
-def test_a_calibration_has_a_line_for_each_field(view: ComparisonView) -> None:
-    model = table_of(view).model()
+def test_calibration_has_a_line_for_each_field(driver: ComparisonDialog) -> None:
+    model = driver.table.model()
     row = next(r for r in range(model.rowCount()) if "RC channel 2" in model.index(r, 0).data())
     after = str(model.index(row, ComparisonColumn.AFTER).data())
     wire = str(model.index(row, ComparisonColumn.WIRE).data())

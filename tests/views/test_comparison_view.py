@@ -5,10 +5,12 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QItemSelectionModel, QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QTableView
+from PySide6.QtWidgets import QCheckBox
 from pytestqt.qtbot import QtBot
 
 from tests.settings.samples import factory
+from tests.support.pages.settings import ComparisonDialog
+from tests.support.window import LEFT
 from trex_gui.settings.comparison import Comparison, compare
 from trex_gui.views.widgets.comparison_view import ComparisonView
 
@@ -29,44 +31,33 @@ def view(qtbot: QtBot) -> ComparisonView:
     return view
 
 
-def label(view: ComparisonView, name: str = "comparisonSummary") -> QLabel:
-    found = view.findChild(QLabel, name)
-    assert found is not None
-    return found
+@pytest.fixture
+def driver(view: ComparisonView, qtbot: QtBot) -> ComparisonDialog:
+    return ComparisonDialog(view, qtbot)
 
 
-def rows(view: ComparisonView) -> QTableView:
-    found = view.findChild(QTableView, "comparisonTable")
-    assert found is not None
-    return found
+def test_summary_counts_the_changes(driver: ComparisonDialog) -> None:
+    assert "2 will change" in driver.text("comparisonSummary")
+    assert not driver.has("comparisonLeftOut")
 
 
-def button(view: ComparisonView, name: str) -> QPushButton:
-    found = view.findChild(QPushButton, name)
-    assert found is not None
-    return found
-
-
-def test_the_counts_stand_above_it(view: ComparisonView) -> None:
-    assert "2 will change" in label(view).text()
-    assert not label(view, "comparisonLeftOut").isVisible()
-
-
-def test_a_click_into_its_box_takes_a_tick_away(view: ComparisonView, qtbot: QtBot) -> None:
-    table = rows(view)
+def test_click_on_a_check_box_clears_it(
+    view: ComparisonView, driver: ComparisonDialog, qtbot: QtBot
+) -> None:
+    table = driver.table
     place = table.visualRect(table.model().index(0, 0))
     box = QPoint(place.left() + 10, place.center().y())
-    with qtbot.waitSignal(view.ticked_changed) as told:
-        QTest.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=box)
-    assert told.args == [1]
+    with qtbot.waitSignal(view.ticked_changed) as changed:
+        QTest.mouseClick(table.viewport(), LEFT, pos=box)
+    assert changed.args == [1]
     assert len(view.table.ticked) == 1
 
 
 @pytest.mark.parametrize("column", [0, 2])
-def test_the_space_bar_ticks_from_any_column(
-    view: ComparisonView, qtbot: QtBot, column: int
+def test_space_bar_toggles_the_row_from_any_column(
+    view: ComparisonView, driver: ComparisonDialog, column: int
 ) -> None:
-    table = rows(view)
+    table = driver.table
     table.selectionModel().setCurrentIndex(
         table.model().index(1, column), QItemSelectionModel.SelectionFlag.SelectCurrent
     )
@@ -76,45 +67,47 @@ def test_the_space_bar_ticks_from_any_column(
     assert len(view.table.ticked) == 2
 
 
-def test_all_or_none_with_one_click(view: ComparisonView, qtbot: QtBot) -> None:
-    QTest.mouseClick(button(view, "tickNoneButton"), Qt.MouseButton.LeftButton)
+def test_buttons_check_all_rows_or_none(view: ComparisonView, driver: ComparisonDialog) -> None:
+    driver.click("tickNoneButton")
     assert not view.table.ticked
-    QTest.mouseClick(button(view, "tickAllButton"), Qt.MouseButton.LeftButton)
+    driver.click("tickAllButton")
     assert len(view.table.ticked) == 2
 
 
-def test_what_matches_is_shown_on_demand(view: ComparisonView) -> None:
-    box = view.findChild(QCheckBox, "showEqualBox")
-    assert box is not None
-    box.setChecked(True)
-    assert rows(view).model().rowCount() == len(view.table.comparison.rows)
+def test_matching_rows_are_shown_on_demand(view: ComparisonView, driver: ComparisonDialog) -> None:
+    driver.find(QCheckBox, "showEqualBox").setChecked(True)
+    assert driver.table.model().rowCount() == len(view.table.comparison.rows)
 
 
-def test_without_ticks_there_is_nothing_to_tick_with(view: ComparisonView) -> None:
+def test_view_without_check_boxes_hides_their_buttons(
+    view: ComparisonView, driver: ComparisonDialog
+) -> None:
     view.show_comparison(comparison(serial_timeout=5), "Now", "File", with_ticks=False)
-    assert not button(view, "tickAllButton").isVisible()
+    assert not driver.has("tickAllButton")
     assert not view.table.ticked
 
 
-def test_renewing_keeps_the_place_and_the_widths(view: ComparisonView) -> None:
-    table = rows(view)
+def test_renewal_keeps_the_current_row_and_column_widths(
+    view: ComparisonView, driver: ComparisonDialog
+) -> None:
+    table = driver.table
     table.selectRow(1)
     key = table.currentIndex().data()
     table.setColumnWidth(0, 321)
     view.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1), "Renewed.")
     assert table.currentIndex().data() == key
     assert table.columnWidth(0) == 321
-    assert label(view).text() == "Renewed."
+    assert driver.text("comparisonSummary") == "Renewed."
 
 
-def test_nothing_to_show_says_why(view: ComparisonView) -> None:
+def test_empty_view_shows_the_reason(view: ComparisonView, driver: ComparisonDialog) -> None:
     view.show_nothing("Select a snapshot.")
-    assert label(view).text() == "Select a snapshot."
-    assert rows(view).model().rowCount() == 0
+    assert driver.text("comparisonSummary") == "Select a snapshot."
+    assert driver.table.model().rowCount() == 0
 
 
-def test_what_is_left_out_stands_below(view: ComparisonView) -> None:
+def test_left_out_settings_are_listed(view: ComparisonView, driver: ComparisonDialog) -> None:
     found = replace(comparison(serial_timeout=5), left_out=("Motor Mode is left out.",))
     view.show_comparison(found, "Now", "File")
-    assert "left out" in label(view, "comparisonLeftOut").text()
-    assert label(view, "comparisonLeftOut").isVisible()
+    assert "left out" in driver.text("comparisonLeftOut")
+    assert driver.has("comparisonLeftOut")

@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import LEFT, WidgetDriver
 from trex_gui.model.calibration_moves import Handle
 from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.protocol.calibration import Calibration
@@ -36,32 +37,43 @@ def plot(qapp: QApplication, qtbot: QtBot) -> Iterator[CurvePlot]:
     qapp.processEvents()
 
 
-def viewport(plot: CurvePlot) -> QWidget:
-    found = plot.findChild(QWidget, "curveViewport")
-    assert found is not None
-    return found
+class CurvePlotDriver(WidgetDriver):
+    """A plot whose handles the mouse drags."""
+
+    def __init__(self, plot: CurvePlot, qtbot: QtBot) -> None:
+        super().__init__(plot, qtbot)
+        self.plot = plot
+
+    @property
+    def viewport(self) -> QWidget:
+        return self.find(QWidget, "curveViewport")
+
+    def place(self, handle: Handle) -> QPoint:
+        return self.plot.place_of(handle).toPoint()
+
+    def press(self, place: QPoint) -> None:
+        QTest.mousePress(self.viewport, LEFT, pos=place)
+
+    def move(self, place: QPoint) -> None:
+        QTest.mouseMove(self.viewport, place)
+
+    def release(self, place: QPoint) -> None:
+        QTest.mouseRelease(self.viewport, LEFT, pos=place)
+
+    def drag_handle(self, handle: Handle, count: int) -> None:
+        """Drag a handle to a count in a few steps."""
+        start = self.place(handle)
+        below = 30 if handle is Handle.NEUTRAL else 0
+        end = QPoint(round(self.plot.x_of(count)), start.y() + below)
+        self.press(start)
+        for step in (0.3, 0.7, 1.0):
+            self.move(start + (end - start) * step)
+        self.release(end)
 
 
-def place(plot: CurvePlot, handle: Handle) -> QPoint:
-    return plot.place_of(handle).toPoint()
-
-
-def press(plot: CurvePlot, where: QPoint) -> None:
-    QTest.mousePress(viewport(plot), Qt.MouseButton.LeftButton, pos=where)
-
-
-def release(plot: CurvePlot, where: QPoint) -> None:
-    QTest.mouseRelease(viewport(plot), Qt.MouseButton.LeftButton, pos=where)
-
-
-def drag(plot: CurvePlot, handle: Handle, count: int) -> None:
-    """Take a handle and pull it to a count in a few steps."""
-    start = place(plot, handle)
-    end = QPoint(round(plot.x_of(count)), start.y() + 30 if handle is Handle.NEUTRAL else start.y())
-    press(plot, start)
-    for step in (0.3, 0.7, 1.0):
-        QTest.mouseMove(viewport(plot), start + (end - start) * step)
-    release(plot, end)
+@pytest.fixture
+def driver(plot: CurvePlot, qtbot: QtBot) -> CurvePlotDriver:
+    return CurvePlotDriver(plot, qtbot)
 
 
 @pytest.mark.parametrize(
@@ -74,72 +86,78 @@ def drag(plot: CurvePlot, handle: Handle, count: int) -> None:
         (Handle.DEADBAND_HIGH, "deadband", 4000, 250),
     ],
 )
-def test_a_dragged_handle_changes_its_value_once_on_release(
-    plot: CurvePlot, handle: Handle, field: str, target: int, expected: int
+def test_dragged_handle_changes_its_value_once_on_release(
+    plot: CurvePlot, driver: CurvePlotDriver, handle: Handle, field: str, target: int, expected: int
 ) -> None:
     wished: list[Calibration] = []
     previewed: list[Calibration] = []
     plot.wished.connect(wished.append)
     plot.previewed.connect(previewed.append)
-    drag(plot, handle, target)
+    driver.drag_handle(handle, target)
     assert len(wished) == 1
     assert len(previewed) == 3
     assert wished[0] == previewed[-1]
-    pixel = 3700 / viewport(plot).width()
+    pixel = 3700 / driver.viewport.width()
     assert abs(getattr(wished[0], field) - expected) <= pixel
     unchanged = replace(USUAL.calibration, **{field: getattr(wished[0], field)})
     assert wished[0] == unchanged
 
 
-def test_what_is_dragged_is_drawn_while_it_is_held(plot: CurvePlot) -> None:
+def test_curve_follows_a_held_handle(plot: CurvePlot, driver: CurvePlotDriver) -> None:
     plot.set_raw(2600)
-    start = place(plot, Handle.MINIMUM)
-    press(plot, start)
-    QTest.mouseMove(viewport(plot), QPoint(round(plot.x_of(2600)), start.y()))
+    start = driver.place(Handle.MINIMUM)
+    driver.press(start)
+    driver.move(QPoint(round(plot.x_of(2600)), start.y()))
     assert plot.curve is not None
     assert abs(plot.curve.calibration.minimum - 2600) < 8
     assert plot.dot == (2600, plot.curve.output(2600))
-    release(plot, QPoint(round(plot.x_of(2600)), start.y()))
+    driver.release(QPoint(round(plot.x_of(2600)), start.y()))
 
 
-def test_a_handle_cannot_pass_another_and_says_so_beside_it(plot: CurvePlot) -> None:
-    start = place(plot, Handle.MINIMUM)
+def test_handle_blocked_by_another_shows_the_reason(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
+    start = driver.place(Handle.MINIMUM)
     beyond = QPoint(round(plot.x_of(4200)), start.y())
     wished: list[Calibration] = []
     plot.wished.connect(wished.append)
-    press(plot, start)
-    QTest.mouseMove(viewport(plot), beyond)
+    driver.press(start)
+    driver.move(beyond)
     assert plot.message == "Minimum cannot pass neutral."
     plot.grab()
-    release(plot, beyond)
+    driver.release(beyond)
     assert plot.message == ""
     assert wished == [Calibration(3750, 3750, 5000, 75)]
 
 
-def test_a_handle_that_comes_back_to_where_it_was_is_let_go(plot: CurvePlot, qtbot: QtBot) -> None:
+def test_handle_back_at_its_start_changes_nothing(
+    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
+) -> None:
     flat = ChannelCurve(Calibration(3750, 3750, 5000, 75))
     plot.show_channel(1, InputSource.RC, flat, flat, editable=True)
-    start = place(plot, Handle.MINIMUM)
+    start = driver.place(Handle.MINIMUM)
     end = QPoint(round(plot.x_of(4100)), start.y())
-    press(plot, start)
-    QTest.mouseMove(viewport(plot), end)
+    driver.press(start)
+    driver.move(end)
     assert plot.message == "Minimum cannot pass neutral."
     with qtbot.assertNotEmitted(plot.wished), qtbot.waitSignal(plot.let_go):
-        release(plot, end)
+        driver.release(end)
     assert plot.message == ""
 
 
-def test_the_axis_goes_with_a_handle_as_far_as_the_input_can_be(plot: CurvePlot) -> None:
+def test_axis_follows_a_handle_up_to_the_input_limits(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
     for handle, count, reached, words in (
         (Handle.MAXIMUM, 5800, 5800, ""),
         (Handle.MAXIMUM, 7000, 6250, "A pulse cannot be longer than 2500 µs."),
         (Handle.MINIMUM, 1600, 1600, ""),
         (Handle.MINIMUM, 300, 1250, "A pulse cannot be shorter than 500 µs."),
     ):
-        start = place(plot, handle)
+        start = driver.place(handle)
         end = QPoint(round(plot.x_of(count)), start.y())
-        press(plot, start)
-        QTest.mouseMove(viewport(plot), end)
+        driver.press(start)
+        driver.move(end)
         assert plot.curve is not None
         assert abs(handle.count(plot.curve.calibration) - reached) < 8
         assert plot.message == words
@@ -147,31 +165,35 @@ def test_the_axis_goes_with_a_handle_as_far_as_the_input_can_be(plot: CurvePlot)
         low, high = plot.axis
         assert low <= handle.count(plot.curve.calibration) <= high
         shown = round(plot.x_of(handle.count(plot.curve.calibration)))
-        assert 0 < shown < viewport(plot).width(), "the handle can be seen"
-        release(plot, end)
+        assert 0 < shown < driver.viewport.width(), "the handle can be seen"
+        driver.release(end)
         assert plot.axis == (2000, 5500), "nobody took the wish"
 
 
-def test_a_handle_at_the_end_of_the_axis_goes_on_bit_by_bit(plot: CurvePlot) -> None:
-    start = place(plot, Handle.MAXIMUM)
+def test_handle_at_the_axis_end_moves_in_small_steps(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
+    start = driver.place(Handle.MAXIMUM)
     edge = QPoint(round(plot.x_of(5520)), start.y())
-    press(plot, start)
+    driver.press(start)
     counts = []
     for _ in range(3):
-        QTest.mouseMove(viewport(plot), edge - QPoint(1, 0))
-        QTest.mouseMove(viewport(plot), edge)
+        driver.move(edge - QPoint(1, 0))
+        driver.move(edge)
         assert plot.curve is not None
         counts.append(plot.curve.calibration.maximum)
-    release(plot, edge)
+    driver.release(edge)
     assert counts == sorted(counts)
     assert counts[-1] < 5700
 
 
-def test_a_value_that_was_not_taken_is_told_beside_its_handle(plot: CurvePlot) -> None:
+def test_rejected_value_is_explained_beside_its_handle(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
     plot.say_beside(Handle.MINIMUM, "Minimum cannot be there.")
     assert (plot.message_at, plot.message) == (Handle.MINIMUM, "Minimum cannot be there.")
-    QTest.mouseMove(viewport(plot), QPoint(1, 1))
-    QTest.mouseMove(viewport(plot), place(plot, Handle.NEUTRAL))
+    driver.move(QPoint(1, 1))
+    driver.move(driver.place(Handle.NEUTRAL))
     picture = plot.grab().toImage()
     box = {
         picture.pixelColor(x, y).name()
@@ -179,19 +201,20 @@ def test_a_value_that_was_not_taken_is_told_beside_its_handle(plot: CurvePlot) -
         for y in range(picture.height() // 2)
     }
     assert theme().color("warning").name() in box
-    press(plot, place(plot, Handle.MAXIMUM))
+    driver.press(driver.place(Handle.MAXIMUM))
     assert plot.message == ""
-    release(plot, place(plot, Handle.MAXIMUM))
+    driver.release(driver.place(Handle.MAXIMUM))
     plot.say_beside(Handle.MINIMUM, "Minimum cannot be there.")
     plot.show_channel(2, InputSource.RC, USUAL, USUAL, editable=True)
     assert plot.message_at is None
 
 
-def test_the_trace_is_high_enough_to_show_noise_and_its_times_can_be_read(plot: CurvePlot) -> None:
+def test_trace_is_tall_enough_and_its_labels_are_legible(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
     plot.resize(plot.width(), plot.minimumSizeHint().height())
     picture = plot.grab().toImage()
-    trace = plot.findChild(InputTrace)
-    assert trace is not None
+    trace = driver.find_only(InputTrace)
     line = trace.fontMetrics().height()
     frame = trace.frame
     assert frame.height() >= 4.5 * line
@@ -206,56 +229,56 @@ def test_the_trace_is_high_enough_to_show_noise_and_its_times_can_be_read(plot: 
     assert picture.pixelColor(top.x() // 2, written[0] - 1) == background
 
 
-def test_a_click_moves_nothing(plot: CurvePlot, qtbot: QtBot) -> None:
+def test_click_moves_no_handle(plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot) -> None:
     with qtbot.assertNotEmitted(plot.wished):
         for handle in Handle:
-            QTest.mouseClick(
-                viewport(plot), Qt.MouseButton.LeftButton, pos=place(plot, handle) + QPoint(3, 0)
-            )
+            QTest.mouseClick(driver.viewport, LEFT, pos=driver.place(handle) + QPoint(3, 0))
 
 
-def test_where_nothing_is_to_be_edited_nothing_can_be_dragged(
-    plot: CurvePlot, qtbot: QtBot
+def test_read_only_plot_cannot_be_dragged(
+    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
 ) -> None:
     plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
     with qtbot.assertNotEmitted(plot.previewed):
-        drag(plot, Handle.MAXIMUM, 5200)
+        driver.drag_handle(Handle.MAXIMUM, 5200)
 
 
-def test_a_handle_that_is_held_is_let_go_when_the_board_is_gone(
-    plot: CurvePlot, qtbot: QtBot
+def test_held_handle_is_released_when_editing_is_disabled(
+    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
 ) -> None:
-    start = place(plot, Handle.MAXIMUM)
-    press(plot, start)
-    QTest.mouseMove(viewport(plot), start + QPoint(20, 0))
+    start = driver.place(Handle.MAXIMUM)
+    driver.press(start)
+    driver.move(start + QPoint(20, 0))
     plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
     with qtbot.assertNotEmitted(plot.wished):
-        release(plot, start + QPoint(20, 0))
+        driver.release(start + QPoint(20, 0))
     assert plot.curve == USUAL
 
 
-def test_handles_near_each_other_are_told_apart_by_height(plot: CurvePlot) -> None:
+def test_nearby_handles_are_distinguished_by_height(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
     narrow = ChannelCurve(Calibration(2500, 3750, 5000, 5))
     plot.show_channel(1, InputSource.RC, narrow, narrow, editable=True)
     wished: list[Calibration] = []
     plot.wished.connect(wished.append)
-    drag(plot, Handle.NEUTRAL, 3500)
-    drag(plot, Handle.DEADBAND_HIGH, 4000)
+    driver.drag_handle(Handle.NEUTRAL, 3500)
+    driver.drag_handle(Handle.DEADBAND_HIGH, 4000)
     assert wished[0].neutral < 3600
     assert wished[0].deadband == 5
     assert wished[1].neutral == 3750
     assert wished[1].deadband > 200
 
 
-def test_the_mouse_pointer_tells_what_can_be_dragged(plot: CurvePlot) -> None:
-    QTest.mouseMove(viewport(plot), QPoint(1, 1))  # or it was there already and does not move
-    QTest.mouseMove(viewport(plot), place(plot, Handle.NEUTRAL))
-    assert viewport(plot).cursor().shape() is Qt.CursorShape.SizeHorCursor
-    QTest.mouseMove(viewport(plot), place(plot, Handle.NEUTRAL) + QPoint(60, 20))
-    assert viewport(plot).cursor().shape() is Qt.CursorShape.ArrowCursor
+def test_mouse_cursor_shows_draggable_handles(driver: CurvePlotDriver) -> None:
+    driver.move(QPoint(1, 1))  # or it was there already and does not move
+    driver.move(driver.place(Handle.NEUTRAL))
+    assert driver.viewport.cursor().shape() is Qt.CursorShape.SizeHorCursor
+    driver.move(driver.place(Handle.NEUTRAL) + QPoint(60, 20))
+    assert driver.viewport.cursor().shape() is Qt.CursorShape.ArrowCursor
 
 
-def test_the_axis_reaches_what_lies_further_out(plot: CurvePlot) -> None:
+def test_axis_widens_for_the_calibration(plot: CurvePlot) -> None:
     assert plot.axis == (2000, 5500)
     wide = ChannelCurve(Calibration(1500, 3750, 6000, 75))
     plot.show_channel(1, InputSource.RC, USUAL, wide, editable=True)
@@ -266,7 +289,7 @@ def test_the_axis_reaches_what_lies_further_out(plot: CurvePlot) -> None:
     plot.grab()
 
 
-def test_without_a_signal_there_is_no_dot(plot: CurvePlot) -> None:
+def test_missing_signal_hides_the_dot(plot: CurvePlot) -> None:
     dots = []
     for raw in (None, 5000, None):
         plot.set_raw(raw)
@@ -274,7 +297,7 @@ def test_without_a_signal_there_is_no_dot(plot: CurvePlot) -> None:
     assert dots == [None, (5000, 127), None]
 
 
-def test_both_schemes_can_be_drawn_with_everything_on_it(plot: CurvePlot) -> None:
+def test_complete_plot_is_drawn_in_both_schemes(plot: CurvePlot) -> None:
     times = np.arange(0, 20, 0.02)
     counts = 3750 + 900 * np.sin(times)
     counts[100:150] = np.nan

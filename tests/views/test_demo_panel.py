@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.virtual_time import VirtualRuntime
@@ -62,7 +62,7 @@ RC = replace(
 
 
 @pytest.mark.parametrize("flicker", ["on", "off"])
-def test_led_of_packets_is_shown_without_its_flicker(flicker: str) -> None:
+def test_packet_led_is_shown_without_flicker(flicker: str) -> None:
     assert led_patterns(replace(SERIAL, leds=DemoLeds("on", flicker))) == ("on", PACKETS)
     assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
 
@@ -100,7 +100,7 @@ def test_led_pattern_is_explained(snapshot: DemoSnapshot, pattern: str, meaning:
         (replace(SERIAL, special_start="dreaming"), "Dreaming."),
     ],
 )
-def test_state_of_the_board_is_one_line(snapshot: DemoSnapshot, words: str) -> None:
+def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
     assert words in state_text(snapshot)
 
 
@@ -123,7 +123,7 @@ def test_state_of_the_board_is_one_line(snapshot: DemoSnapshot, words: str) -> N
         ),
     ],
 )
-def test_moved_jumper_is_said_to_wait_for_power(snapshot: DemoSnapshot, hint: str) -> None:
+def test_moved_jumper_hints_at_the_power_cycle(snapshot: DemoSnapshot, hint: str) -> None:
     assert jumper_hint(snapshot) == hint
 
 
@@ -241,7 +241,7 @@ def test_double_click_moves_slider_to_neutral(slider: StickSlider, qtbot: QtBot)
     assert not slider.isSliderDown()
 
 
-def test_follow_is_silent_and_leaves_a_held_handle_alone(slider: StickSlider, qtbot: QtBot) -> None:
+def test_follow_emits_nothing_and_keeps_a_held_handle(slider: StickSlider, qtbot: QtBot) -> None:
     with qtbot.assertNotEmitted(slider.valueChanged):
         slider.follow(1800)
         slider.set_scale(900, 2100, 1400)
@@ -277,7 +277,7 @@ def test_wheel_moves_a_focused_slider_only(slider: StickSlider, qtbot: QtBot) ->
     assert slider.value() > 1500
 
 
-def test_wheel_changes_a_focused_list_only(qtbot: QtBot) -> None:
+def test_wheel_changes_a_focused_combo_box_only(qtbot: QtBot) -> None:
     combo = CalmComboBox()
     qtbot.addWidget(combo)
     combo.addItems(["a", "b", "c"])
@@ -293,7 +293,7 @@ def test_wheel_changes_a_focused_list_only(qtbot: QtBot) -> None:
     assert combo.currentIndex() == 0
 
 
-def test_alarming_note_stands_out_in_the_same_room(qtbot: QtBot, qapp: QApplication) -> None:
+def test_alarming_note_is_bold_and_coloured(qtbot: QtBot, qapp: QApplication) -> None:
     theme().install(qapp)
     note = Note(2)
     qtbot.addWidget(note)
@@ -310,34 +310,32 @@ def test_alarming_note_stands_out_in_the_same_room(qtbot: QtBot, qapp: QApplicat
 # --- Visibility -------------------------------------------------------------------------
 
 
-def panel_of(program: Program) -> DemoPanel:
-    panel = program.window.findChild(QDockWidget, "demoPanel")
-    assert isinstance(panel, DemoPanel)
-    return panel
+def panel_of(window: WindowDriver) -> DemoPanel:
+    return window.find(DemoPanel, "demoPanel")
 
 
 @pytest.fixture
-def panel(program: Program) -> DemoPanel:
-    return panel_of(program)
+def panel(window: WindowDriver) -> DemoPanel:
+    return panel_of(window)
 
 
 @pytest.fixture
-def restart(program: Program, qtbot: QtBot) -> Callable[[Program], Program]:
-    """End the program and begin it again."""
+def restart(program: Program, qtbot: QtBot) -> Callable[[Program], WindowDriver]:
+    """End the program and start it again."""
 
-    def again(before: Program) -> Program:
+    def again(before: Program) -> WindowDriver:
         before.window.close()
         if before is not program:
             before.connector.shut_down()
         after = build()
         qtbot.addWidget(after.window)
         after.window.show()
-        return after
+        return WindowDriver(after, qtbot)
 
     return again
 
 
-def test_panel_is_there_with_the_demo_unless_closed(window: WindowDriver, panel: DemoPanel) -> None:
+def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel: DemoPanel) -> None:
     connector, action = window.program.connector, window.action("demo")
     demo = window.program.ports.demo
     assert panel.isHidden()
@@ -372,27 +370,29 @@ def test_panel_is_there_with_the_demo_unless_closed(window: WindowDriver, panel:
 
 
 def test_panel_is_restored_at_the_next_start(
-    program: Program, panel: DemoPanel, restart: Callable[[Program], Program]
+    program: Program, panel: DemoPanel, restart: Callable[[Program], WindowDriver]
 ) -> None:
     program.connector.connect_to(program.ports.demo)
     program.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, panel)
 
-    second = restart(program)
-    assert panel_of(second).isHidden()
+    window = restart(program)
+    second = window.program
+    assert panel_of(window).isHidden()
     second.connector.connect_to(second.ports.demo)
-    assert panel_of(second).isVisible()
-    where = second.window.dockWidgetArea(panel_of(second))
+    assert panel_of(window).isVisible()
+    where = second.window.dockWidgetArea(panel_of(window))
     assert where is Qt.DockWidgetArea.LeftDockWidgetArea
 
-    panel_of(second).close()
-    third = restart(second)
+    panel_of(window).close()
+    window = restart(second)
+    third = window.program
     third.connector.connect_to(third.ports.demo)
-    assert panel_of(third).isHidden(), "it was closed"
+    assert panel_of(window).isHidden(), "it was closed"
     third.connector.shut_down()
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support")  # said by offscreen
-def test_panel_leaves_with_its_room_and_with_the_window(
+def test_panel_closes_with_the_connection_and_the_window(
     window: WindowDriver, panel: DemoPanel
 ) -> None:
     connector, demo = window.program.connector, window.program.ports.demo

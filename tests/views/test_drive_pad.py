@@ -9,27 +9,32 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import LEFT, WidgetDriver
 from trex_gui.views.widgets.drive_pad import DrivePad
 from trex_gui.views.widgets.speed_entry import SpeedEntry
 from trex_gui.views.widgets.speed_slider import SpeedSlider
 
-LEFT = Qt.MouseButton.LeftButton
 
+class DriveControlsDriver(WidgetDriver):
+    """A pad, a slider and a button in a window.
 
-class Bench:
-    """A pad, a slider and a button in a window; what the pad and the slider told."""
+    Attributes:
+        setpoints: forward and turn, of each signal of the pad.
+        released: "pad" or "slider", for each time that one was let go.
+    """
 
     def __init__(self, qtbot: QtBot) -> None:
         self.window = QWidget()
+        super().__init__(self.window, qtbot)
         qtbot.addWidget(self.window)
         self.pad = DrivePad(self.window)
         self.slider = SpeedSlider(-127, self.window)
-        self.button = QPushButton("other", self.window)
+        self.other_button = QPushButton("other", self.window)
         layout = QHBoxLayout(self.window)
-        for widget in (self.pad, self.slider, self.button):
+        for widget in (self.pad, self.slider, self.other_button):
             layout.addWidget(widget)
-        self.wishes: list[tuple[float, float]] = []
-        self.ends: list[str] = []
+        self.setpoints: list[tuple[float, float]] = []
+        self.released: list[str] = []
         self.pad.steered.connect(self._on_steered)
         self.pad.released.connect(self._on_pad_released)
         self.slider.released.connect(self._on_slider_released)
@@ -37,52 +42,48 @@ class Bench:
         with qtbot.waitExposed(self.window):
             self.window.show()
         self.window.activateWindow()
-        qtbot.waitUntil(self.window.isActiveWindow)
+        self.wait(self.window.isActiveWindow)
 
     def _on_steered(self, forward: float, turn: float) -> None:
-        self.wishes.append((forward, turn))
+        self.setpoints.append((forward, turn))
 
     def _on_pad_released(self) -> None:
-        self.ends.append("pad")
+        self.released.append("pad")
 
     def _on_slider_released(self) -> None:
-        self.ends.append("slider")
-
-    def hold_both(self) -> None:
-        QTest.mousePress(self.slider, LEFT, pos=self.slider.rect().center())
-        self.hold_pad()
+        self.released.append("slider")
 
     def hold_pad(self) -> None:
         QTest.mousePress(self.pad, LEFT, pos=self.pad.rect().center() - QPoint(0, 40))
 
 
 @pytest.fixture
-def bench(qtbot: QtBot) -> Bench:
-    return Bench(qtbot)
+def controls(qtbot: QtBot) -> DriveControlsDriver:
+    return DriveControlsDriver(qtbot)
 
 
-def test_up_is_forward_and_right_is_right(bench: Bench) -> None:
-    QTest.mousePress(bench.pad, LEFT, pos=bench.pad.rect().center() + QPoint(40, -80))
-    forward, turn = bench.wishes[-1]
+def test_pad_maps_up_to_forward_and_right_to_right_turn(controls: DriveControlsDriver) -> None:
+    QTest.mousePress(controls.pad, LEFT, pos=controls.pad.rect().center() + QPoint(40, -80))
+    forward, turn = controls.setpoints[-1]
     assert 0 < turn < forward <= 1
 
 
-def test_what_is_hardly_off_an_axis_is_on_it(bench: Bench) -> None:
-    QTest.mousePress(bench.pad, LEFT, pos=bench.pad.rect().center() + QPoint(2, -80))
-    assert bench.wishes[-1][1] == 0
+def test_position_near_an_axis_snaps_to_it(controls: DriveControlsDriver) -> None:
+    QTest.mousePress(controls.pad, LEFT, pos=controls.pad.rect().center() + QPoint(2, -80))
+    assert controls.setpoints[-1][1] == 0
 
 
-def test_beyond_its_edge_the_pad_gives_all_and_no_more(bench: Bench) -> None:
-    bench.hold_pad()
-    QTest.mouseMove(bench.pad, QPoint(3000, 3000))
-    assert bench.wishes[-1] == (-1, 1)
+def test_pad_output_is_limited_beyond_its_edge(controls: DriveControlsDriver) -> None:
+    controls.hold_pad()
+    QTest.mouseMove(controls.pad, QPoint(3000, 3000))
+    assert controls.setpoints[-1] == (-1, 1)
 
 
-def test_without_a_turn_axis_the_pad_only_goes_ahead(bench: Bench) -> None:
-    bench.pad.set_can_turn(False)
-    QTest.mousePress(bench.pad, LEFT, pos=bench.pad.rect().center() + QPoint(60, -60))
-    assert bench.wishes[-1][0] > 0
-    assert bench.wishes[-1][1] == 0
+def test_pad_without_turning_only_drives_straight(controls: DriveControlsDriver) -> None:
+    controls.pad.set_can_turn(False)
+    QTest.mousePress(controls.pad, LEFT, pos=controls.pad.rect().center() + QPoint(60, -60))
+    assert controls.setpoints[-1][0] > 0
+    assert controls.setpoints[-1][1] == 0
 
 
 def cancel_touch(pad: DrivePad) -> None:
@@ -96,116 +97,120 @@ def cancel_touch(pad: DrivePad) -> None:
 @pytest.mark.parametrize(
     "end",
     [
-        lambda bench: QTest.mouseRelease(bench.pad, LEFT, pos=QPoint(5, 5)),
-        lambda bench: QTest.mousePress(bench.pad, Qt.MouseButton.RightButton),
-        lambda bench: bench.button.setFocus(),
-        lambda bench: bench.pad.setEnabled(False),
-        lambda bench: bench.window.setEnabled(False),
-        lambda bench: bench.pad.hide(),
-        lambda bench: bench.window.hide(),
-        lambda bench: bench.pad.set_can_turn(False),
-        lambda bench: bench.pad.let_go(),
-        lambda bench: cancel_touch(bench.pad),
-        lambda bench: QApplication.sendEvent(bench.pad, QEvent(QEvent.Type.UngrabMouse)),
-        lambda bench: QApplication.sendEvent(bench.pad, QEvent(QEvent.Type.WindowDeactivate)),
+        lambda controls: QTest.mouseRelease(controls.pad, LEFT, pos=QPoint(5, 5)),
+        lambda controls: QTest.mousePress(controls.pad, Qt.MouseButton.RightButton),
+        lambda controls: controls.other_button.setFocus(),
+        lambda controls: controls.pad.setEnabled(False),
+        lambda controls: controls.window.setEnabled(False),
+        lambda controls: controls.pad.hide(),
+        lambda controls: controls.window.hide(),
+        lambda controls: controls.pad.set_can_turn(False),
+        lambda controls: controls.pad.let_go(),
+        lambda controls: cancel_touch(controls.pad),
+        lambda controls: QApplication.sendEvent(controls.pad, QEvent(QEvent.Type.UngrabMouse)),
+        lambda controls: QApplication.sendEvent(controls.pad, QEvent(QEvent.Type.WindowDeactivate)),
     ],
 )
-def test_the_pad_is_let_go_once_and_follows_no_more(
-    bench: Bench, end: Callable[[Bench], object]
+def test_pad_is_released_once_and_then_ignores_the_mouse(
+    controls: DriveControlsDriver, end: Callable[[DriveControlsDriver], object]
 ) -> None:
-    bench.hold_pad()
-    end(bench)
-    assert bench.ends == ["pad"]
-    told = len(bench.wishes)
-    QTest.mouseMove(bench.pad, QPoint(20, 20))
-    assert len(bench.wishes) == told
-    assert "At rest" in bench.pad.accessibleDescription()
+    controls.hold_pad()
+    end(controls)
+    assert controls.released == ["pad"]
+    count = len(controls.setpoints)
+    QTest.mouseMove(controls.pad, QPoint(20, 20))
+    assert len(controls.setpoints) == count
+    assert "At rest" in controls.pad.accessibleDescription()
 
 
 @pytest.mark.parametrize(
     "end",
     [
-        lambda bench: QTest.mouseRelease(bench.slider, LEFT, pos=QPoint(5, 5)),
-        lambda bench: bench.button.setFocus(),
-        lambda bench: bench.slider.setEnabled(False),
-        lambda bench: bench.window.hide(),
-        lambda bench: bench.slider.let_go(),
-        lambda bench: QApplication.sendEvent(bench.slider, QEvent(QEvent.Type.UngrabMouse)),
+        lambda controls: QTest.mouseRelease(controls.slider, LEFT, pos=QPoint(5, 5)),
+        lambda controls: controls.other_button.setFocus(),
+        lambda controls: controls.slider.setEnabled(False),
+        lambda controls: controls.window.hide(),
+        lambda controls: controls.slider.let_go(),
+        lambda controls: QApplication.sendEvent(controls.slider, QEvent(QEvent.Type.UngrabMouse)),
     ],
 )
-def test_a_slider_is_let_go_once_and_follows_no_more(
-    bench: Bench, end: Callable[[Bench], object]
+def test_slider_is_released_once_and_then_ignores_the_mouse(
+    controls: DriveControlsDriver, end: Callable[[DriveControlsDriver], object]
 ) -> None:
-    QTest.mousePress(bench.slider, LEFT, pos=QPoint(20, bench.slider.height() // 2))
-    assert bench.slider.held
-    end(bench)
-    assert bench.ends == ["slider"]
-    value = bench.slider.value()
-    QTest.mouseMove(bench.slider, QPoint(100, 8))
-    assert bench.slider.value() == value
+    QTest.mousePress(controls.slider, LEFT, pos=QPoint(20, controls.slider.height() // 2))
+    assert controls.slider.held
+    end(controls)
+    assert controls.released == ["slider"]
+    value = controls.slider.value()
+    QTest.mouseMove(controls.slider, QPoint(100, 8))
+    assert controls.slider.value() == value
 
 
-def test_no_single_key_means_full_speed(bench: Bench) -> None:
-    bench.slider.setFocus()
-    bench.slider.setValue(40)
-    QTest.keyClick(bench.slider, Qt.Key.Key_End)
-    assert bench.slider.value() == 40
-    QTest.keyClick(bench.slider, Qt.Key.Key_Home)
-    assert bench.slider.value() == 0
+def test_no_single_key_sets_full_speed(controls: DriveControlsDriver) -> None:
+    controls.slider.setFocus()
+    controls.slider.setValue(40)
+    QTest.keyClick(controls.slider, Qt.Key.Key_End)
+    assert controls.slider.value() == 40
+    QTest.keyClick(controls.slider, Qt.Key.Key_Home)
+    assert controls.slider.value() == 0
 
 
-def test_a_second_finger_changes_nothing(bench: Bench) -> None:
+def test_second_finger_changes_nothing(controls: DriveControlsDriver) -> None:
     finger = QTest.createTouchDevice()
     assert isinstance(finger, QPointingDevice)
-    centre = bench.pad.rect().center()
-    QTest.touchEvent(bench.pad, finger).press(0, centre - QPoint(0, 60), bench.pad).commit()
-    first = bench.wishes[-1]
-    both = QTest.touchEvent(bench.pad, finger)
+    centre = controls.pad.rect().center()
+    QTest.touchEvent(controls.pad, finger).press(0, centre - QPoint(0, 60), controls.pad).commit()
+    first = controls.setpoints[-1]
+    both = QTest.touchEvent(controls.pad, finger)
     both.stationary(0)
-    both.press(1, centre + QPoint(0, 60), bench.pad).commit()
-    assert bench.wishes[-1] == first
-    assert bench.pad.held
-    one = QTest.touchEvent(bench.pad, finger)
-    one.release(0, centre, bench.pad)
+    both.press(1, centre + QPoint(0, 60), controls.pad).commit()
+    assert controls.setpoints[-1] == first
+    assert controls.pad.held
+    one = QTest.touchEvent(controls.pad, finger)
+    one.release(0, centre, controls.pad)
     one.stationary(1).commit()
-    assert bench.ends == ["pad"]
-    QTest.touchEvent(bench.pad, finger).release(1, centre, bench.pad).commit()
+    assert controls.released == ["pad"]
+    QTest.touchEvent(controls.pad, finger).release(1, centre, controls.pad).commit()
 
 
 @pytest.mark.parametrize("button", [Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton])
 @pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)
-def test_only_the_left_button_moves_a_slider(bench: Bench, button: Qt.MouseButton) -> None:
-    QTest.mousePress(bench.slider, button, pos=QPoint(20, 12))
-    QTest.mouseMove(bench.slider, QPoint(30, 12))
-    QTest.mouseRelease(bench.slider, button, pos=QPoint(30, 12))
-    assert bench.slider.value() == 0
-    assert not bench.slider.held
+def test_only_left_button_moves_a_slider(
+    controls: DriveControlsDriver, button: Qt.MouseButton
+) -> None:
+    QTest.mousePress(controls.slider, button, pos=QPoint(20, 12))
+    QTest.mouseMove(controls.slider, QPoint(30, 12))
+    QTest.mouseRelease(controls.slider, button, pos=QPoint(30, 12))
+    assert controls.slider.value() == 0
+    assert not controls.slider.held
 
 
 @pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)
-def test_another_button_does_not_end_a_drag(bench: Bench) -> None:
-    QTest.mousePress(bench.slider, LEFT, pos=QPoint(20, 12))
-    QTest.mouseRelease(bench.slider, Qt.MouseButton.RightButton, pos=QPoint(20, 12))
-    assert bench.slider.held
+def test_other_mouse_button_does_not_end_a_drag(controls: DriveControlsDriver) -> None:
+    QTest.mousePress(controls.slider, LEFT, pos=QPoint(20, 12))
+    QTest.mouseRelease(controls.slider, Qt.MouseButton.RightButton, pos=QPoint(20, 12))
+    assert controls.slider.held
 
 
-def test_a_slider_key_that_goes_up_under_another_name_lets_go(bench: Bench) -> None:
-    bench.slider.setFocus()
-    QTest.keyPress(bench.slider, Qt.Key.Key_PageUp)
-    assert bench.slider.held
-    QTest.keyRelease(bench.slider, Qt.Key.Key_9)
-    assert bench.ends == ["slider"]
+def test_slider_is_released_when_its_key_code_changes(
+    controls: DriveControlsDriver,
+) -> None:
+    controls.slider.setFocus()
+    QTest.keyPress(controls.slider, Qt.Key.Key_PageUp)
+    assert controls.slider.held
+    QTest.keyRelease(controls.slider, Qt.Key.Key_9)
+    assert controls.released == ["slider"]
 
 
-def test_a_slider_key_that_repeats_does_not_take_hold_again(bench: Bench) -> None:
-    bench.slider.setFocus()
-    QTest.keyPress(bench.slider, Qt.Key.Key_PageUp)
-    bench.slider.let_go()
-    value = bench.slider.value()
+def test_repeated_key_does_not_grab_the_slider_again(controls: DriveControlsDriver) -> None:
+    controls.slider.setFocus()
+    QTest.keyPress(controls.slider, Qt.Key.Key_PageUp)
+    controls.slider.let_go()
+    value = controls.slider.value()
     key, none = Qt.Key.Key_PageUp, Qt.KeyboardModifier.NoModifier
-    QTest.simulateEvent(bench.slider, True, key, none, "", True)
-    assert bench.slider.value() == value
-    assert not bench.slider.held
+    QTest.simulateEvent(controls.slider, True, key, none, "", True)
+    assert controls.slider.value() == value
+    assert not controls.slider.held
 
 
 def typing_in(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
@@ -224,7 +229,7 @@ def typing_in(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
     return entry, chosen
 
 
-def test_a_wish_does_not_overwrite_a_number_that_is_typed(qtbot: QtBot) -> None:
+def test_setpoint_does_not_overwrite_a_typed_number(qtbot: QtBot) -> None:
     entry, chosen = typing_in(qtbot, "10")
     entry.show_wish(30)
     assert entry.text() == "10"
@@ -234,14 +239,14 @@ def test_a_wish_does_not_overwrite_a_number_that_is_typed(qtbot: QtBot) -> None:
     assert entry.text() == "30"
 
 
-def test_the_same_number_entered_again_is_asked_for_again(qtbot: QtBot) -> None:
+def test_retyped_number_is_sent_once(qtbot: QtBot) -> None:
     entry, chosen = typing_in(qtbot, "7")
     QTest.keyClick(entry, Qt.Key.Key_Return)
     QTest.keyClick(entry, Qt.Key.Key_Return)
     assert chosen == [7]
 
 
-def test_a_step_is_asked_for_at_once(qtbot: QtBot) -> None:
+def test_step_is_sent_at_once(qtbot: QtBot) -> None:
     entry, chosen = typing_in(qtbot, "10")
     QTest.keyClick(entry, Qt.Key.Key_Up)
     assert chosen[-1] == 11
@@ -251,9 +256,7 @@ def test_a_step_is_asked_for_at_once(qtbot: QtBot) -> None:
     "leave",
     [SpeedEntry.clearFocus, SpeedEntry.hide, SpeedEntry.close],
 )
-def test_a_number_that_was_not_entered_is_given_up(
-    qtbot: QtBot, leave: Callable[[SpeedEntry], object]
-) -> None:
+def test_unentered_number_is_discarded(qtbot: QtBot, leave: Callable[[SpeedEntry], object]) -> None:
     entry, chosen = typing_in(qtbot, "100")
     entry.show_wish(30)
     leave(entry)

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QListWidget, QPushButton, QWidget
+from PySide6.QtWidgets import QListWidget
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
+from tests.support.window import WidgetDriver
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device
 from trex_gui.model.ports import Ports
@@ -36,64 +37,64 @@ def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
     ports.deleteLater()
 
 
+class FindDialogDriver(WidgetDriver):
+    """The dialog that scans ports."""
+
+    @property
+    def ports(self) -> QListWidget:
+        return self.find(QListWidget, "findPorts")
+
+    def rows(self) -> dict[str, bool]:
+        """Return the text of each port that is offered, and whether it is checked."""
+        items = [self.ports.item(row) for row in range(self.ports.count())]
+        return {item.text(): item.checkState() is Qt.CheckState.Checked for item in items}
+
+    def can_start(self) -> bool:
+        return self.is_enabled("findStartButton")
+
+
 @pytest.fixture
-def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindDialog]:
+def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindDialogDriver]:
     device = Device()
     connector = Connector(device, ports)
     dialog = FindDialog(Switchboard([TrexWay(device, connector)]), ports, connector)
     qtbot.addWidget(dialog)
-    yield dialog
+    yield FindDialogDriver(dialog, qtbot)
     connector.shut_down()
 
 
-def rows(dialog: QWidget) -> dict[str, bool]:
-    """Return the text of each port that is offered, and whether it is ticked."""
-    ports = dialog.findChild(QListWidget, "findPorts")
-    assert ports is not None
-    items = [ports.item(row) for row in range(ports.count())]
-    return {item.text(): item.checkState() is Qt.CheckState.Checked for item in items}
+def test_every_local_port_is_checked(dialog: FindDialogDriver) -> None:
+    assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": True}
+    assert dialog.can_start()
 
 
-def start_button(dialog: QWidget) -> QPushButton:
-    button = dialog.findChild(QPushButton, "findStartButton")
-    assert button is not None
-    return button
-
-
-def test_every_port_of_this_computer_is_ticked(dialog: FindDialog) -> None:
-    assert rows(dialog) == {"/dev/ttyUSB0  (An adapter)": True}
-    assert start_button(dialog).isEnabled()
-
-
-def test_addresses_of_a_network_are_offered_and_not_ticked(
-    dialog: FindDialog, ports: Ports
+def test_network_addresses_are_listed_but_not_checked(
+    dialog: FindDialogDriver, ports: Ports
 ) -> None:
     ports.add_typed("socket://somewhere:1")
     ports.add_typed("/dev/pts/99")
-    assert rows(dialog) == {
+    assert dialog.rows() == {
         "/dev/ttyUSB0  (An adapter)": True,
         "socket://somewhere:1": False,
         "/dev/pts/99": True,
     }
 
 
-def test_ticks_stay_when_ports_come_and_go(
-    dialog: FindDialog, ports: Ports, listed: list[ListPortInfo]
+def test_check_marks_survive_a_port_refresh(
+    dialog: FindDialogDriver, ports: Ports, listed: list[ListPortInfo]
 ) -> None:
-    offered = dialog.findChild(QListWidget, "findPorts")
-    assert offered is not None
-    offered.item(0).setCheckState(Qt.CheckState.Unchecked)
-    assert not start_button(dialog).isEnabled()
+    dialog.ports.item(0).setCheckState(Qt.CheckState.Unchecked)
+    assert not dialog.can_start()
     listed.append(port_of_this_computer("/dev/ttyUSB1", "n/a"))
     ports.refresh()
-    assert rows(dialog) == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
-    assert start_button(dialog).isEnabled()
+    assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
+    assert dialog.can_start()
 
 
-def test_without_ports_nothing_can_be_started(
-    dialog: FindDialog, ports: Ports, listed: list[ListPortInfo]
+def test_scan_cannot_start_without_ports(
+    dialog: FindDialogDriver, ports: Ports, listed: list[ListPortInfo]
 ) -> None:
     listed.clear()
     ports.refresh()
-    assert rows(dialog) == {}
-    assert not start_button(dialog).isEnabled()
+    assert dialog.rows() == {}
+    assert not dialog.can_start()

@@ -4,13 +4,11 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
     QCheckBox,
     QComboBox,
     QDialog,
-    QLabel,
     QSpinBox,
     QVBoxLayout,
     QWidget,
@@ -18,7 +16,8 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.pads import PAD, HeldPads
-from trex_gui.gamepad.profile import Axis, Style
+from tests.support.window import WidgetDriver
+from trex_gui.gamepad.profile import Axis, Profile, Style
 from trex_gui.gamepad.sdl import HOW_TO_INSTALL, SdlPads
 from trex_gui.model.device import Device
 from trex_gui.views.driving.gamepad_bar import PartBar
@@ -29,11 +28,10 @@ HOLD, STOP = 4, 1
 X, Y, OTHER_X, OTHER_Y = 0, 1, 2, 3
 
 
-class Page:
-    """A page with a panel in a window of its own, and armed motors."""
+class GamepadPanelDriver(WidgetDriver):
+    """The panel in a window of its own, with a gamepad and available motors."""
 
     def __init__(self, qtbot: QtBot) -> None:
-        self.qtbot = qtbot
         self.device = Device()
         self.motors = self.device.motors
         self.motors.lockout = 0
@@ -41,159 +39,152 @@ class Page:
         self.pads = HeldPads(PAD)
         self.window = QWidget()
         qtbot.addWidget(self.window)
-        self.panel = GamepadPanel(self.device, self.window, source=self.pads)
-        QVBoxLayout(self.window).addWidget(self.panel)
+        panel = GamepadPanel(self.device, self.window, source=self.pads)
+        super().__init__(panel, qtbot)
+        self.gamepad = panel.gamepad
+        QVBoxLayout(self.window).addWidget(panel)
         self.window.show()
-        self.window.activateWindow()
-        qtbot.waitUntil(self.window.isActiveWindow)
+        self.activate()
 
     @property
-    def dialog(self) -> QDialog:
-        dialog = self.panel.findChild(QDialog, "gamepadDialog")
-        assert isinstance(dialog, QDialog)
-        return dialog
+    def profile(self) -> Profile:
+        return self.gamepad.profile
 
-    def switch_on(self) -> None:
-        box = self.panel.findChild(QCheckBox, "gamepadBox")
-        assert isinstance(box, QCheckBox)
-        box.setChecked(True)
+    @property
+    def state(self) -> str:
+        return self.text("gamepadState")
 
-    def press(self, name: str) -> None:
-        button = self.panel.findChild(QAbstractButton, name)
-        assert isinstance(button, QAbstractButton)
-        assert button.isEnabled(), name
-        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    def activate(self) -> None:
+        self.window.activateWindow()
+        self.wait(self.window.isActiveWindow)
 
-    def choose(self, name: str, text: str) -> None:
-        combo = self.panel.findChild(QComboBox, name)
-        assert isinstance(combo, QComboBox)
-        index = combo.findText(text, Qt.MatchFlag.MatchContains)
+    def select_text(self, name: str, part: str) -> None:
+        """Select the entry of a combo box that contains a text."""
+        combo = self.combo(name)
+        index = combo.findText(part, Qt.MatchFlag.MatchContains)
         assert index >= 0, [combo.itemText(row) for row in range(combo.count())]
-        combo.setCurrentIndex(index)
-        combo.activated.emit(index)
+        self.select(name, combo.itemData(index))
 
-    def text(self, name: str = "gamepadState") -> str:
-        label = self.panel.findChild(QLabel, name)
-        assert isinstance(label, QLabel)
-        return label.text()
-
-    def wait_for(self, words: str, name: str = "gamepadState") -> None:
-        self.qtbot.waitUntil(lambda: words in self.text(name))
+    def wait_for_state(self, part: str) -> None:
+        self.wait_for_text("gamepadState", part)
 
     def drive(self) -> None:
         self.motors.arm()
-        self.wait_for("Hold")
+        self.wait_for_state("Hold")
         self.pads.press(HOLD)
-        self.wait_for("Driving")
+        self.wait_for_state("Driving")
         self.pads.move(Y, -1.0)
-        self.qtbot.waitUntil(lambda: self.motors.drive(1) is not None)
+        self.wait(lambda: self.motors.drive(1) is not None)
         assert self.motors.holder == "gamepad"
 
     def open_set_up(self) -> None:
-        self.press("gamepadSetUpButton")
-        self.qtbot.waitUntil(self.dialog.isVisible)
-        self.qtbot.waitUntil(lambda: self.panel.gamepad.state is not None)
+        self.click("gamepadSetUpButton")
+        self.wait(self.find(QDialog, "gamepadDialog").isVisible)
+        self.wait(lambda: self.gamepad.state is not None)
 
 
 @pytest.fixture
-def page(qtbot: QtBot) -> Iterator[Page]:
-    page = Page(qtbot)
-    yield page
-    page.panel.gamepad.switch_off()
+def panel(qtbot: QtBot) -> Iterator[GamepadPanelDriver]:
+    panel = GamepadPanelDriver(qtbot)
+    yield panel
+    panel.gamepad.switch_off()
 
 
 @pytest.fixture
-def on(page: Page) -> Page:
-    page.switch_on()
-    return page
+def active_panel(panel: GamepadPanelDriver) -> GamepadPanelDriver:
+    """A panel that reads the gamepad."""
+    panel.find(QCheckBox, "gamepadBox").setChecked(True)
+    return panel
 
 
 @pytest.fixture
-def set_up(on: Page) -> Page:
-    on.open_set_up()
-    return on
+def set_up(active_panel: GamepadPanelDriver) -> GamepadPanelDriver:
+    """A panel with its set-up open."""
+    active_panel.open_set_up()
+    return active_panel
 
 
 # --- The panel --------------------------------------------------------------------------
 
 
-def test_before_it_is_switched_on_nothing_is_read_and_little_is_shown(page: Page) -> None:
-    assert not page.pads.is_open
+def test_inactive_panel_reads_nothing_and_hides_its_controls(
+    panel: GamepadPanelDriver,
+) -> None:
+    assert not panel.pads.is_open
     for name in ("gamepadCombo", "gamepadSetUpButton", "gamepadForward", "gamepadState"):
-        widget = page.panel.findChild(QWidget, name)
-        assert isinstance(widget, QWidget)
-        assert not widget.isVisible(), name
+        assert not panel.find(QWidget, name).isVisible(), name
 
 
-def test_it_says_what_to_hold_and_then_how_to_stop(on: Page) -> None:
-    assert "Press Run motor, then hold button 5 (left shoulder)" in on.text()
-    on.drive()
-    assert "Let go of button 5 (left shoulder) to stop" in on.text()
+def test_state_says_what_to_hold_and_how_to_stop(active_panel: GamepadPanelDriver) -> None:
+    assert "Press Run motor, then hold button 5 (left shoulder)" in active_panel.state
+    active_panel.drive()
+    assert "Let go of button 5 (left shoulder) to stop" in active_panel.state
 
 
-def test_leaving_the_page_while_driving_stops_the_motors(on: Page) -> None:
-    on.drive()
-    on.panel.hide()
-    assert not on.motors.armed
-    assert "Motors page" in on.motors.stop_reason
+def test_hiding_the_panel_while_driving_stops_the_motors(active_panel: GamepadPanelDriver) -> None:
+    active_panel.drive()
+    active_panel.root.hide()
+    assert not active_panel.motors.armed
+    assert "Motors page" in active_panel.motors.stop_reason
 
 
-def test_a_window_in_front_while_driving_stops_the_motors(on: Page, qtbot: QtBot) -> None:
-    on.drive()
+def test_another_window_while_driving_stops_the_motors(
+    active_panel: GamepadPanelDriver, qtbot: QtBot
+) -> None:
+    active_panel.drive()
     other = QWidget()
     qtbot.addWidget(other)
     other.show()
     other.activateWindow()
-    qtbot.waitUntil(lambda: not on.motors.armed)
-    assert "Another window" in on.motors.stop_reason
+    qtbot.waitUntil(lambda: not active_panel.motors.armed)
+    assert "Another window" in active_panel.motors.stop_reason
 
 
-def test_where_a_person_wants_it_the_window_may_be_behind(on: Page, qtbot: QtBot) -> None:
-    on.press("gamepadUnfocusedBox")
-    on.drive()
+def test_unfocused_option_allows_driving_in_the_background(
+    active_panel: GamepadPanelDriver, qtbot: QtBot
+) -> None:
+    active_panel.click("gamepadUnfocusedBox")
+    active_panel.drive()
     other = QWidget()
     qtbot.addWidget(other)
     other.show()
     other.activateWindow()
     qtbot.waitUntil(other.isActiveWindow)
-    assert on.motors.armed
-    on.pads.release(HOLD)
-    qtbot.waitUntil(lambda: not on.motors.holder)
+    assert active_panel.motors.armed
+    active_panel.pads.release(HOLD)
+    qtbot.waitUntil(lambda: not active_panel.motors.holder)
 
 
-def test_a_gamepad_that_goes_is_told(on: Page) -> None:
-    on.drive()
-    on.pads.unplug(PAD)
-    on.wait_for("has gone")
-    assert not on.motors.armed
+def test_unplugged_gamepad_is_reported_and_disarms(active_panel: GamepadPanelDriver) -> None:
+    active_panel.drive()
+    active_panel.pads.unplug(PAD)
+    active_panel.wait_for_state("has gone")
+    assert not active_panel.motors.armed
 
 
-def test_the_bars_show_what_is_asked_for(on: Page) -> None:
-    bar = on.panel.findChild(PartBar, "gamepadForward")
-    assert isinstance(bar, PartBar)
-    on.qtbot.waitUntil(lambda: bar.accessibleDescription() == "0 %")
-    on.pads.move(Y, -1.0)
-    on.qtbot.waitUntil(lambda: bar.accessibleDescription() == "+100 %")
+def test_bar_shows_the_gamepad_setpoint(active_panel: GamepadPanelDriver) -> None:
+    bar = active_panel.find(PartBar, "gamepadForward")
+    active_panel.wait(lambda: bar.accessibleDescription() == "0 %")
+    active_panel.pads.move(Y, -1.0)
+    active_panel.wait(lambda: bar.accessibleDescription() == "+100 %")
 
 
-def test_without_the_extra_the_panel_says_how_to_install_it(
+def test_missing_pygame_shows_how_to_install_it(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(__import__("sys").modules, "pygame", None)
     panel = GamepadPanel(Device(), source=SdlPads())
     qtbot.addWidget(panel)
-    box = panel.findChild(QCheckBox, "gamepadBox")
-    state = panel.findChild(QLabel, "gamepadState")
-    assert isinstance(box, QCheckBox)
-    assert isinstance(state, QLabel)
+    driver = WidgetDriver(panel, qtbot)
+    box = driver.find(QCheckBox, "gamepadBox")
     box.setChecked(True)
     assert not box.isChecked()
-    assert HOW_TO_INSTALL in state.text()
+    assert HOW_TO_INSTALL in driver.text("gamepadState")
 
 
-def test_every_control_of_panel_and_set_up_has_names(set_up: Page) -> None:
+def test_every_control_has_an_object_and_accessible_name(set_up: GamepadPanelDriver) -> None:
     controls = (QAbstractButton, QComboBox, QSpinBox, PartBar, Lamp)
-    found = [each for each in set_up.panel.findChildren(QWidget) if isinstance(each, controls)]
+    found = [each for each in set_up.find_all(QWidget) if isinstance(each, controls)]
     for each in found:
         if each.objectName().startswith("qt_"):
             continue
@@ -205,92 +196,89 @@ def test_every_control_of_panel_and_set_up_has_names(set_up: Page) -> None:
 # --- The set-up -------------------------------------------------------------------------
 
 
-def test_a_stick_is_found_by_moving_it(set_up: Page) -> None:
-    set_up.press("gamepadFirstDetect")
+def test_axis_is_detected_by_moving_the_stick(set_up: GamepadPanelDriver) -> None:
+    set_up.click("gamepadFirstDetect")
     assert "Move the stick that shall drive forward" in set_up.text("gamepadSetUpNote")
     set_up.pads.move(OTHER_Y, -1.0)
-    set_up.qtbot.waitUntil(
-        lambda: set_up.panel.gamepad.profile.first == Axis(OTHER_Y, inverted=True)
-    )
-    set_up.press("gamepadSecondDetect")
+    set_up.wait(lambda: set_up.profile.first == Axis(OTHER_Y, inverted=True))
+    set_up.click("gamepadSecondDetect")
     set_up.pads.move(OTHER_X, 1.0)
-    set_up.qtbot.waitUntil(lambda: set_up.panel.gamepad.profile.second == Axis(OTHER_X))
+    set_up.wait(lambda: set_up.profile.second == Axis(OTHER_X))
 
 
-def test_a_button_is_found_by_pressing_it(set_up: Page) -> None:
-    set_up.press("gamepadHoldDetect")
+def test_button_is_detected_by_pressing_it(set_up: GamepadPanelDriver) -> None:
+    set_up.click("gamepadHoldDetect")
     set_up.pads.press(6)
-    set_up.qtbot.waitUntil(lambda: set_up.panel.gamepad.profile.hold == 6)
+    set_up.wait(lambda: set_up.profile.hold == 6)
 
 
-def test_one_button_is_not_for_both(set_up: Page) -> None:
-    set_up.choose("gamepadStopCombo", "button 5")
-    assert set_up.panel.gamepad.profile.stop == HOLD
-    assert set_up.panel.gamepad.profile.hold is None
+def test_button_is_never_assigned_to_hold_and_stop(set_up: GamepadPanelDriver) -> None:
+    set_up.select_text("gamepadStopCombo", "button 5")
+    assert set_up.profile.stop == HOLD
+    assert set_up.profile.hold is None
     assert "bumped" in set_up.text("gamepadSetUpNote")
 
 
-def test_what_is_set_up_counts_at_once(set_up: Page) -> None:
-    set_up.choose("gamepadStyleCombo", "for each motor")
-    set_up.choose("gamepadSecondCombo", "axis 4")
-    set_up.press("gamepadSecondInvert")
+def test_set_up_changes_apply_at_once(set_up: GamepadPanelDriver) -> None:
+    set_up.select_text("gamepadStyleCombo", "for each motor")
+    set_up.select_text("gamepadSecondCombo", "axis 4")
+    set_up.click("gamepadSecondInvert")
     for name, value in (("gamepadDeadZoneSpin", 20), ("gamepadExpoSpin", 0)):
-        spin = set_up.panel.findChild(QSpinBox, name)
-        assert isinstance(spin, QSpinBox)
-        spin.setValue(value)
-    profile = set_up.panel.gamepad.profile
+        set_up.find(QSpinBox, name).setValue(value)
+    profile = set_up.profile
     assert profile.style is Style.TANK
     assert profile.second == Axis(OTHER_Y, inverted=True)
     assert (profile.dead_zone, profile.expo) == (0.2, 0.0)
 
 
-def test_the_defaults_come_back(set_up: Page) -> None:
-    before = set_up.panel.gamepad.profile
-    set_up.choose("gamepadFirstCombo", "axis 3")
-    assert set_up.panel.gamepad.profile != before
-    set_up.press("gamepadDefaultsButton")
-    assert set_up.panel.gamepad.profile == before
+def test_defaults_button_restores_the_defaults(set_up: GamepadPanelDriver) -> None:
+    before = set_up.profile
+    set_up.select_text("gamepadFirstCombo", "axis 3")
+    assert set_up.profile != before
+    set_up.click("gamepadDefaultsButton")
+    assert set_up.profile == before
 
 
-def test_a_bar_an_axis_and_a_lamp_a_button_follow_the_gamepad(set_up: Page) -> None:
-    bar = set_up.dialog.findChild(PartBar, f"gamepadAxisBar{OTHER_X}")
-    lamp = set_up.dialog.findChild(Lamp, "gamepadLamp7")
-    assert isinstance(bar, PartBar)
-    assert isinstance(lamp, Lamp)
+def test_axis_bar_and_button_lamp_follow_the_gamepad(set_up: GamepadPanelDriver) -> None:
+    bar = set_up.find(PartBar, f"gamepadAxisBar{OTHER_X}")
+    lamp = set_up.find(Lamp, "gamepadLamp7")
     set_up.pads.move(OTHER_X, -0.5)
     set_up.pads.press(7)
-    set_up.qtbot.waitUntil(lambda: lamp.lit)
+    set_up.wait(lambda: lamp.lit)
     assert bar.accessibleDescription() == "−50 %"
     assert lamp.accessibleDescription() == "pressed"
 
 
-def test_while_it_is_set_up_nothing_drives_but_the_stop_button_stops(set_up: Page) -> None:
+def test_set_up_blocks_driving_but_not_the_stop_button(
+    set_up: GamepadPanelDriver,
+) -> None:
     set_up.motors.arm()
     set_up.pads.press(HOLD)
     set_up.pads.move(Y, -1.0)
-    set_up.wait_for("being set up")
+    set_up.wait_for_state("being set up")
     set_up.pads.press(STOP)
-    set_up.qtbot.waitUntil(lambda: not set_up.motors.armed)
+    set_up.wait(lambda: not set_up.motors.armed)
     assert set_up.motors.drive(1) is None
 
 
-def test_opening_the_set_up_while_driving_stops_the_motors(on: Page) -> None:
-    on.drive()
-    on.open_set_up()
-    assert not on.motors.armed
+def test_opening_the_set_up_while_driving_stops_the_motors(
+    active_panel: GamepadPanelDriver,
+) -> None:
+    active_panel.drive()
+    active_panel.open_set_up()
+    assert not active_panel.motors.armed
 
 
-def test_after_the_set_up_is_closed_the_gamepad_drives_again(set_up: Page) -> None:
-    set_up.press("gamepadCloseButton")
-    set_up.window.activateWindow()  # window managers do it; without a screen there is none
-    set_up.qtbot.waitUntil(set_up.window.isActiveWindow)
+def test_closing_the_set_up_allows_driving_again(set_up: GamepadPanelDriver) -> None:
+    set_up.click("gamepadCloseButton")
+    set_up.activate()  # window managers do it; without a screen there is none
     set_up.drive()
 
 
-def test_a_gamepad_that_goes_while_it_is_set_up_leaves_an_empty_form(set_up: Page) -> None:
-    set_up.press("gamepadFirstDetect")
+def test_unplugging_disables_the_axis_selection_in_set_up(
+    set_up: GamepadPanelDriver,
+) -> None:
+    set_up.click("gamepadFirstDetect")
     set_up.pads.unplug(PAD)
-    set_up.wait_for("No gamepad", "gamepadName")
-    combo = set_up.dialog.findChild(QComboBox, "gamepadFirstCombo")
-    assert isinstance(combo, QComboBox)
-    assert not combo.isEnabled()
+    set_up.wait_for_text("gamepadName", "No gamepad")
+    assert not set_up.is_enabled("gamepadFirstCombo")

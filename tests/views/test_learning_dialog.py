@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.pages.learning import LearningDialog, learning_dialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
+from tests.support.window import WidgetDriver
 from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.model.device import Link
 from trex_gui.protocol.flags import CHANNELS, InputSource
@@ -73,7 +74,7 @@ def test_problem_of_each_rest_position_is_shown(learning: LearningDialog) -> Non
     learning.assert_nothing_changed()
 
 
-def test_channel_with_noise_is_left_out_and_slow_drift_is_not(learning: LearningDialog) -> None:
+def test_noisy_channel_is_left_out_and_drifting_one_is_learned(learning: LearningDialog) -> None:
     """Neutral is between both ends of the drift, and 1 µs for rounding."""
     drift, seconds = 1.5, 2.0
     learning.use({1: Stick(noise=60), 2: Stick(drift=drift)})
@@ -99,7 +100,7 @@ def test_channel_with_noise_is_left_out_and_slow_drift_is_not(learning: Learning
     assert learning.stored()["learned"]["rc"] == 0b10
 
 
-def test_hand_on_the_stick_is_noticed_and_corrected(learning: LearningDialog) -> None:
+def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog) -> None:
     learning.use({1: Stick()})
     learning.transmitter.put(1, 0.2)
     learning.wait(lambda: learning.device.telemetry.raw_of(1) == 4000)
@@ -199,7 +200,7 @@ def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None
     again, take = learning.button("learnAgainButton"), learning.button("learnTakeButton")
     learning.start_learning(1, 2)
     assert not again.isVisible()
-    bars = learning.dialog.findChildren(QProgressBar)
+    bars = learning.find_all(QProgressBar)
     assert not [bar for bar in bars if bar.isVisible()]
 
     learning.click("learnNextButton")
@@ -294,7 +295,7 @@ def test_review_compares_values_with_stored_ones(learning: LearningDialog) -> No
         device.parameters.edit(key, value)
     learning.use({1: Stick(rest=1520), 2: Stick(forward_is_down=True)})
     learning.go_to_review(1, 2)
-    texts = [label.text() for label in learning.dialog.findChildren(QLabel)]
+    texts = [label.text() for label in learning.find_all(QLabel)]
     assert any("was 1500 µs (3750)" in text for text in texts)
     assert texts.count("was not reversed") == 2
     assert "An edit of it that waits for Apply is replaced" in learning.text("learnReasons1")
@@ -345,7 +346,7 @@ def test_review_shows_the_curve_before_and_after(learning: LearningDialog) -> No
     learning.assert_nothing_changed()
 
 
-def test_review_warns_of_values_that_make_no_sense(learning: LearningDialog) -> None:
+def test_review_warns_about_implausible_values(learning: LearningDialog) -> None:
     learning.use({1: Stick(), 5: SWITCH})
     learning.go_to_review(1, 5)
     for field, count, words in (
@@ -393,7 +394,7 @@ def test_channels_are_taken_as_the_user_chose(learning: LearningDialog) -> None:
     learning.wait_for_head("What was learned is stored. Push every stick")
 
 
-def test_values_that_are_stored_already_are_tested(learning: LearningDialog) -> None:
+def test_unchanged_values_go_straight_to_the_test(learning: LearningDialog) -> None:
     learning.use({1: Stick()})
     learning.go_to_review(1)
     learning.take_and_apply()
@@ -433,12 +434,12 @@ def test_every_step_fits_a_low_screen(learning: LearningDialog) -> None:
         assert_fits("test")
         learning.dialog.resize(900, 480)
         learning.push(1, -1)
-        boxes = learning.dialog.findChildren(ScrollBox)
+        boxes = learning.find_all(ScrollBox)
         assert [box.isVisible() for box in boxes] == [True]
         learning.click("learnCancelButton")
 
 
-def test_whole_row_is_in_sight_on_the_lowest_screen(learning: LearningDialog) -> None:
+def test_whole_row_is_visible_on_the_lowest_screen(learning: LearningDialog) -> None:
     """With a font of twice the size, too."""
     dialog = learning.dialog
     learning.use({channel: Stick(connected=False) for channel in CHANNELS})
@@ -456,10 +457,10 @@ def test_whole_row_is_in_sight_on_the_lowest_screen(learning: LearningDialog) ->
 
 def assert_rows_are_whole(learning: LearningDialog, factor: int, width: int) -> None:
     case = f"font {factor} times, {width} pixels wide"
-    (box,) = learning.dialog.findChildren(ScrollBox)
+    box = learning.find_only(ScrollBox)
     page = box.widget()
     assert isinstance(page, ChannelRows)
-    for bar in page.findChildren(ChannelBar):
+    for bar in WidgetDriver(page, learning.qtbot).find_all(ChannelBar):
         assert bar.height() >= bar.sizeHint().height(), case
     below = 0
     for channel in CHANNELS:
@@ -478,14 +479,14 @@ def assert_rows_are_whole(learning: LearningDialog, factor: int, width: int) -> 
 # --- Stops and lost lines ---------------------------------------------------------------
 
 
-def test_running_motors_are_braked_first(learning: LearningDialog) -> None:
+def test_running_motors_are_braked_before_learning(learning: LearningDialog) -> None:
     run_motor(learning)
     learning.start_learning(1)
     assert_braked(learning)
 
 
 @pytest.mark.parametrize("fault", ["mute on", "noise 0.5"])
-def test_unconfirmed_stop_goes_no_further(learning: LearningDialog, fault: str) -> None:
+def test_unconfirmed_stop_blocks_learning(learning: LearningDialog, fault: str) -> None:
     run_motor(learning)
     learning.simulator.do(f"line {fault}")
     learning.dialog.learn((1,))
@@ -529,7 +530,7 @@ def test_current_after_the_stop_has_to_be_checked(learning: LearningDialog) -> N
     assert learning.button("learnNextButton").text() == "Next"
 
 
-def test_pulled_plug_ends_each_step_and_changes_nothing(learning: LearningDialog) -> None:
+def test_unplugging_ends_each_step_and_changes_nothing(learning: LearningDialog) -> None:
     learning.use({1: Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02)})
     settings = learning.device.settings
     assert settings is not None
@@ -555,7 +556,7 @@ def test_pulled_plug_ends_each_step_and_changes_nothing(learning: LearningDialog
         learning.wait(lambda: learning.device.link is Link.UP)
 
 
-def test_learning_starts_again_after_a_silent_board(learning: LearningDialog) -> None:
+def test_learning_can_be_restarted_after_the_board_was_mute(learning: LearningDialog) -> None:
     learning.use({1: Stick()})
     learning.go_to_travel(1)
     learning.simulator.do("line mute on")

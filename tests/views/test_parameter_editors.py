@@ -1,11 +1,12 @@
 """Every parameter of every board, edited through its own editor as a parameters does."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QSpinBox, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import WidgetDriver
 from tests.views.parameters import ParametersDriver
 from trex_gui.model.parameters import Column
 from trex_gui.protocol.device_table import device_table
@@ -31,7 +32,7 @@ def new_in(model_key: str, firmware: str) -> list[ParameterSpec]:
     return [spec for spec in parameters_of(model_key, firmware).readable if spec not in tried]
 
 
-def test_each_parameter_of_each_board_is_tried() -> None:
+def test_each_parameter_of_each_board_is_tested() -> None:
     tried = {(key, spec.key) for key, version in BOARDS for spec in new_in(key, version)}
     boards = ((key, parameters_of(key, version)) for key, version in BOARDS)
     assert tried == {(key, spec.key) for key, specs in boards for spec in specs.readable}
@@ -62,38 +63,36 @@ def choose(combo: QComboBox, index: int) -> None:
         assert combo.currentIndex() != before
 
 
-def tick(editor: QWidget, wire: int) -> None:
+def check_channels(editor: WidgetDriver, wire: int) -> None:
     for channel in range(1, 6):
-        box = editor.findChild(QCheckBox, f"channel{channel}Box")
-        assert box is not None
-        if box.isChecked() != (channel in channels_in(wire)):
-            QTest.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
+        name = f"channel{channel}Box"
+        if editor.button(name).isChecked() != (channel in channels_in(wire)):
+            editor.click(name)
 
 
-def choose_line_settings(editor: QWidget, wire: int) -> None:
+def choose_line_settings(editor: WidgetDriver, wire: int) -> None:
     wanted = LineSettings.from_wire(wire)
     for name, data in (
         ("baudField", wanted.baud),
         ("detectionField", wanted.detection),
         ("stopBitsField", wanted.stop_bits),
     ):
-        field = editor.findChild(QComboBox, name)
-        assert field is not None
+        field = editor.combo(name)
         choose(field, field.findData(data))
 
 
-def enter(editor: QWidget, spec: ParameterSpec, wire: int) -> None:
-    """Do with mouse and keys what makes the editor mean a wire value."""
+def enter(editor: WidgetDriver, spec: ParameterSpec, wire: int) -> None:
+    """Enter a wire value with mouse and keys."""
     match spec.kind:
         case Kind.CHOICE:
-            assert isinstance(editor, QComboBox)
-            choose(editor, editor.findData(wire))
+            assert isinstance(editor.root, QComboBox)
+            choose(editor.root, editor.root.findData(wire))
         case Kind.CHANNELS:
-            tick(editor, wire)
+            check_channels(editor, wire)
         case Kind.UART:
             choose_line_settings(editor, wire)
         case _:
-            type_number(editor, spec.text(wire))
+            type_number(editor.root, spec.text(wire))
 
 
 @pytest.mark.parametrize(
@@ -111,7 +110,7 @@ def test_each_parameter_takes_its_extreme_values(
     for spec in new_in(model_key, firmware):
         for number, wire in enumerate(values_to_try(spec)):
             opening = parameters.open_with_mouse if number % 2 else parameters.open_with_keys
-            enter(opening(spec.key), spec, wire)
+            enter(WidgetDriver(opening(spec.key), qtbot), spec, wire)
             parameters.wait_for_value(spec.key, wire)
             expected = () if wire == spec.default else ((spec.key, wire),)
             assert parameters.model.pending == expected
@@ -182,7 +181,7 @@ def test_acceleration_may_be_typed_as_time_to_full_speed(parameters: ParametersD
         assert parameters.model.value_of(key) == 127, typed
 
 
-def test_acceleration_is_kept_by_return(parameters: ParametersDriver) -> None:
+def test_return_keeps_the_acceleration(parameters: ParametersDriver) -> None:
     for wire in (0, 1, 2, 7, 40, 41, 63, 64, 99, 101, 124, 125, 126, 127):
         parameters.model.edit("motor1_acceleration", wire)
         QTest.keyClick(parameters.open_with_keys("motor1_acceleration"), Qt.Key.Key_Return)
@@ -225,7 +224,8 @@ def test_parameter_not_given_takes_only_confirmed_values(parameters: ParametersD
     parameters.wait_for_no_editor("motor_mode")
     parameters.draft.undo.undo()
 
-    tick(parameters.open_with_mouse("ignored_channels"), 0b101)
+    editor = WidgetDriver(parameters.open_with_mouse("ignored_channels"), parameters.qtbot)
+    check_channels(editor, 0b101)
     type_number(parameters.open_with_mouse("device_number"), "9")
     parameters.wait(lambda: len(parameters.model.pending) == 2)
     assert dict(parameters.model.pending) == {"ignored_channels": 5, "device_number": 9}

@@ -191,7 +191,7 @@ def test_keys_reset_to_the_default(parameters: ParametersDriver) -> None:
 # --- Keys and mouse ---------------------------------------------------------------------
 
 
-def test_keys_walk_close_open_and_edit(parameters: ParametersDriver) -> None:
+def test_keys_navigate_collapse_expand_and_edit(parameters: ParametersDriver) -> None:
     parameters.view.setCurrentIndex(parameters.headings[SERIAL])
     parameters.press(Qt.Key.Key_Space)
     assert parameters.open_groups == ["motors", "channels"]
@@ -247,7 +247,7 @@ def menu_of(parameters: ParametersDriver, key: str) -> dict[str, QAction]:
 
 
 @with_menu
-def test_menu_says_what_it_would_do(parameters: ParametersDriver) -> None:
+def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> None:
     parameters.go_to("serial_timeout", Column.WIRE)
     corner = parameters.view.pos()
     keyboard = QContextMenuEvent.Reason.Keyboard

@@ -6,6 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import WidgetDriver
 from trex_gui.views.widgets.question import Answer, Question
 
 
@@ -16,43 +17,44 @@ def question(qtbot: QtBot) -> Question:
     return question
 
 
-def press(question: Question, name: str) -> None:
-    button = question.findChild(QPushButton, name)
-    assert button is not None
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+@pytest.fixture
+def driver(question: Question, qtbot: QtBot) -> WidgetDriver:
+    return WidgetDriver(question, qtbot)
 
 
-def test_an_answer_does_what_it_says_and_the_question_goes(question: Question) -> None:
+def test_answer_runs_its_action_and_closes_the_question(
+    question: Question, driver: WidgetDriver
+) -> None:
     done: list[str] = []
     question.ask(
         "How?",
         Answer("one", "One", lambda: done.append("one")),
         Answer("two", "Two", lambda: done.append("two")),
     )
-    press(question, "two")
+    driver.click("two")
     assert done == ["two"]
     assert not question.isVisible()
 
 
 @pytest.mark.parametrize("key", [None, Qt.Key.Key_Escape, Qt.Key.Key_Space])
-def test_cancel_and_esc_do_nothing_of_it(question: Question, key: Qt.Key | None) -> None:
+def test_cancel_runs_only_the_otherwise_action(
+    question: Question, driver: WidgetDriver, key: Qt.Key | None
+) -> None:
     done: list[str] = []
     question.ask(
         "Sure?",
         Answer("yes", "Yes", lambda: done.append("yes")),
         otherwise=lambda: done.append("otherwise"),
     )
-    cancel = question.findChild(QPushButton, "questionCancel")
-    assert cancel is not None
     if key is None:
-        press(question, "questionCancel")
+        driver.click("questionCancel")
     else:
-        QTest.keyClick(cancel, key)
+        QTest.keyClick(driver.button("questionCancel"), key)
     assert done == ["otherwise"]
     assert not question.isVisible()
 
 
-def test_another_question_takes_the_place_of_the_first(question: Question) -> None:
+def test_new_question_cancels_the_previous_one(question: Question, driver: WidgetDriver) -> None:
     done: list[str] = []
     question.ask(
         "A?", Answer("a", "A", lambda: done.append("a")), otherwise=lambda: done.append("no")
@@ -60,20 +62,20 @@ def test_another_question_takes_the_place_of_the_first(question: Question) -> No
     question.ask("B?", Answer("b", "B", lambda: done.append("b")))
     assert question.text == "B?"
     assert done == ["no"]
-    assert question.findChild(QPushButton, "a") is None
-    press(question, "b")
+    assert "a" not in [button.objectName() for button in driver.find_all(QPushButton)]
+    driver.click("b")
     assert done == ["no", "b"]
 
 
-def test_an_answer_may_ask_again(question: Question) -> None:
+def test_answer_may_ask_another_question(question: Question, driver: WidgetDriver) -> None:
     again = Answer("again", "Again", lambda: question.ask("Again?"))
     question.ask("First?", again)
-    press(question, "again")
+    driver.click("again")
     assert question.text == "Again?"
     assert question.isVisible()
 
 
-def test_what_makes_no_sense_any_more_is_not_done(question: Question) -> None:
+def test_outdated_answer_is_not_run(question: Question, driver: WidgetDriver) -> None:
     done: list[str] = []
     sense = [True]
     yes = Answer("yes", "Yes", lambda: done.append("yes"))
@@ -81,6 +83,6 @@ def test_what_makes_no_sense_any_more_is_not_done(question: Question) -> None:
     question.reconsider()
     assert question.isVisible()
     sense[0] = False
-    press(question, "yes")
+    driver.click("yes")
     assert done == []
     assert not question.isVisible()

@@ -63,9 +63,7 @@ class RecordingWindow(WidgetDriver):
 
     @property
     def plot(self) -> TracePlot:
-        plot = self.window.findChild(TracePlot)
-        assert plot is not None
-        return plot
+        return self.find_only(TracePlot)
 
     def is_playing(self) -> bool:
         return self.playback.playing
@@ -121,7 +119,7 @@ def test_values_follow_slider_keys_and_events(window: RecordingWindow) -> None:
         assert wanted.args == [settings, f"minute at 0:00:{place}"]
 
 
-def test_play_button_plays_and_pauses_at_the_speed(window: RecordingWindow) -> None:
+def test_play_button_plays_and_pauses_at_the_selected_speed(window: RecordingWindow) -> None:
     speed, button = window.combo("speedCombo"), window.button("playButton")
     speed.setCurrentIndex(speed.count() - 1)
     assert window.playback.speed == 16
@@ -160,16 +158,14 @@ def test_shown_span_is_exported_as_csv_and_pictures(
 
     monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
     for kind in ("Png", "Svg"):
-        action = window.window.findChild(QAction, f"export{kind}Action")
-        assert action is not None
-        action.trigger()
+        window.find(QAction, f"export{kind}Action").trigger()
         assert f"minute.{kind.lower()}" in window.text("bannerText")
     assert proposed == ["minute.png", "minute.svg"]
     assert not QImage(str(tmp_path / "minute.png")).isNull()
     assert "<svg" in (tmp_path / "minute.svg").read_text(encoding="utf-8")
 
 
-def test_window_of_a_recording_read_is_complete(window: RecordingWindow) -> None:
+def test_window_is_complete_once_the_recording_is_loaded(window: RecordingWindow) -> None:
     assert not window.has("recordingProgress")
     assert not window.has("cancelRecordingButton")
     assert window.is_enabled("exportSpanButton")
@@ -177,7 +173,7 @@ def test_window_of_a_recording_read_is_complete(window: RecordingWindow) -> None
     assert "curves show" not in window.text("recordingHeading")
 
     for kind in (QPushButton, QToolButton, QSlider, QComboBox, QListView):
-        for widget in window.window.findChildren(kind):
+        for widget in window.find_all(kind):
             if widget.isVisible():
                 interface = QAccessible.queryAccessibleInterface(widget)
                 assert interface.text(QAccessible.Text.Name), widget.objectName()
@@ -216,7 +212,7 @@ def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBo
     assert not window.playback.is_loaded
 
 
-def test_part_of_a_recording_that_is_missing_is_named(tmp_path: Path, qtbot: QtBot) -> None:
+def test_missing_part_of_a_recording_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "long.trexrec"
     write(path, _minute())
     playback = Playback(open_recording(path, head_only=True), path, most_rows=4100)

@@ -91,9 +91,10 @@ class EditorDriver(SettingsEditorWindow):
     def type_count(self, row: int, column: int, text: str) -> CountEditor:
         """Type into a cell of the calibrations and press Return."""
         view = self.select_calibration(row, column)
-        self.wait(lambda: view.findChild(CountEditor) is None)
+        cells = WidgetDriver(view, self.qtbot)
+        self.wait(lambda: not cells.find_all(CountEditor))
         view.edit(view.currentIndex())
-        box = WidgetDriver(view, self.qtbot).find(CountEditor, "countEditor")
+        box = cells.find(CountEditor, "countEditor")
         box.selectAll()
         QTest.keyClick(box, Qt.Key.Key_Delete)
         QTest.keyClicks(box, text)

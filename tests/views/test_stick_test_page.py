@@ -20,7 +20,7 @@ def learning(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Learnin
         yield dialog
 
 
-def test_test_says_what_holds_the_motors(learning: LearningDialog) -> None:
+def test_stick_test_says_what_holds_the_motors(learning: LearningDialog) -> None:
     learning.use({1: Stick()})
     learning.simulator.do("channel 2 1600us")
     learning.start_test(1)
@@ -46,7 +46,7 @@ def test_test_says_what_holds_the_motors(learning: LearningDialog) -> None:
     learning.assert_nothing_changed()
 
 
-def test_channel_that_fails_the_test_can_be_learned_again(learning: LearningDialog) -> None:
+def test_channel_failing_the_test_can_be_learned_again(learning: LearningDialog) -> None:
     learning.use({1: Stick(rest=1600), 2: Stick(low=1050, high=2010)})
     learning.start_test(1, 2)
     learning.push(1, -1)
@@ -60,7 +60,7 @@ def test_channel_that_fails_the_test_can_be_learned_again(learning: LearningDial
     assert learning.button("learnChannelAgainButton").text() == "Learn channel 2 again"
     learning.click("learnChannelAgainButton")
     learning.wait_for_head("Let go of every stick")
-    bars = learning.dialog.findChildren(ChannelBar)
+    bars = learning.find_all(ChannelBar)
     assert [bar.accessibleName()[-1] for bar in bars] == ["2"]
 
 
@@ -72,7 +72,7 @@ def test_ignored_channel_has_nothing_to_test(learning: LearningDialog) -> None:
     learning.wait_for_head("There is nothing to test")
 
 
-def test_test_is_only_offered_while_motors_are_armed(learning: LearningDialog) -> None:
+def test_stick_test_does_not_start_while_motors_are_armed(learning: LearningDialog) -> None:
     motors = learning.device.motors
     learning.use({1: Stick()})
     for deadband in (80, 90):
@@ -96,7 +96,7 @@ def test_test_is_only_offered_while_motors_are_armed(learning: LearningDialog) -
     assert not motors.armed
 
 
-def test_test_continues_after_a_power_failure(learning: LearningDialog) -> None:
+def test_stick_test_continues_after_a_power_failure(learning: LearningDialog) -> None:
     sticks = {1: Stick(), 2: Stick(), 3: Stick()}
     learning.use(sticks)
     learning.start_test(*sticks)
@@ -114,7 +114,7 @@ def test_test_continues_after_a_power_failure(learning: LearningDialog) -> None:
     learning.assert_nothing_changed()
 
 
-def test_test_continues_after_a_short_power_cycle(learning: LearningDialog) -> None:
+def test_stick_test_continues_after_a_short_power_cycle(learning: LearningDialog) -> None:
     """The cycle is too short for the program to miss the board."""
     sticks = {1: Stick(), 2: Stick(), 3: Stick()}
     learning.use(sticks)

@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction, QColor, QIcon, QPalette
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import WidgetDriver
 from trex_gui.resource_files import resource
 from trex_gui.views.icons import application_icon, icon, set_icon
 from trex_gui.views.theme import Scheme, read_colours, theme, tint
@@ -51,19 +52,19 @@ def graphics_cases() -> list[tuple[str, str, str]]:
     return [(s, name, b) for s in SHOWN for name in tables(s)["graphics"] for b in backgrounds]
 
 
-def test_both_schemes_have_the_same_names() -> None:
+def test_both_schemes_define_the_same_names() -> None:
     light, dark = tables("light"), tables("dark")
     assert {t: set(light[t]) for t in light} == {t: set(dark[t]) for t in dark}
 
 
 @pytest.mark.parametrize(("scheme", "name", "background"), text_cases())
-def test_coloured_text_can_be_read(scheme: Scheme, name: str, background: str) -> None:
+def test_coloured_text_has_enough_contrast(scheme: Scheme, name: str, background: str) -> None:
     theme().set_scheme(scheme)
     assert contrast(theme().color(name), theme().color(background)) >= 4.5
 
 
 @pytest.mark.parametrize(("scheme", "name", "background"), graphics_cases())
-def test_shapes_stand_out(scheme: Scheme, name: str, background: str) -> None:
+def test_graphics_have_enough_contrast(scheme: Scheme, name: str, background: str) -> None:
     theme().set_scheme(scheme)
     assert contrast(theme().color(name), theme().color(background)) >= 3
 
@@ -87,7 +88,7 @@ def test_shapes_stand_out(scheme: Scheme, name: str, background: str) -> None:
         ("run_text", "run"),
     ],
 )
-def test_what_the_palette_pairs_can_be_read(scheme: Scheme, text: str, background: str) -> None:
+def test_palette_pairs_have_enough_contrast(scheme: Scheme, text: str, background: str) -> None:
     theme().set_scheme(scheme)
     assert contrast(theme().color(text), theme().color(background)) >= 4.5
 
@@ -102,7 +103,7 @@ def test_what_the_palette_pairs_can_be_read(scheme: Scheme, text: str, backgroun
         ((0.367, 0.861, -0.228), (0.280, 0.673, 0.047), (-0.012, 0.043, 0.969)),
     ],
 )
-def test_the_motors_differ_for_the_colour_blind(
+def test_colour_pairs_differ_for_the_colour_blind(
     scheme: Scheme, pair: tuple[str, str], seen: tuple[tuple[float, float, float], ...]
 ) -> None:
     theme().set_scheme(scheme)
@@ -115,7 +116,7 @@ def test_the_motors_differ_for_the_colour_blind(
     assert sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5 > 0.2
 
 
-def test_a_widget_takes_the_scheme(qtbot: QtBot) -> None:
+def test_widget_palette_follows_the_scheme(qtbot: QtBot) -> None:
     widget = QWidget()
     qtbot.addWidget(widget)
     with qtbot.waitSignal(theme().changed):
@@ -125,35 +126,35 @@ def test_a_widget_takes_the_scheme(qtbot: QtBot) -> None:
     assert theme().scheme == "dark"
 
 
-def test_the_same_scheme_again_announces_nothing(qtbot: QtBot) -> None:
+def test_same_scheme_emits_no_change(qtbot: QtBot) -> None:
     with qtbot.assertNotEmitted(theme().changed):
         theme().set_scheme("light")
 
 
-def test_system_is_light_where_the_system_does_not_say() -> None:
+def test_system_scheme_defaults_to_light() -> None:
     theme().set_scheme("dark")
     theme().set_scheme("system")
     assert theme().choice == "system"
     assert not theme().is_dark
 
 
-def test_an_unknown_scheme_is_refused() -> None:
+def test_unknown_scheme_is_rejected() -> None:
     with pytest.raises(ValueError, match="no scheme 'sepia'"):
         theme().set_scheme("sepia")  # type: ignore[arg-type]  # what a settings file may say
 
 
-def test_an_unknown_colour_is_named() -> None:
+def test_unknown_colour_is_rejected_by_name() -> None:
     with pytest.raises(KeyError, match="no colour 'octarine'"):
         theme().color("octarine")
 
 
-def test_a_colour_that_is_changed_by_its_user_stays_right() -> None:
+def test_changing_a_returned_colour_keeps_the_theme() -> None:
     theme().color("motor1").setAlpha(10)
     assert theme().color("motor1").alpha() == 255
 
 
 @pytest.mark.parametrize("scheme", SHOWN)
-def test_disabled_text_differs(scheme: str) -> None:
+def test_disabled_text_has_its_own_colour(scheme: str) -> None:
     palette = read_colours(scheme).qpalette()
     group = QPalette.ColorGroup
     for role in (QPalette.ColorRole.WindowText, QPalette.ColorRole.ButtonText):
@@ -170,7 +171,7 @@ def painted(button: QPushButton) -> list[QColor]:
 @pytest.mark.parametrize("scheme", SHOWN)
 @pytest.mark.parametrize("name", ["stop", "run"])
 @pytest.mark.parametrize("down", [False, True])
-def test_a_tinted_button_is_painted_so_that_it_can_be_read(
+def test_tinted_button_has_its_hue_and_enough_contrast(
     qtbot: QtBot, scheme: Scheme, name: str, down: bool
 ) -> None:
     button = QPushButton()
@@ -189,7 +190,7 @@ def test_a_tinted_button_is_painted_so_that_it_can_be_read(
     assert contrast(colors[len(colors) // 2], theme().color(f"{name}_text")) >= 4.5
 
 
-def test_a_pressed_tinted_button_differs(qtbot: QtBot) -> None:
+def test_tinted_button_looks_different_when_pressed(qtbot: QtBot) -> None:
     button = QPushButton()
     qtbot.addWidget(button)
     tint(button, "stop")
@@ -199,7 +200,7 @@ def test_a_pressed_tinted_button_differs(qtbot: QtBot) -> None:
     assert painted(button) != up
 
 
-def test_a_disabled_tinted_button_looks_like_others(qtbot: QtBot) -> None:
+def test_disabled_tinted_button_looks_like_a_plain_one(qtbot: QtBot) -> None:
     plain, tinted = QPushButton(), QPushButton()
     tint(tinted, "stop")
     for button in (plain, tinted):
@@ -209,13 +210,14 @@ def test_a_disabled_tinted_button_looks_like_others(qtbot: QtBot) -> None:
     assert painted(plain) == painted(tinted)
 
 
-def test_tinting_twice_keeps_the_last(qtbot: QtBot) -> None:
+def test_second_tint_replaces_the_first(qtbot: QtBot) -> None:
     button = QPushButton()
     qtbot.addWidget(button)
     tint(button, "stop")
     tint(button, "run")
     theme().set_scheme("dark")
-    assert len([c for c in button.findChildren(QObject) if c.objectName() == "tint"]) == 1
+    names = [child.objectName() for child in WidgetDriver(button, qtbot).find_all(QObject)]
+    assert names.count("tint") == 1
     assert button.palette().button().color().hsvHue() == pytest.approx(
         theme().color("run").hsvHue(), abs=3
     )
@@ -238,7 +240,7 @@ def test_every_icon_draws_something(name: str) -> None:
         assert 0.04 < inked / (picture.width() * picture.height()) < 0.9
 
 
-def test_the_program_has_an_icon() -> None:
+def test_program_has_an_icon() -> None:
     assert not application_icon().pixmap(64, 64).isNull()
 
 
@@ -249,7 +251,7 @@ def strongest(drawn: QIcon, mode: QIcon.Mode = QIcon.Mode.Normal) -> QColor:
     return max(pixels, key=QColor.alpha)
 
 
-def test_an_icon_follows_the_theme(qtbot: QtBot) -> None:
+def test_icon_follows_the_theme(qtbot: QtBot) -> None:
     action = QAction()
     set_icon(action, "power")
     assert strongest(action.icon()) == theme().color("icon")
@@ -261,7 +263,7 @@ def test_an_icon_follows_the_theme(qtbot: QtBot) -> None:
     assert strongest(action.icon(), QIcon.Mode.Disabled) != theme().color("danger")
 
 
-def test_a_deleted_button_does_not_trouble_the_theme(qtbot: QtBot) -> None:
+def test_theme_ignores_a_deleted_button(qtbot: QtBot) -> None:
     button = QPushButton()
     set_icon(button, "stop")
     tint(button, "stop")

@@ -25,7 +25,7 @@ def panel(qtbot: QtBot) -> TracePanel:
 
 
 @pytest.mark.realtime
-def test_a_table_that_is_cut_off_leaves_what_was_there(panel: TracePanel, tmp_path: Path) -> None:
+def test_interrupted_export_leaves_the_old_file(panel: TracePanel, tmp_path: Path) -> None:
     path = tmp_path / "all.csv"
     path.write_text("what was there")
     panel.export.save_table(path, -np.inf, np.inf)
@@ -34,7 +34,7 @@ def test_a_table_that_is_cut_off_leaves_what_was_there(panel: TracePanel, tmp_pa
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_a_table_takes_its_name_when_it_is_whole(
+def test_export_leaves_only_the_complete_file(
     panel: TracePanel, tmp_path: Path, qtbot: QtBot
 ) -> None:
     path = tmp_path / "some.csv"

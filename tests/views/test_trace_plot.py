@@ -12,16 +12,15 @@ from PySide6.QtGui import QAccessible, QColor, QImage, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
-    QComboBox,
     QLabel,
     QListView,
-    QPushButton,
     QTableView,
     QWidget,
 )
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import WidgetDriver
 from trex_gui.model.events import Event, EventKind
 from trex_gui.model.trace.history import History
 from trex_gui.model.trace.source import TraceInfo
@@ -62,8 +61,33 @@ def source() -> Source:
     return Source()
 
 
+class TracePanelDriver(WidgetDriver):
+    """The panel with its plot, its table and its list of events."""
+
+    def __init__(self, panel: TracePanel, qtbot: QtBot) -> None:
+        super().__init__(panel, qtbot)
+        self._panel = panel
+        self.plot = panel.plot
+        self.export = panel.export
+
+    @property
+    def table(self) -> QTableView:
+        return self.find(QTableView, "traceTable")
+
+    @property
+    def events(self) -> QListView:
+        return self.find(QListView, "eventList")
+
+    def cell(self, name: str, column: Column) -> str:
+        row = [info.name for info in INFOS].index(name)
+        return str(self.table.model().index(row, column).data())
+
+    def refresh(self) -> None:
+        self._panel.refresh()
+
+
 @pytest.fixture
-def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> Iterator[TracePanel]:
+def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> Iterator[TracePanelDriver]:
     theme().install(qapp)
     theme().set_scheme("light")
     panel = TracePanel()
@@ -72,22 +96,15 @@ def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> Iterator[TracePan
     panel.set_source(source)
     panel.grab()
     panel.refresh()
-    yield panel
+    yield TracePanelDriver(panel, qtbot)
     panel.export.finish()
     theme().set_scheme("light")
     qapp.processEvents()
 
 
 @pytest.fixture
-def plot(panel: TracePanel) -> TracePlot:
+def plot(panel: TracePanelDriver) -> TracePlot:
     return panel.plot
-
-
-def cell(panel: TracePanel, name: str, column: Column) -> str:
-    view = panel.findChild(QTableView, "traceTable")
-    assert view is not None
-    row = [info.name for info in INFOS].index(name)
-    return str(view.model().index(row, column).data())
 
 
 def count(plot: TracePlot, color: str) -> int:
@@ -134,22 +151,14 @@ def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModi
     mouse(plot, release, times[1], left, modifiers)
 
 
-def child(panel: QWidget, kind: type[QWidget], name: str) -> QWidget:
-    found = panel.findChild(kind, name)
-    assert found is not None
-    return found
-
-
 # --- Curves -----------------------------------------------------------------------------
 
 
-def test_without_samples_it_says_so(qapp: QApplication, qtbot: QtBot) -> None:
+def test_plot_without_samples_shows_a_label(qapp: QApplication, qtbot: QtBot) -> None:
     plot = TracePlot()
     qtbot.addWidget(plot)
     plot.set_source(Source(seconds=0))
-    empty = plot.findChild(QLabel, "emptyLabel")
-    assert empty is not None
-    assert empty.isVisibleTo(plot)
+    assert WidgetDriver(plot, qtbot).find(QLabel, "emptyLabel").isVisibleTo(plot)
     plot.grab()
 
 
@@ -159,7 +168,7 @@ def test_curves_are_drawn_in_their_colours(plot: TracePlot) -> None:
     assert count(plot, "good") == 0
 
 
-def test_few_points_reach_the_painter_however_long_the_history(plot: TracePlot) -> None:
+def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> None:
     long = Source(seconds=0)
     for _ in range(10):
         long.add(1250)  # in all a million samples
@@ -171,9 +180,8 @@ def test_few_points_reach_the_painter_however_long_the_history(plot: TracePlot) 
             assert len(plot._layers.curves[name]._item.getData()[0]) <= 1100
 
 
-def test_a_curve_is_switched_on_in_the_legend(panel: TracePanel, plot: TracePlot) -> None:
-    view = panel.findChild(QTableView, "traceTable")
-    assert view is not None
+def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: TracePlot) -> None:
+    view = panel.table
     index = view.model().index(2, Column.CURVE)
     checked = Qt.ItemDataRole.CheckStateRole
     assert view.model().setData(index, Qt.CheckState.Checked, checked)
@@ -188,7 +196,7 @@ def test_a_curve_is_switched_on_in_the_legend(panel: TracePanel, plot: TracePlot
     assert not axis.isVisible()
 
 
-def test_a_limit_is_a_dashed_line(plot: TracePlot, source: Source) -> None:
+def test_limit_is_drawn_unless_out_of_range(plot: TracePlot, source: Source) -> None:
     before = count(plot, "motor1")
     source.limits["motor1"] = 2.0
     plot.draw()
@@ -198,13 +206,13 @@ def test_a_limit_is_a_dashed_line(plot: TracePlot, source: Source) -> None:
     assert count(plot, "motor1") == before
 
 
-def test_the_plot_takes_the_new_theme(plot: TracePlot) -> None:
+def test_plot_follows_the_theme(plot: TracePlot) -> None:
     theme().set_scheme("dark")
     assert count(plot, "plot_background") > 10_000
     assert count(plot, "motor1") > 400
 
 
-def test_a_silence_interrupts_the_line(plot: TracePlot, source: Source) -> None:
+def test_gap_in_samples_interrupts_the_line(plot: TracePlot, source: Source) -> None:
     whole = count(plot, "motor1")
     last = source.history.times[-1]
     source.history.append(last + 15, 1.0, 3.0, 0.0)
@@ -215,48 +223,47 @@ def test_a_silence_interrupts_the_line(plot: TracePlot, source: Source) -> None:
 # --- What part is shown -----------------------------------------------------------------
 
 
-def test_pause_holds_the_picture_while_samples_come(
-    panel: TracePanel, plot: TracePlot, source: Source, qtbot: QtBot
+def test_pause_freezes_the_plot_and_the_table(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
 ) -> None:
-    pause = child(panel, QPushButton, "pauseButton")
-    assert isinstance(pause, QPushButton)
+    pause = panel.button("pauseButton")
     pause.click()
     end = plot.span.end
     source.add(5, first=9)
     panel.refresh()
     assert plot.span.end == end
-    assert cell(panel, "motor1", Column.PEAK) == "1.00 A"
+    assert panel.cell("motor1", Column.PEAK) == "1.00 A"
     assert pause.text() == "Back to li&ve"
     pause.click()
     assert plot.span.end == pytest.approx(end + 5)
-    assert cell(panel, "motor1", Column.PEAK) == "9.00 A"
+    assert panel.cell("motor1", Column.PEAK) == "9.00 A"
     assert pause.text() == "Pa&use"
 
 
-def test_windows_reach_from_ten_seconds_to_an_hour(panel: TracePanel, plot: TracePlot) -> None:
-    box = child(panel, QComboBox, "currentsWindow")
-    assert isinstance(box, QComboBox)
+def test_window_lengths_range_from_ten_seconds_to_an_hour(
+    panel: TracePanelDriver, plot: TracePlot
+) -> None:
+    box = panel.combo("currentsWindow")
     texts = [box.itemText(row) for row in range(box.count())]
     assert texts == ["10 s", "30 s", "1 min", "5 min", "10 min", "30 min", "1 h"]
     box.activated.emit(6)
     assert plot.span.length == 3600
 
 
-def test_a_drag_chooses_a_span_and_live_is_a_click_away(
-    panel: TracePanel, plot: TracePlot, qtbot: QtBot
+def test_drag_selects_a_span_and_pause_button_goes_live(
+    panel: TracePanelDriver, plot: TracePlot
 ) -> None:
     drag(plot, (40, 45), Qt.KeyboardModifier.NoModifier)
     assert plot.span.start == pytest.approx(40, abs=0.1)
     assert plot.span.end == pytest.approx(45, abs=0.1)
     assert plot.mark_time is None
-    pause = child(panel, QPushButton, "pauseButton")
-    assert isinstance(pause, QPushButton)
+    pause = panel.button("pauseButton")
     assert pause.isChecked()
     pause.click()
     assert plot.span.live
 
 
-def test_shift_and_drag_moves_the_picture(plot: TracePlot) -> None:
+def test_shift_drag_pans_the_plot(plot: TracePlot) -> None:
     plot.show_span(20, 40)
     drag(plot, (30, 25), Qt.KeyboardModifier.ShiftModifier)
     assert plot.span.start == pytest.approx(25, abs=0.1)
@@ -264,7 +271,7 @@ def test_shift_and_drag_moves_the_picture(plot: TracePlot) -> None:
     assert plot.mark_time is None
 
 
-def test_the_wheel_zooms_around_the_mouse(plot: TracePlot, qapp: QApplication) -> None:
+def test_wheel_zooms_around_the_mouse(plot: TracePlot, qapp: QApplication) -> None:
     plot.show_span(20, 40)
     at = QPointF(x_of(plot, 25), 60)
     wheel = QWheelEvent(
@@ -282,7 +289,7 @@ def test_the_wheel_zooms_around_the_mouse(plot: TracePlot, qapp: QApplication) -
     assert x_of(plot, 25) == pytest.approx(at.x(), abs=2)
 
 
-def test_the_keyboard_reaches_everything_in_the_plot(plot: TracePlot) -> None:
+def test_keys_pan_zoom_and_set_cursor_and_mark(plot: TracePlot) -> None:
     QTest.keyClick(plot, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
     assert is_live(plot) is False
     QTest.keyClick(plot, Qt.Key.Key_L)
@@ -302,7 +309,7 @@ def test_the_keyboard_reaches_everything_in_the_plot(plot: TracePlot) -> None:
     assert plot.mark_time is None
 
 
-def test_the_cursor_moved_with_keys_tells_its_values_in_words(plot: TracePlot) -> None:
+def test_cursor_moved_by_keys_describes_its_values(plot: TracePlot) -> None:
     assert "Left and Right move the cursor" in plot.accessibleDescription()
     QTest.keyClick(plot, Qt.Key.Key_Left)
     assert plot.cursor_time is not None
@@ -312,119 +319,111 @@ def test_the_cursor_moved_with_keys_tells_its_values_in_words(plot: TracePlot) -
     assert "Motor" not in plot.accessibleDescription()
 
 
-def test_an_empty_plot_says_why_and_what_to_do(qapp: QApplication, qtbot: QtBot) -> None:
+def test_empty_plot_shows_and_describes_its_text(qapp: QApplication, qtbot: QtBot) -> None:
     plot = TracePlot()
     qtbot.addWidget(plot)
     plot.set_source(Source(seconds=0))
     plot.set_empty_text("Choose a port.")
     assert plot.accessibleDescription() == "Choose a port."
-    empty = plot.findChild(QLabel, "emptyLabel")
-    assert empty is not None
-    assert empty.text() == "Choose a port."
+    assert WidgetDriver(plot, qtbot).text("emptyLabel") == "Choose a port."
 
 
 # --- Figures ----------------------------------------------------------------------------
 
 
-def test_the_table_tells_mean_rms_and_charge_of_what_is_shown(
-    panel: TracePanel, plot: TracePlot
+def test_table_shows_mean_rms_and_charge_of_the_shown_span(
+    panel: TracePanelDriver, plot: TracePlot
 ) -> None:
     plot.show_span(10, 46)
-    assert cell(panel, "motor2", Column.MEAN) == "3.000 A"
-    assert cell(panel, "motor2", Column.RMS) == "3.000 A"
-    assert cell(panel, "motor2", Column.CHARGE) == "30.00 mAh"
+    assert panel.cell("motor2", Column.MEAN) == "3.000 A"
+    assert panel.cell("motor2", Column.RMS) == "3.000 A"
+    assert panel.cell("motor2", Column.CHARGE) == "30.00 mAh"
     plot.show_span(10, 28)
-    assert cell(panel, "motor2", Column.CHARGE) == "15.00 mAh"
-    assert cell(panel, "motor1", Column.CHARGE) == "5.00 mAh"
-    assert cell(panel, "wish1", Column.MEAN) == ""  # it is not shown
+    assert panel.cell("motor2", Column.CHARGE) == "15.00 mAh"
+    assert panel.cell("motor1", Column.CHARGE) == "5.00 mAh"
+    assert panel.cell("wish1", Column.MEAN) == ""  # it is not shown
 
 
-def test_the_cursor_tells_the_values_under_it(
-    panel: TracePanel, plot: TracePlot, source: Source, qtbot: QtBot
+def test_cursor_shows_values_and_difference_from_the_mark(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
 ) -> None:
     source.add(5, first=9)
     panel.refresh()
     mouse(plot, QEvent.Type.MouseMove, 50)
-    assert cell(panel, "motor1", Column.CURSOR) == "1.00 A"
+    assert panel.cell("motor1", Column.CURSOR) == "1.00 A"
     mouse(plot, QEvent.Type.MouseButtonPress, 50, Qt.MouseButton.LeftButton)
     mouse(plot, QEvent.Type.MouseButtonRelease, 50, Qt.MouseButton.LeftButton)
     mouse(plot, QEvent.Type.MouseMove, 63)
-    assert cell(panel, "motor1", Column.CURSOR) == "9.00 A"
-    assert cell(panel, "motor1", Column.DIFFERENCE) == "8.00 A"
-    readout = plot.findChild(QLabel, "cursorReadout")
-    assert readout is not None
-    assert "Motor 1: 9.00 A" in readout.text()
-    assert "from the mark" in readout.text()
+    assert panel.cell("motor1", Column.CURSOR) == "9.00 A"
+    assert panel.cell("motor1", Column.DIFFERENCE) == "8.00 A"
+    assert "Motor 1: 9.00 A" in panel.text("cursorReadout")
+    assert "from the mark" in panel.text("cursorReadout")
 
 
 @pytest.mark.parametrize("width", [860, 1040])
-def test_the_figures_fit_beside_the_events_and_none_has_to_be_scrolled_to(
-    panel: TracePanel, plot: TracePlot, width: int, qtbot: QtBot
+def test_table_fits_beside_the_events_without_scrolling(
+    panel: TracePanelDriver, plot: TracePlot, width: int, qtbot: QtBot
 ) -> None:
-    panel.show()
-    panel.resize(width, 500)
+    panel.root.show()
+    panel.root.resize(width, 500)
     plot.set_cursor(30)
     plot.set_mark(20)
     if width > 1000:
         plot.source.limits["motor1"] = 5.0  # type: ignore[union-attr] # a Source of this file
-        child(panel, QPushButton, "holdPeaksButton").click()  # type: ignore[attr-defined] # a button
-    view = panel.findChild(QTableView, "traceTable")
-    assert view is not None
+        panel.button("holdPeaksButton").click()
+    view = panel.table
     qtbot.waitUntil(lambda: not view.horizontalScrollBar().isVisible())
     last = max(column for column in Column if not view.isColumnHidden(column))
     assert view.columnViewportPosition(last) + view.columnWidth(last) <= view.viewport().width()
-    assert child(panel, QListView, "eventList").width() > 60
+    assert panel.events.width() > 60
 
 
-def test_figures_that_wait_for_something_are_not_there_before(
-    panel: TracePanel, plot: TracePlot, source: Source
+def test_optional_columns_are_hidden_until_needed(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
 ) -> None:
-    view = panel.findChild(QTableView, "traceTable")
-    assert view is not None
+    view = panel.table
     waiting = (Column.LIMIT, Column.DIFFERENCE, Column.HELD)
     assert all(view.isColumnHidden(column) for column in waiting)
     source.limits["motor1"] = 5.0
     plot.set_mark(20)
-    hold = child(panel, QPushButton, "holdPeaksButton")
-    assert isinstance(hold, QPushButton)
+    hold = panel.button("holdPeaksButton")
     hold.click()
     assert not any(view.isColumnHidden(column) for column in waiting)
     hold.click()
     assert view.isColumnHidden(Column.HELD)
 
 
-def test_a_list_without_events_says_so(panel: TracePanel, source: Source) -> None:
-    listed = child(panel, QListView, "eventList")
+def test_empty_event_list_is_described(panel: TracePanelDriver, source: Source) -> None:
+    listed = panel.events
     assert "No events yet" in listed.accessibleDescription()
     source.events.append(Event(10.0, EventKind.STOP, "Stop"))
     panel.refresh()
     assert "No events" not in listed.accessibleDescription()
 
 
-def test_a_held_peak_stays_when_its_sample_has_left_the_picture(
-    panel: TracePanel, plot: TracePlot, source: Source
+def test_held_peak_stays_after_its_sample_scrolls_out(
+    panel: TracePanelDriver, source: Source
 ) -> None:
-    hold = child(panel, QPushButton, "holdPeaksButton")
-    assert isinstance(hold, QPushButton)
+    hold = panel.button("holdPeaksButton")
     hold.click()
     source.add(1, first=7.5)
     source.add(60)
     panel.refresh()
-    assert cell(panel, "motor1", Column.PEAK) == "1.00 A"
-    assert cell(panel, "motor1", Column.HELD) == "7.50 A"
+    assert panel.cell("motor1", Column.PEAK) == "1.00 A"
+    assert panel.cell("motor1", Column.HELD) == "7.50 A"
     hold.click()
-    assert cell(panel, "motor1", Column.HELD) == ""
+    assert panel.cell("motor1", Column.HELD) == ""
 
 
-def test_the_table_obeys_the_rules_of_models(plot: TracePlot, qtmodeltester: ModelTester) -> None:
+def test_trace_table_passes_the_model_tester(plot: TracePlot, qtmodeltester: ModelTester) -> None:
     qtmodeltester.check(TraceTable(plot))  # type: ignore[no-untyped-call]  # it has no types
 
 
 # --- Events -----------------------------------------------------------------------------
 
 
-def test_events_are_marked_and_listed_and_lead_to_their_place(
-    panel: TracePanel, plot: TracePlot, source: Source
+def test_events_are_marked_listed_and_navigable(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
 ) -> None:
     before = count(plot, "danger")
     source.events += [
@@ -434,8 +433,7 @@ def test_events_are_marked_and_listed_and_lead_to_their_place(
     panel.refresh()
     assert count(plot, "danger") > before + 50
     assert [one.text for _, one in plot._strip.marks] == ["Stop: the window was closed"]
-    listed = panel.findChild(QListView, "eventList")
-    assert listed is not None
+    listed = panel.events
     texts = [str(listed.model().index(row, 0).data()) for row in range(2)]
     assert texts == [
         "0:20.000  The board answers again",
@@ -450,14 +448,14 @@ def test_events_are_marked_and_listed_and_lead_to_their_place(
 # --- Export -----------------------------------------------------------------------------
 
 
-def test_what_is_visible_is_exported_with_units_and_events(
-    panel: TracePanel, plot: TracePlot, source: Source, qtbot: QtBot, tmp_path: Path
+def test_shown_span_is_exported_with_units_and_events(
+    panel: TracePanelDriver, plot: TracePlot, source: Source, qtbot: QtBot, tmp_path: Path
 ) -> None:
     source.events.append(Event(12.0, EventKind.APPLY, "Apply: Motor 1 Acceleration"))
     plot.show_span(10, 20)
-    with qtbot.waitSignal(panel.export.told) as told:
+    with qtbot.waitSignal(panel.export.told) as reported:
         panel.export.save_table(tmp_path / "shown.csv", plot.span.start, plot.span.end)
-    assert "801 samples" in str(told.args)
+    assert "801 samples" in str(reported.args)
     with (tmp_path / "shown.csv").open(newline="") as file:
         rows = list(csv.reader(file))
     assert rows[0] == ["time (s)", "motor1 (A)", "motor2 (A)", "wish1", "event"]
@@ -466,8 +464,8 @@ def test_what_is_visible_is_exported_with_units_and_events(
     assert [row[0] for row in rows if row[-1]] == ["time (s)", "12.0000"]
 
 
-def test_everything_is_exported_even_when_little_is_visible(
-    panel: TracePanel, plot: TracePlot, qtbot: QtBot, tmp_path: Path
+def test_whole_history_can_be_exported(
+    panel: TracePanelDriver, plot: TracePlot, qtbot: QtBot, tmp_path: Path
 ) -> None:
     plot.show_span(10, 20)
     with qtbot.waitSignal(panel.export.told):
@@ -475,22 +473,18 @@ def test_everything_is_exported_even_when_little_is_visible(
     assert len((tmp_path / "all.csv").read_text().splitlines()) == 60 * RATE + 1
 
 
-def test_a_place_that_cannot_be_written_is_told(
-    panel: TracePanel, qtbot: QtBot, tmp_path: Path
-) -> None:
+def test_unwritable_file_is_reported(panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path) -> None:
     with qtbot.waitSignal(panel.export.refused) as refused:
         panel.export.save_table(tmp_path / "none" / "all.csv", -math.inf, math.inf)
     assert "was not written" in str(refused.args)
     with qtbot.waitSignal(panel.export.refused):
         panel.export.save_picture(tmp_path / "none" / "picture.png")
-    note = panel.findChild(QLabel, "currentsNote")
-    assert note is not None
-    assert "could not be written" in note.text()
+    assert "could not be written" in panel.text("currentsNote")
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_a_picture_has_axes_legend_and_a_light_ground(
-    panel: TracePanel, tmp_path: Path, scheme: str
+def test_picture_has_axes_legend_and_a_light_background(
+    panel: TracePanelDriver, tmp_path: Path, scheme: str
 ) -> None:
     theme().set_scheme("dark" if scheme == "dark" else "light")
     panel.export.save_picture(tmp_path / "picture.png")
@@ -508,9 +502,9 @@ def test_a_picture_has_axes_legend_and_a_light_ground(
 # --- Everybody --------------------------------------------------------------------------
 
 
-def test_every_control_has_a_name_that_is_read_out(panel: TracePanel) -> None:
-    for widget in panel.findChildren(QWidget):
-        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.isVisibleTo(panel):
+def test_every_control_has_an_accessible_name(panel: TracePanelDriver) -> None:
+    for widget in panel.find_all(QWidget):
+        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.isVisibleTo(panel.root):
             if widget.focusProxy() is not None:
                 continue
             found = QAccessible.queryAccessibleInterface(widget)

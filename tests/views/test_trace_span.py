@@ -15,13 +15,13 @@ def span() -> Span:
     return span
 
 
-def test_live_the_right_edge_is_the_newest_sample(span: Span) -> None:
+def test_live_span_ends_at_the_newest_sample(span: Span) -> None:
     assert (span.start, span.end) == (70, 100)
     span.take(0, 101)
     assert (span.start, span.end) == (71, 101)
 
 
-def test_held_it_stays_while_samples_come(span: Span) -> None:
+def test_held_span_stays_while_samples_arrive(span: Span) -> None:
     span.hold()
     span.take(0, 200)
     assert (span.start, span.end) == (70, 100)
@@ -29,37 +29,37 @@ def test_held_it_stays_while_samples_come(span: Span) -> None:
     assert span.end == 200
 
 
-def test_zooming_keeps_the_place_under_the_mouse(span: Span) -> None:
+def test_zoom_keeps_the_place_under_the_mouse(span: Span) -> None:
     span.show(40, 80)
     span.zoom(0.5, 50)
     assert (span.start, span.end) == pytest.approx((45, 65))
 
 
-def test_zooming_live_stays_live(span: Span) -> None:
+def test_zoom_keeps_a_live_span_live(span: Span) -> None:
     span.zoom(0.5, 80)
     assert span.live
     assert (span.start, span.end) == (85, 100)
 
 
-def test_a_span_drawn_from_right_to_left_is_the_same_span(span: Span) -> None:
+def test_span_can_be_selected_from_right_to_left(span: Span) -> None:
     span.show(80, 40)
     assert (span.start, span.end) == (40, 80)
     assert not span.live
 
 
-def test_a_span_of_nothing_is_widened(span: Span) -> None:
+def test_empty_span_is_widened(span: Span) -> None:
     span.show(50, 50)
     assert span.length == LEAST
     assert (span.start + span.end) / 2 == pytest.approx(50)
 
 
-def test_a_window_of_nothing_is_refused(span: Span) -> None:
+def test_zero_length_is_rejected(span: Span) -> None:
     with pytest.raises(ValueError, match="shows nothing"):
         span.set_length(0)
 
 
 @given(moves=st.lists(st.floats(-1000, 1000), max_size=20))
-def test_nobody_gets_lost_by_moving(moves: list[float]) -> None:
+def test_panning_never_leaves_the_recorded_time(moves: list[float]) -> None:
     span = Span(30)
     span.take(0, 100)
     for move in moves:
@@ -68,7 +68,7 @@ def test_nobody_gets_lost_by_moving(moves: list[float]) -> None:
         assert span.start < 100
 
 
-def test_times_are_read_as_minutes_and_seconds() -> None:
+def test_times_are_formatted_as_minutes_and_seconds() -> None:
     assert clock_text(0, 1) == "0:00"
     assert clock_text(75.25, 0.1) == "1:15.2"
     assert clock_text(3723.4567) == "1:02:03.457"
@@ -86,11 +86,11 @@ def test_times_are_read_as_minutes_and_seconds() -> None:
         (3600, ["1 h", "50 min", "40 min", "30 min", "20 min", "10 min", "now"]),
     ],
 )
-def test_the_live_axis_is_labelled_in_round_steps(seconds: float, labels: list[str]) -> None:
+def test_live_axis_has_labels_in_round_steps(seconds: float, labels: list[str]) -> None:
     assert [text for _, text in ago_labels(seconds)] == labels
 
 
-def test_the_axis_of_the_past_counts_from_the_beginning() -> None:
+def test_past_axis_counts_from_the_beginning() -> None:
     labels = since_labels(60, 70)
     assert [text for _, text in labels] == ["1:00", "1:02", "1:04", "1:06", "1:08", "1:10"]
     assert labels[0][0] == -10
@@ -100,7 +100,7 @@ def ends(axis: ValueAxis) -> tuple[float, float]:
     return axis.ends
 
 
-def test_plain_counts_have_an_axis_that_holds_still() -> None:
+def test_count_axis_has_a_fixed_range() -> None:
     axis = ValueAxis("")
     axis.fit([(0, 3)])
     assert ends(axis) == (-127, 127)
@@ -108,7 +108,7 @@ def test_plain_counts_have_an_axis_that_holds_still() -> None:
     assert ends(axis) == (-127, 127)
 
 
-def test_a_value_of_one_axis_is_found_on_the_other() -> None:
+def test_value_is_mapped_onto_the_other_axis() -> None:
     ampere, counts = ValueAxis("A"), ValueAxis("")
     ampere.fit([(0, 9)])
     assert ends(ampere) == (0, 10)
