@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from hypothesis import strategies as st
+from PySide6.QtCore import QThread
 
 from trex_gui.aracna.link.messages import (
     Ending,
@@ -108,9 +109,9 @@ def write(path: Path, what: list[Row], header: Header = HEADER) -> int:
 
 
 def hang(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let reading hang where a recording was looked through, until nobody wants it any more.
+    """Let the loading of any recording hang until it is cancelled.
 
-    However large a file is: a window that stands still may find that it was read meanwhile.
+    A large file would not do: the loading might end while the window is busy.
     """
     gatherer = RobotPlayback.gatherer
 
@@ -121,11 +122,18 @@ def hang(monkeypatch: pytest.MonkeyPatch) -> None:
             tell(share)
             while share > 0.1:
                 runtime().sleep(0.01)
-                tell(share)  # which raises once it was cancelled
+                tell(share)  # raises once it is cancelled
 
         return lambda tell: gather(partial(tell_and_hang, tell))
 
     monkeypatch.setattr(RobotPlayback, "gatherer", hanging)
+
+
+def loader_thread(playback: RobotPlayback) -> QThread:
+    """Return the thread that reads a recording."""
+    (thread,) = playback.findChildren(QThread)
+    assert isinstance(thread, QThread)
+    return thread
 
 
 def read(file: RobotCsvFile) -> list[Row]:

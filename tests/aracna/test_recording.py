@@ -22,7 +22,7 @@ def rows(*records: Row) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(file.getvalue().decode(), newline="")))
 
 
-def test_the_headings_name_every_motor_and_the_unit() -> None:
+def test_columns_name_every_motor_and_unit() -> None:
     names = columns(8)
     assert names[0] == "time_s"
     assert len(names) == len(set(names)) == 2 + 4 * 8 + 3
@@ -31,7 +31,7 @@ def test_the_headings_name_every_motor_and_the_unit() -> None:
             assert f"motor_{motor}_{quantity}" in names
 
 
-def test_the_first_row_says_of_which_robot_and_when() -> None:
+def test_first_row_describes_robot_and_start_time() -> None:
     [header] = rows()
     about = json.loads(header["text"])
     assert header["record"] == "header"
@@ -39,7 +39,7 @@ def test_the_first_row_says_of_which_robot_and_when() -> None:
     assert about["started_utc"] == "2026-01-02T03:04:05+00:00"
 
 
-def test_goals_places_and_speeds_stay_in_every_row_until_they_are_others() -> None:
+def test_last_goals_positions_and_speeds_fill_later_rows() -> None:
     _, speeds, goals, passed, moved = rows(
         SpeedsHeld(100.5, (100, 200), (100, 200)),
         Moving(101.0, (512, 0), (None, None), 2.0),
@@ -57,7 +57,7 @@ def test_goals_places_and_speeds_stay_in_every_row_until_they_are_others() -> No
     assert moved["motor_0_speed_units"] == "100"
 
 
-def test_a_motor_that_does_not_answer_has_an_empty_place() -> None:
+def test_unreadable_position_leaves_cells_empty() -> None:
     _, _, moved = rows(
         Moved(101.0, (5, 6), (5, 6), 1.0),
         Moved(102.0, (5, 6), (5, -1), 1.0),
@@ -66,7 +66,7 @@ def test_a_motor_that_does_not_answer_has_an_empty_place() -> None:
     assert moved["motor_1_present_units"] == moved["motor_1_present_deg"] == ""
 
 
-def test_steps_and_events_stand_among_them_in_words() -> None:
+def test_steps_and_events_are_written_as_text() -> None:
     _, step, event = rows(
         StepBegun(101.0, "steps", 2, 0, 0.25),
         Marker(102.0, "fault", 'Motor 3, "silent"\nfor long'),

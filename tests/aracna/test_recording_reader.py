@@ -35,7 +35,7 @@ def put(path: Path, text: list[str]) -> None:
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(what=st.lists(rows, max_size=60))
-def test_every_row_can_be_read_back(folder: Path, what: list[Row]) -> None:
+def test_every_row_is_read_back(folder: Path, what: list[Row]) -> None:
     path = folder / "any.csv"
     assert write(path, what) == path.stat().st_size
     file = RobotCsvFile(path)
@@ -45,7 +45,7 @@ def test_every_row_can_be_read_back(folder: Path, what: list[Row]) -> None:
     file.close()
 
 
-def test_any_block_of_a_long_session_can_be_read_by_itself(folder: Path) -> None:
+def test_any_block_can_be_read_separately(folder: Path) -> None:
     what = list(session(400))
     path = folder / "long.csv"
     write(path, what)
@@ -56,7 +56,7 @@ def test_any_block_of_a_long_session_can_be_read_by_itself(folder: Path) -> None
     file.close()
 
 
-def test_only_its_head_is_read_before_it_is_looked_through(folder: Path) -> None:
+def test_open_reads_only_header_until_scan(folder: Path) -> None:
     path = folder / "head.csv"
     write(path, list(session()))
     file = open_recording(path)
@@ -70,7 +70,7 @@ def test_only_its_head_is_read_before_it_is_looked_through(folder: Path) -> None
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(share=st.floats(0, 1))
-def test_a_file_cut_anywhere_opens_up_to_its_last_whole_row(folder: Path, share: float) -> None:
+def test_truncated_file_is_read_up_to_last_complete_row(folder: Path, share: float) -> None:
     what = list(session(5))
     path = folder / "cut.csv"
     write(path, what)
@@ -92,9 +92,7 @@ def test_a_file_cut_anywhere_opens_up_to_its_last_whole_row(folder: Path, share:
 
 @settings(deadline=None)  # files on a disk that others use, too
 @given(share=st.floats(0, 1), bits=st.integers(1, 255))
-def test_a_byte_flipped_anywhere_ends_in_nothing_but_our_error(
-    folder: Path, share: float, bits: int
-) -> None:
+def test_flipped_byte_raises_only_recording_error(folder: Path, share: float, bits: int) -> None:
     path = folder / "flipped.csv"
     write(path, list(session(5)))
     data = bytearray(path.read_bytes())
@@ -132,7 +130,7 @@ MOVE: list[Row] = [
         (6, "4.000000,", "nan,", "its time is no number"),
     ],
 )
-def test_a_row_that_makes_no_sense_is_left_out_and_named_with_its_line(
+def test_invalid_row_is_skipped_and_reported_with_line(
     tmp_path: Path, line: int, old: str, new: str, reason: str
 ) -> None:
     path = tmp_path / "odd.csv"
@@ -151,7 +149,7 @@ def test_a_row_that_makes_no_sense_is_left_out_and_named_with_its_line(
     file.close()
 
 
-def test_rows_without_words_are_read_as_far_as_their_columns_tell(tmp_path: Path) -> None:
+def test_rows_without_text_are_read_from_their_columns(tmp_path: Path) -> None:
     path = tmp_path / "early.csv"
     write(path, MOVE)
     with path.open(encoding="utf-8", newline="") as source:
@@ -178,9 +176,7 @@ def test_rows_without_words_are_read_as_far_as_their_columns_tell(tmp_path: Path
         ("firmware", None, "int"),
     ],
 )
-def test_a_header_that_makes_no_sense_is_refused_with_the_reason(
-    name: str, value: object, reason: str
-) -> None:
+def test_invalid_header_is_rejected_with_reason(name: str, value: object, reason: str) -> None:
     about = json.loads(HEADER.to_json())
     about[name] = value
     with pytest.raises(ValueError, match=reason):
@@ -190,7 +186,7 @@ def test_a_header_that_makes_no_sense_is_refused_with_the_reason(
         Header.from_json(json.dumps(about))
 
 
-def test_a_header_without_its_line_end_is_cut_off(tmp_path: Path) -> None:
+def test_header_without_line_end_is_rejected_as_truncated(tmp_path: Path) -> None:
     path = tmp_path / "cut.csv"
     write(path, [])
     path.write_bytes(path.read_bytes().removesuffix(b"\n"))
@@ -198,7 +194,7 @@ def test_a_header_without_its_line_end_is_cut_off(tmp_path: Path) -> None:
         RobotCsvFile(path)
 
 
-def test_a_column_that_is_missing_is_named(tmp_path: Path) -> None:
+def test_missing_column_is_named(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     write(path, [])
     put(path, [line.replace("motor_3_goal_units", "motor_3_wish") for line in lines(path)])
@@ -207,7 +203,7 @@ def test_a_column_that_is_missing_is_named(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".trexrec"])
-def test_the_recording_of_a_board_is_named_and_where_it_opens(tmp_path: Path, suffix: str) -> None:
+def test_trex_recording_is_rejected_with_its_device(tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"board{suffix}"
     if suffix == ".csv":
         with path.open("wb") as file:
@@ -219,7 +215,7 @@ def test_the_recording_of_a_board_is_named_and_where_it_opens(tmp_path: Path, su
     assert "a recording of another device: TReX 1.2. It opens where" in str(refused.value)
 
 
-def test_the_recording_of_a_robot_is_named_where_that_of_a_board_is_wanted(tmp_path: Path) -> None:
+def test_aracna_recording_is_rejected_by_trex_reader(tmp_path: Path) -> None:
     path = tmp_path / "robot.csv"
     write(path, list(session(2)))
     with pytest.raises(RecordingError) as refused:
@@ -230,18 +226,18 @@ def test_the_recording_of_a_robot_is_named_where_that_of_a_board_is_wanted(tmp_p
 @pytest.mark.parametrize(
     "data", [b"", b"time_s,motor\n1,2\n", b"time_s,record\n", b"\x00\xff" * 400, b'time_s,"\n']
 )
-def test_any_other_file_is_refused_with_its_name(tmp_path: Path, data: bytes) -> None:
+def test_other_file_is_rejected_with_its_name(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "other.csv"
     path.write_bytes(data)
     with pytest.raises(RecordingError, match=r"other\.csv, line [12]: "):
         open_recording(path)
 
 
-def test_a_file_that_is_not_there_is_refused_with_the_reason(tmp_path: Path) -> None:
+def test_missing_file_is_rejected_with_reason(tmp_path: Path) -> None:
     with pytest.raises(RecordingError, match="No such file"):
         open_recording(tmp_path / "none.csv")
 
 
-def test_its_header_says_when_and_of_which_robot() -> None:
+def test_header_survives_json_round_trip() -> None:
     header = Header(datetime(2026, 5, 6, tzinfo=UTC), 3.5, version=0, motors=2)
     assert Header.from_json(header.to_json()) == header

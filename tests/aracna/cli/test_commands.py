@@ -41,25 +41,25 @@ def near(robot: SimulatedDevice, wanted: list[int]) -> bool:
 # --- query, speeds --------------------------------------------------------------------------
 
 
-def test_query_tells_what_the_robot_is(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
+def test_query_prints_firmware_and_motor_count(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     assert trexcmd("aracna", "query").stdout == "Aracna, firmware 1, 8 motors\n"
     row = json.loads(trexcmd("aracna", "query", "--json").stdout)
     assert row == {"port": robot.url, "product": "Aracna", "firmware": 1, "motors": 8}
 
 
-def test_without_a_port_it_is_wrong_usage() -> None:
+def test_missing_port_is_a_usage_error() -> None:
     result = CliRunner().invoke(main, ["aracna", "query"], env={"TREX_PORT": ""})
     assert result.exit_code == 2
     assert "Which port?" in result.stderr
 
 
-def test_a_port_that_is_not_there_is_refused(trexcmd: RunCommand) -> None:
+def test_nonexistent_port_is_rejected(trexcmd: RunCommand) -> None:
     result = trexcmd("aracna", "query", "--port", "/dev/ttyNOTHERE")
     assert result.exit_code == 1
     assert "There is no port" in result.stderr
 
 
-def test_a_trex_on_the_port_is_told_not_to_be_an_aracna(
+def test_query_of_trex_reports_no_aracna(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "query", "--port", quick_simulator.url)
@@ -67,7 +67,7 @@ def test_a_trex_on_the_port_is_told_not_to_be_an_aracna(
     assert "No Aracna answers" in result.stderr or "not as an Aracna does" in result.stderr
 
 
-def test_one_speed_is_for_all_and_what_the_servos_hold_is_printed(
+def test_speeds_sets_motors_and_prints_held_speeds(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     assert trexcmd("aracna", "speeds", "200").stdout == "200 200 200 200 200 200 200 200\n"
@@ -76,7 +76,7 @@ def test_one_speed_is_for_all_and_what_the_servos_hold_is_printed(
     assert [servo["speed"] for servo in robot.show()["servos"]] == list(range(8))
 
 
-def test_a_servo_that_does_not_answer_is_named_with_exit_code_1(
+def test_speeds_names_unresponsive_servo_and_exits_1(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     robot.do("servo 4 dead")
@@ -89,7 +89,7 @@ def test_a_servo_that_does_not_answer_is_named_with_exit_code_1(
 @pytest.mark.parametrize(
     "words", [["speeds", "1", "2"], ["speeds", "1024"], ["pose", "1", "2"], ["pose"]]
 )
-def test_what_is_no_value_for_each_motor_is_wrong_usage(
+def test_wrong_number_or_range_of_values_is_a_usage_error(
     trexcmd: RunCommand, words: list[str]
 ) -> None:
     assert trexcmd("aracna", *words, "--no-limits" if words[0] == "pose" else "5").exit_code == 2
@@ -98,7 +98,7 @@ def test_what_is_no_value_for_each_motor_is_wrong_usage(
 # --- pose -----------------------------------------------------------------------------------
 
 
-def test_pose_goes_there_slowly_and_tells_each_motor(
+def test_pose_moves_slowly_and_reports_each_motor(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "pose", *["530"] * 8)
@@ -109,7 +109,7 @@ def test_pose_goes_there_slowly_and_tells_each_motor(
     assert {servo["speed"] for servo in robot.show()["servos"]} == {100}
 
 
-def test_positions_beyond_a_joints_limits_are_refused_before_anything_is_sent(
+def test_pose_beyond_joint_limits_is_rejected_before_sending(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "pose", "20", *["551"] * 7)
@@ -122,7 +122,7 @@ def test_positions_beyond_a_joints_limits_are_refused_before_anything_is_sent(
     assert near(robot, [20] + [551] * 7)
 
 
-def test_a_known_pose_is_cut_to_the_limits_and_that_is_told(
+def test_built_in_pose_is_clamped_to_limits_and_reported(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "pose", "--pose", "stand", "--speed", "500")
@@ -131,7 +131,7 @@ def test_a_known_pose_is_cut_to_the_limits_and_that_is_told(
     assert "stand: motor 1 is sent to 550, its limit, not to 680." in result.stderr
 
 
-def test_a_pose_of_a_file_is_found_by_its_name(
+def test_pose_is_loaded_from_file_by_name(
     trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     assert trexcmd("aracna", "pose", "--pose", "low", "--file", file, "--speed", "0").exit_code == 0
@@ -141,9 +141,7 @@ def test_a_pose_of_a_file_is_found_by_its_name(
     assert "Known are: low, high, far." in wrong.stderr
 
 
-def test_a_motor_that_does_not_arrive_is_named_and_nothing_waits_for_ever(
-    trexcmd: RunCommand, robot: SimulatedDevice
-) -> None:
+def test_pose_names_blocked_motor_and_exits(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     robot.do("servo 2 block")
     result = trexcmd("aracna", "pose", "--speed", "1000", *["530"] * 8)
     assert result.exit_code == 1
@@ -151,9 +149,7 @@ def test_a_motor_that_does_not_arrive_is_named_and_nothing_waits_for_ever(
     assert "servo power" in result.stderr
 
 
-def test_a_position_that_could_not_be_read_is_told(
-    trexcmd: RunCommand, robot: SimulatedDevice
-) -> None:
+def test_pose_reports_unreadable_position(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     robot.do("servo 6 lose position")
     result = trexcmd("aracna", "pose", *["515"] * 8)
     assert result.exit_code == 1
@@ -161,7 +157,7 @@ def test_a_position_that_could_not_be_read_is_told(
     assert "Motor 6: its position could not be read (-1)." in result.stderr
 
 
-def test_ctrl_c_says_that_nothing_stops_a_running_motion(
+def test_ctrl_c_during_pose_warns_that_motion_continues(
     start: StartCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
 ) -> None:
     command = start("aracna", "pose", *["300"] * 8, "--speed", "20")
@@ -174,7 +170,7 @@ def test_ctrl_c_says_that_nothing_stops_a_running_motion(
     assert command.returncode == 0
 
 
-def test_ctrl_c_while_the_line_is_opened_moves_nothing(
+def test_ctrl_c_while_connecting_sends_nothing(
     start: StartCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
 ) -> None:
     assert isinstance(robot, VirtualSimulator)
@@ -190,7 +186,7 @@ def test_ctrl_c_while_the_line_is_opened_moves_nothing(
 # --- play -----------------------------------------------------------------------------------
 
 
-def test_play_begins_slowly_and_plays_every_step(
+def test_play_blends_in_and_plays_every_step(
     trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     result = trexcmd("aracna", "play", file, "--sequence", "nod", "--rounds", "2", "--scale", "1.5")
@@ -205,7 +201,7 @@ def test_play_begins_slowly_and_plays_every_step(
     assert near(robot, [450, 350] * 4)
 
 
-def test_what_went_wrong_in_an_early_step_is_told_in_the_end(
+def test_play_reports_error_of_early_step_at_the_end(
     trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     robot.do("servo 2 lose position 1")
@@ -215,7 +211,7 @@ def test_what_went_wrong_in_an_early_step_is_told_in_the_end(
     assert result.exit_code == 1
 
 
-def test_play_cuts_to_the_limits_unless_they_are_lifted(
+def test_play_clamps_positions_to_limits(
     trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     result = trexcmd("aracna", "play", file, "--sequence", "reach")
@@ -232,7 +228,7 @@ def test_play_cuts_to_the_limits_unless_they_are_lifted(
         (("--sequence", "nod", "--scale", "0"), 2, "--scale"),
     ],
 )
-def test_what_cannot_be_played_is_told(
+def test_play_rejects_invalid_sequence_or_scale(
     trexcmd: RunCommand, file: str, words: tuple[str, ...], code: int, says: str
 ) -> None:
     result = trexcmd("aracna", "play", file, *words)
@@ -240,13 +236,13 @@ def test_what_cannot_be_played_is_told(
     assert says in result.stderr
 
 
-def test_a_file_that_cannot_be_read_is_told(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_play_reports_unreadable_file(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("aracna", "play", str(tmp_path / "none.ppr"))
     assert result.exit_code == 1
     assert "none.ppr" in result.stderr
 
 
-def test_ctrl_c_ends_a_loop_after_the_running_step(
+def test_ctrl_c_ends_play_loop_after_current_step(
     start: StartCommand, robot: SimulatedDevice, file: str, virtual_time: VirtualRuntime
 ) -> None:
     command = start("aracna", "play", file, "--sequence=nod", "--loop")
@@ -264,15 +260,13 @@ def test_ctrl_c_ends_a_loop_after_the_running_step(
 # --- list, find -----------------------------------------------------------------------------
 
 
-def test_list_names_an_aracna(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
+def test_list_names_aracna(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     assert trexcmd("list", "--port", robot.url).stdout == f"{robot.url}\tAracna 1, 8 motors\n"
     (row,) = json.loads(trexcmd("list", "--json", "--port", robot.url).stdout)
     assert (row["product"], row["firmware"]) == ("Aracna", "1")
 
 
-def test_find_names_an_aracna_and_prints_what_reaches_it(
-    trexcmd: RunCommand, robot: SimulatedDevice
-) -> None:
+def test_find_prints_port_option_for_aracna(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     result = trexcmd("find")
     assert result.exit_code == 0, result.stderr
     assert result.stdout == f"--port {robot.url}\n"
@@ -281,7 +275,7 @@ def test_find_names_an_aracna_and_prints_what_reaches_it(
     assert trexcmd("aracna", "query", *result.stdout.split()).exit_code == 0
 
 
-def test_help_needs_neither_qt_nor_a_port() -> None:
+def test_help_works_without_port() -> None:
     for words in (["aracna"], ["aracna", "pose"], ["aracna", "play"]):
         result = CliRunner().invoke(main, [*words, "--help"])
         assert result.exit_code == 0

@@ -8,9 +8,7 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.link.settings import LinkSettings
 
 
-def test_a_robot_is_found_and_nothing_is_said_against_it(
-    trexcmd: RunCommand, robot: SimulatedDevice
-) -> None:
+def test_find_reports_robot_without_errors(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
     result = trexcmd("find", "--port", robot.url)
     assert result.stdout == f"--port {robot.url}\n"
     searching, found = result.stderr.splitlines()
@@ -18,7 +16,7 @@ def test_a_robot_is_found_and_nothing_is_said_against_it(
     assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no error")
 
 
-def test_both_are_found_in_one_list(
+def test_find_reports_aracna_and_trex_in_same_format(
     trexcmd: RunCommand, robot: SimulatedDevice, quick_simulator: SimulatedDevice
 ) -> None:
     rows = []
@@ -27,7 +25,7 @@ def test_both_are_found_in_one_list(
     assert [(row["product"], row["baud"]) for row in rows] == [("Aracna", 38400), ("TReX", 19200)]
 
 
-def test_on_a_silent_port_it_is_told_of_each_device_what_was_tried(
+def test_find_on_silent_port_reports_each_device_kind(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     robot.do("power off")
@@ -39,7 +37,7 @@ def test_on_a_silent_port_it_is_told_of_each_device_what_was_tried(
     assert summary == "Error: No board was found."
 
 
-def test_a_port_in_use_is_told_once(
+def test_find_reports_port_in_use_once(
     trexcmd: RunCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
 ) -> None:
     other = virtual_time.open_transport(LinkSettings(robot.url))
@@ -50,7 +48,7 @@ def test_a_port_in_use_is_told_once(
     assert "answers" not in result.stderr
 
 
-def test_list_tells_what_a_port_says_that_is_neither(
+def test_list_shows_silent_port_as_nothing_answers(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     robot.do("power off")

@@ -45,7 +45,7 @@ OBEYED = [
 
 
 @pytest.mark.parametrize(("text", "answer"), OBEYED, ids=[text for text, _ in OBEYED])
-def test_what_is_obeyed_is_said(stage: AracnaStage, text: str, answer: str) -> None:
+def test_valid_control_line_is_confirmed(stage: AracnaStage, text: str, answer: str) -> None:
     assert control(stage.line, text) == f"ok {answer}"
 
 
@@ -88,7 +88,7 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("text", "why"), REFUSED, ids=[text[:30] for text, _ in REFUSED])
-def test_what_is_refused_changes_nothing_and_says_what_is_wanted(
+def test_invalid_control_line_is_explained_and_ignored(
     stage: AracnaStage, text: str, why: str
 ) -> None:
     before = state(stage.line)
@@ -96,16 +96,16 @@ def test_what_is_refused_changes_nothing_and_says_what_is_wanted(
     assert state(stage.line) == before
 
 
-def test_a_board_without_power_cannot_be_reset(stage: AracnaStage) -> None:
+def test_unpowered_board_rejects_reset(stage: AracnaStage) -> None:
     stage.do("power off")
     assert control(stage.line, "reset") == "error the board has no power; power on starts it"
 
 
-def test_goodbye_is_what_a_server_ends_on(stage: AracnaStage) -> None:
+def test_quit_returns_goodbye(stage: AracnaStage) -> None:
     assert control(stage.line, "QUIT") == GOODBYE
 
 
-def test_show_tells_of_board_servos_and_wire(stage: AracnaStage) -> None:
+def test_show_reports_board_servos_and_wire(stage: AracnaStage) -> None:
     shown = state(stage.line)
     assert {name: shown[name] for name in ("aracna", "version", "motors", "state", "boots")} == {
         "aracna": True,
@@ -135,7 +135,7 @@ def test_show_tells_of_board_servos_and_wire(stage: AracnaStage) -> None:
     assert shown["counters"]["board"]["restarts"] == 0
 
 
-def test_show_tells_a_dead_servo_from_one_without_power(stage: AracnaStage) -> None:
+def test_show_distinguishes_dead_from_unpowered_servos(stage: AracnaStage) -> None:
     assert (state(stage.line)["servo_power"], state(stage.line)["dead"]) == (True, [])
     stage.do("servo 5 dead")
     stage.do("servo power off")
@@ -144,7 +144,7 @@ def test_show_tells_a_dead_servo_from_one_without_power(stage: AracnaStage) -> N
     assert not any(servo["alive"] for servo in shown["servos"])
 
 
-def test_show_follows_what_happens(stage: AracnaStage) -> None:
+def test_show_reports_current_led_and_servo_states(stage: AracnaStage) -> None:
     stage.ask(b".v50,50,50,50,50,50,50,50\n.l1\n.c\n", 3)
     stage.ask(b".l1\n")
     stage.do("servo 2 dead")
@@ -164,7 +164,7 @@ def test_show_follows_what_happens(stage: AracnaStage) -> None:
     assert (dead["goal"], dead["moving"], dead["alive"]) == (512, False, False)
 
 
-def test_show_names_each_state() -> None:
+def test_show_names_each_firmware_state() -> None:
     line = AracnaLine()
     seen = [state(line)["state"]]
     line.advance(1.1)

@@ -88,7 +88,7 @@ def is_free(stage: AracnaStage) -> bytes:
 
 
 @named(BUSY)
-def test_a_query_survives_and_is_answered_once_when_the_board_is_free(
+def test_query_to_busy_board_is_answered_once_when_idle(
     stage: AracnaStage, busy: Callable[[AracnaStage], None]
 ) -> None:
     busy(stage)
@@ -101,7 +101,7 @@ def test_a_query_survives_and_is_answered_once_when_the_board_is_free(
 
 
 @named(BUSY)
-def test_a_query_sent_twice_is_answered_once(
+def test_repeated_query_to_busy_board_is_answered_once(
     stage: AracnaStage, busy: Callable[[AracnaStage], None]
 ) -> None:
     busy(stage)
@@ -114,7 +114,7 @@ def test_a_query_sent_twice_is_answered_once(
 
 
 @named(LONG_BUSY)
-def test_three_bytes_of_something_longer_are_held(
+def test_busy_board_keeps_three_bytes_of_longer_command(
     stage: AracnaStage, busy: Callable[[AracnaStage], None]
 ) -> None:
     busy(stage)
@@ -126,7 +126,7 @@ def test_three_bytes_of_something_longer_are_held(
 
 @named(LONG_BUSY)
 @pytest.mark.parametrize("line", [GOALS, SPEEDS], ids=["positions", "speeds"])
-def test_the_stump_of_a_command_restarts_the_firmware(
+def test_truncated_command_restarts_firmware(
     stage: AracnaStage, busy: Callable[[AracnaStage], None], line: bytes
 ) -> None:
     busy(stage)
@@ -139,7 +139,7 @@ def test_the_stump_of_a_command_restarts_the_firmware(
 
 
 @named(LONG_BUSY)
-def test_where_the_third_byte_survives_the_next_line_completes_the_stump(
+def test_next_line_completes_truncated_command_and_restarts(
     busy: Callable[[AracnaStage], None],
 ) -> None:
     stage = AracnaStage(keeps_last=False)
@@ -150,7 +150,7 @@ def test_where_the_third_byte_survives_the_next_line_completes_the_stump(
     assert stage.ask(b".q\n", 0.5) == b".h\r\n"
 
 
-def test_a_cut_command_that_the_next_one_completes_can_have_enough_values() -> None:
+def test_next_command_completes_truncated_one_with_enough_values() -> None:
     stage = AracnaStage(keeps_last=False)
     moves(stage)
     stage.line.send(GOALS)  # leaves ".c6", which with the next makes ".c6.c600,…"
@@ -159,7 +159,7 @@ def test_a_cut_command_that_the_next_one_completes_can_have_enough_values() -> N
     assert stage.ask(GOALS) == b".c598,598,598,598,598,598,598,598\r\n"
 
 
-def test_a_command_longer_than_three_bytes_that_is_glued_to_another_gets_lost(
+def test_command_sent_right_behind_speeds_is_truncated(
     stage: AracnaStage,
 ) -> None:
     stage.line.send(SPEEDS + b".l1\n")  # ".l" and the newline survive
@@ -167,7 +167,7 @@ def test_a_command_longer_than_three_bytes_that_is_glued_to_another_gets_lost(
     assert stage.line.receive() == SPEEDS.replace(b"\n", b"\r\n") + b".l0\r\n"
 
 
-def test_speeds_sent_in_reaction_to_hello_without_a_pause_restart_for_ever() -> None:
+def test_speeds_sent_right_after_hello_restart_board_each_time() -> None:
     stage = AracnaStage(booted=False)
     for boot in range(1, 21):
         heard = b""
@@ -181,7 +181,7 @@ def test_speeds_sent_in_reaction_to_hello_without_a_pause_restart_for_ever() -> 
     assert stage.now == pytest.approx(19, abs=0.1)
 
 
-def test_speeds_sent_after_the_deaf_second_are_taken() -> None:
+def test_speeds_sent_after_boot_second_are_accepted() -> None:
     stage = AracnaStage(booted=False)
     assert stage.line.read(4, 1) == b".h\r\n"
     stage.line.advance(BOOT)

@@ -29,7 +29,7 @@ def stamps(stage: AracnaStage, goals: list[int], seconds: float = 60) -> tuple[l
     return times, reply
 
 
-def test_values_come_motor_by_motor_when_each_has_arrived() -> None:
+def test_reply_gives_each_value_once_motor_has_arrived() -> None:
     goals = [600, 550, 900, 512, 100, 700, 20, 1023]
     speeds = [100, 50, 200, 10, 150, 100, 300, 400]
     stage = AracnaStage(margin=0)
@@ -58,7 +58,7 @@ def test_values_come_motor_by_motor_when_each_has_arrived() -> None:
         (1, 450),
     ],
 )
-def test_a_whole_turn_takes_what_the_documentation_says(speed: int, seconds: float) -> None:
+def test_full_travel_takes_documented_time(speed: int, seconds: float) -> None:
     stage = AracnaStage(positions=[0] * 8, margin=0)
     stage.ask(line("v", [speed] * 8))
     times, _ = stamps(stage, [1023] * 8, seconds=500)
@@ -66,7 +66,7 @@ def test_a_whole_turn_takes_what_the_documentation_says(speed: int, seconds: flo
 
 
 @pytest.mark.parametrize(("position", "milliseconds"), [(512, 33), (1023, 37)])
-def test_without_motion_a_round_trip_takes_33_to_37_ms(position: int, milliseconds: float) -> None:
+def test_round_trip_without_motion_takes_33_to_37_ms(position: int, milliseconds: float) -> None:
     stage = AracnaStage(positions=[position] * 8)
     request = line("c", [position] * 8)
     begun = stage.now
@@ -85,13 +85,13 @@ def test_speeds_take_42_to_55_ms(speeds: list[int], least: float, most: float) -
     assert least <= (stage.now - begun) * 1000 <= most
 
 
-def test_the_first_bytes_come_before_any_motor_has_arrived() -> None:
+def test_first_reply_bytes_come_before_any_motor_arrives() -> None:
     stage = AracnaStage()
     stage.ask(line("v", [1] * 8))
     assert stage.ask(line("c", [1023] * 8), 1) == b".c"
 
 
-def test_servos_stop_some_units_off_their_goal() -> None:
+def test_servos_stop_within_margin_of_goal() -> None:
     stage = AracnaStage(margin=3)
     assert stage.ask(line("c", [600] * 4 + [400] * 4)) == (b".c597,597,597,597,403,403,403,403\r\n")
     assert stage.ask(line("c", [599] * 4 + [401] * 4)) == (  # near enough: none moves
@@ -99,12 +99,12 @@ def test_servos_stop_some_units_off_their_goal() -> None:
     )
 
 
-def test_a_refused_goal_is_answered_at_once_with_where_the_servo_is() -> None:
+def test_rejected_goal_is_answered_at_once_with_position() -> None:
     stage = AracnaStage(positions=[200] * 8)
     assert stage.ask(line("c", [1024] * 8), 0.1) == line("c", [200] * 8).replace(b"\n", b"\r\n")
 
 
-def test_a_servo_on_its_way_goes_on_to_its_old_goal_when_a_new_one_is_refused() -> None:
+def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
     stage = AracnaStage(margin=0)
     stage.ask(line("v", [50] * 8))
     stage.line.send(line("c", [700] * 8))
@@ -115,7 +115,7 @@ def test_a_servo_on_its_way_goes_on_to_its_old_goal_when_a_new_one_is_refused() 
     assert stage.ask(line("c", [1024] * 8)) == line("c", [700] * 8).replace(b"\n", b"\r\n")
 
 
-def test_a_later_motor_tells_where_it_is_when_its_turn_comes() -> None:
+def test_lagging_motor_reports_position_at_its_turn() -> None:
     stage = AracnaStage(margin=0)
     stage.line.servos[7].lag = 10  # the moving flag is not up when it is asked
     stage.ask(line("v", [100] * 7 + [10]))
@@ -125,7 +125,7 @@ def test_a_later_motor_tells_where_it_is_when_its_turn_comes() -> None:
     assert last == pytest.approx(512 + 10 * UNITS_A_SECOND, abs=2)
 
 
-def test_a_load_makes_a_servo_slower() -> None:
+def test_load_slows_servo() -> None:
     stage = AracnaStage(margin=0)
     stage.ask(line("v", [100] * 8))
     stage.do("servo 2 load 0.5")

@@ -38,9 +38,16 @@ def open_port(process: AracnaProcess, baud: int = 38400) -> serial.Serial:
     return serial.serial_for_url(process.url, baudrate=baud, timeout=PATIENCE)
 
 
+def wait_until(condition: Callable[[], bool]) -> None:
+    """Poll a condition that asks the simulator, which takes a round trip each time."""
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < end
+
+
 @pytest.mark.realtime
 @needs_pty
-def test_it_says_hello_after_a_reset_and_answers_a_second_later(start: Start) -> None:
+def test_reset_board_says_hello_and_answers_a_second_later(start: Start) -> None:
     robot = start()
     with open_port(robot) as port:
         port.write(b".q\n")
@@ -57,7 +64,7 @@ def test_it_says_hello_after_a_reset_and_answers_a_second_later(start: Start) ->
 
 @pytest.mark.realtime
 @needs_pty
-def test_servos_take_their_time(start: Start) -> None:
+def test_servo_motion_takes_real_time(start: Start) -> None:
     robot = start()
     with open_port(robot) as port:
         port.write(b".q\n")
@@ -75,19 +82,18 @@ def test_servos_take_their_time(start: Start) -> None:
 @pytest.mark.realtime
 @pytest.mark.slow
 @needs_pty
-def test_the_rate_that_the_host_has_set_is_seen(start: Start) -> None:
+def test_simulator_sees_baud_rate_of_host(start: Start) -> None:
     robot = start()
     with open_port(robot, 9600) as port:
         port.timeout = 1.5
         port.write(b".q\n")
-        while robot.show()["counters"]["line"]["garbled"] == 0:
-            time.sleep(0.02)
+        wait_until(lambda: robot.show()["counters"]["line"]["garbled"] > 0)
         assert VERSION not in port.read(50)
 
 
 @pytest.mark.realtime
 @pytest.mark.slow
-def test_two_motors_over_tcp(start: Start) -> None:
+def test_two_motor_robot_answers_over_tcp(start: Start) -> None:
     robot = start("--motors", "2", "--tcp", "127.0.0.1:0", "--unpaced")
     with open_port(robot) as port:
         port.write(b".q\n")
@@ -101,7 +107,7 @@ def test_two_motors_over_tcp(start: Start) -> None:
 @pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial 3.5
-def test_a_remote_serial_port_shows_the_hosts_parity(start: Start) -> None:
+def test_rfc2217_port_passes_parity_of_host(start: Start) -> None:
     robot = start("--rfc2217", "127.0.0.1:0")
     with serial.serial_for_url(robot.url, baudrate=38400, parity="E", timeout=1.5) as port:
         port.write(b".q\n")
@@ -115,7 +121,7 @@ def test_a_remote_serial_port_shows_the_hosts_parity(start: Start) -> None:
 
 
 @pytest.mark.realtime
-def test_unplugging_is_noticed_and_the_port_comes_back(start: Start) -> None:
+def test_unplug_closes_connection_and_plug_reopens_port(start: Start) -> None:
     robot = start("--tcp", "127.0.0.1:0")
     host, number = robot.url.removeprefix("socket://").split(":")
     with socket.create_connection((host, int(number)), PATIENCE) as other:
@@ -129,7 +135,7 @@ def test_unplugging_is_noticed_and_the_port_comes_back(start: Start) -> None:
 
 
 @pytest.mark.realtime
-def test_quit_ends_it() -> None:
+def test_quit_ends_process() -> None:
     done = subprocess.run(
         [sys.executable, "-m", "trex_gui.emulator", "--aracna", "--tcp", "127.0.0.1:0"],
         check=False,
@@ -159,24 +165,24 @@ MEANINGLESS = [
 
 
 @pytest.mark.parametrize("option", MEANINGLESS, ids=" ".join)
-def test_options_of_a_trex_are_refused_with_a_sentence(option: list[str]) -> None:
+def test_trex_options_are_rejected_with_explanation(option: list[str]) -> None:
     result = CliRunner().invoke(main, ["--aracna", *option])
     assert result.exit_code == 2
     assert f"{option[0]} is for a TReX and means nothing with --aracna" in result.output
 
 
-def test_motors_are_an_aracnas() -> None:
+def test_motors_option_requires_aracna() -> None:
     result = CliRunner().invoke(main, ["--motors", "2"])
     assert result.exit_code == 2
     assert "--motors means something only with --aracna" in result.output
 
 
 @pytest.mark.parametrize("motors", ["0", "9", "many"])
-def test_a_number_of_motors_that_it_cannot_have_is_refused(motors: str) -> None:
+def test_invalid_motor_count_is_rejected(motors: str) -> None:
     assert CliRunner().invoke(main, ["--aracna", "--motors", motors]).exit_code == 2
 
 
-def test_an_endpoint_that_cannot_be_had_is_a_sentence() -> None:
+def test_unavailable_endpoint_is_reported() -> None:
     with socket.create_server(("127.0.0.1", 0)) as other:
         address = f"127.0.0.1:{other.getsockname()[1]}"
         result = CliRunner().invoke(main, ["--aracna", "--tcp", address])
@@ -184,5 +190,5 @@ def test_an_endpoint_that_cannot_be_had_is_a_sentence() -> None:
     assert address in result.output
 
 
-def test_help_tells_of_it() -> None:
+def test_help_lists_aracna_option() -> None:
     assert "--aracna" in CliRunner().invoke(main, ["--help"]).output

@@ -108,7 +108,7 @@ def stage() -> AracnaStage:
         for name, line, reply in [*QUERIES, *SILENT, *LED, *CUT, *TOO_FEW]
     ],
 )
-def test_a_line_gets_its_reply_and_no_servo_notices(
+def test_line_gets_reply_without_changing_servos(
     stage: AracnaStage, line: bytes, reply: bytes
 ) -> None:
     assert stage.ask(line) == reply
@@ -118,7 +118,7 @@ def test_a_line_gets_its_reply_and_no_servo_notices(
 
 
 @pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line, _ in TOO_FEW])
-def test_too_few_values_restart_the_firmware(stage: AracnaStage, line: bytes) -> None:
+def test_too_few_values_restart_firmware(stage: AracnaStage, line: bytes) -> None:
     stage.ask(line)
     assert stage.line.station.firmware.boots == 2
     assert stage.ask(b"\n.q\n") == VERSION  # the newline: the rest of a cut line may wait
@@ -157,20 +157,20 @@ FIELDS = [
 @pytest.mark.parametrize(
     ("field", "goal"), [pytest.param(field, goal, id=name) for name, field, goal in FIELDS]
 )
-class TestAValue:
-    def test_in_front_becomes_a_goal_or_is_refused(
+class TestFieldValue:
+    def test_first_field_sets_goal_or_is_rejected(
         self, stage: AracnaStage, field: str, goal: int
     ) -> None:
         assert stage.ask(f".c{values(field)}\n".encode()) == f".c{values(goal)}\r\n".encode()
         assert stage.goals == row_of(goal, START)
 
-    def test_at_the_end_becomes_a_goal_or_is_refused(
+    def test_last_field_sets_goal_or_is_rejected(
         self, stage: AracnaStage, field: str, goal: int
     ) -> None:
         line = f".c{'300,' * 7}{field}\n".encode()
         assert stage.ask(line) == f".c{'300,' * 7}{goal}\r\n".encode()
 
-    def test_becomes_a_speed_or_leaves_the_old_one(
+    def test_first_field_sets_speed_or_keeps_old_one(
         self, stage: AracnaStage, field: str, goal: int
     ) -> None:
         stage.ask(f".v{values(START)}\n".encode())
@@ -196,7 +196,7 @@ WHOLE = [
 @pytest.mark.parametrize(
     ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in WHOLE]
 )
-def test_the_first_eight_values_count(stage: AracnaStage, line: str, reply: str) -> None:
+def test_only_first_eight_values_count(stage: AracnaStage, line: str, reply: str) -> None:
     assert stage.ask(line.encode()) == f".c{reply}\r\n".encode()
     assert stage.goals == tuple(map(int, reply.split(",")))
     assert stage.line.station.firmware.boots == 1
@@ -211,9 +211,7 @@ HANGING = [
 
 
 @pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line in HANGING])
-def test_nine_characters_in_a_field_hang_the_firmware_until_it_is_reset(
-    stage: AracnaStage, line: str
-) -> None:
+def test_nine_character_field_hangs_firmware_until_reset(stage: AracnaStage, line: str) -> None:
     assert stage.ask(line.encode()) == SILENCE
     assert stage.ask(b".q\n", 60) == SILENCE
     assert stage.line.station.firmware.state.value == "hung"
@@ -222,7 +220,7 @@ def test_nine_characters_in_a_field_hang_the_firmware_until_it_is_reset(
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_a_servo_with_torque_off_holds_from_its_first_goal_on(stage: AracnaStage) -> None:
+def test_first_accepted_goal_enables_torque(stage: AracnaStage) -> None:
     stage.ask(f".v{values(100)}\n".encode())
     assert not stage.line.servos[0].torque
     stage.ask(f".c{values(1024)}\n".encode())
@@ -247,5 +245,5 @@ def test_version_0_has_two_motors(line: bytes, reply: bytes) -> None:
     assert stage.ask(line) == reply
 
 
-def test_builds_older_than_that_do_not_say_how_many_motors_they_have() -> None:
+def test_old_builds_omit_motor_count() -> None:
     assert AracnaStage(motors=2, tells_motors=False).ask(b".q\n") == b".q0\r\n"

@@ -15,7 +15,7 @@ def stage() -> AracnaStage:
     return AracnaStage()
 
 
-def test_a_board_says_hello_and_is_then_deaf_for_a_second() -> None:
+def test_board_says_hello_then_ignores_host_for_a_second() -> None:
     stage = AracnaStage(booted=False)
     assert stage.line.read(4, 1) == HELLO
     assert stage.now == pytest.approx(0.001, abs=0.0005)
@@ -24,7 +24,7 @@ def test_a_board_says_hello_and_is_then_deaf_for_a_second() -> None:
     assert stage.now == pytest.approx(1.003, abs=0.002)
 
 
-def test_the_led_blinks_while_it_starts_and_is_off_then() -> None:
+def test_led_blinks_during_boot_then_turns_off() -> None:
     stage = AracnaStage(booted=False)
     seen = []
     while stage.now < 1.1:
@@ -35,19 +35,19 @@ def test_the_led_blinks_while_it_starts_and_is_off_then() -> None:
     assert seen[-1] is False
 
 
-def test_a_boot_loader_delays_hello() -> None:
+def test_boot_loader_delays_hello() -> None:
     stage = AracnaStage(booted=False, boot_loader=2.0)
     assert stage.line.read(4, 1.9) == b""
     assert stage.line.read(4, 0.2) == HELLO
 
 
-def test_the_led_is_off_after_a_restart(stage: AracnaStage) -> None:
+def test_led_is_off_after_restart(stage: AracnaStage) -> None:
     stage.ask(b".l1\n")
     stage.ask(b".c\n")
     assert stage.ask(b".l\n") == b".l0\r\n"
 
 
-def test_servos_go_on_moving_over_a_restart_of_the_board(stage: AracnaStage) -> None:
+def test_servos_keep_moving_during_board_reset(stage: AracnaStage) -> None:
     stage.ask(SPEEDS)
     stage.line.send(GOALS)
     stage.line.advance(1)
@@ -62,14 +62,14 @@ def test_servos_go_on_moving_over_a_restart_of_the_board(stage: AracnaStage) -> 
     assert all(servo.torque for servo in stage.line.servos)
 
 
-def test_a_restart_that_a_line_has_caused_leaves_the_servos_alone_too(stage: AracnaStage) -> None:
+def test_restart_by_invalid_line_keeps_servo_settings(stage: AracnaStage) -> None:
     stage.ask(SPEEDS)
     stage.ask(GOALS, 10)
     stage.ask(b".c\n")
     assert (stage.speeds, stage.goals) == ((50,) * 8, (800,) * 8)
 
 
-def test_servos_without_power_lose_all_but_their_position(stage: AracnaStage) -> None:
+def test_unpowered_servos_lose_all_but_position(stage: AracnaStage) -> None:
     stage.ask(SPEEDS)
     stage.line.send(GOALS)
     stage.line.advance(1)
@@ -84,7 +84,7 @@ def test_servos_without_power_lose_all_but_their_position(stage: AracnaStage) ->
     assert not any(servo.torque for servo in stage.line.servos)
 
 
-def test_a_reset_in_mid_reply_cuts_it_off(stage: AracnaStage) -> None:
+def test_reset_truncates_reply(stage: AracnaStage) -> None:
     stage.line.send(b".q\n")
     assert stage.line.read(3, 1) == b".q1"
     stage.line.advance(stage.line.byte_time / 2)  # in mid-byte
@@ -92,7 +92,7 @@ def test_a_reset_in_mid_reply_cuts_it_off(stage: AracnaStage) -> None:
     assert stage.ask(b"") == HELLO
 
 
-def test_a_reset_forgets_half_a_line(stage: AracnaStage) -> None:
+def test_reset_discards_partial_line(stage: AracnaStage) -> None:
     stage.ask(b".c500,")
     stage.do("reset")
     stage.line.advance(1.1)
@@ -100,7 +100,7 @@ def test_a_reset_forgets_half_a_line(stage: AracnaStage) -> None:
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_a_board_without_power_is_silent_and_starts_with_hello(stage: AracnaStage) -> None:
+def test_unpowered_board_is_silent_and_boots_with_hello(stage: AracnaStage) -> None:
     stage.ask(SPEEDS)
     stage.do("power off")
     assert stage.ask(b".q\n") == b""
@@ -110,7 +110,7 @@ def test_a_board_without_power_is_silent_and_starts_with_hello(stage: AracnaStag
     assert stage.speeds == (0,) * 8
 
 
-def test_power_on_where_there_is_power_starts_nothing(stage: AracnaStage) -> None:
+def test_power_on_while_powered_does_not_restart_board(stage: AracnaStage) -> None:
     stage.do("power on")
     assert stage.ask(b".q\n") == VERSION
     assert stage.line.station.firmware.boots == 1

@@ -19,14 +19,14 @@ def stage() -> AracnaStage:
     return AracnaStage()
 
 
-def test_a_query_takes_about_three_milliseconds(stage: AracnaStage) -> None:
+def test_query_takes_about_three_milliseconds(stage: AracnaStage) -> None:
     begun = stage.now
     stage.line.send(b".q\n")
     assert stage.line.read(7, 1) == VERSION
     assert (stage.now - begun) * 1000 == pytest.approx(2.6, abs=0.1)
 
 
-def test_bytes_arrive_one_by_one_a_quarter_of_a_millisecond_apart(stage: AracnaStage) -> None:
+def test_reply_bytes_arrive_one_byte_time_apart(stage: AracnaStage) -> None:
     stage.line.send(b".q\n")
     times = []
     for _ in VERSION:
@@ -35,7 +35,7 @@ def test_bytes_arrive_one_by_one_a_quarter_of_a_millisecond_apart(stage: AracnaS
     assert [later - sooner for sooner, later in pairwise(times)] == (pytest.approx([0.00026] * 6))
 
 
-def test_unpaced_bytes_take_no_time_but_servos_and_booting_do() -> None:
+def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
     stage = AracnaStage(paced=False, margin=0)
     begun = stage.now
     stage.line.send(b".q\n")
@@ -51,7 +51,7 @@ def test_unpaced_bytes_take_no_time_but_servos_and_booting_do() -> None:
 
 @pytest.mark.parametrize("baud", [300, 9600, 19200, 57600, 115200])
 @pytest.mark.parametrize("paced", [True, False])
-def test_a_host_at_another_rate_is_not_understood(baud: int, paced: bool) -> None:
+def test_host_at_other_baud_rate_gets_no_valid_reply(baud: int, paced: bool) -> None:
     stage = AracnaStage(paced=paced)
     stage.line.host = LineSettings(baud)
     assert VERSION not in stage.ask(b".q\n")
@@ -64,7 +64,7 @@ def test_a_host_at_another_rate_is_not_understood(baud: int, paced: bool) -> Non
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_what_a_host_at_another_rate_gets_is_garbage(stage: AracnaStage) -> None:
+def test_host_at_other_baud_rate_receives_garbage(stage: AracnaStage) -> None:
     stage.line.host = LineSettings(19200)
     stage.do("reset")
     garbage = stage.ask(b"", 2)
@@ -72,7 +72,7 @@ def test_what_a_host_at_another_rate_gets_is_garbage(stage: AracnaStage) -> None
     assert garbage != b".h\r\n"
 
 
-def test_what_a_host_at_another_rate_sends_is_garbage(stage: AracnaStage) -> None:
+def test_board_receives_garbage_from_host_at_other_baud_rate(stage: AracnaStage) -> None:
     stage.line.host = LineSettings(9600)
     stage.ask(b".l1\n" * 4)
     assert stage.line.station.firmware.led is False
@@ -80,42 +80,42 @@ def test_what_a_host_at_another_rate_sends_is_garbage(stage: AracnaStage) -> Non
 
 
 @pytest.mark.parametrize("detection", [Detection.EVEN, Detection.ODD])
-def test_a_host_with_parity_is_not_understood(stage: AracnaStage, detection: Detection) -> None:
+def test_host_with_parity_gets_no_valid_reply(stage: AracnaStage, detection: Detection) -> None:
     stage.line.host = LineSettings(38400, detection)
     assert VERSION not in stage.ask(b".q\n" * 3)
 
 
-def test_a_second_stop_bit_harms_nobody(stage: AracnaStage) -> None:
+def test_second_stop_bit_is_accepted(stage: AracnaStage) -> None:
     stage.line.host = LineSettings(38400, stop_bits=2)
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_a_mute_line_lets_nothing_out(stage: AracnaStage) -> None:
+def test_mute_line_drops_replies_but_not_commands(stage: AracnaStage) -> None:
     stage.do("line mute on")
     assert stage.ask(b".l1\n") == b""
     stage.do("line mute off")
     assert stage.ask(b".l\n") == b".l1\r\n"
 
 
-def test_bytes_to_the_host_get_lost(stage: AracnaStage) -> None:
+def test_dropped_bytes_are_missing_from_reply(stage: AracnaStage) -> None:
     stage.do("line drop 2")
     assert stage.ask(b".q\n") == VERSION[2:]
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_bytes_from_the_host_get_lost(stage: AracnaStage) -> None:
+def test_dropped_sent_bytes_leave_query_unanswered(stage: AracnaStage) -> None:
     stage.do("line drop 1 sent")
     assert stage.ask(b".q\n") == b""  # "q" and the newline
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_garbage_comes_at_the_pace_of_the_line(stage: AracnaStage) -> None:
+def test_garbage_arrives_at_line_speed(stage: AracnaStage) -> None:
     stage.do("line garbage 00 FF 2E 68")
     assert stage.line.read(4, 1) == b"\x00\xff.h"
     assert stage.now == pytest.approx(BOOT + 4 * stage.line.byte_time)
 
 
-def test_noise_spoils_every_byte_where_it_is_certain(stage: AracnaStage) -> None:
+def test_noise_of_probability_1_corrupts_reply(stage: AracnaStage) -> None:
     stage.do("line noise 1")
     assert stage.ask(b".q\n") != VERSION
     stage.do("line noise 0")
@@ -123,7 +123,7 @@ def test_noise_spoils_every_byte_where_it_is_certain(stage: AracnaStage) -> None
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_noise_is_the_same_for_the_same_seed() -> None:
+def test_same_seed_gives_same_noise() -> None:
     def heard(seed: int) -> bytes:
         stage = AracnaStage(seed=seed)
         stage.do("line noise 0.2")
@@ -133,7 +133,7 @@ def test_noise_is_the_same_for_the_same_seed() -> None:
     assert heard(4) != heard(5)
 
 
-def test_nothing_passes_while_the_cable_is_out(stage: AracnaStage) -> None:
+def test_unplugged_cable_passes_nothing(stage: AracnaStage) -> None:
     stage.do("line unplug")
     assert stage.ask(b".l1\n") == b""
     assert not stage.line.station.firmware.led
@@ -141,7 +141,7 @@ def test_nothing_passes_while_the_cable_is_out(stage: AracnaStage) -> None:
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_of_a_reply_under_way_when_the_cable_comes_back_the_rest_arrives(
+def test_replugged_cable_passes_rest_of_reply(
     stage: AracnaStage,
 ) -> None:
     stage.line.send(b".q\n")
@@ -152,7 +152,7 @@ def test_of_a_reply_under_way_when_the_cable_comes_back_the_rest_arrives(
     assert stage.ask(b"", 1) == VERSION[4:]
 
 
-def test_what_a_host_has_queued_is_dropped_when_it_leaves(stage: AracnaStage) -> None:
+def test_drop_unsent_discards_queued_bytes(stage: AracnaStage) -> None:
     stage.line.send(b".l1\n" * 10)
     assert stage.line.backlog == pytest.approx(40 * stage.line.byte_time)
     stage.line.advance(2.5 * stage.line.byte_time)
@@ -162,7 +162,7 @@ def test_what_a_host_has_queued_is_dropped_when_it_leaves(stage: AracnaStage) ->
     assert stage.ask(b"\n.q\n").endswith(VERSION)
 
 
-def test_a_robot_needs_motors_and_a_position_for_each() -> None:
+def test_robot_requires_motors_and_one_position_for_each() -> None:
     with pytest.raises(ValueError, match="0 motors"):
         AracnaLine(motors=0)
     with pytest.raises(ValueError, match="8 motors and 2 positions"):
@@ -182,7 +182,7 @@ PIECES = st.one_of(
     paced=st.booleans(),
     keeps_last=st.booleans(),
 )
-def test_whatever_it_is_sent_a_board_answers_after_a_reset(
+def test_board_answers_after_any_input_and_reset(
     pieces: list[tuple[bytes, float]], paced: bool, keeps_last: bool
 ) -> None:
     stage = AracnaStage(booted=False, paced=paced, keeps_last=keeps_last)
@@ -204,9 +204,7 @@ def test_whatever_it_is_sent_a_board_answers_after_a_reset(
 
 
 @pytest.mark.parametrize("passing", [0, 1, 6, 7])
-def test_of_an_answer_that_is_cut_the_first_bytes_come_and_the_next_answer_is_whole(
-    stage: AracnaStage, passing: int
-) -> None:
+def test_cut_reply_ends_early_and_next_reply_is_complete(stage: AracnaStage, passing: int) -> None:
     stage.do(f"line cut {passing}")
     answer = stage.ask(GOALS)
     assert answer == b".c512,512,"[:passing]
@@ -214,14 +212,14 @@ def test_of_an_answer_that_is_cut_the_first_bytes_come_and_the_next_answer_is_wh
     assert stage.line.faults.counters["dropped"] == 35 - passing
 
 
-def test_a_cut_that_comes_behind_a_short_answer_is_one_of_the_next(stage: AracnaStage) -> None:
+def test_cut_beyond_short_reply_applies_to_next_reply(stage: AracnaStage) -> None:
     stage.do("line cut 9")
     assert stage.ask(b".q\n") == VERSION
     assert stage.ask(b".q\n") == VERSION[:2]
     assert stage.ask(b".q\n") == VERSION
 
 
-def test_a_cut_can_be_taken_back(stage: AracnaStage) -> None:
+def test_cut_can_be_cancelled(stage: AracnaStage) -> None:
     stage.do("line cut 2")
     stage.do("line cut off")
     assert stage.ask(b".q\n") == VERSION

@@ -47,9 +47,7 @@ class DemoRobotPanel(WidgetDriver):
 
     @property
     def scroll_area(self) -> QScrollArea:
-        area = self.dock.findChild(QScrollArea)
-        assert area is not None
-        return area
+        return self.find_only(QScrollArea)
 
     def gauge(self, motor: int) -> ServoGauge:
         return self.find(ServoGauge, f"aracnaDemoGauge{motor}")
@@ -96,7 +94,7 @@ def panel(connected_window: RobotWindow) -> DemoRobotPanel:
 # --- Servos -----------------------------------------------------------------------------
 
 
-def test_panel_shows_servos_while_the_robot_is_silent(panel: DemoRobotPanel) -> None:
+def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotPanel) -> None:
     assert panel.window.text("aracnaPresent0") == "–", "not reported by the robot yet"
     panel.wait_for_text("aracnaDemoWhere0", "512")
     assert "limp" in panel.gauge(0).toolTip()
@@ -114,9 +112,8 @@ def test_panel_shows_servos_while_the_robot_is_silent(panel: DemoRobotPanel) -> 
     panel.wait_for_text("aracnaDemoState", "Idle")
 
 
-def test_led_is_shown_without_its_flicker(panel: DemoRobotPanel) -> None:
-    view = panel.dock.findChild(DemoRobotView)
-    assert view is not None
+def test_led_text_shows_blinking_during_boot(panel: DemoRobotPanel) -> None:
+    view = panel.find_only(DemoRobotView)
     for state, led, text in (
         ("booting", True, "LED: blinks"),
         ("booting", False, "LED: blinks"),
@@ -130,7 +127,7 @@ def test_led_is_shown_without_its_flicker(panel: DemoRobotPanel) -> None:
         assert lamp.accessibleName() == text, state
 
 
-def test_faulty_servos_hold_the_robot_up(panel: DemoRobotPanel) -> None:
+def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
     panel.window.move()  # from a known place a late answer is called late sooner
     panel.begin_to_move(100)
     panel.click("aracnaDemoDead3")
@@ -162,7 +159,7 @@ def test_faulty_servos_hold_the_robot_up(panel: DemoRobotPanel) -> None:
 # --- Power ------------------------------------------------------------------------------
 
 
-def test_board_is_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
+def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
     window, robot = panel.window, panel.robot
     panel.begin_to_move(speed=15)
     window.wait_for_silence(lambda: panel.click("aracnaDemoRestart"))
@@ -181,7 +178,7 @@ def test_board_is_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
     panel.wait(lambda: panel.snapshot.servo_power)
 
 
-def test_cut_of_servo_power_stops_the_motion(panel: DemoRobotPanel) -> None:
+def test_servo_power_cut_stops_motion(panel: DemoRobotPanel) -> None:
     window = panel.window
     window.move()
     panel.begin_to_move()
@@ -201,7 +198,7 @@ def test_cut_of_servo_power_stops_the_motion(panel: DemoRobotPanel) -> None:
 # --- The cable --------------------------------------------------------------------------
 
 
-def test_pulled_cable_is_reported_until_it_is_back(panel: DemoRobotPanel) -> None:
+def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> None:
     window = panel.window
     panel.begin_to_move()
     panel.click("aracnaDemoCable")
@@ -236,7 +233,7 @@ def test_pulled_cable_is_reported_until_it_is_back(panel: DemoRobotPanel) -> Non
     panel.wait(lambda: panel.snapshot.line.noise == 0)
 
 
-def test_lost_bytes_are_survived(panel: DemoRobotPanel) -> None:
+def test_robot_moves_again_after_lost_bytes(panel: DemoRobotPanel) -> None:
     window, robot = panel.window, panel.robot
     panel.lose("ANSWER_BYTE")
     window.wait_until_up()
@@ -281,7 +278,7 @@ def test_mend_all_repairs_everything(panel: DemoRobotPanel) -> None:
 # --- Visibility -------------------------------------------------------------------------
 
 
-def test_panel_is_there_with_the_demo_only(window: RobotWindow) -> None:
+def test_panel_is_shown_only_with_demo_robot(window: RobotWindow) -> None:
     panel, action = DemoRobotPanel(window), window.action("aracna_demo")
     assert panel.dock.isHidden()
     assert not action.isEnabled()
@@ -308,7 +305,7 @@ def test_panel_is_there_with_the_demo_only(window: RobotWindow) -> None:
     assert not action.isEnabled()
 
 
-def test_closed_panel_stays_closed_until_the_menu_shows_it(panel: DemoRobotPanel) -> None:
+def test_closed_panel_stays_closed_until_menu_shows_it(panel: DemoRobotPanel) -> None:
     window, action = panel.window, panel.window.action("aracna_demo")
     assert action.isChecked()
     panel.dock.close()
@@ -337,10 +334,10 @@ NAMES = {
 }
 
 
-def test_every_control_is_named_and_reached_by_tab(panel: DemoRobotPanel) -> None:
+def test_every_control_has_name_and_is_reached_by_tab(panel: DemoRobotPanel) -> None:
     found = [
         widget
-        for widget in panel.dock.findChildren(QWidget)
+        for widget in panel.find_all(QWidget)
         if isinstance(widget, QAbstractButton | QAbstractSlider | QComboBox)
         and widget.objectName().startswith("aracnaDemo")
     ]
@@ -365,7 +362,7 @@ def test_every_control_is_named_and_reached_by_tab(panel: DemoRobotPanel) -> Non
     assert stand_in_order(panel.dock, reached)
 
 
-def test_window_and_panel_fit_a_small_screen(panel: DemoRobotPanel) -> None:
+def test_window_and_panel_fit_small_screen(panel: DemoRobotPanel) -> None:
     window, area = panel.window.window, panel.scroll_area
     view = area.widget()
     assert view is not None
@@ -375,7 +372,7 @@ def test_window_and_panel_fit_a_small_screen(panel: DemoRobotPanel) -> None:
         window.resize(1054, 480)
         panel.wait(lambda: (window.width(), window.height()) == (1054, 480))
         panel.wait(lambda: view.width() <= area.viewport().width())
-        for widget in view.findChildren(QWidget):
+        for widget in WidgetDriver(view, panel.qtbot).find_all(QWidget):
             if not widget.isVisible() or not widget.objectName().startswith("aracnaDemo"):
                 continue
             place = QRect(widget.mapTo(view, QPoint()), widget.size())

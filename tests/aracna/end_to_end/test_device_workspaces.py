@@ -38,7 +38,7 @@ def press_control(window: RobotWindow, key: Qt.Key) -> None:
     QTest.keyClick(window.window, key, Qt.KeyboardModifier.ControlModifier)
 
 
-def test_workspace_follows_the_port(window: RobotWindow, qtbot: QtBot) -> None:
+def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
     qtbot.waitActive(window.window)
     desk, aracna = window.program.desk.pages, window.program.aracna.pages
     window.choose_demo("trex")
@@ -60,7 +60,7 @@ def test_workspace_follows_the_port(window: RobotWindow, qtbot: QtBot) -> None:
     assert window.action("stop").text() == "&Stop motor"
 
 
-def test_escape_stops_the_robot_from_each_page(connected_window: RobotWindow) -> None:
+def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> None:
     window = connected_window
     halts: list[bool] = []
     window.robot.halted.connect(lambda: halts.append(True))
@@ -77,7 +77,7 @@ def test_escape_stops_the_robot_from_each_page(connected_window: RobotWindow) ->
     window.choose_demo()
 
 
-def test_newest_choice_of_device_counts(
+def test_newest_device_choice_wins(
     window: RobotWindow,
     quick_simulator: SimulatedDevice,
     start_simulator: StartSimulator,

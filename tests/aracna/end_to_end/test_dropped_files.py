@@ -81,7 +81,7 @@ def test_dropped_files_open_in_their_workspace(
     window.program.desk.files.close_all()
 
 
-def test_dropped_file_of_another_device_is_rejected(window: RobotWindow, make: Make) -> None:
+def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Make) -> None:
     window.choose_demo()
     assert window.drop(make("walk.PPR", POSES))
     window.wait(lambda: poses(window) == ["low"])
@@ -102,7 +102,7 @@ def test_dropped_file_of_another_device_is_rejected(window: RobotWindow, make: M
     assert poses(window) == ["low"]
 
 
-def test_files_named_with_robot_open_at_once(window: RobotWindow, make: Make) -> None:
+def test_file_arguments_open_while_robot_connects(window: RobotWindow, make: Make) -> None:
     program = window.program
     program.connect_to_demo("aracna")
     program.open_named(make("walk.ppr", POSES), connecting=True)
@@ -113,7 +113,7 @@ def test_files_named_with_robot_open_at_once(window: RobotWindow, make: Make) ->
     program.desk.files.close_all()
 
 
-def test_poses_named_with_board_open_without_it(window: RobotWindow, make: Make) -> None:
+def test_pose_file_argument_opens_only_without_trex(window: RobotWindow, make: Make) -> None:
     program, before = window.program, poses(window)
     program.connect_to_demo("trex")
     program.open_named(make("walk.ppr", POSES), connecting=True)

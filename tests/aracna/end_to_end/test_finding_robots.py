@@ -44,7 +44,7 @@ def kinds(texts: list[str]) -> list[str]:
     return [name for i, name in enumerate(names) if i == 0 or names[i - 1] != name]
 
 
-def test_search_finds_robots_and_boards_on_any_port(
+def test_search_finds_aracna_and_trex_and_prefers_earlier_device(
     window: RobotWindow, robot: SimulatedDevice, quick_simulator: SimulatedDevice
 ) -> None:
     probed = search(window, robot.url)
@@ -67,7 +67,7 @@ def test_search_finds_robots_and_boards_on_any_port(
     window.find(QDialog, "findDialog").close()
 
 
-def test_search_reports_what_it_tried_in_vain(window: RobotWindow, robot: SimulatedDevice) -> None:
+def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDevice) -> None:
     with_other_program = open_transport(LinkSettings(robot.url))
     assert search(window, robot.url) == []
     with_other_program.close()

@@ -34,7 +34,7 @@ def creep(window: RobotWindow) -> None:
     window.wait(lambda: window.robot.remaining() > 0)
 
 
-def test_halt_at_rest_says_that_nothing_is_sent(
+def test_automatic_halt_at_rest_reports_that_nothing_is_sent(
     connected_window: RobotWindow, causes: Causes, virtual_time: VirtualRuntime
 ) -> None:
     window = connected_window
@@ -58,7 +58,7 @@ def test_halt_at_rest_says_that_nothing_is_sent(
     assert causes.told[before:] == [f"{MISTAKE}."]
 
 
-def test_halt_says_how_long_the_motion_goes_on(
+def test_automatic_halt_reports_remaining_motion_time(
     connected_window: RobotWindow, causes: Causes
 ) -> None:
     window, robot = connected_window, connected_window.robot

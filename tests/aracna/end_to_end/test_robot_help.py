@@ -10,7 +10,9 @@ from tests.support.pages.robot import RobotWindow
 GUIDE = "https://www.pololu.com/docs/0J1"
 
 
-def test_help_is_that_of_the_device(window: RobotWindow, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_help_matches_connected_device(
+    window: RobotWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
     opened: list[str] = []
 
     def open_url(url: QUrl) -> bool:

@@ -4,7 +4,7 @@ from tests.support.pages.robot import LOG_PAGE, RobotWindow
 from trex_gui.model.connection import Link
 
 
-def test_log_page_counts_requests_and_failures_of_the_line(connected_window: RobotWindow) -> None:
+def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindow) -> None:
     window = connected_window
     window.show_page(LOG_PAGE)
     window.wait(lambda: window.text("aracnaTrafficValue").endswith("answered (100.00 %)"))

@@ -44,7 +44,7 @@ def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     assert speeds.held == (*(300,) * 7, 0)
 
 
-def test_goals_keep_within_limits(connected_window: RobotWindow) -> None:
+def test_goals_stay_within_limits(connected_window: RobotWindow) -> None:
     window = connected_window
     assert window.drag("aracnaSlider1", 1000).value() == 550
     assert window.drag("aracnaSlider0", 0).value() == 50
@@ -66,7 +66,7 @@ def test_goals_keep_within_limits(connected_window: RobotWindow) -> None:
     assert (low.value(), high.value()) == (0, 550)
 
 
-def test_speeds_that_differ_are_shown_as_such(connected_window: RobotWindow) -> None:
+def test_different_speeds_are_shown_as_differ(connected_window: RobotWindow) -> None:
     window, speeds = connected_window, connected_window.robot.speeds
     everyone, one = spin_box(window, "aracnaSpeedAll"), spin_box(window, "aracnaSpeed7")
     one.setValue(0)
@@ -89,7 +89,7 @@ def test_speeds_that_differ_are_shown_as_such(connected_window: RobotWindow) -> 
     assert everyone.value() == 0, "that they differ cannot be chosen"
 
 
-def test_drawing_and_rows_mark_the_same_joint(connected_window: RobotWindow) -> None:
+def test_drawing_and_rows_highlight_same_joint(connected_window: RobotWindow) -> None:
     window = connected_window
     drawing = window.find(RobotDrawing, "aracnaDrawing")
     name = window.find(QWidget, "aracnaName5")
@@ -143,7 +143,7 @@ def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow
     assert window.goals[-1][6] == expected, "it begins where the robot stands"
 
 
-def test_bar_says_what_plays_until_it_is_stopped(connected_window: RobotWindow) -> None:
+def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     assert "This link has no stop" in window.text("aracnaHonestLabel")
     window.move()

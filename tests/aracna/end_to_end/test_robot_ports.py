@@ -33,7 +33,7 @@ def choose(window: RobotWindow, label: str) -> None:
     window.select("portCombo", combo.itemData(combo.findText(label, Qt.MatchFlag.MatchExactly)))
 
 
-def test_connect_goes_to_the_demo_shown(computer: list[ListPortInfo], window: RobotWindow) -> None:
+def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotWindow) -> None:
     computer.append(ListPortInfo("/dev/ttyNothing9"))  # the only port: what is offered first
     window.program.ports.refresh()
     assert window.port == "/dev/ttyNothing9"
@@ -59,7 +59,7 @@ def test_connect_goes_to_the_demo_shown(computer: list[ListPortInfo], window: Ro
     window.press_connect("trex")
 
 
-def test_connect_goes_to_the_robot_connected_last(
+def test_connect_uses_last_connected_robot(
     window: RobotWindow, robot: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ports = window.program.ports
@@ -83,7 +83,7 @@ def test_connect_goes_to_the_robot_connected_last(
     assert not window.robot.move((512,) * 8)
 
 
-def test_port_leads_to_the_device_given_last(window: RobotWindow, robot: SimulatedDevice) -> None:
+def test_port_keeps_device_given_last(window: RobotWindow, robot: SimulatedDevice) -> None:
     program = window.program
     program.connect_to_port(robot.url, "aracna")
     window.wait_until_up()
@@ -104,7 +104,7 @@ def test_port_leads_to_the_device_given_last(window: RobotWindow, robot: Simulat
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support")  # offscreen opens no list
-def test_list_keeps_the_port_chosen(
+def test_port_list_keeps_selected_port(
     computer: list[ListPortInfo], window: RobotWindow, quick_simulator: SimulatedDevice
 ) -> None:
     ports = window.program.ports
@@ -139,7 +139,7 @@ def test_list_keeps_the_port_chosen(
     assert window.port == quick_simulator.url
 
 
-def test_command_line_names_the_device(capsys: pytest.CaptureFixture[str]) -> None:
+def test_device_option_accepts_only_known_devices(capsys: pytest.CaptureFixture[str]) -> None:
     assert app._arguments(["--demo"]).device is None
     assert app._arguments(["--demo", "--device", "aracna"]).device == "aracna"
     with pytest.raises(SystemExit):

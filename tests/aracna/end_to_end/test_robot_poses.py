@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QApplication, QPushButton
+from pytestqt.qtbot import QtBot
 
+from tests.support.causes import watched
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
 from trex_gui.aracna.link.messages import Moving
 from trex_gui.runtime import now
-from trex_gui.system.stopper import Stopper
-from trex_gui.watching import Watching
 
 
 @pytest.fixture
@@ -19,7 +19,7 @@ def window(connected_window: RobotWindow) -> Iterator[RobotWindow]:
     connected_window.program.library.new()  # else the window asks whether to save when it closes
 
 
-def test_pose_is_captured_named_and_gone_to(window: RobotWindow, tmp_path: Path) -> None:
+def test_pose_is_captured_renamed_and_moved_to(window: RobotWindow, tmp_path: Path) -> None:
     library, robot = window.program.library, window.robot
     window.show_page(POSES_PAGE)
     assert not window.is_enabled("aracnaCapture"), "positions are not known yet"
@@ -52,12 +52,12 @@ def test_pose_is_captured_named_and_gone_to(window: RobotWindow, tmp_path: Path)
     assert "instead of 680" in window.text("bannerText"), "it goes as far as the limits allow"
 
 
-def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication) -> None:
+def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot: QtBot) -> None:
     robot = window.robot
     window.show_page(POSES_PAGE)
     assert window.is_enabled("aracnaPlay"), "a gait is chosen"
     assert window.text("aracnaPosesFootnote").startswith("* Which leg is which")
-    buttons = window.window.findChildren(QPushButton)
+    buttons = window.find_all(QPushButton)
     ends = [
         each.objectName() for each in buttons if each.isVisible() and "after this" in each.text()
     ]
@@ -80,13 +80,9 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication) -> No
     assert len([motion for motion in motions if motion.time > stopped]) <= 1
     assert window.is_enabled("aracnaPlay")
 
-    watching = Watching(window.program, qapp)
-    window.click("aracnaPlay")
-    window.wait(lambda: robot.playing is not None and robot.playing.step == 1)
-    stopper = watching.findChild(Stopper)
-    assert stopper is not None
-    stopper.stop("The screen was locked")
-    window.wait(lambda: robot.playing is None)
-    window.wait_for_text("bannerText", "The screen was locked.")
-    watching.close()
-    watching.deleteLater()
+    with watched(window.program, qtbot, qapp) as causes:
+        window.click("aracnaPlay")
+        window.wait(lambda: robot.playing is not None and robot.playing.step == 1)
+        causes.lock_the_screen()
+        window.wait(lambda: robot.playing is None)
+        window.wait_for_text("bannerText", "The screen was locked.")

@@ -4,7 +4,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QThread
 from PySide6.QtWidgets import QFileDialog
 from shiboken6 import isValid
 
@@ -37,7 +36,7 @@ def assert_of_another_device(window: RobotWindow, device: str) -> None:
     window.click("bannerDismiss")
 
 
-def test_session_is_recorded_and_opened_from_the_menu(
+def test_session_is_recorded_and_opened_from_menu(
     connected_window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window, path = connected_window, tmp_path / "walk.csv"
@@ -73,7 +72,7 @@ def test_session_is_recorded_and_opened_from_the_menu(
     close_recordings(window)
 
 
-def test_open_recording_is_kept_and_can_stop_the_robot(
+def test_open_recording_is_not_overwritten_and_can_stop_robot(
     connected_window: RobotWindow, tmp_path: Path
 ) -> None:
     window, path = connected_window, tmp_path / "walk.csv"
@@ -102,7 +101,7 @@ def test_open_recording_is_kept_and_can_stop_the_robot(
     assert opened(window) == []
 
 
-def test_dropped_recording_opens_with_its_device_only(window: RobotWindow, tmp_path: Path) -> None:
+def test_dropped_recording_opens_only_with_its_device(window: RobotWindow, tmp_path: Path) -> None:
     walk = tmp_path / "walk.csv"
     board_csv, board = tmp_path / "board.csv", tmp_path / "board.trexrec"
     recordings.write(walk, list(recordings.session(3)))
@@ -130,7 +129,7 @@ def test_dropped_recording_opens_with_its_device_only(window: RobotWindow, tmp_p
 
 
 @pytest.mark.realtime
-def test_end_of_program_ends_the_thread_that_reads(
+def test_program_exit_ends_recording_loader_thread(
     window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     recordings.hang(monkeypatch)
@@ -138,7 +137,7 @@ def test_end_of_program_ends_the_thread_that_reads(
     recordings.write(path, list(recordings.session(60)))
     window.program.aracna.recordings.open_file(path)
     [playback] = opened(window)
-    (thread,) = playback.playback.findChildren(QThread)
+    thread = recordings.loader_thread(playback.playback)
     window.wait(lambda: playback.playback.progress > 0)
     assert thread.isRunning()
     window.wait(window.program.shut_down)

@@ -18,7 +18,7 @@ def begin_long_motion(window: RobotWindow, goal: int = 200) -> None:
     window.wait(lambda: window.robot.known.moving is not None and window.servos_turn())
 
 
-def test_positions_are_unknown_until_the_next_answer(connected_window: RobotWindow) -> None:
+def test_positions_are_unknown_after_reset_or_silence(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     assert window.text("aracnaMotionLabel") == UNSEEN
     robot.set_speeds((300,) * 8)
@@ -52,7 +52,7 @@ def test_positions_are_unknown_until_the_next_answer(connected_window: RobotWind
         window.move()
 
 
-def test_nothing_is_sent_while_a_motor_is_waited_for(connected_window: RobotWindow) -> None:
+def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     window.move()
     window.block_and_lose_motor(3)
@@ -88,7 +88,7 @@ def test_nothing_is_sent_while_a_motor_is_waited_for(connected_window: RobotWind
     assert "Find a board (Ctrl+Shift+F)" in message
 
 
-def test_motion_is_said_to_go_on_without_connection(connected_window: RobotWindow) -> None:
+def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     window.move()
     robot.set_speeds((25,) * 8)  # 7 s
@@ -111,7 +111,7 @@ def test_motion_is_said_to_go_on_without_connection(connected_window: RobotWindo
     assert window.text("aracnaMotionLabel").startswith(left_running)
 
 
-def test_motion_is_said_to_go_on_after_a_reset(connected_window: RobotWindow) -> None:
+def test_motion_is_shown_as_continuing_after_reset(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     begin_long_motion(window)
     texts: list[tuple[Link, str]] = []
@@ -132,7 +132,7 @@ def test_motion_is_said_to_go_on_after_a_reset(connected_window: RobotWindow) ->
     assert robot.remaining() > 5
 
 
-def test_log_has_one_line_of_each_event(
+def test_log_has_one_line_for_each_event(
     connected_window: RobotWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window, robot = connected_window, connected_window.robot
@@ -160,7 +160,7 @@ def test_log_has_one_line_of_each_event(
     window.wait_until_up()
 
 
-def test_servos_without_power_are_reported_once(connected_window: RobotWindow) -> None:
+def test_unpowered_servos_are_reported(connected_window: RobotWindow) -> None:
     window = connected_window
     window.control("servo power off")
     window.robot.set_speeds((300,) * 8)
@@ -170,7 +170,7 @@ def test_servos_without_power_are_reported_once(connected_window: RobotWindow) -
     assert window.logged()[0] == message
 
 
-def test_stop_at_rest_keeps_the_goals(connected_window: RobotWindow) -> None:
+def test_stop_at_rest_keeps_goals(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     window.move()
     window.drag("aracnaSlider0", 300)

@@ -14,7 +14,7 @@ def wait_for_row(window: RobotWindow, text: str) -> None:
     window.wait(lambda: any(text in words for words in column(window, WORDS)))
 
 
-def test_transcript_shows_motions_resets_and_faults(connected_window: RobotWindow) -> None:
+def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWindow) -> None:
     window = connected_window
     pages = window.program.aracna.pages
     pages.setCurrentIndex(pages.count() - 1)
@@ -42,7 +42,7 @@ def test_transcript_shows_motions_resets_and_faults(connected_window: RobotWindo
     window.wait_until_up()
 
 
-def test_transcripts_of_robot_and_board_are_separate(connected_window: RobotWindow) -> None:
+def test_aracna_and_trex_traffic_logs_are_separate(connected_window: RobotWindow) -> None:
     window = connected_window
     window.choose_demo("trex")
     board = window.device.transcript

@@ -22,7 +22,7 @@ def click_without_focus(window: RobotWindow, name: str) -> None:
     window.click(name)
 
 
-def test_motion_takes_what_was_typed(connected_window: RobotWindow) -> None:
+def test_move_uses_typed_values_before_enter(connected_window: RobotWindow) -> None:
     window = connected_window
     window.type_unconfirmed("aracnaSpeedAll", "400")
     move_by_key(window)
@@ -53,7 +53,9 @@ def test_motion_takes_what_was_typed(connected_window: RobotWindow) -> None:
     assert window.goal_box(0).text() == "512"
 
 
-def test_pose_is_saved_and_gone_to_as_typed(connected_window: RobotWindow, tmp_path: Path) -> None:
+def test_typed_position_is_saved_and_moved_to_before_enter(
+    connected_window: RobotWindow, tmp_path: Path
+) -> None:
     window, path = connected_window, tmp_path / "typed.ppr"
     window.program.library.save(path)
     window.show_page(POSES_PAGE)

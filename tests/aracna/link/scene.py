@@ -1,4 +1,4 @@
-"""A robot and a session that is run from a script, in virtual time."""
+"""A session with a simulated robot that runs from a script in virtual time."""
 
 from collections import deque
 from collections.abc import Callable
@@ -12,13 +12,13 @@ from trex_gui.link.settings import LinkSettings
 
 KindT = TypeVar("KindT")
 
-Act = Request | Callable[[], object]
+Action = Request | Callable[[], object]
 
 
-class Scene:
-    """What happens when, counted from when the session begins; the line closes in the end.
+class ScriptedSession:
+    """Runs a session with a simulated robot, and actions at times since its start, then closes it.
 
-    An act is a request, or a function that is called: to turn a knob of the robot.
+    An action is a request, or a function to call, such as one that causes a fault.
     """
 
     def __init__(self, *, booted: bool = True, **options: Any) -> None:
@@ -27,31 +27,31 @@ class Scene:
         self.begun = self.line.now
         self.reports: list[Report] = []
         self.times: list[float] = []
-        self._acts: deque[tuple[float, Act]] = deque()
-        self._when: deque[tuple[Callable[[Report], bool], Act]] = deque()
+        self._actions: deque[tuple[float, Action]] = deque()
+        self._when: deque[tuple[Callable[[Report], bool], Action]] = deque()
         self._now: deque[Request] = deque()
         self._end = 0.0
         self._closed = False
 
-    def at(self, time: float, act: Act) -> "Scene":
-        """Do this so many seconds after the session has begun; times must not go back."""
-        self._acts.append((self.begun + time, act))
+    def at(self, time: float, action: Action) -> "ScriptedSession":
+        """Add an action so many seconds after the start; times must not decrease."""
+        self._actions.append((self.begun + time, action))
         return self.until(time)
 
-    def on(self, is_it: Callable[[Report], bool], act: Act) -> "Scene":
-        """Do this on the first report of a kind; those that wait for one wait in order."""
-        self._when.append((is_it, act))
+    def on(self, matches: Callable[[Report], bool], action: Action) -> "ScriptedSession":
+        """Add an action for the next report that matches; several are used in order."""
+        self._when.append((matches, action))
         return self
 
-    def until(self, time: float) -> "Scene":
-        """Close no earlier."""
+    def until(self, time: float) -> "ScriptedSession":
+        """Keep the session open at least until then."""
         self._end = max(self._end, self.begun + time)
         return self
 
     def run(self) -> list[Report]:
-        """Run it all; return what was reported."""
+        """Run the script to its end; return all reports."""
         AracnaSession(
-            LinkSettings("virtual"), self, self._hear, lambda _settings: self.stage.transport
+            LinkSettings("virtual"), self, self._record, lambda _settings: self.stage.transport
         ).run()
         return self.reports
 
@@ -69,7 +69,7 @@ class Scene:
 
     @property
     def kinds(self) -> list[str]:
-        """Return the names of all reports, in order; counts are told whenever it is time."""
+        """Return the names of all reports, in order, except `Counted`."""
         return [type(report).__name__ for report in self.reports if not isinstance(report, Counted)]
 
     def get(self, seconds: float) -> Request | None:
@@ -77,24 +77,24 @@ class Scene:
         while True:
             if self._now:
                 return self._now.popleft()
-            time, act = self._acts[0] if self._acts else (self._end, None)
+            time, action = self._actions[0] if self._actions else (self._end, None)
             if self._closed or time > end:
                 self.line.advance(end - self.line.now)
                 return None
             self.line.advance(max(0.0, time - self.line.now))
-            if act is None:
+            if action is None:
                 self._closed = True
                 return Close()
-            self._acts.popleft()
-            self._do(act)
+            self._actions.popleft()
+            self._do(action)
 
-    def _do(self, act: Act) -> None:
-        if callable(act):
-            act()
+    def _do(self, action: Action) -> None:
+        if callable(action):
+            action()
         else:
-            self._now.append(act)
+            self._now.append(action)
 
-    def _hear(self, report: Report) -> None:
+    def _record(self, report: Report) -> None:
         self.reports.append(report)
         self.times.append(self.line.now)
         while self._when and self._when[0][0](report):

@@ -27,7 +27,7 @@ def heard(client: Client, seconds: float) -> list[News]:
     return news
 
 
-def test_a_second_command_is_refused_until_the_first_is_answered() -> None:
+def test_second_command_is_rejected_until_first_is_answered() -> None:
     stage = AracnaStage()
     client = client_of(stage)
     client.query()
@@ -40,14 +40,14 @@ def test_a_second_command_is_refused_until_the_first_is_answered() -> None:
     assert bytes(stage.transport.sent).count(b"\n") == 2
 
 
-def test_before_the_number_of_motors_is_known_none_is_sent_anywhere() -> None:
+def test_move_is_not_sent_before_motor_count_is_known() -> None:
     stage = AracnaStage()
     with pytest.raises(NoReply):
         client_of(stage, 0).move(THERE, 5.0)
     assert not stage.transport.sent
 
 
-def test_behind_a_late_c_goes_nothing_but_q_and_the_late_answer_comes_first() -> None:
+def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     stage = AracnaStage()
     stage.do("servo 1 block")
     client = client_of(stage)
@@ -67,7 +67,7 @@ def test_behind_a_late_c_goes_nothing_but_q_and_the_late_answer_comes_first() ->
     assert client.asked is None
 
 
-def test_the_line_is_not_free_before_that_q_is_answered_too() -> None:
+def test_line_is_busy_until_query_behind_late_move_is_answered() -> None:
     stage = AracnaStage()
     stage.do("servo 1 block")
     client = client_of(stage)
@@ -80,7 +80,7 @@ def test_the_line_is_not_free_before_that_q_is_answered_too() -> None:
         client.move(THERE, 5.0)
 
 
-def test_a_c_whose_answer_is_lost_is_over_when_the_q_behind_it_is_answered() -> None:
+def test_lost_move_ends_when_following_query_is_answered() -> None:
     stage = AracnaStage()
     stage.do("line drop 50 sent")
     client = client_of(stage)
@@ -95,7 +95,7 @@ def test_a_c_whose_answer_is_lost_is_over_when_the_q_behind_it_is_answered() -> 
 
 
 @pytest.mark.parametrize("letter", ["q", "v", "c", "l"])
-def test_a_hello_voids_whatever_is_on_its_way(letter: str) -> None:
+def test_hello_voids_pending_command(letter: str) -> None:
     stage = AracnaStage()
     client = client_of(stage)
     match letter:
@@ -114,6 +114,6 @@ def test_a_hello_voids_whatever_is_on_its_way(letter: str) -> None:
     assert client.asked is None
 
 
-def test_bytes_are_shown_as_text_where_they_are_one() -> None:
+def test_printable_bytes_are_shown_as_text_and_others_as_hex() -> None:
     assert shown(b"\r\nERR 7\r\n") == "ERR 7"
     assert shown(bytes(range(0x80, 0x90))) == "80 81 82 83 84 85 86 87 88 89 8A 8B …"

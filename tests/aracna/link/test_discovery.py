@@ -30,7 +30,7 @@ def search(stage: AracnaStage) -> Search:
 # --- Aracna ---------------------------------------------------------------------------------
 
 
-def test_a_robot_is_found_at_its_one_setting() -> None:
+def test_robot_is_found_at_its_only_line_setting() -> None:
     stage = AracnaStage()
     begun = stage.now
     result = search(stage)
@@ -48,9 +48,7 @@ def test_a_robot_is_found_at_its_one_setting() -> None:
 
 @pytest.mark.parametrize("ago", [0.0, 0.2, 0.5, 0.9, 1.05])
 @pytest.mark.parametrize("keeps_last", [True, False])
-def test_a_robot_that_opening_the_port_has_reset_is_found_once_it_listens(
-    ago: float, *, keeps_last: bool
-) -> None:
+def test_robot_reset_by_opening_port_is_found_after_boot(ago: float, *, keeps_last: bool) -> None:
     stage = AracnaStage(booted=False, keeps_last=keeps_last)
     stage.line.advance(ago)
     if ago:
@@ -61,12 +59,12 @@ def test_a_robot_that_opening_the_port_has_reset_is_found_once_it_listens(
     assert stage.line.station.firmware.boots == 1
 
 
-def test_an_early_build_with_two_motors_is_found() -> None:
+def test_early_build_with_two_motors_is_found() -> None:
     [found] = search(AracnaStage(motors=2, tells_motors=False)).found
     assert (found.name, found.motors) == ("Aracna 0", 2)
 
 
-def test_a_robot_is_not_moved_by_being_found() -> None:
+def test_search_does_not_move_robot() -> None:
     stage = AracnaStage(positions=tuple(range(100, 900, 100)))
     search(stage)
     assert not any(servo.torque for servo in stage.line.servos)
@@ -75,7 +73,7 @@ def test_a_robot_is_not_moved_by_being_found() -> None:
 
 @pytest.mark.parametrize("full", [False, True])
 @pytest.mark.parametrize("mute", [False, True])
-def test_the_search_for_a_trex_moves_no_robot(*, full: bool, mute: bool) -> None:
+def test_trex_search_does_not_move_robot(*, full: bool, mute: bool) -> None:
     stage = AracnaStage(positions=tuple(range(100, 900, 100)))
     stage.line.faults.mute = mute
     result = find(LinkSettings("virtual"), lambda _settings: stage.transport, full=full)
@@ -92,7 +90,7 @@ def test_the_search_for_a_trex_moves_no_robot(*, full: bool, mute: bool) -> None
 # --- What else may be there -----------------------------------------------------------------
 
 
-def test_silence_takes_less_than_three_seconds_and_is_told_with_what_to_look_at() -> None:
+def test_silent_port_is_reported_with_hint_within_3_s() -> None:
     stage = AracnaStage()
     stage.do("power off")
     begun = stage.now
@@ -103,21 +101,21 @@ def test_silence_takes_less_than_three_seconds_and_is_told_with_what_to_look_at(
     assert "power" in result.verdict()
 
 
-def test_something_else_is_shown() -> None:
+def test_unknown_reply_is_shown_in_diagnosis() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\r\nERR 7\r\n")
     assert "not as an Aracna does: ERR 7" in search(stage).verdict()
 
 
-def test_a_robot_that_starts_but_never_answers_is_told() -> None:
+def test_robot_that_boots_but_never_answers_is_reported() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b".h\r\n")
     assert "starts again and again" in search(stage).verdict()
 
 
-def test_an_echo_is_told() -> None:
+def test_echo_is_reported() -> None:
     board = a_board()
     board.power_off()
     line = Line([board], echo=True)
@@ -126,7 +124,7 @@ def test_an_echo_is_told() -> None:
     assert "comes back" in result.verdict()
 
 
-def test_behind_a_network_port_of_fixed_rate_nothing_is_asked() -> None:
+def test_network_port_of_fixed_rate_is_not_probed() -> None:
     stage = AracnaStage()
     stage.transport.can_be_tuned = False
     result = search(stage)
@@ -135,14 +133,14 @@ def test_behind_a_network_port_of_fixed_rate_nothing_is_asked() -> None:
     assert "--device aracna --port virtual" in result.verdict()
 
 
-def test_neither_silence_nor_noise_is_taken_for_an_echo() -> None:
+def test_noise_is_not_reported_as_echo() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\xff\x00\xff")
     assert "not as an Aracna does: FF 00 FF" in search(stage).verdict()
 
 
-def test_progress_is_told_and_the_search_can_be_cancelled() -> None:
+def test_search_reports_progress_and_can_be_cancelled() -> None:
     stage = AracnaStage()
     stage.do("line mute on")
     steps: list[Step] = []
@@ -160,7 +158,7 @@ def test_progress_is_told_and_the_search_can_be_cancelled() -> None:
     assert stage.transport.closed
 
 
-def test_a_port_that_goes_away_ends_the_search() -> None:
+def test_lost_port_ends_search() -> None:
     stage = AracnaStage()
     stage.transport.fail = PortUnavailable("It is gone.")
     with pytest.raises(PortUnavailable):
@@ -172,8 +170,8 @@ def test_a_port_that_goes_away_ends_the_search() -> None:
 
 
 @pytest.mark.parametrize("settings", BOARDS, ids=lambda settings: settings.text())
-def test_no_trex_hears_an_order_in_the_search(settings: LineSettings, orders: list[str]) -> None:
-    """Of every rate, parity, number of stop bits, and with CRC; twice, and whether it is heard."""
+def test_search_sends_no_command_that_trex_obeys(settings: LineSettings, orders: list[str]) -> None:
+    """Searches twice, for every rate, parity, number of stop bits, and with CRC."""
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     for _ in range(2):
         wire = Wire(Line([board]))
@@ -215,28 +213,28 @@ BEGUN: list[State] = [(first, *rest) for first in range(0x80, 0xF2) for rest in 
 
 
 @pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
-def test_with_no_polynomial_and_no_device_number_can_the_search_be_an_order(
+def test_probe_cannot_form_trex_motor_command(
     own: LineSettings,
 ) -> None:
-    """Whatever the board had begun to hear before."""
+    """For any device number, any polynomial, and whatever the board received before."""
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
         assert not _orders_obeyed([(), *BEGUN], [QUESTION], own, crc=crc, rinsed=True)
 
 
 @pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
-def test_neither_can_what_a_session_asks_before_a_robot_has_answered(own: LineSettings) -> None:
+def test_session_query_cannot_form_trex_motor_command(own: LineSettings) -> None:
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
         assert not _orders_obeyed([()], [QUERY], own, crc=crc, rinsed=False)
 
 
-def test_the_same_question_without_the_byte_before_it_would_start_a_motor() -> None:
-    """The danger is real: else the tests above would say nothing."""
+def test_probe_without_flush_byte_would_start_trex_motor() -> None:
+    """Shows that the tests above can fail."""
     own = LineSettings(28800)
     assert "c5 05" in _orders_obeyed([()], [QUESTION], own, crc=False, rinsed=False)
 
 
-def test_where_the_rate_is_fixed_the_question_would_start_a_motor() -> None:
-    """Which is why it is not asked there: FF at the same rate ends nothing at another."""
+def test_probe_at_fixed_rate_would_start_trex_motor() -> None:
+    """Why such ports are not probed: the flush byte has no effect at another rate."""
     own, host = LineSettings(28800), LINE
     begun: set[State] = {()}
     obeyed: set[str] = set()

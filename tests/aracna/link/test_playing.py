@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.aracna.link.scene import Scene
+from tests.aracna.link.scene import ScriptedSession
 from trex_gui.aracna.link.messages import (
     Ending,
     EndPlay,
@@ -40,14 +40,14 @@ def step(position: int, seconds: float, *others: int) -> Step:
     return Step((position, *(others or (position,) * 7)), seconds)
 
 
-def placed(positions: tuple[int, ...] = HERE, **options: Any) -> Scene:
+def placed(positions: tuple[int, ...] = HERE, **options: Any) -> ScriptedSession:
     """A robot whose positions are known by half a second."""
-    scene = Scene(positions=positions, **options)
-    return scene.at(0.1, SetSpeeds(90, (1023,) * 8)).at(0.3, Move(91, positions))
+    session = ScriptedSession(positions=positions, **options)
+    return session.at(0.1, SetSpeeds(90, (1023,) * 8)).at(0.3, Move(91, positions))
 
 
-def described(scene: Scene) -> list[tuple[str, int, int]]:
-    return [(begun.part, begun.index, begun.round) for begun in scene.of(StepBegun)]
+def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
+    return [(begun.part, begun.index, begun.round) for begun in session.of(StepBegun)]
 
 
 # --- Timing ---------------------------------------------------------------------------------
@@ -58,7 +58,7 @@ def described(scene: Scene) -> list[tuple[str, int, int]]:
     positions=st.lists(st.integers(0, 1023), min_size=4, max_size=4),
     factor=st.floats(0.5, 2.0),
 )
-def test_every_step_arrives_within_its_time_and_the_next_begins_on_the_clock(
+def test_steps_arrive_in_time_and_begin_on_schedule(
     seconds: list[float], positions: list[int], factor: float
 ) -> None:
     # What can be reached: at the ceiling 1984 units a second, half of a step's time at least
@@ -70,12 +70,12 @@ def test_every_step_arrives_within_its_time_and_the_next_begins_on_the_clock(
         travel_seconds(distance, 870) < one.seconds * factor - 0.12
         for distance, one in zip(distances, steps, strict=True)
     )
-    scene = placed().at(1.0, Play(1, steps, time_scale=factor)).until(20.0)
-    scene.run()
-    begun = [report.time for report in scene.of(StepBegun)]
-    moved = [report.time for report in scene.of(Moved)][1:]
-    assert [ended.why for ended in scene.of(PlayEnded)] == [Ending.DONE]
-    late = [report.late for report in scene.of(StepBegun)]
+    session = placed().at(1.0, Play(1, steps, time_scale=factor)).until(20.0)
+    session.run()
+    begun = [report.time for report in session.of(StepBegun)]
+    moved = [report.time for report in session.of(Moved)][1:]
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
+    late = [report.late for report in session.of(StepBegun)]
     if not reachable:
         return
     due = begun[0]
@@ -86,27 +86,27 @@ def test_every_step_arrives_within_its_time_and_the_next_begins_on_the_clock(
         assert end <= due + 0.03
 
 
-def test_each_arrival_is_the_travel_times_formula_within_a_round_trip() -> None:
+def test_arrival_times_match_travel_time_formula() -> None:
     steps = (step(600, 1.0), step(300, 0.5), step(310, 2.0), step(900, 0.8))
-    scene = placed(margin=0).at(1.0, Play(1, steps, rounds=3)).until(20.0)
-    scene.run()
-    for moving, moved in zip(scene.of(Moving)[1:], scene.of(Moved)[1:], strict=True):
-        speeds = [held.held for held in scene.of(SpeedsHeld) if held.time <= moving.time][-1]
+    session = placed(margin=0).at(1.0, Play(1, steps, rounds=3)).until(20.0)
+    session.run()
+    for moving, moved in zip(session.of(Moving)[1:], session.of(Moved)[1:], strict=True):
+        speeds = [held.held for held in session.of(SpeedsHeld) if held.time <= moving.time][-1]
         formula = max(
             travel_seconds(goal - (start or 0), speed)
             for start, goal, speed in zip(moving.starts, moving.goals, speeds, strict=True)
         )
         assert moving.expected == pytest.approx(formula)
         assert formula <= moved.time - moving.time <= formula + ROUND_TRIP
-    assert all(begun.late < 0.03 for begun in scene.of(StepBegun))
+    assert all(begun.late < 0.03 for begun in session.of(StepBegun))
 
 
-def test_all_motors_of_a_step_arrive_together_however_far_they_go() -> None:
+def test_all_motors_of_step_arrive_together() -> None:
     far = step(900, 1.0, 562, 462, 612, 412, 512, 712, 100)
-    scene = placed(margin=0).at(1.0, Play(1, (far,))).until(5.0)
-    scene.run()
-    [_, held, *_] = scene.of(SpeedsHeld)
-    moving = scene.of(Moving)[1]
+    session = placed(margin=0).at(1.0, Play(1, (far,))).until(5.0)
+    session.run()
+    [_, held, *_] = session.of(SpeedsHeld)
+    moving = session.of(Moving)[1]
     times = [
         travel_seconds(goal - 512, speed)
         for goal, speed in zip(moving.goals, held.held, strict=True)
@@ -116,58 +116,58 @@ def test_all_motors_of_a_step_arrive_together_however_far_they_go() -> None:
     assert min(times) > 0.85
 
 
-def test_after_a_hundred_rounds_the_clock_has_not_drifted() -> None:
+def test_schedule_does_not_drift_over_100_rounds() -> None:
     steps = (step(560, 0.4), step(460, 0.4))
-    scene = placed().at(1.0, Play(1, steps, rounds=100)).until(90.0)
-    scene.run()
-    begun = [report.time for report in scene.of(StepBegun)]
+    session = placed().at(1.0, Play(1, steps, rounds=100)).until(90.0)
+    session.run()
+    begun = [report.time for report in session.of(StepBegun)]
     assert len(begun) == 200
     assert begun[-1] - begun[0] == pytest.approx(199 * 0.4, abs=0.03)
-    assert scene.when(PlayEnded)[0] - scene.when(StepBegun)[0] == pytest.approx(80.0, abs=0.2)
+    assert session.when(PlayEnded)[0] - session.when(StepBegun)[0] == pytest.approx(80.0, abs=0.2)
 
 
-def test_steps_that_need_no_other_speeds_set_none() -> None:
+def test_steps_rarely_resend_unchanged_speeds() -> None:
     steps = (step(560, 0.5), step(460, 0.5))
-    scene = placed(margin=0).at(1.0, Play(1, steps, rounds=20)).until(25.0)
-    scene.run()
-    assert len(scene.of(SpeedsHeld)) <= 5 + 20 / TRUST, "but to see that they are held"
+    session = placed(margin=0).at(1.0, Play(1, steps, rounds=20)).until(25.0)
+    session.run()
+    assert len(session.of(SpeedsHeld)) <= 5 + 20 / TRUST, "but to see that they are held"
 
 
-def test_a_robot_that_cannot_keep_up_is_told_to_be_late_and_no_step_is_left_out() -> None:
+def test_late_steps_are_reported_and_none_is_skipped() -> None:
     steps = (step(1000, 0.2), step(20, 0.2))
-    scene = placed().at(1.0, Play(1, steps, rounds=5)).until(20.0)
-    scene.run()
-    assert described(scene) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
-    assert max(begun.late for begun in scene.of(StepBegun)) > 0.3
+    session = placed().at(1.0, Play(1, steps, rounds=5)).until(20.0)
+    session.run()
+    assert described(session) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
+    assert max(begun.late for begun in session.of(StepBegun)) > 0.3
     # The clock is set anew: what is late does not add up for ever.
-    assert scene.of(StepBegun)[-1].late < 1.0
-    starts, ends = scene.when(Moving), scene.when(Moved)
+    assert session.of(StepBegun)[-1].late < 1.0
+    starts, ends = session.when(Moving), session.when(Moved)
     assert all(end <= start for end, start in zip(ends, starts[1:], strict=False))
 
 
-def test_from_where_nobody_knows_a_motor_goes_slowly() -> None:
-    scene = Scene().at(0.5, Play(1, (step(600, 0.1),))).until(8.0)
-    scene.run()
-    assert scene.of(SpeedsHeld)[0].wanted == SLOW
-    assert [ended.why for ended in scene.of(PlayEnded)] == [Ending.DONE]
+def test_first_step_from_unknown_position_is_slow() -> None:
+    session = ScriptedSession().at(0.5, Play(1, (step(600, 0.1),))).until(8.0)
+    session.run()
+    assert session.of(SpeedsHeld)[0].wanted == SLOW
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
 
 
-def test_servos_get_the_speeds_back_that_they_had_before() -> None:
-    scene = placed().at(1.0, Play(1, (step(600, 1.0), step(602, 1.0)))).until(6.0)
-    scene.run()
-    assert scene.stage.speeds == (1023,) * 8
+def test_previous_speeds_are_restored_after_playback() -> None:
+    session = placed().at(1.0, Play(1, (step(600, 1.0), step(602, 1.0)))).until(6.0)
+    session.run()
+    assert session.stage.speeds == (1023,) * 8
 
 
 # --- What is played -------------------------------------------------------------------------
 
 
-def test_parts_and_rounds_come_in_their_order() -> None:
+def test_parts_and_rounds_are_played_in_order() -> None:
     play = Play(
         1, (step(560, 0.3), step(460, 0.3)), 2, (step(500, 0.3),), (step(512, 0.3), step(520, 0.3))
     )
-    scene = placed().at(1.0, play).until(8.0)
-    scene.run()
-    assert described(scene) == [
+    session = placed().at(1.0, play).until(8.0)
+    session.run()
+    assert described(session) == [
         ("in", 0, 0),
         ("steps", 0, 0),
         ("steps", 1, 0),
@@ -176,55 +176,55 @@ def test_parts_and_rounds_come_in_their_order() -> None:
         ("out", 0, 0),
         ("out", 1, 0),
     ]
-    [outcome] = [outcome for outcome in scene.of(Outcome) if outcome.id == 1]
+    [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
     assert outcome.value is Ending.DONE
-    assert scene.kinds.index("PlayEnded") < scene.reports.index(outcome)
+    assert session.kinds.index("PlayEnded") < session.reports.index(outcome)
 
 
-def test_ending_waits_for_the_current_step_and_plays_the_blend_out() -> None:
+def test_end_finishes_current_step_and_plays_blend_out() -> None:
     play = Play(1, (step(560, 0.5), step(460, 0.5)), 0, (), (step(512, 0.4),))
-    scene = placed().at(1.0, play).at(2.7, EndPlay()).until(8.0)
-    scene.run()
-    assert described(scene)[-2:] == [("steps", 1, 1), ("out", 0, 0)]
-    assert scene.when(StepBegun)[-1] == pytest.approx(3.0, abs=0.1)
-    assert [ended.why for ended in scene.of(PlayEnded)] == [Ending.ENDED]
-    assert scene.stage.goals == HERE
+    session = placed().at(1.0, play).at(2.7, EndPlay()).until(8.0)
+    session.run()
+    assert described(session)[-2:] == [("steps", 1, 1), ("out", 0, 0)]
+    assert session.when(StepBegun)[-1] == pytest.approx(3.0, abs=0.1)
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.ENDED]
+    assert session.stage.goals == HERE
 
 
 @pytest.mark.parametrize("time", [1.0, 1.03, 1.2, 1.55, 1.99])
-def test_a_halt_sends_nothing_more_and_tells_how_the_motion_ends(time: float) -> None:
-    scene = placed().at(1.0, Play(1, (step(600, 0.5), step(400, 0.5)), 0)).at(time, Halt())
-    scene.until(4.0).run()
-    [ended] = scene.of(PlayEnded)
+def test_halt_sends_no_further_step_and_reports_motion_end(time: float) -> None:
+    session = placed().at(1.0, Play(1, (step(600, 0.5), step(400, 0.5)), 0)).at(time, Halt())
+    session.until(4.0).run()
+    [ended] = session.of(PlayEnded)
     assert ended.why is Ending.HALTED
-    assert scene.when(PlayEnded)[0] == pytest.approx(time, abs=0.03)
-    assert all(start <= scene.when(PlayEnded)[0] for start in scene.when(Moving))
-    assert len(scene.of(Moved)) == len(scene.of(Moving))
-    [outcome] = [outcome for outcome in scene.of(Outcome) if outcome.id == 1]
+    assert session.when(PlayEnded)[0] == pytest.approx(time, abs=0.03)
+    assert all(start <= session.when(PlayEnded)[0] for start in session.when(Moving))
+    assert len(session.of(Moved)) == len(session.of(Moving))
+    [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
     assert (outcome.value, outcome.error) == (Ending.HALTED, None)
 
 
-def test_another_time_scale_counts_from_the_next_step_on() -> None:
-    scene = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5)), 3))
-    scene.at(1.7, SetTimeScale(2.0)).until(12.0)
-    scene.run()
-    times = scene.when(StepBegun)
+def test_new_time_scale_applies_from_next_step() -> None:
+    session = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5)), 3))
+    session.at(1.7, SetTimeScale(2.0)).until(12.0)
+    session.run()
+    times = session.when(StepBegun)
     gaps = [b - a for a, b in itertools.pairwise(times)]
     assert gaps == pytest.approx([0.5, 0.5, 1.0, 1.0, 1.0], abs=0.04)
 
 
-def test_a_time_scale_that_makes_no_sense_changes_nothing() -> None:
-    scene = placed().at(1.0, Play(1, (step(560, 0.5),), 3))
-    scene.at(1.1, SetTimeScale(0.0)).at(1.1, SetTimeScale(float("nan"))).until(5.0)
-    scene.run()
-    assert scene.when(StepBegun)[2] == pytest.approx(2.0, abs=0.04)
+def test_invalid_time_scale_is_ignored() -> None:
+    session = placed().at(1.0, Play(1, (step(560, 0.5),), 3))
+    session.at(1.1, SetTimeScale(0.0)).at(1.1, SetTimeScale(float("nan"))).until(5.0)
+    session.run()
+    assert session.when(StepBegun)[2] == pytest.approx(2.0, abs=0.04)
 
 
-def test_while_something_is_played_nothing_else_moves_the_robot() -> None:
-    scene = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5))))
-    scene.at(1.2, Move(2, HERE)).at(1.2, Play(3, (step(1, 1),))).at(1.2, SetSpeeds(4, SLOW))
-    scene.until(5.0).run()
-    errors = {outcome.id: outcome.error for outcome in scene.of(Outcome)}
+def test_moves_and_speeds_are_rejected_during_playback() -> None:
+    session = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5))))
+    session.at(1.2, Move(2, HERE)).at(1.2, Play(3, (step(1, 1),))).at(1.2, SetSpeeds(4, SLOW))
+    session.until(5.0).run()
+    errors = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert errors[1] is None
     assert all(isinstance(errors[number], BadRequest) for number in (2, 3, 4))
 
@@ -243,14 +243,14 @@ def test_while_something_is_played_nothing_else_moves_the_robot() -> None:
         (Play(1, (step(5, 1),), blend_out=(Step((1,), 1),)), "1 positions"),
     ],
 )
-def test_what_cannot_be_played_is_refused_with_a_sentence(play: Play, says: str) -> None:
+def test_invalid_play_request_is_rejected_with_explanation(play: Play, says: str) -> None:
     with pytest.raises(BadRequest, match=says):
         check(play, 8)
-    scene = placed().at(1.0, play).until(2.0)
-    scene.run()
-    [outcome] = [outcome for outcome in scene.of(Outcome) if outcome.id == 1]
+    session = placed().at(1.0, play).until(2.0)
+    session.run()
+    [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
     assert isinstance(outcome.error, BadRequest)
-    assert not scene.of(PlayEnded)
+    assert not session.of(PlayEnded)
 
 
 @given(
@@ -258,7 +258,7 @@ def test_what_cannot_be_played_is_refused_with_a_sentence(play: Play, says: str)
     rounds=st.integers(1, 4),
     end_after=st.none() | st.integers(1, 10),
 )
-def test_the_order_of_steps_is_in_rounds_of_steps_out(
+def test_blend_in_precedes_rounds_and_blend_out_follows(
     counts: tuple[int, int, int], rounds: int, end_after: int | None
 ) -> None:
     before, many, after = counts

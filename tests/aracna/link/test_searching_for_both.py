@@ -32,7 +32,7 @@ def search(wire: Transport, first: str | None = None) -> PortSearch:
 
 
 @pytest.mark.parametrize("baud", [19200, 115200, 9600, 38400, 57600])
-def test_a_trex_at_a_likely_rate_is_found_before_an_aracna_is_asked_for(baud: int) -> None:
+def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
     wire = Wire(Line([a_board(settings=LineSettings(baud).to_wire())]))
     result = search(wire)
     assert (result.device, result.found[0].name) == ("trex", "TReX 1.2")
@@ -40,13 +40,13 @@ def test_a_trex_at_a_likely_rate_is_found_before_an_aracna_is_asked_for(baud: in
     assert wire.line.now < 2.0
 
 
-def test_a_trex_at_another_rate_is_found_as_well() -> None:
+def test_trex_at_unlikely_rate_is_found() -> None:
     wire = Wire(Line([a_board(settings=LineSettings(4800, Detection.CRC7).to_wire())]))
     result = search(wire)
     assert result.found[0].settings.line == LineSettings(4800, Detection.CRC7)
 
 
-def test_a_robot_is_found_before_the_long_search_for_a_trex() -> None:
+def test_aracna_is_found_before_long_trex_search() -> None:
     stage = AracnaStage()
     begun = stage.now
     result = search(stage.transport)
@@ -55,7 +55,7 @@ def test_a_robot_is_found_before_the_long_search_for_a_trex() -> None:
     assert stage.transport.closed
 
 
-def test_a_robot_where_one_was_before_is_asked_for_first() -> None:
+def test_port_of_earlier_aracna_is_probed_for_aracna_first() -> None:
     stage = AracnaStage()
     begun = stage.now
     assert search(stage.transport, "aracna").device == "aracna"
@@ -63,14 +63,14 @@ def test_a_robot_where_one_was_before_is_asked_for_first() -> None:
     assert b"\x81" not in bytes(stage.transport.sent)
 
 
-def test_a_trex_where_a_robot_was_before_is_found_as_well() -> None:
+def test_trex_is_found_on_port_of_earlier_aracna() -> None:
     wire = Wire(Line([a_board()]))
     assert search(wire, "aracna").device == "trex"
 
 
 @pytest.mark.parametrize("ago", [0.0, 0.5, 0.9])
 @pytest.mark.parametrize("first", [None, "aracna"])
-def test_a_robot_that_opening_the_port_has_reset_is_found(first: str | None, ago: float) -> None:
+def test_aracna_reset_by_opening_port_is_found(first: str | None, ago: float) -> None:
     stage = AracnaStage(booted=False)
     stage.line.advance(ago)
     if ago:
@@ -82,15 +82,15 @@ def test_a_robot_that_opening_the_port_has_reset_is_found(first: str | None, ago
     assert stage.line.station.firmware.boots == 1, "the port was opened once"
 
 
-def test_a_robot_answers_the_first_question_after_it_was_found() -> None:
-    """Nothing that was sent before stands in its line."""
+def test_found_aracna_answers_first_query() -> None:
+    """The probes leave nothing in its line buffer."""
     stage = AracnaStage()
     search(stage.transport)
     stage.line.host = LINE
     assert stage.ask(b".q\n") == b".q1,8\r\n"
 
 
-def test_progress_names_the_device_that_is_asked_for() -> None:
+def test_progress_names_probed_device() -> None:
     stage = AracnaStage()
     stage.do("power off")
     steps: list[Step] = []
@@ -103,7 +103,7 @@ def test_progress_names_the_device_that_is_asked_for() -> None:
 # --- What is told where nothing was found ---------------------------------------------------
 
 
-def test_a_silent_port_is_told_of_both() -> None:
+def test_silent_port_is_reported_for_both_devices() -> None:
     stage = AracnaStage()
     stage.do("power off")
     trex, aracna = search(stage.transport).lines
@@ -112,7 +112,7 @@ def test_a_silent_port_is_told_of_both() -> None:
     assert "may still be moving" in aracna
 
 
-def test_an_echo_is_told_of_both() -> None:
+def test_echo_is_reported_for_both_devices() -> None:
     board = a_board()
     board.power_off()
     trex, aracna = search(Wire(Line([board], echo=True))).lines
@@ -122,7 +122,7 @@ def test_an_echo_is_told_of_both() -> None:
     assert "everything sent comes back" in aracna
 
 
-def test_a_robot_that_only_starts_is_told_before_what_a_trex_is_not() -> None:
+def test_aracna_hello_is_reported_before_missing_trex() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b".h\r\n")
@@ -131,8 +131,8 @@ def test_a_robot_that_only_starts_is_told_before_what_a_trex_is_not() -> None:
     assert "2E 68 0D 0A came at 38400 baud" in trex
 
 
-def test_what_only_one_search_has_heard_comes_first() -> None:
-    """A robot that moves answers when it stands: in the middle of the questions to a TReX."""
+def test_reply_to_aracna_probe_is_reported_first() -> None:
+    """A moving robot answers once it stops, which may be among the probes for a TReX."""
     stage = AracnaStage()
     stage.do("power off")
     sent = 0
@@ -156,7 +156,7 @@ def test_what_only_one_search_has_heard_comes_first() -> None:
     assert trex.startswith("No TReX answers")
 
 
-def test_behind_a_network_port_of_fixed_rate_a_robot_is_asked_for_where_one_is_known() -> None:
+def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
     stage = AracnaStage()
     stage.transport.can_be_tuned = False
     stage.line.host = LINE
@@ -172,7 +172,7 @@ def test_behind_a_network_port_of_fixed_rate_a_robot_is_asked_for_where_one_is_k
 
 @pytest.mark.parametrize("first", ["trex", "aracna"])
 @pytest.mark.parametrize("mute", [False, True])
-def test_the_search_moves_no_robot(first: str, *, mute: bool) -> None:
+def test_search_does_not_move_aracna(first: str, *, mute: bool) -> None:
     stage = AracnaStage(positions=tuple(range(100, 900, 100)))
     stage.line.faults.mute = mute
     result = search(stage.transport, first)
@@ -188,7 +188,7 @@ def test_the_search_moves_no_robot(first: str, *, mute: bool) -> None:
     ids=lambda settings: settings.text(),
 )
 @pytest.mark.parametrize("first", ["trex", "aracna"])
-def test_no_trex_hears_an_order_in_the_search(
+def test_search_sends_no_command_that_trex_obeys(
     settings: LineSettings, first: str, orders: list[str]
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
@@ -199,8 +199,8 @@ def test_no_trex_hears_an_order_in_the_search(
 
 
 @pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
-def test_no_order_of_the_questions_of_both_makes_an_order_to_a_motor(own: LineSettings) -> None:
-    """Whatever is asked of either, in any order and number; of any device number and polynomial."""
+def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
+    """For any order and number of probes, any device number and any polynomial."""
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
         questions = [(each.question, each.line) for each in attempts() if each.line != own]
         questions.append((QUESTION, LINE))

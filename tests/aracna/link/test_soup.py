@@ -6,7 +6,7 @@ from functools import partial
 from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
-from tests.aracna.link.scene import Scene
+from tests.aracna.link.scene import ScriptedSession
 from trex_gui.aracna.link.messages import (
     Connected,
     Drag,
@@ -59,39 +59,39 @@ MENDING = ("line mute off", "line drop 0", "line drop 0 sent", "servo 3 alive", 
 )
 # Shrinking takes longer than a test may.
 @settings(max_examples=60, deadline=None, phases=(Phase.explicit, Phase.generate))
-def test_every_request_has_one_outcome_and_a_mended_robot_obeys(
+def test_every_request_has_one_outcome_and_robot_recovers(
     acts: list[tuple[float, Callable[[int], Request] | str]], *, keeps_last: bool
 ) -> None:
-    scene = Scene(keeps_last=keeps_last)
+    session = ScriptedSession(keeps_last=keeps_last)
     time, asked = 0.2, set()
     for number, (pause, act) in enumerate(acts):
         time += pause
         if isinstance(act, str):
-            scene.at(time, partial(scene.stage.do, act))
+            session.at(time, partial(session.stage.do, act))
         else:
             request = act(number)
             asked |= {number} if hasattr(request, "id") else set()
-            scene.at(time, request)
+            session.at(time, request)
     for line in MENDING:
-        scene.at(time, partial(scene.stage.do, line))
-    scene.at(time + 1.0, Halt()).at(time + 60.0, SetSpeeds(98, (500,) * 8))
-    scene.at(time + 61.0, Move(99, (444,) * 8)).until(time + 70.0)
-    scene.run()
-    assert scene.reports[-1] == Closed(None)
-    assert sorted(outcome.id for outcome in scene.of(Outcome)) == [*sorted(asked), 98, 99]
-    last = {outcome.id: outcome.error for outcome in scene.of(Outcome)}
+        session.at(time, partial(session.stage.do, line))
+    session.at(time + 1.0, Halt()).at(time + 60.0, SetSpeeds(98, (500,) * 8))
+    session.at(time + 61.0, Move(99, (444,) * 8)).until(time + 70.0)
+    session.run()
+    assert session.reports[-1] == Closed(None)
+    assert sorted(outcome.id for outcome in session.of(Outcome)) == [*sorted(asked), 98, 99]
+    last = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert last[98] is None
     assert last[99] is None
-    assert scene.of(Moved)[-1].goals == scene.stage.goals == (444,) * 8
-    assert all(abs(position - 444) <= 2 for position in scene.stage.positions)
-    _assert_it_makes_sense(scene)
+    assert session.of(Moved)[-1].goals == session.stage.goals == (444,) * 8
+    assert all(abs(position - 444) <= 2 for position in session.stage.positions)
+    _assert_it_makes_sense(session)
 
 
-def _assert_it_makes_sense(scene: Scene) -> None:
+def _assert_it_makes_sense(session: ScriptedSession) -> None:
     """Nothing is sent to a robot that is not there, nor while it moves; what is played ends."""
     is_there, moves = False, False
     begun = ended = 0
-    for report in scene.reports:
+    for report in session.reports:
         match report:
             case Connected():
                 is_there = True

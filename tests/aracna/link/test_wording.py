@@ -36,12 +36,12 @@ ARACNA: list[tuple[Said, str, bool]] = [
 
 
 @pytest.mark.parametrize(("said", "text", "is_fault"), ARACNA, ids=lambda value: str(value)[:40])
-def test_an_exchange_with_an_aracna_in_words(said: Said, text: str, is_fault: bool) -> None:
+def test_exchange_is_decoded_as_text(said: Said, text: str, is_fault: bool) -> None:
     assert told(AracnaWording(), pieces_of([said])) == [(text, is_fault)]
 
 
 @given(st.lists(st.sampled_from(ARACNA), max_size=8), st.integers(1, 5))
-def test_pieces_of_any_size_make_the_same_rows_of_an_aracna(
+def test_chunk_size_does_not_change_decoded_rows(
     talk: list[tuple[Said, str, bool]], cut: int
 ) -> None:
     said = [one[0] for one in talk if one[0][0]]
@@ -49,18 +49,18 @@ def test_pieces_of_any_size_make_the_same_rows_of_an_aracna(
     assert told(AracnaWording(), pieces_of(said, cut)) == whole
 
 
-def test_only_the_question_whether_it_is_there_is_polled() -> None:
+def test_only_version_query_is_routine() -> None:
     wording = AracnaWording()
     assert wording.is_routine(b".q\n")
     assert not any(map(wording.is_routine, [b".c1,2\n", b".v1,2\n", b"\n", b".l1\n"]))
 
 
 @given(STRANGE_TALK, st.integers(1, 24))
-def test_no_bytes_are_too_strange_for_words(talk: list[Said], cut: int) -> None:
+def test_any_bytes_can_be_decoded_as_text(talk: list[Said], cut: int) -> None:
     assert_sayable(AracnaWording(), pieces_of(talk, cut))
 
 
-def test_a_late_answer_stands_behind_its_command_though_something_was_asked_since() -> None:
+def test_late_reply_is_shown_with_its_command() -> None:
     wording = AracnaWording()
     pieces = [
         Piece(1.0, Way.SENT, b".c5,6\n"),
@@ -79,7 +79,7 @@ def test_a_late_answer_stands_behind_its_command_though_something_was_asked_sinc
     assert second[0].startswith("ask for version")
 
 
-def test_a_command_that_only_the_question_behind_it_ends_is_a_fault() -> None:
+def test_command_ended_only_by_next_query_is_a_fault() -> None:
     pieces = [
         Piece(1.0, Way.SENT, b".c5,6\n"),
         Piece(4.0, Way.SENT, b".q\n"),

@@ -24,7 +24,7 @@ def snapshot_of(stage: AracnaStage) -> RobotSnapshot:
 # --- What is read -----------------------------------------------------------------------
 
 
-def test_a_new_robot_is_limp_in_the_middle_and_listens() -> None:
+def test_new_robot_is_idle_limp_and_centred() -> None:
     snapshot = snapshot_of(AracnaStage())
     assert snapshot.power
     assert snapshot.servo_power
@@ -38,7 +38,7 @@ def test_a_new_robot_is_limp_in_the_middle_and_listens() -> None:
     assert not snapshot.line.mute
 
 
-def test_what_ails_servos_is_read_one_by_one() -> None:
+def test_servo_faults_are_read_for_each_servo() -> None:
     stage = AracnaStage()
     for line in ("servo 1 dead", "servo 2 block", "servo 3 load 0.25", "line noise 0.5"):
         stage.do(line)
@@ -50,7 +50,7 @@ def test_what_ails_servos_is_read_one_by_one() -> None:
     assert snapshot.line.noise == 0.5
 
 
-def test_a_servo_without_power_is_not_taken_for_a_dead_one() -> None:
+def test_unpowered_servo_is_not_reported_dead() -> None:
     stage = AracnaStage()
     stage.do("servo 6 dead")
     stage.do("servo power off")
@@ -60,7 +60,7 @@ def test_a_servo_without_power_is_not_taken_for_a_dead_one() -> None:
     assert [servo.dead for servo in snapshot.servos] == [False] * 6 + [True, False]
 
 
-def test_nothing_moves_that_only_would_like_to() -> None:
+def test_blocked_or_unpowered_servos_do_not_count_as_moving() -> None:
     stage = AracnaStage()
     stage.line.send(GOALS)
     stage.line.advance(0.1)
@@ -77,7 +77,7 @@ def test_nothing_moves_that_only_would_like_to() -> None:
 # --- What is said -----------------------------------------------------------------------
 
 
-def test_the_state_of_the_firmware_is_a_sentence() -> None:
+def test_firmware_state_is_described_as_text() -> None:
     stage = AracnaStage(booted=False)
     assert "Booting" in state_text(snapshot_of(stage))
     stage.line.advance(1.1)
@@ -103,7 +103,7 @@ def test_the_state_of_the_firmware_is_a_sentence() -> None:
     assert "power is off" in state_text(snapshot_of(stage))
 
 
-def test_servo_power_is_urgent_while_something_moves_and_while_it_is_off() -> None:
+def test_servo_power_text_is_urgent_in_motion_and_when_off() -> None:
     stage = AracnaStage()
     text, urgent = power_text(snapshot_of(stage))
     assert "only thing that stops a running motion" in text
@@ -133,7 +133,7 @@ WHOLE = DemoServo(512, 600, 0, True, True, False, False, 0.0)
         (replace(WHOLE, dead=True), False, "512 = 150.1°, no power"),
     ],
 )
-def test_what_a_servo_does_is_told(servo: DemoServo, powered: bool, words: str) -> None:
+def test_servo_state_is_described_as_text(servo: DemoServo, powered: bool, words: str) -> None:
     assert servo_text(servo, powered) == words
 
 
@@ -167,7 +167,7 @@ def seen(robot: DemoRobot) -> RobotSnapshot:
 
 
 @pseudo_terminals
-def test_each_thing_that_can_be_done_is_seen_to_be_done(robot: DemoRobot, qtbot: QtBot) -> None:
+def test_faults_appear_in_snapshot_and_mend_clears_them(robot: DemoRobot, qtbot: QtBot) -> None:
     robot.set_dead(1, True)
     robot.set_blocked(2, True)
     robot.set_load(3, 0.5)
@@ -188,7 +188,7 @@ def test_each_thing_that_can_be_done_is_seen_to_be_done(robot: DemoRobot, qtbot:
 
 
 @pseudo_terminals
-def test_a_dragged_load_is_sent_no_faster_than_it_is_taken(
+def test_dragged_load_sends_only_first_and_newest_value(
     robot: DemoRobot, simulator: Overheard, qtbot: QtBot
 ) -> None:
     simulator.lines.clear()
@@ -207,7 +207,7 @@ def test_a_dragged_load_is_sent_no_faster_than_it_is_taken(
         (Loss.ANSWER_END, "line cut 6"),
     ],
 )
-def test_what_gets_lost_is_a_control_line(
+def test_each_loss_sends_its_control_line(
     robot: DemoRobot, simulator: Overheard, qtbot: QtBot, loss: Loss, line: str
 ) -> None:
     simulator.lines.clear()
@@ -220,9 +220,7 @@ def test_what_gets_lost_is_a_control_line(
 
 
 @pseudo_terminals
-def test_a_board_without_power_is_not_restarted_and_that_is_said(
-    robot: DemoRobot, qtbot: QtBot
-) -> None:
+def test_restart_of_unpowered_board_is_rejected(robot: DemoRobot, qtbot: QtBot) -> None:
     robot.set_power(False)
     qtbot.waitUntil(lambda: not seen(robot).power, timeout=15_000)
     with qtbot.waitSignal(robot.refused, timeout=15_000) as refusal:
@@ -235,7 +233,7 @@ def test_a_board_without_power_is_not_restarted_and_that_is_said(
 
 
 @pseudo_terminals
-def test_a_simulator_that_ends_is_seen_no_more_and_nothing_can_be_mended(
+def test_snapshot_is_cleared_while_simulator_is_stopped(
     robot: DemoRobot, simulator: Overheard, qtbot: QtBot
 ) -> None:
     with qtbot.waitSignal(simulator.ended, timeout=15_000):

@@ -26,14 +26,14 @@ def known(*reports: object) -> Known:
     return found
 
 
-def test_before_its_first_answer_a_robot_may_move_and_nobody_knows_for_how_long() -> None:
+def test_new_robot_may_be_moving_for_unknown_time() -> None:
     found = known(CONNECTED)
     assert found.may_move_unseen
     assert found.goes_on_until is None
     assert not found.unsure, "nothing was sent"
 
 
-def test_a_motion_that_is_watched_is_not_unseen_and_after_its_answer_nothing_moves() -> None:
+def test_watched_motion_has_end_time_until_it_is_answered() -> None:
     assert not known(CONNECTED, BEGUN).may_move_unseen
     assert known(CONNECTED, BEGUN).goes_on_until == 14.0
     found = known(CONNECTED, BEGUN, THERE)
@@ -53,7 +53,7 @@ def test_a_motion_that_is_watched_is_not_unseen_and_after_its_answer_nothing_mov
     ],
     ids=["restart", "answers again", "silence", "answers", "answer lost", "stuck"],
 )
-def test_a_motion_that_is_not_watched_any_more_keeps_its_end(end: tuple[object, ...]) -> None:
+def test_interrupted_motion_keeps_its_expected_end(end: tuple[object, ...]) -> None:
     found = known(CONNECTED, BEGUN, *end)
     assert found.moving is None
     assert found.stuck is None
@@ -62,7 +62,7 @@ def test_a_motion_that_is_not_watched_any_more_keeps_its_end(end: tuple[object, 
     assert found.unsure
 
 
-def test_the_next_motion_takes_the_place_of_one_that_was_left_running() -> None:
+def test_next_motion_replaces_interrupted_one() -> None:
     left = (CONNECTED, BEGUN, Restarted(11.0, voided=True), CONNECTED)
     following = Moving(12.0, GOALS, (None, None), 7.0)
     assert known(*left, following).goes_on_until == 19.0

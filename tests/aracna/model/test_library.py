@@ -27,13 +27,13 @@ def names(library: Library) -> list[str]:
     return [pose.name for pose in library.poses]
 
 
-def test_it_begins_with_the_poses_of_the_authors_and_has_nothing_to_save(library: Library) -> None:
+def test_new_library_has_built_in_poses_and_is_unmodified(library: Library) -> None:
     assert library.poses == KNOWN_POSES
     assert not library.modified
     assert library.path is None
 
 
-def test_what_is_captured_becomes_the_last_pose(library: Library, qtbot: QtBot) -> None:
+def test_captured_pose_is_appended(library: Library, qtbot: QtBot) -> None:
     with qtbot.waitSignal(library.changed):
         name = library.capture(EIGHT)
     assert library.poses[-1].name == name == "pose"
@@ -44,9 +44,7 @@ def test_what_is_captured_becomes_the_last_pose(library: Library, qtbot: QtBot) 
 
 
 @pytest.mark.parametrize("lacking", [None, -1])
-def test_a_robot_of_which_a_place_is_unknown_cannot_be_captured(
-    library: Library, lacking: int | None
-) -> None:
+def test_unknown_position_cannot_be_captured(library: Library, lacking: int | None) -> None:
     with pytest.raises(BadRequest, match="motor 2"):
         library.capture((1, 2, lacking, 4, 5, 6, 7, 8))
     with pytest.raises(BadRequest, match="not known"):
@@ -54,7 +52,7 @@ def test_a_robot_of_which_a_place_is_unknown_cannot_be_captured(
     assert not library.modified
 
 
-def test_sequences_follow_the_new_name_of_a_pose(library: Library) -> None:
+def test_renamed_pose_is_renamed_in_sequences(library: Library) -> None:
     library.add_sequence("up", [SequenceStep("flat", 100), SequenceStep("stand", 200)])
     library.rename_pose("stand", "upright")
     sequence = library.sequence("up")
@@ -65,16 +63,14 @@ def test_sequences_follow_the_new_name_of_a_pose(library: Library) -> None:
 
 
 @pytest.mark.parametrize("name", ["flat", "", "   ", "a:b", "a,b", "a|b", "a\nb", "x" * 101])
-def test_a_name_that_cannot_be_is_refused_and_nothing_has_changed(
-    library: Library, name: str
-) -> None:
+def test_invalid_pose_name_is_rejected(library: Library, name: str) -> None:
     with pytest.raises(BadRequest):
         library.rename_pose("stand", name)
     assert library.poses == KNOWN_POSES
     assert not library.undo.canUndo()
 
 
-def test_a_deleted_pose_comes_back_with_undo_and_sequences_go_on_naming_it(
+def test_deleted_pose_stays_in_sequences_and_undo_restores_it(
     library: Library,
 ) -> None:
     library.add_sequence("up", [SequenceStep("flat")])
@@ -85,7 +81,7 @@ def test_a_deleted_pose_comes_back_with_undo_and_sequences_go_on_naming_it(
     assert library.poses == KNOWN_POSES
 
 
-def test_a_pose_is_moved_in_the_order(library: Library) -> None:
+def test_pose_can_be_reordered(library: Library) -> None:
     library.move_pose("flat", 2)
     assert names(library)[:3] == ["half-stand", "stand", "flat"]
     library.move_pose("flat", 99)
@@ -94,7 +90,7 @@ def test_a_pose_is_moved_in_the_order(library: Library) -> None:
     assert library.poses == KNOWN_POSES
 
 
-def test_a_copy_stands_behind_its_original(library: Library) -> None:
+def test_copy_follows_its_original(library: Library) -> None:
     assert library.duplicate_pose("flat") == "flat 2"
     assert names(library)[:2] == ["flat", "flat 2"]
     library.add_sequence("up", [SequenceStep("flat")])
@@ -102,7 +98,7 @@ def test_a_copy_stands_behind_its_original(library: Library) -> None:
     assert library.sequences[1].steps == library.sequences[0].steps
 
 
-def test_moving_a_pose_bit_by_bit_is_one_step_to_undo(library: Library) -> None:
+def test_successive_edits_of_pose_are_one_undo_step(library: Library) -> None:
     for position in range(10):
         library.set_positions("flat", (position,) * 8, run=("flat", 1))
     assert library.undo.count() == 1
@@ -111,19 +107,19 @@ def test_moving_a_pose_bit_by_bit_is_one_step_to_undo(library: Library) -> None:
     assert not library.modified
 
 
-def test_a_position_out_of_range_is_refused(library: Library) -> None:
+def test_position_out_of_range_is_rejected(library: Library) -> None:
     with pytest.raises(BadRequest, match="1024"):
         library.set_positions("flat", (1024,) * 8)
     assert library.poses == KNOWN_POSES
 
 
-def test_what_is_not_there_cannot_be_edited(library: Library) -> None:
+def test_unknown_name_cannot_be_edited(library: Library) -> None:
     for edit in (library.delete_pose, library.duplicate_pose, library.delete_sequence):
         with pytest.raises(BadRequest, match="nothing called ghost"):
             edit("ghost")
 
 
-def test_every_edit_is_one_step_to_undo_and_can_be_made_again(library: Library) -> None:
+def test_every_edit_can_be_undone_and_redone_in_one_step(library: Library) -> None:
     edits: list[Callable[[], object]] = [
         lambda: library.add_pose(EIGHT, "new"),
         lambda: library.set_positions("new", (9,) * 8),
@@ -153,13 +149,13 @@ def test_every_edit_is_one_step_to_undo_and_can_be_made_again(library: Library) 
         assert library.project == state
 
 
-def test_an_edit_that_changes_nothing_is_no_step(library: Library) -> None:
+def test_unchanged_edit_adds_no_undo_step(library: Library) -> None:
     library.rename_pose("flat", "flat")
     library.move_pose("flat", 0)
     assert library.undo.count() == 0
 
 
-def test_saved_and_opened_it_is_the_same(library: Library, tmp_path: Path) -> None:
+def test_saved_library_is_read_back_equal(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "mine.ppr"
     library.add_pose(EIGHT, "mine")
     library.add_sequence("s", [SequenceStep("mine", 700)])
@@ -172,9 +168,7 @@ def test_saved_and_opened_it_is_the_same(library: Library, tmp_path: Path) -> No
     assert not other.undo.canUndo()
 
 
-def test_after_saving_undo_still_works_and_makes_it_modified(
-    library: Library, tmp_path: Path
-) -> None:
+def test_undo_after_save_marks_library_modified(library: Library, tmp_path: Path) -> None:
     library.add_pose(EIGHT)
     library.save(tmp_path / "mine.ppr")
     library.undo.undo()
@@ -183,9 +177,7 @@ def test_after_saving_undo_still_works_and_makes_it_modified(
     assert not library.modified
 
 
-def test_a_file_with_lines_that_cannot_be_read_is_opened_and_they_are_saved_again(
-    library: Library, tmp_path: Path
-) -> None:
+def test_unreadable_lines_are_reported_and_saved_again(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "odd.ppr"
     path.write_text("Aracna:8\nPose=a:1, x\nsomething else\n", encoding="utf-8")
     assert [finding.line for finding in library.open(path)] == [1, 2, 3]
@@ -197,7 +189,7 @@ def test_a_file_with_lines_that_cannot_be_read_is_opened_and_they_are_saved_agai
 
 
 @pytest.mark.parametrize("data", [b"\0" * 100, b"\x7fELF\x01", b"a" * 2_000_000])
-def test_what_is_no_pose_file_is_refused_and_nothing_has_changed(
+def test_invalid_pose_file_is_rejected_and_library_kept(
     library: Library, tmp_path: Path, data: bytes
 ) -> None:
     path = tmp_path / "binary.ppr"
@@ -210,7 +202,7 @@ def test_what_is_no_pose_file_is_refused_and_nothing_has_changed(
     assert library.undo.canUndo()
 
 
-def test_a_western_european_file_is_read_and_that_is_told(library: Library, tmp_path: Path) -> None:
+def test_latin_1_file_is_read_with_finding(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "old.ppr"
     path.write_bytes("Aracna:8\nPose=Füße:1\n".encode("latin-1"))
     findings = library.open(path)
@@ -218,9 +210,7 @@ def test_a_western_european_file_is_read_and_that_is_told(library: Library, tmp_
     assert any("UTF-8" in finding.message for finding in findings)
 
 
-def test_a_file_that_cannot_be_written_leaves_the_old_one_and_the_edits(
-    library: Library, tmp_path: Path
-) -> None:
+def test_failed_save_keeps_old_file_and_edits(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "mine.ppr"
     library.save(path)
     library.add_pose(EIGHT)
@@ -233,7 +223,7 @@ def test_a_file_that_cannot_be_written_leaves_the_old_one_and_the_edits(
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_a_change_by_another_program_is_noticed(library: Library, tmp_path: Path) -> None:
+def test_change_by_other_program_is_detected(library: Library, tmp_path: Path) -> None:
     path = tmp_path / "mine.ppr"
     library.save(path)
     assert not library.changed_on_disk()
@@ -241,14 +231,14 @@ def test_a_change_by_another_program_is_noticed(library: Library, tmp_path: Path
     assert library.changed_on_disk()
 
 
-def test_the_sample_can_be_opened(library: Library) -> None:
+def test_sample_file_opens_without_findings(library: Library) -> None:
     path = resource("aracna/sample.ppr")
     assert library.open(path) == ()
     assert write_ppr(library.project).encode() == path.read_bytes()
     assert [sequence.name for sequence in library.sequences] == ["stand up", "star 6", "push-ups"]
 
 
-def test_a_gait_becomes_a_sequence_whose_poses_are_added_once(library: Library) -> None:
+def test_gait_becomes_sequence_and_adds_its_poses_once(library: Library) -> None:
     star = next(gait for gait in GAITS if gait.name == "star 6")
     assert library.add_gait(star) == "star 6"
     assert library.add_gait(star) == "star 6 2"
@@ -263,13 +253,13 @@ def test_a_gait_becomes_a_sequence_whose_poses_are_added_once(library: Library) 
         assert step.milliseconds == stage.seconds * 1000
 
 
-def test_a_gait_of_known_poses_uses_them(library: Library) -> None:
+def test_gait_of_built_in_poses_adds_no_poses(library: Library) -> None:
     library.add_gait(STAND_UP)
     assert library.poses == KNOWN_POSES
     assert library.sequences[0].steps == (SequenceStep("flat", 3000), SequenceStep("stand", 3000))
 
 
-def test_a_pose_of_the_same_name_but_elsewhere_is_not_taken_for_the_gait_s(
+def test_gait_ignores_changed_pose_of_same_name(
     library: Library,
 ) -> None:
     library.set_positions("flat", EIGHT)

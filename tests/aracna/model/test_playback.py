@@ -6,11 +6,11 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QThread
+from PySide6.QtCore import QCoreApplication
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from tests.aracna.recordings import HEADER, MOTORS, T0, hang, session, write
+from tests.aracna.recordings import HEADER, MOTORS, T0, hang, loader_thread, session, write
 from trex_gui.aracna.link.messages import Moved, Moving, Passed, Restarted, Stuck
 from trex_gui.aracna.model.known import Known
 from trex_gui.aracna.model.playback import RobotPlayback
@@ -61,7 +61,7 @@ def rounded(moment: Moment) -> tuple[object, ...]:
     )
 
 
-def test_going_anywhere_tells_the_same_as_reading_from_the_start(long: RobotPlayback) -> None:
+def test_seek_gives_same_state_as_reading_from_start(long: RobotPlayback) -> None:
     what = list(session(250))
     random = Random(3)
     places = [random.uniform(0, long.end - T0) + 1e-4 for _ in range(40)]
@@ -70,7 +70,7 @@ def test_going_anywhere_tells_the_same_as_reading_from_the_start(long: RobotPlay
         assert rounded(long.latest()) == rounded(straight(what, long.position))
 
 
-def test_what_was_looked_at_is_not_changed_by_looking_elsewhere(long: RobotPlayback) -> None:
+def test_seek_does_not_change_earlier_snapshot(long: RobotPlayback) -> None:
     long.set_position(T0 + 10)
     before = long.latest()
     kept = list(before.known.present)
@@ -79,9 +79,7 @@ def test_what_was_looked_at_is_not_changed_by_looking_elsewhere(long: RobotPlayb
     assert before.known.present == kept
 
 
-def test_a_curve_is_flat_at_rest_and_straight_to_where_the_motor_answered(
-    tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(
         tmp_path / "a.csv",
         qtbot,
@@ -101,9 +99,7 @@ def test_a_curve_is_flat_at_rest_and_straight_to_where_the_motor_answered(
 
 
 @pytest.mark.parametrize("lost", [Restarted(T0 + 3, voided=False), FellSilent(T0 + 3)])
-def test_a_curve_is_interrupted_where_nobody_knows_the_place(
-    tmp_path: Path, qtbot: QtBot, lost: Row
-) -> None:
+def test_curve_has_gap_while_position_is_unknown(tmp_path: Path, qtbot: QtBot, lost: Row) -> None:
     playback = loaded(
         tmp_path / "a.csv",
         qtbot,
@@ -125,7 +121,7 @@ def test_a_curve_is_interrupted_where_nobody_knows_the_place(
     playback.close()
 
 
-def test_a_motor_that_is_waited_for_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> None:
+def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(
         tmp_path / "a.csv",
         qtbot,
@@ -145,7 +141,7 @@ def test_a_motor_that_is_waited_for_is_known_until_it_answers(tmp_path: Path, qt
     playback.close()
 
 
-def test_events_stand_in_the_order_of_time_with_their_kinds(tmp_path: Path, qtbot: QtBot) -> None:
+def test_events_are_sorted_by_time_with_their_kinds(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(
         tmp_path / "a.csv",
         qtbot,
@@ -159,7 +155,7 @@ def test_events_stand_in_the_order_of_time_with_their_kinds(tmp_path: Path, qtbo
     playback.close()
 
 
-def test_an_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
+def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(tmp_path / "a.csv", qtbot)
     assert playback.position == playback.end == T0
     assert playback.header == HEADER
@@ -167,9 +163,7 @@ def test_an_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
     playback.close()
 
 
-def test_of_a_long_recording_the_last_answers_are_drawn_and_counted(
-    tmp_path: Path, qtbot: QtBot
-) -> None:
+def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "long.csv"
     write(path, list(session(600)))
     playback = RobotPlayback(open_recording(path), path, most_rows=5000)
@@ -180,22 +174,21 @@ def test_of_a_long_recording_the_last_answers_are_drawn_and_counted(
     playback.close()
 
 
-def test_another_file_is_refused(tmp_path: Path) -> None:
+def test_invalid_recording_is_rejected(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_bytes(b"something else")
     with pytest.raises(RecordingError):
         RobotPlayback.open(tmp_path / "a.csv")
 
 
 @pytest.mark.realtime
-def test_a_recording_that_is_closed_while_it_is_read_ends_its_thread(
+def test_close_while_loading_ends_thread(
     tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     hang(monkeypatch)
     path = tmp_path / "long.csv"
     write(path, list(session(60)))
     playback = RobotPlayback.open(path)
-    (thread,) = playback.findChildren(QThread)
-    assert isinstance(thread, QThread)
+    thread = loader_thread(playback)
     told: list[str] = []
     playback.loaded.connect(lambda: told.append("loaded"))
     playback.failed.connect(told.append)

@@ -20,7 +20,7 @@ def library(qapp: QObject) -> Library:
     return library
 
 
-def test_lists_and_table_keep_the_rules_of_qt_through_every_edit(
+def test_models_keep_qt_model_rules_through_edits(
     library: Library, qtmodeltester: ModelTester, qtbot: QtBot
 ) -> None:
     del qtbot
@@ -39,9 +39,7 @@ def test_lists_and_table_keep_the_rules_of_qt_through_every_edit(
     assert not steps.editable
 
 
-def test_a_name_is_edited_in_its_place_and_one_that_is_taken_is_refused(
-    library: Library, qtbot: QtBot
-) -> None:
+def test_pose_name_is_editable_and_duplicate_is_rejected(library: Library, qtbot: QtBot) -> None:
     names = PoseNames(library)
     assert names.setData(names.index(0), "low")
     assert library.poses[0].name == "low"
@@ -51,7 +49,7 @@ def test_a_name_is_edited_in_its_place_and_one_that_is_taken_is_refused(
     assert "stand is taken" in refused.args[0]
 
 
-def test_gaits_stand_behind_the_sequences_and_cannot_be_renamed(library: Library) -> None:
+def test_gaits_follow_sequences_and_cannot_be_renamed(library: Library) -> None:
     names = MotionNames(library)
     assert names.rowCount() == 1 + len(GAITS)
     assert names.index(1).data() == "stand up (built in)"
@@ -59,12 +57,12 @@ def test_gaits_stand_behind_the_sequences_and_cannot_be_renamed(library: Library
     assert not names.flags(names.index(1)) & Qt.ItemFlag.ItemIsEditable
 
 
-def test_a_sequence_that_names_poses_nobody_defined_says_so(library: Library) -> None:
+def test_sequence_tooltip_names_undefined_poses(library: Library) -> None:
     names = MotionNames(library)
     assert "gone" in names.index(0).data(Qt.ItemDataRole.ToolTipRole)
 
 
-def test_pose_and_time_of_a_step_are_edited_in_the_table(library: Library) -> None:
+def test_step_pose_and_time_are_editable(library: Library) -> None:
     table = StepTable(library)
     table.show_motion(Motion("mine"))
     assert table.setData(table.index(1, StepColumn.POSE), "stand")
@@ -73,7 +71,7 @@ def test_pose_and_time_of_a_step_are_edited_in_the_table(library: Library) -> No
     assert library.sequences[0].steps == (SequenceStep("flat", 750), SequenceStep("stand", 200))
 
 
-def test_the_steps_of_a_gait_are_shown_but_not_edited(library: Library) -> None:
+def test_gait_steps_are_read_only(library: Library) -> None:
     table = StepTable(library)
     table.show_motion(Motion("star 6", built_in=True))
     shown = [table.index(row, StepColumn.TIME).data() for row in range(table.rowCount())]

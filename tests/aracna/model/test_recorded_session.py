@@ -96,7 +96,7 @@ def without_markers(rows: list[Row]) -> list[Row]:
     return [row for row in rows if not isinstance(row, Marker)]
 
 
-def test_every_report_comes_back_equal(session: Session) -> None:
+def test_every_report_is_read_back_equal(session: Session) -> None:
     session.recorder.start(session.path)
     session.move(*(500,) * 8)
     session.move(*range(100, 500, 50))
@@ -118,7 +118,7 @@ def test_every_report_comes_back_equal(session: Session) -> None:
     assert texts[-1] == "The recording ends here."
 
 
-def test_a_restart_a_silence_a_dead_servo_and_a_refusal_are_in_it(session: Session) -> None:
+def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     session.recorder.start(session.path)
     session.move(*(500,) * 8)
     session.simulator.do("servo 3 block")  # dead before it is on its way, it would take no speed
@@ -152,7 +152,7 @@ def test_a_restart_a_silence_a_dead_servo_and_a_refusal_are_in_it(session: Sessi
     assert any(each.kind == EventKind.LINK for each in markers)
 
 
-def test_a_recording_that_begins_late_begins_with_all_that_is_known(session: Session) -> None:
+def test_late_recording_starts_with_known_state(session: Session) -> None:
     session.move(*(500,) * 8)
     session.robot.set_speeds((40,) * 8)
     assert session.robot.move((100,) * 8)  # 4.4 s, in which the recording has to begin
@@ -174,9 +174,7 @@ def test_a_recording_that_begins_late_begins_with_all_that_is_known(session: Ses
     assert list(rest[-1].present) == known.present
 
 
-def test_what_is_known_at_the_end_of_a_recording_is_what_was_known_of_the_robot(
-    session: Session, qtbot: QtBot
-) -> None:
+def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: QtBot) -> None:
     session.recorder.start(session.path)
     session.move(*(500,) * 8)
     session.move(*range(100, 500, 50))

@@ -39,7 +39,7 @@ def recorder(robot: Robot) -> Iterator[AracnaRecorder]:
     assert recorder.shut_down()
 
 
-def test_goals_places_speeds_and_events_of_a_move_are_in_the_file(
+def test_move_is_recorded_with_goals_positions_and_speeds(
     robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
     path = tmp_path / "session.csv"
@@ -63,7 +63,7 @@ def test_goals_places_speeds_and_events_of_a_move_are_in_the_file(
     assert times == sorted(times)
 
 
-def test_it_begins_with_what_is_known_already(
+def test_recording_starts_with_known_state(
     robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
     robot.move((500,) * 8)
@@ -76,7 +76,7 @@ def test_it_begins_with_what_is_known_already(
     ]
 
 
-def test_it_ends_with_the_connection_and_says_so(
+def test_disconnect_ends_recording_with_message(
     robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
     recorder.start(tmp_path / "cut.csv")
@@ -86,7 +86,7 @@ def test_it_ends_with_the_connection_and_says_so(
     assert rows(tmp_path / "cut.csv")[0]["record"] == "header"
 
 
-def test_a_file_that_cannot_be_written_is_told(
+def test_unwritable_file_is_reported(
     recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
     with qtbot.waitSignal(recorder.failed, timeout=15_000) as failed:
@@ -95,7 +95,7 @@ def test_a_file_that_cannot_be_written_is_told(
     qtbot.waitUntil(lambda: recorder.can_record, timeout=15_000)
 
 
-def test_nothing_is_recorded_without_a_robot(tmp_path: Path, qtbot: QtBot) -> None:
+def test_recording_needs_connected_robot(tmp_path: Path, qtbot: QtBot) -> None:
     del qtbot
     recorder = AracnaRecorder(Robot())
     assert not recorder.start(tmp_path / "a.csv")

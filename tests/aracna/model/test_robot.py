@@ -21,19 +21,19 @@ LOW = (300,) * 8
 HIGH = (400,) * 8
 
 
-class Watched:
-    """A robot, its simulator, and everything that was told of it."""
+class RobotHarness:
+    """A robot, its simulator, and all its reports and messages."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.simulator = simulator
         self.qtbot = qtbot
         self.robot = Robot()
         self.reports: list[object] = []
-        self.said: list[str] = []
+        self.messages: list[str] = []
         self.robot.reported.connect(self.reports.append)
         self.links: list[tuple[Link, str]] = []
         for signal in (self.robot.told, self.robot.refused, self.robot.failed):
-            signal.connect(self.said.append)
+            signal.connect(self.messages.append)
         self.robot.link_changed.connect(self._note_link)
 
     def _note_link(self) -> None:
@@ -98,43 +98,41 @@ def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
 
 
 @pytest.fixture
-def watched(simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Watched]:
-    watched = Watched(simulator, qtbot)
-    yield watched
-    watched.end()
+def harness(simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RobotHarness]:
+    harness = RobotHarness(simulator, qtbot)
+    yield harness
+    harness.end()
 
 
 @pytest.fixture
-def robot(watched: Watched) -> Robot:
-    watched.connect()
-    return watched.robot
+def robot(harness: RobotHarness) -> Robot:
+    harness.connect()
+    return harness.robot
 
 
-def test_where_the_motors_are_is_not_known_before_the_first_move(
-    robot: Robot, watched: Watched
-) -> None:
+def test_positions_are_unknown_before_first_move(robot: Robot, harness: RobotHarness) -> None:
     assert robot.version == 1
     assert robot.motors == 8
     assert robot.present == (None,) * 8
-    assert not watched.sent
-    watched.move((512,) * 8)
+    assert not harness.sent
+    harness.move((512,) * 8)
     assert all(position is not None for position in robot.present)
 
 
-def test_the_first_move_goes_slowly(robot: Robot, watched: Watched) -> None:
-    watched.move((480,) * 8)
-    assert watched.speeds == [FIRST_SPEED] * 8
-    order = [type(report) for report in watched.reports]
+def test_first_move_is_slow(robot: Robot, harness: RobotHarness) -> None:
+    harness.move((480,) * 8)
+    assert harness.speeds == [FIRST_SPEED] * 8
+    order = [type(report) for report in harness.reports]
     assert order.index(SpeedsHeld) < order.index(Moving)
 
 
-def test_the_first_move_goes_as_fast_as_a_person_has_chosen(robot: Robot, watched: Watched) -> None:
+def test_first_move_uses_chosen_speeds(robot: Robot, harness: RobotHarness) -> None:
     robot.set_speeds((0, 300, 300, 300, 300, 300, 300, 1023))
-    watched.move((480,) * 8)
-    assert watched.speeds == [0, 300, 300, 300, 300, 300, 300, 1023]
+    harness.move((480,) * 8)
+    assert harness.speeds == [0, 300, 300, 300, 300, 300, 300, 1023]
 
 
-def test_speeds_that_cannot_be_are_refused(robot: Robot) -> None:
+def test_invalid_speeds_are_rejected(robot: Robot) -> None:
     with pytest.raises(BadRequest, match="0 to 1023"):
         robot.set_speeds((1024,) * 8)
     with pytest.raises(BadRequest, match="8 speeds"):
@@ -142,14 +140,14 @@ def test_speeds_that_cannot_be_are_refused(robot: Robot) -> None:
     assert robot.speeds.wanted == (FIRST_SPEED,) * 8
 
 
-def test_goals_are_kept_within_the_limits_and_that_is_said(robot: Robot, watched: Watched) -> None:
+def test_goals_are_clamped_to_limits_with_message(robot: Robot, harness: RobotHarness) -> None:
     robot.set_speeds((0,) * 8)
-    watched.move((0, 1023, 512, 512, 512, 512, 512, 512))
-    assert watched.sent == [(50, 550, 512, 512, 512, 512, 512, 512)]
-    assert "motor 0 to 50 instead of 0, motor 1 to 550 instead of 1023" in watched.said[0]
+    harness.move((0, 1023, 512, 512, 512, 512, 512, 512))
+    assert harness.sent == [(50, 550, 512, 512, 512, 512, 512, 512)]
+    assert "motor 0 to 50 instead of 0, motor 1 to 550 instead of 1023" in harness.messages[0]
 
 
-def test_limits_are_remembered_and_can_be_reset(robot: Robot) -> None:
+def test_limits_are_saved_and_can_be_reset(robot: Robot) -> None:
     robot.limits.set(3, 200, 300)
     assert robot.targets.goals[3] == 300
     again = Robot()
@@ -159,70 +157,70 @@ def test_limits_are_remembered_and_can_be_reset(robot: Robot) -> None:
 
 
 @pytest.mark.parametrize("kept", ["nonsense", "1-2", "900-100 " * 8, "0-2000 " * 8])
-def test_limits_that_were_kept_badly_are_those_of_the_authors(kept: str) -> None:
+def test_invalid_saved_limits_are_replaced_by_defaults(kept: str) -> None:
     QSettings().setValue("aracna/limits", kept)
     assert Robot().limits.are_factory
 
 
-def test_a_drag_sends_the_newest_goal_and_knows_its_rate(robot: Robot, watched: Watched) -> None:
-    watched.move(LOW)
+def test_drag_sends_newest_goal_and_measures_rate(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
     robot.set_speeds((0,) * 8)
     robot.begin_drag()
     for goal in range(300, 360):
         robot.drag((goal,) * 8)
-    watched.wait(lambda: (359,) * 8 in watched.sent and robot.known.moving is None)
-    assert len(watched.sent) < 30, "the newest goal replaces those that wait"
+    harness.wait(lambda: (359,) * 8 in harness.sent and robot.known.moving is None)
+    assert len(harness.sent) < 30, "the newest goal replaces those that wait"
     for goal in (330, 340) * 25:  # after a pause of a second the rate is reckoned anew
-        watched.drag((goal,) * 8)
-        assert watched.sent[-1] == (goal,) * 8
+        harness.drag((goal,) * 8)
+        assert harness.sent[-1] == (goal,) * 8
         if robot.rate is not None:
             break
     assert robot.rate is not None
     assert 1 < robot.rate < 60
     robot.end_drag()
-    count = len(watched.sent)
+    count = len(harness.sent)
     robot.drag((350,) * 8)
-    watched.move(LOW)
-    assert len(watched.sent) == count + 1, "nothing is dragged after it was let go"
+    harness.move(LOW)
+    assert len(harness.sent) == count + 1, "nothing is dragged after it was let go"
 
 
-def test_a_motor_that_does_not_reach_its_goal_is_told(robot: Robot, watched: Watched) -> None:
-    watched.move((512,) * 8)
+def test_unreadable_position_is_reported_as_missed_goal(
+    robot: Robot, harness: RobotHarness
+) -> None:
+    harness.move((512,) * 8)
     assert not list(robot.known.missed)
-    watched.simulator.do("servo 2 lose position")
-    watched.move((480,) * 8)
+    harness.simulator.do("servo 2 lose position")
+    harness.move((480,) * 8)
     assert [(each.motor, each.unreadable) for each in robot.known.missed] == [(2, True)]
     assert robot.present[2] is None
     assert "Motor 2 did not say where it is (−1)." in [event.text for event in robot.events.all]
 
 
-def test_a_speed_that_a_servo_does_not_take_is_told(robot: Robot, watched: Watched) -> None:
-    watched.simulator.do("servo 5 dead")
+def test_rejected_servo_speed_is_reported(robot: Robot, harness: RobotHarness) -> None:
+    harness.simulator.do("servo 5 dead")
     robot.set_speeds((200,) * 8)
-    watched.wait(lambda: bool(watched.of(SpeedsHeld)))
+    harness.wait(lambda: bool(harness.of(SpeedsHeld)))
     assert [(each.motor, each.held) for each in robot.known.speeds_refused] == [(5, -1)]
 
 
-def test_a_motor_that_is_waited_for_is_named_until_it_answers(
-    robot: Robot, watched: Watched
-) -> None:
-    watched.move((512,) * 8)
-    watched.lose_motor_3((500,) * 8)
-    watched.wait(lambda: robot.known.stuck is not None)
+def test_stuck_motor_is_named_until_it_answers(robot: Robot, harness: RobotHarness) -> None:
+    harness.move((512,) * 8)
+    harness.lose_motor_3((500,) * 8)
+    harness.wait(lambda: robot.known.stuck is not None)
     stuck = robot.known.stuck
     assert stuck is not None
     assert stuck.motor == 3
     assert any("waits for motor 3" in event.text for event in robot.events.all)
-    watched.simulator.do("servo 3 alive")
-    watched.wait(lambda: robot.known.moved is not None)
+    harness.simulator.do("servo 3 alive")
+    harness.wait(lambda: robot.known.moved is not None)
     assert robot.known.stuck is None
 
 
-def test_how_long_the_motion_lasts_counts_down(robot: Robot, watched: Watched) -> None:
-    watched.move((512,) * 8)
+def test_remaining_motion_time_counts_down(robot: Robot, harness: RobotHarness) -> None:
+    harness.move((512,) * 8)
     robot.set_speeds((25,) * 8)
     robot.move((284,) * 8)
-    watched.wait(lambda: robot.known.moving is not None)
+    harness.wait(lambda: robot.known.moving is not None)
     ends_at = robot.known.ends_at
     assert ends_at is not None
     before, left, after = now(), robot.remaining(), now()
@@ -231,7 +229,7 @@ def test_how_long_the_motion_lasts_counts_down(robot: Robot, watched: Watched) -
     assert moving is not None
     assert ends_at == moving.time + moving.expected
     assert moving.expected == pytest.approx(4, abs=0.05), "228 units at a speed of 25: 4 s"
-    watched.wait(lambda: robot.known.moving is None)
+    harness.wait(lambda: robot.known.moving is None)
     assert robot.remaining() == 0
 
 
@@ -239,97 +237,93 @@ def steps(*goals: tuple[int, ...]) -> tuple[Step, ...]:
     return tuple(Step(goal, 0.2, f"step {index}") for index, goal in enumerate(goals))
 
 
-def test_what_is_played_begins_slowly_where_nobody_knows_where_the_motors_are(
-    robot: Robot, watched: Watched
-) -> None:
+def test_playback_begins_slowly_from_unknown_positions(robot: Robot, harness: RobotHarness) -> None:
     assert robot.play(Play(0, steps((500,) * 8, (520,) * 8)))
     assert robot.playing is not None
-    watched.wait(lambda: bool(watched.of(SpeedsHeld)))
-    assert max(watched.speeds) <= FIRST_SPEED
-    watched.wait(lambda: robot.playing is None)
-    assert watched.sent == [(500,) * 8, (500,) * 8, (520,) * 8]
+    harness.wait(lambda: bool(harness.of(SpeedsHeld)))
+    assert max(harness.speeds) <= FIRST_SPEED
+    harness.wait(lambda: robot.playing is None)
+    assert harness.sent == [(500,) * 8, (500,) * 8, (520,) * 8]
 
 
-def test_halt_ends_what_is_played_and_holds_what_is_reported(
-    robot: Robot, watched: Watched
+def test_halt_ends_playback_and_holds_reported_positions(
+    robot: Robot, harness: RobotHarness
 ) -> None:
-    watched.move(LOW)
+    harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    watched.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
+    harness.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
     robot.halt()
     halted = now()
-    watched.wait(lambda: robot.playing is None and robot.known.moving is None)
-    assert watched.sent_after(halted) <= 1  # one may have been on its way
+    harness.wait(lambda: robot.playing is None and robot.known.moving is None)
+    assert harness.sent_after(halted) <= 1  # one may have been on its way
     assert robot.targets.goals == robot.present
-    assert watched.said == []
+    assert harness.messages == []
 
 
-def test_an_emergency_ends_what_is_played_from_any_thread(robot: Robot, watched: Watched) -> None:
-    watched.move(LOW)
+def test_halt_now_ends_playback_from_other_thread(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
-    watched.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
+    harness.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
     thread = threading.Thread(target=robot.halt_now)
     thread.start()
     thread.join()
-    watched.wait(lambda: robot.playing is None)
+    harness.wait(lambda: robot.playing is None)
     assert robot.link is Link.UP
 
 
-def test_a_sequence_is_not_disturbed_by_a_move(robot: Robot, watched: Watched) -> None:
-    watched.move(LOW)
+def test_move_during_sequence_is_rejected(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW), rounds=0))
     assert not robot.move((500,) * 8)
-    assert watched.said == ["A sequence is playing. Stop it first."]
+    assert harness.messages == ["A sequence is playing. Stop it first."]
     robot.end_play()
-    watched.wait(lambda: robot.playing is None)
-    assert (500,) * 8 not in watched.sent
+    harness.wait(lambda: robot.playing is None)
+    assert (500,) * 8 not in harness.sent
 
 
-def test_after_a_sequence_the_speeds_are_again_those_that_were_chosen(
-    robot: Robot, watched: Watched
-) -> None:
+def test_chosen_speeds_apply_again_after_sequence(robot: Robot, harness: RobotHarness) -> None:
     robot.set_speeds((150,) * 8)
-    watched.move(LOW)
+    harness.move(LOW)
     robot.play(Play(0, steps(HIGH, LOW)))
-    watched.wait(lambda: robot.playing is None)
-    watched.move((310,) * 8)
-    assert watched.speeds == [150] * 8
+    harness.wait(lambda: robot.playing is None)
+    harness.move((310,) * 8)
+    assert harness.speeds == [150] * 8
 
 
-def test_a_board_that_restarts_is_told_and_has_its_speeds_set_anew(
-    robot: Robot, watched: Watched
+def test_board_restart_is_reported_and_speeds_are_resent(
+    robot: Robot, harness: RobotHarness
 ) -> None:
     robot.set_speeds((150,) * 8)
-    watched.move(LOW)
-    watched.links.clear()
-    watched.simulator.do("power cycle")
-    watched.wait(lambda: bool(watched.links))
-    link, status = watched.links[0]
+    harness.move(LOW)
+    harness.links.clear()
+    harness.simulator.do("power cycle")
+    harness.wait(lambda: bool(harness.links))
+    link, status = harness.links[0]
     assert link is Link.SILENT
     assert "restarted" in status
-    watched.wait(lambda: robot.link is Link.UP)
-    watched.move((310,) * 8)
-    assert watched.speeds == [150] * 8
+    harness.wait(lambda: robot.link is Link.UP)
+    harness.move((310,) * 8)
+    assert harness.speeds == [150] * 8
 
 
-def test_a_pulled_plug_is_told(robot: Robot, watched: Watched) -> None:
-    watched.move(LOW)
-    watched.simulator.do("line unplug")
-    watched.wait(lambda: robot.link is Link.NONE)
-    assert len(watched.said) == 1
+def test_unplugged_line_is_reported(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    harness.simulator.do("line unplug")
+    harness.wait(lambda: robot.link is Link.NONE)
+    assert len(harness.messages) == 1
     assert robot.present == (None,) * 8
     assert not robot.move(LOW)
-    assert "No robot is connected" in watched.said[-1]
+    assert "No robot is connected" in harness.messages[-1]
 
 
-def test_a_robot_of_two_motors_has_two_of_everything(
+def test_two_motor_robot_has_two_goals_and_speeds(
     qtbot: QtBot, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--aracna", "--unpaced", "--motors", "2")
-    watched = Watched(simulator, qtbot)
-    watched.connect()
-    robot = watched.robot
+    harness = RobotHarness(simulator, qtbot)
+    harness.connect()
+    robot = harness.robot
     assert robot.motors == len(robot.targets.goals) == len(robot.speeds.wanted) == 2
-    watched.move((500, 500))
+    harness.move((500, 500))
     assert robot.present == (500, 500) or not robot.known.missed
-    watched.end()
+    harness.end()

@@ -25,15 +25,13 @@ def gait(name: str) -> Gait:
         ("self-test b", 670, 300),
     ],
 )
-def test_the_named_poses_repeat_inner_and_outer_for_four_legs(
-    name: str, inner: int, outer: int
-) -> None:
+def test_built_in_poses_repeat_joint_pair_for_four_legs(name: str, inner: int, outer: int) -> None:
     pose = next(pose for pose in KNOWN_POSES if pose.name == name)
     assert pose.positions == (inner, outer) * 4
 
 
 @pytest.mark.parametrize("number", [0, 2, 4, 6])
-def test_a_star_gait_lifts_a_diagonal_pair_swings_two_outer_joints_and_swings_them_back(
+def test_star_gait_lifts_diagonal_legs_and_swings_outer_joints(
     number: int,
 ) -> None:
     star = gait(f"star {number}")
@@ -59,7 +57,7 @@ def test_standing_up_takes_3_s_to_flat_and_3_s_to_stand() -> None:
     assert STAND_UP.start is None
 
 
-def test_between_poses_a_gait_is_linear_and_wraps_around() -> None:
+def test_gait_interpolates_linearly_and_wraps_around() -> None:
     low, high = Pose("low", (0, 100)), Pose("high", (100, 300))
     there_and_back = Gait("to and fro", (Stage(high, 2.0), Stage(low, 1.0)))
     assert there_and_back.start == low
@@ -71,11 +69,11 @@ def test_between_poses_a_gait_is_linear_and_wraps_around() -> None:
     assert there_and_back.at(1.0, time_scale=2.0) == (25, 150)
 
 
-def test_a_gait_that_ends_stays_in_its_last_pose() -> None:
+def test_finished_gait_stays_in_last_pose() -> None:
     assert STAND_UP.at(100.0) == STAND_UP.stages[-1].pose.positions
 
 
-def test_the_sine_goes_through_the_function_of_time_at_fixed_times() -> None:
+def test_sine_gait_follows_sine_function() -> None:
     sine = gait("sine")
     assert sine.seconds == pytest.approx(2 * math.pi)
     for number in range(16):
@@ -83,12 +81,12 @@ def test_the_sine_goes_through_the_function_of_time_at_fixed_times() -> None:
         assert sine.at(time + 1e-9)[0] == pytest.approx(512 + 100 * math.sin(time), abs=0.51)
 
 
-def test_every_gait_has_eight_motors_says_what_it_does_and_has_a_name_of_its_own() -> None:
+def test_every_gait_has_unique_name_text_and_eight_motors() -> None:
     assert len({one.name for one in GAITS}) == len(GAITS)
     for one in GAITS:
         assert one.about.endswith(".")
         assert all(len(stage.pose.positions) == 8 for stage in one.stages)
 
 
-def test_gaits_that_the_authors_do_not_have_are_marked_as_ours() -> None:
+def test_added_gaits_are_marked_as_ours() -> None:
     assert {one.name for one in GAITS if one.ours} == {"push-ups", "lie down"}

@@ -20,14 +20,14 @@ SEQUENCE = Sequence("up", (SequenceStep("flat", 3000), SequenceStep("stand", 500
 FLAT_GOALS, STAND_GOALS = (600, 40) * 4, (512, 550) * 4
 
 
-def test_a_sequence_becomes_steps_within_the_limits() -> None:
+def test_sequence_becomes_steps_within_limits() -> None:
     assert steps_of(SEQUENCE, KNOWN_POSES, LIMITS) == (
         Step(FLAT_GOALS, 3.0, "flat"),
         Step(STAND_GOALS, 0.5, "stand"),
     )
 
 
-def test_every_position_that_is_cropped_is_told() -> None:
+def test_every_clamped_position_is_reported() -> None:
     crops = crops_of(SEQUENCE, KNOWN_POSES, LIMITS)
     assert [(crop.step, crop.motor) for crop in crops] == [
         *((0, motor) for motor in (0, 2, 4, 6)),
@@ -37,40 +37,40 @@ def test_every_position_that_is_cropped_is_told() -> None:
     assert (crops[-1].wanted, crops[-1].sent) == (680, 550)
 
 
-def test_a_time_scale_of_two_doubles_every_time() -> None:
+def test_time_scale_of_two_doubles_step_times() -> None:
     steps = steps_of(SEQUENCE, KNOWN_POSES, LIMITS, 2.0)
     assert [step.seconds for step in steps] == [6.0, 1.0]
 
 
-def test_a_sequence_that_names_poses_nobody_defined_is_refused_with_their_names() -> None:
+def test_sequence_with_undefined_poses_is_rejected() -> None:
     gait = Sequence("gait", (SequenceStep("p1"), SequenceStep("flat"), SequenceStep("p2")))
     with pytest.raises(BadRequest, match="p1, p2"):
         steps_of(gait, KNOWN_POSES, LIMITS)
     assert steps_of(gait, [Pose("p1", FLAT_GOALS), Pose("p2", FLAT_GOALS), FLAT], LIMITS)
 
 
-def test_a_sequence_without_steps_is_refused() -> None:
+def test_sequence_without_steps_is_rejected() -> None:
     with pytest.raises(BadRequest, match="no steps"):
         steps_of(Sequence("nothing"), KNOWN_POSES, LIMITS)
 
 
 @pytest.mark.parametrize("time_scale", [0.0, -1.0, float("nan")])
-def test_a_time_scale_that_is_none_is_refused(time_scale: float) -> None:
+def test_invalid_time_scale_is_rejected(time_scale: float) -> None:
     with pytest.raises(BadRequest, match="more than 0"):
         steps_of(SEQUENCE, KNOWN_POSES, LIMITS, time_scale)
 
 
 @pytest.mark.parametrize("gait", GAITS, ids=lambda gait: gait.name)
-def test_no_gait_leaves_the_limits(gait: object) -> None:
+def test_gaits_stay_within_limits(gait: object) -> None:
     for step in steps_of(gait, (), LIMITS):  # type: ignore[arg-type]  # parametrize knows no type
         assert all(limit.allow(goal) for limit, goal in zip(LIMITS, step.goals, strict=True))
 
 
-def test_a_robot_with_fewer_motors_gets_as_many_goals_as_it_has() -> None:
+def test_step_goals_match_motor_count() -> None:
     assert steps_of(SEQUENCE, KNOWN_POSES, factory_limits(2))[0].goals == (600, 40)
 
 
-def test_what_goes_on_for_ever_is_begun_slowly_from_where_the_robot_is() -> None:
+def test_looping_gait_blends_in_slowly_unless_at_start() -> None:
     star = next(gait for gait in GAITS if gait.name == "star 6")
     [step] = blend_in(star, (), LIMITS, (None,) * 8)
     assert step.seconds == 3.0
@@ -78,21 +78,21 @@ def test_what_goes_on_for_ever_is_begun_slowly_from_where_the_robot_is() -> None
     assert blend_in(star, (), LIMITS, step.goals) == ()
 
 
-def test_a_sequence_is_begun_slowly_in_its_first_pose() -> None:
+def test_sequence_blends_in_slowly_to_first_pose() -> None:
     assert blend_in(SEQUENCE, KNOWN_POSES, LIMITS) == (Step(FLAT_GOALS, 3.0, "flat"),)
 
 
-def test_standing_up_begins_wherever_the_robot_is() -> None:
+def test_standing_up_needs_no_blend_in() -> None:
     assert blend_in(STAND_UP, (), LIMITS) == ()
 
 
-def test_it_ends_in_stand_be_it_the_authors_or_a_person_s_own() -> None:
+def test_blend_out_ends_in_built_in_or_own_stand_pose() -> None:
     assert blend_out(LIMITS) == (Step(STAND_GOALS, 3.0, "stand"),)
     [own] = blend_out(LIMITS, [all_legs(STAND.name, 300, 300)])
     assert own.goals == (300,) * 8
 
 
-def test_each_motor_that_cannot_make_a_step_is_told_with_what_it_needs() -> None:
+def test_late_motors_are_reported_with_needed_time() -> None:
     steps = (Step((0, 500), 1.0), Step((100, 0), 0.1))
     [late] = late_motors(steps, (0, 500))
     assert (late.step, late.motor, late.seconds) == (1, 1, 0.1)
@@ -102,18 +102,18 @@ def test_each_motor_that_cannot_make_a_step_is_told_with_what_it_needs() -> None
     assert slow[0].needed == pytest.approx(100 / (2.28 * 40))
 
 
-def test_what_goes_round_is_also_looked_at_from_its_end_to_its_beginning() -> None:
+def test_loop_includes_travel_from_last_to_first_step() -> None:
     steps = (Step((1000,), 0.1), Step((0,), 1.0))
     assert late_motors(steps, (1000,)) == ()
     assert [late.step for late in late_motors(steps, (1000,), again=True)] == [0]
 
 
-def test_a_motor_that_is_nobody_knows_where_is_not_late() -> None:
+def test_motor_at_unknown_position_is_not_late() -> None:
     [late] = late_motors((Step((1000, 1000), 0.1),), (None, 0))
     assert late.motor == 1
 
 
-def test_the_whole_takes_its_times_or_those_of_the_slowest_motors() -> None:
+def test_estimate_uses_step_times_or_slowest_motors() -> None:
     steps = (Step((1000, 10), 2.0), Step((0, 0), 0.1))
     assert estimated_seconds(steps, (0, 0)) == pytest.approx(2.0 + 1000 / (2.28 * 870))
 
@@ -125,7 +125,7 @@ def test_the_whole_takes_its_times_or_those_of_the_slowest_motors() -> None:
         max_size=5,
     )
 )
-def test_steps_without_late_motors_take_the_sum_of_their_times(
+def test_estimate_exceeds_step_times_only_with_late_motors(
     stages: list[tuple[tuple[int, ...], float]],
 ) -> None:
     steps = tuple(Step(goals, max(seconds, 0.1)) for goals, seconds in stages)

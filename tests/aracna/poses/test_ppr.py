@@ -30,17 +30,17 @@ def messages(findings: Iterable[Finding]) -> list[tuple[int | None, str]]:
     return [(finding.line, finding.message) for finding in findings]
 
 
-def test_a_file_as_pypose_writes_it_comes_back_to_the_byte() -> None:
+def test_pypose_file_is_written_back_byte_for_byte() -> None:
     project, _ = read_ppr(AS_PYPOSE_WRITES)
     assert write_ppr(project) == AS_PYPOSE_WRITES
 
 
-def test_a_file_that_pypose_wrote_on_windows_keeps_its_line_ends() -> None:
+def test_windows_line_ends_are_kept() -> None:
     text = AS_PYPOSE_WRITES.replace("\n", "\r\n")
     assert write_ppr(read_ppr(text)[0]) == text
 
 
-def test_a_file_whose_lines_end_in_a_carriage_return_alone_is_read_and_keeps_them() -> None:
+def test_carriage_return_line_ends_are_kept() -> None:
     text = AS_PYPOSE_WRITES.replace("\n", "\r")
     project, _ = read_ppr(text)
     assert [pose.name for pose in project.poses] == ["a b", "zero"]
@@ -48,7 +48,7 @@ def test_a_file_whose_lines_end_in_a_carriage_return_alone_is_read_and_keeps_the
 
 
 @pytest.mark.parametrize("line", ["Pose=:1, 2, 3, 4, 5, 6, 7, 8", "Pose= :1, 2", "Seq=: a|500"])
-def test_what_has_no_name_is_kept_but_not_used(line: str) -> None:
+def test_unnamed_items_are_kept_but_not_used(line: str) -> None:
     text = f"{HEAD}Pose=a:{EIGHT}\n{line}\n"
     project, [finding] = read_ppr(text)
     assert (finding.line, finding.severity) == (3, Severity.ERROR)
@@ -69,7 +69,7 @@ def test_poses_sequences_and_robot_are_read() -> None:
     assert project.rest == ("Nuke=IK,walk",)
 
 
-def test_a_wrong_number_of_resolutions_becomes_1024_for_all_and_is_told() -> None:
+def test_wrong_resolution_count_is_reported_and_set_to_1024() -> None:
     project, findings = read_ppr("Aracna:8:300:300\n")
     assert project.resolutions == (1024,) * 8
     [(line, message)] = messages(findings)
@@ -78,7 +78,7 @@ def test_a_wrong_number_of_resolutions_becomes_1024_for_all_and_is_told() -> Non
     assert "1024" in message
 
 
-def test_missing_positions_become_512_and_that_is_told() -> None:
+def test_missing_positions_become_512_with_warning() -> None:
     project, findings = read_ppr(HEAD + "Pose=short:1, 2, 3\n")
     assert project.poses == (Pose("short", (1, 2, 3, 512, 512, 512, 512, 512)),)
     [(line, message)] = messages(findings)
@@ -87,7 +87,7 @@ def test_missing_positions_become_512_and_that_is_told() -> None:
     assert findings[0].severity is Severity.WARNING
 
 
-def test_a_pose_of_fewer_motors_than_the_robot_is_written_as_it_is_read() -> None:
+def test_short_pose_is_written_padded_with_512() -> None:
     text = write_ppr(Project(poses=(Pose("short", (1, 2)),)))
     project, findings = read_ppr(text)
     assert findings == ()
@@ -95,18 +95,18 @@ def test_a_pose_of_fewer_motors_than_the_robot_is_written_as_it_is_read() -> Non
     assert write_ppr(project) == text
 
 
-def test_a_pose_without_any_position_is_in_the_centre() -> None:
+def test_pose_without_positions_is_centred() -> None:
     assert read_ppr(HEAD + "Pose=none:\n")[0].poses == (Pose("none", (512,) * 8),)
 
 
-def test_a_line_without_prefix_is_an_old_style_pose_and_is_written_as_a_new_one() -> None:
+def test_old_style_pose_is_read_and_written_in_new_style() -> None:
     project, findings = read_ppr(HEAD + f"stand:{EIGHT}\n")
     assert findings == ()
     assert project.poses == (Pose("stand", (1, 2, 3, 4, 5, 6, 7, 8)),)
     assert write_ppr(project) == HEAD + f"Pose=stand:{EIGHT}\n"
 
 
-def test_a_sequence_may_name_poses_that_the_file_lacks_and_that_is_told_with_its_line() -> None:
+def test_poses_missing_from_file_are_reported_with_line() -> None:
     project, findings = read_ppr(HEAD + "Seq=gait: p1|500, p2|500, p1|100\n")
     assert missing_poses(project.sequences[0], project.poses) == ("p1", "p2")
     assert [finding.line for finding in findings] == [2, 2]
@@ -132,9 +132,7 @@ def test_a_sequence_may_name_poses_that_the_file_lacks_and_that_is_told_with_its
         ("Seq=s: a|1.5", "'a|1.5'"),
     ],
 )
-def test_a_line_that_cannot_be_used_is_told_with_its_number_and_written_back(
-    line: str, said: str
-) -> None:
+def test_invalid_line_is_reported_with_number_and_kept(line: str, said: str) -> None:
     text = HEAD + f"Pose=good:{EIGHT}\n" + line + "\n"
     project, findings = read_ppr(text)
     assert [pose.name for pose in project.poses] == ["good"]
@@ -145,7 +143,7 @@ def test_a_line_that_cannot_be_used_is_told_with_its_number_and_written_back(
     assert write_ppr(project) == text
 
 
-def test_positions_beyond_the_last_servo_are_kept_and_told() -> None:
+def test_surplus_positions_are_kept_and_reported() -> None:
     text = HEAD + f"Pose=long:{EIGHT}, 9\n"
     project, findings = read_ppr(text)
     assert project.poses[0].first(8) == (1, 2, 3, 4, 5, 6, 7, 8)
@@ -153,7 +151,7 @@ def test_positions_beyond_the_last_servo_are_kept_and_told() -> None:
     assert write_ppr(project) == text
 
 
-def test_of_two_poses_of_a_name_the_last_counts_and_the_first_is_kept_under_another() -> None:
+def test_first_of_two_poses_with_same_name_is_renamed() -> None:
     project, findings = read_ppr(HEAD + f"Pose=a:{EIGHT}\n" + "Pose=a:8, 2, 3, 4, 5, 6, 7, 8\n")
     assert [(pose.name, pose.positions[0]) for pose in project.poses] == [("a 2", 1), ("a", 8)]
     [(line, message)] = messages(findings)
@@ -161,7 +159,7 @@ def test_of_two_poses_of_a_name_the_last_counts_and_the_first_is_kept_under_anot
     assert "line 3" in message
 
 
-def test_blanks_around_names_do_not_count_so_that_steps_find_their_poses() -> None:
+def test_blanks_around_names_are_ignored() -> None:
     project, findings = read_ppr(HEAD + f"Pose= sp :{EIGHT}\nSeq= s :  sp |500\n")
     assert findings == ()
     assert project.poses == (Pose("sp", (1, 2, 3, 4, 5, 6, 7, 8)),)
@@ -170,7 +168,7 @@ def test_blanks_around_names_do_not_count_so_that_steps_find_their_poses() -> No
 
 
 @pytest.mark.parametrize("lines", [("Pose=a:1\n", "Pose= a :2\n"), ("Pose= a :2\n", "Pose=a:1\n")])
-def test_of_two_poses_told_apart_by_blanks_alone_the_one_that_steps_mean_keeps_its_name(
+def test_pose_differing_only_in_blanks_is_renamed(
     lines: tuple[str, str],
 ) -> None:
     project, findings = read_ppr(HEAD + "".join(lines) + "Seq=s: a|500\n")
@@ -183,13 +181,13 @@ def test_of_two_poses_told_apart_by_blanks_alone_the_one_that_steps_mean_keeps_i
 
 
 @pytest.mark.parametrize("text", ["", "\n", "Pose=a:1\n", "Aracna", "Aracna:many:1", "Aracna:0"])
-def test_a_file_without_a_proper_first_line_is_read_and_that_is_told(text: str) -> None:
+def test_invalid_first_line_is_reported(text: str) -> None:
     project, findings = read_ppr(text)
     assert project.resolutions == (1024,) * 8
     assert findings[0].line == 1
 
 
-def test_a_robot_with_other_servos_keeps_their_number() -> None:
+def test_resolutions_of_other_servos_are_kept() -> None:
     project, findings = read_ppr("Bioloid:2:1024:4096\nPose=p:1, 2\n")
     assert findings == ()
     assert project.resolutions == (1024, 4096)
@@ -221,7 +219,7 @@ def projects(draw: st.DrawFn) -> Project:
 
 
 @given(projects())
-def test_what_is_written_is_read_back(project: Project) -> None:
+def test_written_project_is_read_back_equal(project: Project) -> None:
     found, findings = read_ppr(write_ppr(project))
     assert found == project
     assert all("is not in the file" in finding.message for finding in findings)
@@ -234,13 +232,13 @@ _LINES = st.one_of(
 
 
 @given(st.lists(_LINES, max_size=6).map("\n".join))
-def test_any_text_is_read_and_means_the_same_when_written_and_read_again(text: str) -> None:
+def test_any_text_gives_same_project_after_round_trip(text: str) -> None:
     project, _ = read_ppr(text)
     assert read_ppr(write_ppr(project))[0] == project
 
 
 @given(st.lists(_LINES, max_size=6).map("\n".join))
-def test_whatever_is_no_pose_and_no_sequence_is_written_back_as_it_stands(text: str) -> None:
+def test_unusable_lines_are_written_back_unchanged(text: str) -> None:
     project, findings = read_ppr(text)
     parting = "\n" if "\n" in text else "\r"
     lines = [line.removesuffix("\r") for line in text.split(parting)]
@@ -250,7 +248,7 @@ def test_whatever_is_no_pose_and_no_sequence_is_written_back_as_it_stands(text: 
             assert lines[finding.line - 1] in write_ppr(project).split(project.line_end)
 
 
-def test_the_sample_file_is_as_pypose_would_write_it_and_has_nothing_to_complain_of() -> None:
+def test_sample_file_matches_pypose_format() -> None:
     text = resource("aracna/sample.ppr").read_text(encoding="utf-8")
     project, findings = read_ppr(text)
     assert findings == ()
@@ -258,7 +256,7 @@ def test_the_sample_file_is_as_pypose_would_write_it_and_has_nothing_to_complain
 
 
 @pytest.mark.parametrize("line", ["a:1\n", "Seq=a: b|1\n", "nothing\n"])
-def test_a_long_file_is_read_in_a_moment(line: str) -> None:
+def test_long_file_is_read_quickly(line: str) -> None:
     text = HEAD + line * (256 * 1024 // len(line))
     began = time.process_time()
     project, findings = read_ppr(text)

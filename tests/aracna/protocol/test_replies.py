@@ -50,7 +50,7 @@ def pieces(data: bytes, cuts: list[int]) -> list[bytes]:
 
 
 @given(replies=st.lists(st.tuples(REPLIES, ENDS)), cuts=st.lists(st.integers(0, 400)))
-def test_replies_are_the_same_wherever_they_are_cut(
+def test_chunk_boundaries_do_not_change_replies(
     replies: list[tuple[Reply, bytes]], cuts: list[int]
 ) -> None:
     stream = b"".join(written(reply) + end for reply, end in replies)
@@ -68,7 +68,7 @@ PIECES_OF_LINES = st.sampled_from(
     data=st.one_of(st.binary(max_size=500), st.lists(PIECES_OF_LINES).map(b"".join)),
     cuts=st.lists(st.integers(0, 500)),
 )
-def test_any_bytes_say_the_same_wherever_they_are_cut(data: bytes, cuts: list[int]) -> None:
+def test_chunk_boundaries_do_not_change_reading_of_any_bytes(data: bytes, cuts: list[int]) -> None:
     whole, cut = Reader(), Reader()
     at_once = whole.feed(data)
     assert [reply for piece in pieces(data, cuts) for reply in cut.feed(piece)] == at_once
@@ -104,12 +104,12 @@ def test_any_bytes_say_the_same_wherever_they_are_cut(data: bytes, cuts: list[in
         b"\x80.q1,8",
     ],
 )
-def test_a_line_that_no_firmware_writes_is_strange(line: bytes) -> None:
+def test_invalid_line_is_strange(line: bytes) -> None:
     assert read_line(line) == Strange(line)
 
 
 @pytest.mark.parametrize("tail", [b"h\r\n", b"\r\n", b"\n", b",8\r\n", b"12,-1,5\r\n", b"\xff\n"])
-def test_the_rest_of_a_line_that_had_begun_before_anybody_listened_is_no_mistake(
+def test_rest_of_partial_first_line_is_ignored(
     tail: bytes,
 ) -> None:
     reader = Reader()
@@ -117,17 +117,17 @@ def test_the_rest_of_a_line_that_had_begun_before_anybody_listened_is_no_mistake
     assert reader.feed(b".q1,8\r\n") == [Version(1, 8)]
 
 
-def test_the_tail_of_a_hello_is_one() -> None:
+def test_tail_of_hello_counts_as_hello() -> None:
     assert Reader().feed(b"h\r\n") == [Hello()]
 
 
-def test_a_hello_is_heard_behind_an_answer_that_broke_off() -> None:
+def test_hello_is_read_behind_truncated_reply() -> None:
     reader = Reader()
     reader.feed(b"\r\n.c520,5")
     assert reader.feed(b".h\r\n") == [Strange(b".c520,5"), Hello()]
 
 
-def test_motors_are_counted_as_their_commas_come() -> None:
+def test_motors_are_counted_at_each_comma() -> None:
     reader = Reader()
     told = []
     for byte in b".c520,-1,7\r":
@@ -141,13 +141,13 @@ def test_motors_are_counted_as_their_commas_come() -> None:
 
 
 @pytest.mark.parametrize("rest", [b".q1", b".cx", b".c520,x", b".c520,,", b"c520,", b""])
-def test_what_is_no_answer_to_c_tells_of_no_motor(rest: bytes) -> None:
+def test_other_partial_lines_count_no_motors(rest: bytes) -> None:
     reader = Reader()
     reader.feed(rest)
     assert reader.passed is None
 
 
-def test_bytes_without_end_take_no_memory() -> None:
+def test_endless_line_uses_bounded_memory() -> None:
     reader = Reader()
     for _ in range(1000):
         reader.feed(b"x" * 1000)
@@ -159,5 +159,5 @@ def test_bytes_without_end_take_no_memory() -> None:
 @pytest.mark.parametrize(
     "line", [b".c512,1024", b".c99999", b".v1024,0", b".q1,12", b".q1,999"], ids=bytes.decode
 )
-def test_what_no_servo_and_no_firmware_can_say_is_no_reply(line: bytes) -> None:
+def test_line_with_values_out_of_range_is_strange(line: bytes) -> None:
     assert read_line(line) == Strange(line)

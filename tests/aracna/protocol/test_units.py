@@ -9,16 +9,16 @@ from trex_gui.aracna.protocol.joints import JOINTS, Kind, Limits, Side, factory_
 
 
 @given(position=st.integers(0, 1023))
-def test_a_position_is_the_same_after_a_way_through_degrees(position: int) -> None:
+def test_position_survives_conversion_to_degrees_and_back(position: int) -> None:
     assert units.position(units.degrees(position)) == position
 
 
-def test_the_range_is_300_degrees_and_the_centre_is_at_150() -> None:
+def test_range_is_300_degrees_centred_at_150() -> None:
     assert units.degrees(1023) == pytest.approx(300)
     assert units.degrees(512) == pytest.approx(150, abs=0.2)
 
 
-def test_speed_0_is_no_speed_in_degrees_but_as_fast_as_it_can() -> None:
+def test_speed_0_means_maximum_speed() -> None:
     assert units.degrees_per_second(0) is None
     assert units.travel_seconds(1023, 0) == units.travel_seconds(1023, 1023)
     assert units.degrees_per_second(100) == pytest.approx(66.9)
@@ -28,16 +28,14 @@ def test_speed_0_is_no_speed_in_degrees_but_as_fast_as_it_can() -> None:
     ("distance", "speed", "ceiling", "seconds"),
     [(1023, 1023, 530, 0.85), (1023, 100, 870, 4.5), (1023, 1, 870, 450)],
 )
-def test_travel_takes_as_long_as_documented(
+def test_travel_takes_documented_time(
     distance: int, speed: int, ceiling: int, seconds: float
 ) -> None:
     assert units.travel_seconds(distance, speed, ceiling) == pytest.approx(seconds, rel=0.01)
 
 
 @given(distance=st.integers(-1023, 1023), seconds=st.floats(0.05, 60))
-def test_the_speed_for_a_time_arrives_in_it_and_the_next_lower_does_not(
-    distance: int, seconds: float
-) -> None:
+def test_speed_for_time_is_lowest_that_arrives_in_time(distance: int, seconds: float) -> None:
     speed = units.speed_for(distance, seconds)
     assert 1 <= speed <= 1023
     unlimited = 10_000
@@ -47,7 +45,7 @@ def test_the_speed_for_a_time_arrives_in_it_and_the_next_lower_does_not(
         assert units.travel_seconds(distance, speed - 1, unlimited) > seconds
 
 
-def test_the_speed_for_a_time_is_the_authors_formula_within_a_percent() -> None:
+def test_speed_for_time_matches_authors_formula() -> None:
     assert units.speed_for(512, 1.0) == pytest.approx(438.6 * 512 / 1000, abs=1)
     assert units.speed_for(512, 1.0) == pytest.approx(435.4 * 512 / 1000, rel=0.01)
 
@@ -61,12 +59,12 @@ def test_even_motors_are_inner_joints_and_legs_are_pairs() -> None:
     assert right == {2, 3, 4, 5}
 
 
-def test_limits_are_those_tuned_on_the_robot() -> None:
+def test_factory_limits_equal_values_tuned_on_robot() -> None:
     assert factory_limits() == (Limits(50, 600), Limits(0, 550)) * 4
 
 
 @given(st.integers(-2000, 3000), st.integers(0, 1023), st.integers(0, 1023))
-def test_cropping_gives_what_is_allowed_and_keeps_what_is(value: int, one: int, two: int) -> None:
+def test_crop_returns_allowed_value_and_keeps_allowed_ones(value: int, one: int, two: int) -> None:
     limits = Limits(min(one, two), max(one, two))
     cropped = limits.crop(value)
     assert limits.allow(cropped)
@@ -74,6 +72,6 @@ def test_cropping_gives_what_is_allowed_and_keeps_what_is(value: int, one: int, 
 
 
 @pytest.mark.parametrize(("low", "high"), [(-1, 5), (6, 5), (0, 1024)])
-def test_limits_that_leave_no_position_are_refused(low: int, high: int) -> None:
+def test_invalid_limits_are_rejected(low: int, high: int) -> None:
     with pytest.raises(ValueError, match="in order"):
         Limits(low, high)

@@ -2,19 +2,10 @@
 
 from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractItemView,
-    QCheckBox,
-    QLabel,
-    QLineEdit,
-    QPushButton,
-    QSpinBox,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractItemView, QCheckBox, QLineEdit, QSpinBox
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import LEFT, WidgetDriver
 from trex_gui.aracna.link.messages import Play
 from trex_gui.aracna.model.library import Library
 from trex_gui.aracna.views.poses.name_list import NameList
@@ -23,86 +14,75 @@ from trex_gui.aracna.views.poses.panel import PosesPanel
 EIGHT = (100, 200, 101, 201, 102, 202, 103, 203)
 
 
-class Stage:
-    """A panel on a library, and what it asked for."""
+class PosesPanelDriver(WidgetDriver):
+    """A panel on a library of its own.
+
+    Attributes:
+        plays: the playbacks that the panel requested, in order.
+        requested_goals: the positions that it requested with Go to, in order.
+        messages: its messages and rejections, in order.
+    """
 
     def __init__(self, qtbot: QtBot) -> None:
-        self.qtbot = qtbot
         self.library = Library()
         self.panel = PosesPanel(self.library)
+        super().__init__(self.panel, qtbot)
         self.plays: list[Play] = []
-        self.said: list[str] = []
-        self.gone_to: list[tuple[int, ...]] = []
+        self.messages: list[str] = []
+        self.requested_goals: list[tuple[int, ...]] = []
         self.panel.play_requested.connect(self.plays.append)
-        self.panel.go_to_requested.connect(self.gone_to.append)
-        self.panel.told.connect(self.said.append)
-        self.panel.refused.connect(self.said.append)
+        self.panel.go_to_requested.connect(self.requested_goals.append)
+        self.panel.told.connect(self.messages.append)
+        self.panel.refused.connect(self.messages.append)
         self.panel.resize(640, 600)
         self.panel.show()
         qtbot.waitExposed(self.panel)
 
-    def button(self, name: str) -> QAbstractButton:
-        found = self.panel.findChild(QPushButton, name) or self.panel.findChild(QToolButton, name)
-        assert found is not None
-        return found
-
-    def click(self, name: str) -> None:
-        button = self.button(name)
-        assert button.isEnabled()
-        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    def close(self) -> None:
+        self.panel.close()
+        self.panel.deleteLater()
 
     def spin(self, name: str) -> QSpinBox:
-        found = self.panel.findChild(QSpinBox, name)
-        assert found is not None
-        return found
+        return self.find(QSpinBox, name)
 
     def check(self, name: str, on: bool) -> None:
-        box = self.panel.findChild(QCheckBox, name)
-        assert box is not None
-        box.setChecked(on)
+        self.find(QCheckBox, name).setChecked(on)
 
     def names(self, name: str) -> NameList:
-        found = self.panel.findChild(NameList, name)
-        assert found is not None
-        return found
+        return self.find(NameList, name)
 
     @property
     def steps(self) -> QAbstractItemView:
-        found = self.panel.findChild(QAbstractItemView, "aracnaSteps")
-        assert found is not None
-        return found
+        return self.find(QAbstractItemView, "aracnaSteps")
 
     @property
     def summary(self) -> str:
-        found = self.panel.findChild(QLabel, "aracnaPlaySummary")
-        assert found is not None
-        return found.text()
+        return self.text("aracnaPlaySummary")
 
-    def choose(self, where: str, text: str) -> None:
+    def choose_row(self, list_name: str, text: str) -> None:
         """Click on the row with a text."""
-        view = self.names(where)
-        self.click_index(view, self.find(view, text))
+        view = self.names(list_name)
+        index = self.index_of(view, text)
+        view.scrollTo(index)
+        point = view.visualRect(index).center()
+        QTest.mouseClick(view.viewport(), LEFT, pos=point)
+        assert view.currentIndex() == index
 
-    def find(self, view: QAbstractItemView, text: str) -> QModelIndex:
+    def index_of(self, view: QAbstractItemView, text: str) -> QModelIndex:
+        """Return the row with a text."""
         model = view.model()
         for row in range(model.rowCount()):
             if model.index(row, 0).data() == text:
                 return model.index(row, 0)
         raise AssertionError(text)
 
-    def click_index(self, view: QAbstractItemView, index: QModelIndex) -> None:
-        view.scrollTo(index)
-        point = view.visualRect(index).center()
-        QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=point)
-        assert view.currentIndex() == index
-
-    def type_name(self, view: QWidget, name: str) -> None:
+    def type_name(self, list_name: str, name: str) -> None:
         """Type into the editor that is open in a list."""
-        editor = view.findChild(QLineEdit)
-        assert editor is not None
+        row = WidgetDriver(self.names(list_name), self.qtbot)
+        editor = row.find_only(QLineEdit)
         editor.setText(name)
         QTest.keyClick(editor, Qt.Key.Key_Return)
-        self.qtbot.waitUntil(lambda: view.findChild(QLineEdit) is None)  # Qt takes it later
+        self.wait(lambda: not row.find_all(QLineEdit))  # Qt takes it later
 
     def pose_names(self) -> list[str]:
         return [pose.name for pose in self.library.poses]

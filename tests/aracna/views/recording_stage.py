@@ -1,23 +1,18 @@
-"""Windows of recordings of a robot, and what a person finds in them by name."""
+"""Windows of recordings of a robot, and their driver."""
 
 from pathlib import Path
-from typing import TypeVar
 
-from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.aracna.recordings import HEADER, MOTORS, T0, write
+from tests.support.window import WidgetDriver
 from trex_gui.aracna.link.messages import Moved, Moving, Passed, SpeedsHeld
 from trex_gui.aracna.model.playback import RobotPlayback
 from trex_gui.aracna.model.robot import Robot
 from trex_gui.aracna.recording import Header, Row
 from trex_gui.aracna.views.recording.window import RobotPlaybackWindow
 from trex_gui.recording.recording import Marker
-
-PATIENCE = 20_000
-WidgetT = TypeVar("WidgetT", bound=QWidget)
+from trex_gui.views.traces.plot import TracePlot
 
 GOALS, REACHED = (200,) * MOTORS, (201, 199, *(200,) * 5, -1)
 STORY: list[Row] = [
@@ -31,28 +26,38 @@ STORY: list[Row] = [
 ]
 
 
-def opened(
-    path: Path, qtbot: QtBot, what: list[Row], header: Header = HEADER
-) -> RobotPlaybackWindow:
-    write(path, what, header)
-    window = RobotPlaybackWindow(RobotPlayback.open(path), Robot())
-    qtbot.addWidget(window)
-    window.show()
-    qtbot.waitUntil(lambda: window.playback.is_loaded, timeout=PATIENCE)
-    return window
+class RecordingWindowDriver(WidgetDriver):
+    """A window that shows the recording in a file."""
+
+    def __init__(self, path: Path, qtbot: QtBot) -> None:
+        self.window = RobotPlaybackWindow(RobotPlayback.open(path), Robot())
+        super().__init__(self.window, qtbot)
+        self.playback = self.window.playback
+        qtbot.addWidget(self.window)
+
+    @property
+    def plot(self) -> TracePlot:
+        return self.find_only(TracePlot)
+
+    def is_playing(self) -> bool:
+        return self.playback.playing
+
+    def show(self) -> None:
+        self.window.show()
+
+    def wait_until_loaded(self) -> None:
+        self.wait(lambda: self.playback.is_loaded)
+
+    def close(self) -> None:
+        self.window.close()
 
 
-def find(window: QWidget, kind: type[WidgetT], name: str) -> WidgetT:
-    widget = window.findChild(kind, name)
-    assert isinstance(widget, kind), name
-    return widget
-
-
-def text(window: QWidget, name: str) -> str:
-    return find(window, QLabel, name).text()
-
-
-def click(window: QWidget, qtbot: QtBot, name: str) -> None:
-    button = find(window, QPushButton, name)
-    qtbot.waitUntil(button.isVisible, timeout=PATIENCE)
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+def open_recording(
+    path: Path, qtbot: QtBot, rows: list[Row], header: Header = HEADER
+) -> RecordingWindowDriver:
+    """Write a recording and show it in a window."""
+    write(path, rows, header)
+    driver = RecordingWindowDriver(path, qtbot)
+    driver.show()
+    driver.wait_until_loaded()
+    return driver

@@ -11,7 +11,7 @@ POSITIONS = st.tuples(st.integers(0, 1023), st.integers(0, 1023))
 
 
 @given(pair=POSITIONS)
-def test_legs_with_equal_numbers_are_mirrored(pair: tuple[int, int]) -> None:
+def test_legs_with_equal_positions_are_mirrored(pair: tuple[int, int]) -> None:
     drawn = {leg.side: leg for leg in legs(pair * 4)}
     for right, left in (
         (Side.RIGHT_FRONT, Side.LEFT_FRONT),
@@ -24,17 +24,17 @@ def test_legs_with_equal_numbers_are_mirrored(pair: tuple[int, int]) -> None:
 
 
 @given(pair=POSITIONS)
-def test_no_foot_leaves_the_picture(pair: tuple[int, int]) -> None:
+def test_feet_stay_within_picture(pair: tuple[int, int]) -> None:
     for leg in legs(pair * 4):
         assert max(map(abs, leg.foot)) <= 1.05
 
 
-def test_the_left_leg_in_front_is_that_of_motors_0_and_1() -> None:
+def test_motors_0_and_1_are_left_front_leg() -> None:
     first = legs((512,) * 8)[0]
     assert first.side is Side.LEFT_FRONT
     assert first.foot[0] < 0
     assert first.foot[1] < 0
 
 
-def test_a_robot_of_two_motors_has_one_leg() -> None:
+def test_two_motor_robot_has_one_leg() -> None:
     assert len(legs((512, 512))) == 1

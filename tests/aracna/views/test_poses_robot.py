@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.aracna.views.poses_stage import Stage
+from tests.aracna.views.poses_stage import PosesPanelDriver
 from tests.support.simulator import StartSimulator
 from trex_gui.aracna.link.messages import Ending, Moving, PlayEnded
 from trex_gui.aracna.model.robot import Robot
@@ -15,7 +15,7 @@ from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.connection import Link
 
 
-class Wired(Stage):
+class ConnectedPanelDriver(PosesPanelDriver):
     """A panel wired to a robot as the page does it, and what the robot reported."""
 
     def __init__(self, qtbot: QtBot, robot: Robot) -> None:
@@ -23,7 +23,7 @@ class Wired(Stage):
         self.robot = robot
         self.reports: list[object] = []
         robot.reported.connect(self.reports.append)
-        robot.refused.connect(self.said.append)
+        robot.refused.connect(self.messages.append)
         self.panel.play_requested.connect(robot.play)
         self.panel.go_to_requested.connect(robot.move)
         self.panel.scale_changed.connect(robot.set_time_scale)
@@ -46,59 +46,60 @@ class Wired(Stage):
 
 
 @pytest.fixture
-def wired(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[Wired]:
+def driver(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[ConnectedPanelDriver]:
     simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
-    wired = Wired(qtbot, robot)
+    driver = ConnectedPanelDriver(qtbot, robot)
     robot.connect_to(LinkSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
     qtbot.waitUntil(lambda: robot.link is Link.UP, timeout=15_000)
     robot.set_speeds((800,) * 8)
-    yield wired
-    robot.changed.disconnect(wired.follow)
-    robot.link_changed.disconnect(wired.follow)
-    wired.panel.close()
-    wired.panel.deleteLater()
+    yield driver
+    robot.changed.disconnect(driver.follow)
+    robot.link_changed.disconnect(driver.follow)
+    driver.close()
     robot.disconnect_line()
     qtbot.waitUntil(lambda: robot.link is Link.NONE, timeout=15_000)
     assert robot.shut_down()
     simulator.end()
 
 
-def test_go_to_capture_and_play_work_together_at_a_robot(wired: Wired, qtbot: QtBot) -> None:
-    wired.choose("aracnaPoses", "half-stand")
-    wired.click("aracnaGoTo")
-    qtbot.waitUntil(lambda: wired.robot.known.moved is not None, timeout=15_000)
-    wired.click("aracnaCapture")
-    wired.type_name(wired.names("aracnaPoses"), "here")
-    here = wired.library.pose("here")
+def test_go_to_capture_and_play_work_with_simulated_robot(
+    driver: ConnectedPanelDriver, qtbot: QtBot
+) -> None:
+    driver.choose_row("aracnaPoses", "half-stand")
+    driver.click("aracnaGoTo")
+    qtbot.waitUntil(lambda: driver.robot.known.moved is not None, timeout=15_000)
+    driver.click("aracnaCapture")
+    driver.type_name("aracnaPoses", "here")
+    here = driver.library.pose("here")
     assert here is not None
-    assert here.positions == wired.robot.present
+    assert here.positions == driver.robot.present
 
-    wired.library.add_sequence("bob", [SequenceStep("stand", 300), SequenceStep("here", 300)])
-    wired.choose("aracnaMotions", "bob")
-    wired.check("aracnaBlendIn", False)
-    wired.spin("aracnaRounds").setValue(2)
-    wired.click("aracnaPlay")
-    assert not wired.button("aracnaPlay").isEnabled()
-    qtbot.waitUntil(lambda: wired.endings == [Ending.DONE], timeout=15_000)
+    driver.library.add_sequence("bob", [SequenceStep("stand", 300), SequenceStep("here", 300)])
+    driver.choose_row("aracnaMotions", "bob")
+    driver.check("aracnaBlendIn", False)
+    driver.spin("aracnaRounds").setValue(2)
+    driver.click("aracnaPlay")
+    assert not driver.button("aracnaPlay").isEnabled()
+    qtbot.waitUntil(lambda: driver.endings == [Ending.DONE], timeout=15_000)
     stand = (512, 550) * 4
-    assert wired.sent[-4:] == [stand, here.positions] * 2
-    qtbot.waitUntil(wired.button("aracnaPlay").isEnabled, timeout=15_000)
-    assert wired.said == []
+    assert driver.sent[-4:] == [stand, here.positions] * 2
+    qtbot.waitUntil(driver.button("aracnaPlay").isEnabled, timeout=15_000)
+    assert driver.messages == []
 
 
-def test_a_loop_ends_after_its_step_when_a_person_wants_it(wired: Wired, qtbot: QtBot) -> None:
-    wired.choose("aracnaPoses", "half-stand")
-    wired.click("aracnaGoTo")
-    qtbot.waitUntil(lambda: wired.robot.known.moved is not None, timeout=15_000)
-    wired.choose("aracnaMotions", "push-ups (built in)")
-    wired.check("aracnaLoop", True)
-    wired.check("aracnaBlendIn", False)
-    wired.spin("aracnaSpeedScale").setValue(400)
-    wired.click("aracnaPlay")
-    qtbot.waitUntil(lambda: len(wired.sent) >= 4, timeout=15_000)
-    marked = [wired.steps.model().index(row, 0).data() for row in (0, 1)]
+def test_end_play_ends_loop_after_current_step(driver: ConnectedPanelDriver, qtbot: QtBot) -> None:
+    driver.choose_row("aracnaPoses", "half-stand")
+    driver.click("aracnaGoTo")
+    qtbot.waitUntil(lambda: driver.robot.known.moved is not None, timeout=15_000)
+    driver.choose_row("aracnaMotions", "push-ups (built in)")
+    driver.check("aracnaLoop", True)
+    driver.check("aracnaBlendIn", False)
+    driver.spin("aracnaSpeedScale").setValue(400)
+    driver.click("aracnaPlay")
+    qtbot.waitUntil(lambda: len(driver.sent) >= 4, timeout=15_000)
+    marked = [driver.steps.model().index(row, 0).data() for row in (0, 1)]
     assert sum(mark.startswith("▶") for mark in marked) == 1
-    wired.robot.end_play()
-    qtbot.waitUntil(lambda: wired.endings == [Ending.ENDED], timeout=15_000)
-    assert wired.robot.playing is None
+    driver.robot.end_play()
+    qtbot.waitUntil(lambda: driver.endings == [Ending.ENDED], timeout=15_000)
+    assert driver.robot.playing is None
