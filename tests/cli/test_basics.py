@@ -11,21 +11,19 @@ from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
 
 
-def test_list_names_the_board_on_a_port(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
-) -> None:
+def test_list_prints_port_and_board(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     result = trexcmd("list")
     assert result.exit_code == 0
     assert result.stdout == f"{quick_simulator.url}\tTReX 1.2\n"
 
 
-def test_list_moves_nothing(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+def test_list_moves_no_motor(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     before = quick_simulator.show()["motors"]
     trexcmd("list")
     assert quick_simulator.show()["motors"] == before
 
 
-def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: RunCommand) -> None:
+def test_status_json_contains_product_and_parameters(trexcmd: RunCommand) -> None:
     report = json.loads(trexcmd("status", "--json").stdout)
     assert report["product"] == "TReX"
     assert report["firmware"] == "1.2"
@@ -39,7 +37,7 @@ def test_status_as_json_tells_product_mode_and_every_parameter(trexcmd: RunComma
     assert report["parameters"]["uart_settings"]["value"] == 5
 
 
-def test_status_as_text_names_latched_errors(
+def test_status_text_shows_latched_errors(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("fault 1 on")
@@ -55,7 +53,7 @@ def test_get_shows_wire_value_and_meaning(trexcmd: RunCommand) -> None:
 @pytest.mark.parametrize(
     ("typed", "wire"), [("15", 15), ("1.5 s", 15), ("1500 ms", 15), ("off", 0)]
 )
-def test_set_takes_wire_values_and_physical_ones(
+def test_set_accepts_wire_and_physical_values(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, typed: str, wire: int
 ) -> None:
     result = trexcmd("set", "serial_timeout", typed)
@@ -63,7 +61,7 @@ def test_set_takes_wire_values_and_physical_ones(
     assert quick_simulator.show()["parameters"]["serial_timeout"] == wire
 
 
-def test_set_says_when_a_value_waits_for_power(trexcmd: RunCommand) -> None:
+def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
     result = trexcmd("set", "motor_mode", "joint")
     assert result.exit_code == 0
     assert "switched off and on" in result.stderr
@@ -77,7 +75,7 @@ def test_set_says_when_a_value_waits_for_power(trexcmd: RunCommand) -> None:
         (("get", "factory_reset"), "can only be written"),
     ],
 )
-def test_what_makes_no_sense_for_the_board_is_refused_with_a_sentence(
+def test_invalid_parameter_or_value_is_rejected_with_message(
     trexcmd: RunCommand, words: tuple[str, ...], sentence: str
 ) -> None:
     result = trexcmd(*words)
@@ -86,7 +84,7 @@ def test_what_makes_no_sense_for_the_board_is_refused_with_a_sentence(
     assert "Traceback" not in result.stderr
 
 
-def test_set_in_rc_mode_explains_the_refusal(
+def test_set_in_rc_mode_explains_the_rejection(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
@@ -104,16 +102,14 @@ def test_stop_brakes_running_motors(trexcmd: RunCommand, quick_simulator: Simula
     assert (motor["direction"], motor["speed"]) == ("brake", 127)
 
 
-def test_stop_that_nobody_heard_is_a_failure(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
-) -> None:
+def test_stop_without_a_reply_fails(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("power off")
     result = trexcmd("stop", "--timeout=0")
     assert result.exit_code == 1
     assert "No TReX answers" in result.stderr
 
 
-def test_raw_shows_what_came_back(trexcmd: RunCommand) -> None:
+def test_raw_prints_the_reply(trexcmd: RunCommand) -> None:
     assert trexcmd("raw", "81").stdout.strip() == b"TReX1.2".hex(" ").upper()
 
 
@@ -128,23 +124,23 @@ def test_raw_shows_what_came_back(trexcmd: RunCommand) -> None:
         ("fly",),
     ],
 )
-def test_wrong_usage_exits_with_2(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
+def test_usage_error_exits_with_2(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     assert trexcmd(*words).exit_code == 2
 
 
-def test_no_port_is_wrong_usage_and_says_how_to_give_one() -> None:
+def test_missing_port_is_usage_error_naming_trex_port() -> None:
     result = CliRunner().invoke(main, ["status"], env={"TREX_PORT": ""})
     assert result.exit_code == 2
     assert "TREX_PORT" in result.stderr
 
 
-def test_a_board_at_another_baud_rate_is_a_sentence(trexcmd: RunCommand) -> None:
+def test_wrong_baud_rate_fails_and_is_named(trexcmd: RunCommand) -> None:
     result = trexcmd("get", "device_number", "--baud", "9600", "--timeout=0")
     assert result.exit_code == 1
     assert "9600 baud" in result.stderr
 
 
-def test_crc_and_device_number_reach_a_board_that_wants_them(
+def test_device_option_selects_the_addressed_board(
     trexcmd: RunCommand, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--device", "9", "--device", "12")

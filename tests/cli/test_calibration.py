@@ -14,7 +14,7 @@ def test_calibrations_are_shown_in_counts_and_physical_units(trexcmd: RunCommand
     assert len(lines) == 5
 
 
-def test_calibrations_come_as_json(trexcmd: RunCommand) -> None:
+def test_calibration_get_prints_json(trexcmd: RunCommand) -> None:
     report = json.loads(trexcmd("calibration", "get", "--json").stdout)
     assert (report["source"], report["unit"]) == ("RC", "µs")
     first = report["channels"][0]
@@ -25,7 +25,7 @@ def test_calibrations_come_as_json(trexcmd: RunCommand) -> None:
 @pytest.mark.parametrize(
     "words", [("2400", "3700", "5100", "60"), ("960us", "1480 µs", "2.04ms", "24us")]
 )
-def test_a_calibration_is_stored_and_read_back(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
+def test_calibration_is_stored_and_read_back(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     result = trexcmd("calibration", "set", "2", *words)
     assert result.exit_code == 0, result.stderr
     assert result.stdout.startswith("2\t2400 3700 5100 60\t")
@@ -33,7 +33,7 @@ def test_a_calibration_is_stored_and_read_back(trexcmd: RunCommand, words: tuple
     assert second["differs_from_default"]
 
 
-def test_voltages_calibrate_an_analog_board(
+def test_analog_board_is_calibrated_in_volts(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "channel_input_source", "1").exit_code == 0
@@ -50,7 +50,7 @@ def test_voltages_calibrate_an_analog_board(
         (("0", "1", "99999", "75"), "0 to 16383"),
     ],
 )
-def test_what_the_board_would_refuse_is_refused(
+def test_calibration_set_rejects_invalid_values(
     trexcmd: RunCommand, words: tuple[str, ...], sentence: str
 ) -> None:
     result = trexcmd("calibration", "set", "1", *words)
@@ -62,11 +62,13 @@ def test_what_the_board_would_refuse_is_refused(
     "words",
     [("6", "1", "2", "3", "4"), ("1", "x", "2", "3", "4"), ("1", "1.5", "2", "3", "4"), ("1", "2")],
 )
-def test_what_makes_no_sense_is_wrong_usage(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
+def test_malformed_calibration_is_a_usage_error(
+    trexcmd: RunCommand, words: tuple[str, ...]
+) -> None:
     assert trexcmd("calibration", "set", *words).exit_code == 2
 
 
-def test_a_calibration_needs_serial_mode(
+def test_calibration_set_requires_serial_mode(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")

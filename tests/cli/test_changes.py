@@ -1,4 +1,4 @@
-"""What every command that changes a board says and keeps before and after it."""
+"""Messages and snapshots of every command that changes a board."""
 
 from pathlib import Path
 
@@ -32,7 +32,7 @@ def memory(trexcmd: RunCommand) -> str:
 
 
 @one_setting
-def test_what_was_there_is_shown_and_kept_before_one_setting_is_stored(
+def test_changing_one_setting_shows_and_snapshots_old_value(
     trexcmd: RunCommand, words: tuple[str, ...], shown: str, reason: str
 ) -> None:
     result = trexcmd(*words)
@@ -49,7 +49,7 @@ def test_what_was_there_is_shown_and_kept_before_one_setting_is_stored(
 
 
 @one_setting
-def test_the_snapshot_of_one_setting_brings_the_board_back(
+def test_snapshot_restores_one_changed_setting(
     trexcmd: RunCommand,
     words: tuple[str, ...],
     shown: str,
@@ -65,7 +65,7 @@ def test_the_snapshot_of_one_setting_brings_the_board_back(
 
 
 @one_setting
-def test_without_a_snapshot_one_setting_is_not_stored(
+def test_setting_is_not_stored_if_snapshot_fails(
     trexcmd: RunCommand,
     tmp_path: Path,
     words: tuple[str, ...],
@@ -84,7 +84,7 @@ def test_without_a_snapshot_one_setting_is_not_stored(
 
 
 @one_setting
-def test_what_the_board_has_already_is_not_written_again(
+def test_unchanged_setting_is_not_written_again(
     trexcmd: RunCommand,
     monkeypatch: pytest.MonkeyPatch,
     words: tuple[str, ...],
@@ -105,15 +105,13 @@ def test_what_the_board_has_already_is_not_written_again(
 @pytest.mark.parametrize(
     "words", [("set", "serial_timeout", "200"), ("calibration", "set", "1", "3", "2", "1", "0")]
 )
-def test_what_no_board_takes_leaves_no_snapshot(
-    trexcmd: RunCommand, words: tuple[str, ...]
-) -> None:
+def test_invalid_value_leaves_no_snapshot(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     assert trexcmd(*words).exit_code == 1
     assert not History().snapshots()
 
 
 @one_setting
-def test_a_board_that_takes_nothing_leaves_no_snapshot(
+def test_setting_rejected_in_rc_mode_leaves_no_snapshot(
     trexcmd: RunCommand,
     quick_simulator: SimulatedDevice,
     words: tuple[str, ...],
@@ -129,7 +127,7 @@ def test_a_board_that_takes_nothing_leaves_no_snapshot(
     assert not History().snapshots()
 
 
-def test_set_warns_of_what_the_settings_would_do_together(trexcmd: RunCommand) -> None:
+def test_set_warns_of_conflicting_settings(trexcmd: RunCommand) -> None:
     assert trexcmd("set", "motor1_current_limit", "20").exit_code == 0
     result = trexcmd("set", "motor_mode", "joint")
     assert result.exit_code == 0
@@ -137,13 +135,13 @@ def test_set_warns_of_what_the_settings_would_do_together(trexcmd: RunCommand) -
     assert "nothing in joint mode" in result.stderr
 
 
-def test_a_calibration_that_leaves_no_travel_is_warned_of(trexcmd: RunCommand) -> None:
+def test_calibration_with_excessive_deadband_prints_warning(trexcmd: RunCommand) -> None:
     result = trexcmd("calibration", "set", "1", "2400", "3700", "5100", "1400")
     assert result.exit_code == 0
     assert "Warning: The deadband of RC channel 1 reaches" in result.stderr
 
 
-def test_set_tells_how_to_reach_the_board_after_its_next_start(
+def test_set_prints_options_that_reach_board_after_restart(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("set", "uart_settings", "0x48")
@@ -154,15 +152,13 @@ def test_set_tells_how_to_reach_the_board_after_its_next_start(
     assert later in result.stderr
 
 
-def test_set_tells_the_number_under_which_the_board_answers_now(trexcmd: RunCommand) -> None:
+def test_set_prints_option_for_new_device_number(trexcmd: RunCommand) -> None:
     result = trexcmd("set", "device_number", "9", "--protocol", "expanded")
     assert result.exit_code == 0, result.stderr
     assert "--protocol expanded --device 9 from now on" in result.stderr
 
 
-def test_the_factory_reset_is_no_value_to_set(
-    trexcmd: RunCommand, quick_simulator: SimulatedDevice
-) -> None:
+def test_set_rejects_factory_reset(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     assert trexcmd("set", "serial_timeout", "15").exit_code == 0
     before = memory(trexcmd)
     for value in ("127", "0", "restore"):
@@ -177,9 +173,7 @@ def test_the_factory_reset_is_no_value_to_set(
 # --- A file -----------------------------------------------------------------------------
 
 
-def test_a_file_shows_old_and_new_before_it_is_given_to_the_board(
-    trexcmd: RunCommand, tmp_path: Path
-) -> None:
+def test_set_settings_prints_old_and_new_values(trexcmd: RunCommand, tmp_path: Path) -> None:
     file = tmp_path / "wanted.txt"
     file.write_text("product: TReX\nmotor_mode: 0\nserial_timeout: 15\n", encoding="utf-8")
     result = trexcmd("set-settings", str(file))
@@ -191,7 +185,7 @@ def test_a_file_shows_old_and_new_before_it_is_given_to_the_board(
     assert "is kept in" in lines[row + 1]
 
 
-def test_files_of_two_models_are_said_to_be(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_diff_reports_settings_for_different_models(trexcmd: RunCommand, tmp_path: Path) -> None:
     files = [tmp_path / "first.txt", tmp_path / "second.txt"]
     for file, product in zip(files, ("TReX", "TReX Jr"), strict=True):
         file.write_text(f"product: {product}\nserial_timeout: 15\n", encoding="utf-8")
@@ -209,7 +203,7 @@ def test_files_of_two_models_are_said_to_be(trexcmd: RunCommand, tmp_path: Path)
 
 @pytest.mark.parametrize("command", ["set", "set-settings", "set-settings --dry-run"])
 @pytest.mark.parametrize("rates", [frozenset({9600, 19200}), None])
-def test_rate_that_the_port_lacks_is_warned_of(
+def test_baud_rate_that_port_lacks_prints_warning(
     trexcmd: RunCommand,
     quick_simulator: SimulatedDevice,
     tmp_path: Path,
@@ -227,7 +221,7 @@ def test_rate_that_the_port_lacks_is_warned_of(
     assert told is (rates is not None)
 
 
-def test_port_is_asked_for_its_rates_before_anything_is_sent(
+def test_port_rates_are_queried_before_anything_is_sent(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     happened: list[str] = []
@@ -247,7 +241,7 @@ def test_port_is_asked_for_its_rates_before_anything_is_sent(
 # --- The factory's values ---------------------------------------------------------------
 
 
-def test_restoring_lists_what_will_change_before_it_asks(
+def test_restore_defaults_lists_changes_before_prompt(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 15")
@@ -270,7 +264,7 @@ def test_restoring_lists_what_will_change_before_it_asks(
     assert not History().snapshots()
 
 
-def test_restoring_names_the_defaults_that_no_source_confirms(
+def test_restore_defaults_names_inferred_defaults(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom device_number 9")
@@ -280,7 +274,7 @@ def test_restoring_names_the_defaults_that_no_source_confirms(
     assert "Inferred, no source confirms the default of: Motor 1 Acceleration.\n" in said
 
 
-def test_restoring_a_board_that_has_the_defaults_says_so_and_asks_all_the_same(
+def test_restore_defaults_without_changes_still_prompts(
     trexcmd: RunCommand, start_simulator: StartSimulator
 ) -> None:
     junior = start_simulator("--model", "trexjr", "--unpaced")

@@ -1,4 +1,4 @@
-"""export: the board's settings as a program; and the snapshots that changes leave."""
+"""export: settings as program code; and the snapshots that changes take."""
 
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from trex_gui.settings.history import History
 
 
 @pytest.mark.parametrize("language", list(Language))
-def test_the_board_is_exported_in_each_language(
+def test_board_is_exported_in_each_language(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path, language: Language
 ) -> None:
     assert trexcmd("set", "serial_timeout", "5").exit_code == 0
@@ -26,20 +26,18 @@ def test_the_board_is_exported_in_each_language(
     assert motor["target_speed"] == 0 or motor["target_direction"] == "brake"
 
 
-def test_a_language_is_needed_and_must_be_known(trexcmd: RunCommand) -> None:
+def test_export_requires_a_known_language(trexcmd: RunCommand) -> None:
     assert trexcmd("export", "-").exit_code == 2
     assert trexcmd("export", "--as", "pascal", "-").exit_code == 2
 
 
-def test_a_place_that_cannot_be_written_is_refused(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_export_to_unwritable_path_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("export", "--as", "c", str(tmp_path / "missing" / "board.c"))
     assert result.exit_code == 1
     assert "missing" in result.stderr
 
 
-def test_what_the_board_stored_is_kept_before_a_file_changes_it(
-    trexcmd: RunCommand, tmp_path: Path
-) -> None:
+def test_set_settings_takes_snapshot_before_writing(trexcmd: RunCommand, tmp_path: Path) -> None:
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
     assert trexcmd("set-settings", "--dry-run", str(path)).exit_code == 0
@@ -53,14 +51,16 @@ def test_what_the_board_stored_is_kept_before_a_file_changes_it(
     assert trexcmd("get", "serial_timeout").stdout.startswith("0\t")
 
 
-def test_what_changes_nothing_leaves_no_snapshot(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_set_settings_without_changes_takes_no_snapshot(
+    trexcmd: RunCommand, tmp_path: Path
+) -> None:
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 0\n", encoding="utf-8")
     assert trexcmd("set-settings", str(path)).exit_code == 0
     assert not History().snapshots()
 
 
-def test_restoring_the_defaults_keeps_what_was_there(trexcmd: RunCommand) -> None:
+def test_restore_defaults_takes_snapshot(trexcmd: RunCommand) -> None:
     assert trexcmd("set", "serial_timeout", "5").exit_code == 0
     assert trexcmd("restore-defaults", "--yes").exit_code == 0
     snapshot, _before_set = History().snapshots()
@@ -68,7 +68,7 @@ def test_restoring_the_defaults_keeps_what_was_there(trexcmd: RunCommand) -> Non
     assert History().load(snapshot).parameters["serial_timeout"] == 5
 
 
-def test_without_a_snapshot_nothing_is_written(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_set_settings_writes_nothing_if_snapshot_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
     place = tmp_path / "file"

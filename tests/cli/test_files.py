@@ -38,32 +38,30 @@ def stored(simulator: SimulatedDevice, key: str) -> int:
     return value
 
 
-def test_a_saved_board_is_a_whole_settings_file(saved: Path) -> None:
+def test_get_settings_saves_complete_settings_file(saved: Path) -> None:
     text = saved.read_text(encoding="utf-8")
     assert text.startswith("product: TReX\n")
     assert "rc_channel_5: {minimum: 2500" in text
     assert sum(":" in line and not line.startswith("#") for line in text.splitlines()) == 35
 
 
-def test_a_dash_is_standard_output(trexcmd: RunCommand, saved: Path) -> None:
+def test_dash_writes_to_standard_output(trexcmd: RunCommand, saved: Path) -> None:
     assert trexcmd("get-settings", "-").stdout == saved.read_text(encoding="utf-8")
 
 
-def test_saving_replaces_a_file_that_is_there(trexcmd: RunCommand, saved: Path) -> None:
+def test_get_settings_replaces_existing_file(trexcmd: RunCommand, saved: Path) -> None:
     saved.write_text("old", encoding="utf-8")
     assert trexcmd("get-settings", str(saved)).exit_code == 0
     assert saved.read_text(encoding="utf-8").startswith("product: TReX\n")
 
 
-def test_saving_where_nothing_can_be_written_is_refused(
-    trexcmd: RunCommand, tmp_path: Path
-) -> None:
+def test_get_settings_to_missing_folder_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("get-settings", str(tmp_path / "missing" / "board.txt"))
     assert result.exit_code == 1
     assert "there is no folder" in result.stderr
 
 
-def test_only_what_differs_is_written(
+def test_set_settings_writes_only_differences(
     trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     file = changed(
@@ -81,7 +79,7 @@ def test_only_what_differs_is_written(
     assert trexcmd("diff", str(file)).stdout == ""
 
 
-def test_a_dry_run_shows_old_and_new_and_writes_nothing(
+def test_dry_run_prints_old_and_new_and_writes_nothing(
     trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)), "--dry-run")
@@ -90,7 +88,7 @@ def test_a_dry_run_shows_old_and_new_and_writes_nothing(
     assert stored(quick_simulator, "serial_timeout") == 0
 
 
-def test_settings_come_from_standard_input_too(
+def test_set_settings_reads_standard_input(
     trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     text = changed(saved, serial_timeout=15).read_text(encoding="utf-8")
@@ -98,7 +96,7 @@ def test_settings_come_from_standard_input_too(
     assert stored(quick_simulator, "serial_timeout") == 15
 
 
-def test_what_waits_for_power_is_said(trexcmd: RunCommand, saved: Path) -> None:
+def test_set_settings_reports_pending_power_cycle(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("set-settings", str(changed(saved, uart_settings=10)))
     assert result.exit_code == 0
     assert "UART Settings: in force when the board is switched off and on" in result.stderr
@@ -113,7 +111,7 @@ def test_what_waits_for_power_is_said(trexcmd: RunCommand, saved: Path) -> None:
         ({"motor_mode": "joint"}, "motor_mode: 0 (independent) or 1"),
     ],
 )
-def test_a_file_that_does_not_fit_is_refused_and_nothing_written(
+def test_unsuitable_file_is_rejected_and_nothing_is_written(
     trexcmd: RunCommand,
     saved: Path,
     quick_simulator: SimulatedDevice,
@@ -127,7 +125,7 @@ def test_a_file_that_does_not_fit_is_refused_and_nothing_written(
     assert quick_simulator.show()["parameters"] == before
 
 
-def test_a_file_for_a_newer_firmware_is_refused_key_by_key(
+def test_file_for_newer_firmware_is_rejected_naming_the_key(
     trexcmd: RunCommand, saved: Path, start_simulator: StartSimulator
 ) -> None:
     old = start_simulator("--firmware", "1.0", "--unpaced")
@@ -136,7 +134,7 @@ def test_a_file_for_a_newer_firmware_is_refused_key_by_key(
     assert "uart_response_delay: TReX 1.0 does not have it" in result.stderr
 
 
-def test_a_board_that_is_not_in_serial_mode_says_so_before_anything_is_written(
+def test_set_settings_requires_serial_mode(
     trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
@@ -146,7 +144,7 @@ def test_a_board_that_is_not_in_serial_mode_says_so_before_anything_is_written(
     assert "not in serial mode" in result.stderr
 
 
-def test_calibrations_of_the_other_source_are_left_out_and_named(
+def test_calibrations_of_inactive_source_are_skipped_and_named(
     trexcmd: RunCommand, saved: Path
 ) -> None:
     line = "analog_channel_1: {minimum: 1, neutral: 500, maximum: 1000, deadband: 5}\n"
@@ -156,13 +154,13 @@ def test_calibrations_of_the_other_source_are_left_out_and_named(
     assert "analog_channel_1 left out" in result.stderr
 
 
-def test_odd_settings_are_warned_of(trexcmd: RunCommand, saved: Path) -> None:
+def test_conflicting_settings_print_a_warning(trexcmd: RunCommand, saved: Path) -> None:
     file = changed(saved, motor_mode=1, motor1_current_limit=20)
     assert "does nothing in joint mode" in trexcmd("check-settings", str(file)).stderr
     assert "does nothing in joint mode" in trexcmd("set-settings", str(file)).stderr
 
 
-def test_a_line_that_is_unplugged_while_it_writes_names_what_was_not_stored(
+def test_unplugging_during_set_settings_fails_without_traceback(
     start: StartCommand, trexcmd: RunCommand, saved: Path, start_simulator: StartSimulator
 ) -> None:
     motors = {f"motor{n}_{what}": 7 for n in (1, 2) for what in ("acceleration", "current_limit")}
@@ -181,12 +179,12 @@ def test_a_line_that_is_unplugged_while_it_writes_names_what_was_not_stored(
     assert "Traceback" not in errors
 
 
-def test_a_sound_file_is_checked_in_silence(trexcmd: RunCommand, saved: Path) -> None:
+def test_check_settings_of_valid_file_prints_nothing(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("check-settings", str(saved), TREX_PORT="")
     assert (result.exit_code, result.stdout, result.stderr) == (0, "", "")
 
 
-def test_each_mistake_is_named_with_its_line(trexcmd: RunCommand, saved: Path) -> None:
+def test_check_settings_names_each_error_with_its_line(trexcmd: RunCommand, saved: Path) -> None:
     file = changed(saved, serial_timeout=200, motor_mode=7)
     result = trexcmd("check-settings", str(file))
     assert result.exit_code == 1
@@ -195,7 +193,7 @@ def test_each_mistake_is_named_with_its_line(trexcmd: RunCommand, saved: Path) -
     assert "2 errors" in result.stderr
 
 
-def test_mistakes_come_as_json_too(trexcmd: RunCommand, saved: Path) -> None:
+def test_check_settings_prints_findings_as_json(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("check-settings", str(changed(saved, serial_timeout=200)), "--json")
     assert result.exit_code == 1
     report = json.loads(result.stdout)
@@ -205,7 +203,7 @@ def test_mistakes_come_as_json_too(trexcmd: RunCommand, saved: Path) -> None:
     assert isinstance(finding["line"], int)
 
 
-def test_a_checked_file_can_be_written_anew(
+def test_check_settings_writes_checked_file(
     trexcmd: RunCommand, saved: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "out.txt"
@@ -215,20 +213,18 @@ def test_a_checked_file_can_be_written_anew(
     assert trexcmd("check-settings", str(file), "-").stdout == out.read_text(encoding="utf-8")
 
 
-def test_two_answers_for_one_output_are_wrong_usage(trexcmd: RunCommand, saved: Path) -> None:
+def test_check_settings_rejects_two_outputs_to_stdout(trexcmd: RunCommand, saved: Path) -> None:
     assert trexcmd("check-settings", str(saved), "-", "--json").exit_code == 2
 
 
 @pytest.mark.parametrize("command", ["check-settings", "set-settings", "diff"])
-def test_a_file_that_is_not_there_is_refused(
-    trexcmd: RunCommand, command: str, tmp_path: Path
-) -> None:
+def test_missing_file_is_rejected(trexcmd: RunCommand, command: str, tmp_path: Path) -> None:
     result = trexcmd(command, str(tmp_path / "none.txt"))
     assert result.exit_code == 1
     assert "there is no such file" in result.stderr
 
 
-def test_two_files_are_compared_without_a_board(trexcmd: RunCommand, saved: Path) -> None:
+def test_diff_compares_two_files_without_a_board(trexcmd: RunCommand, saved: Path) -> None:
     other = changed(saved, serial_timeout=15)
     result = trexcmd("diff", str(saved), str(other), TREX_PORT="")
     assert result.exit_code == 0
@@ -239,6 +235,6 @@ def test_two_files_are_compared_without_a_board(trexcmd: RunCommand, saved: Path
     ]
 
 
-def test_equal_settings_differ_in_nothing(trexcmd: RunCommand, saved: Path) -> None:
+def test_diff_of_equal_settings_is_empty(trexcmd: RunCommand, saved: Path) -> None:
     result = trexcmd("diff", str(saved))
     assert (result.exit_code, result.stdout) == (0, "")

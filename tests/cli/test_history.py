@@ -1,4 +1,4 @@
-"""trexcmd history: what boards stored before, listed, shown, compared, brought back."""
+"""history: snapshots of boards are listed, shown, compared and restored."""
 
 import json
 import re
@@ -27,7 +27,7 @@ def take(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) ->
     return History().take(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
 
 
-def test_an_empty_history_says_when_there_will_be_one(trexcmd: RunCommand) -> None:
+def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) -> None:
     result = trexcmd("history")
     assert result.exit_code == 0
     assert result.stdout == ""
@@ -35,7 +35,7 @@ def test_an_empty_history_says_when_there_will_be_one(trexcmd: RunCommand) -> No
     assert json.loads(trexcmd("history", "--json").stdout) == []
 
 
-def test_the_list_has_the_newest_first(trexcmd: RunCommand) -> None:
+def test_history_lists_newest_snapshot_first(trexcmd: RunCommand) -> None:
     take(0)
     take(1, reason="trexcmd restore-defaults", device_number=9)
     lines = trexcmd("history").stdout.splitlines()
@@ -46,7 +46,7 @@ def test_the_list_has_the_newest_first(trexcmd: RunCommand) -> None:
     assert lines[2].endswith("Apply of 1 setting")
 
 
-def test_the_list_as_json(trexcmd: RunCommand) -> None:
+def test_history_prints_json(trexcmd: RunCommand) -> None:
     path = take(0, device_number=9)
     (row,) = json.loads(trexcmd("history", "--json").stdout)
     assert row["number"] == 1
@@ -56,7 +56,7 @@ def test_the_list_as_json(trexcmd: RunCommand) -> None:
     assert row["path"] == str(path)
 
 
-def test_a_damaged_snapshot_stands_in_the_list_as_such(trexcmd: RunCommand) -> None:
+def test_damaged_snapshot_is_listed_as_damaged(trexcmd: RunCommand) -> None:
     take().write_text("", encoding="utf-8")
     assert "damaged" in trexcmd("history").stdout
     assert "It is empty." in trexcmd("history").stdout
@@ -64,7 +64,7 @@ def test_a_damaged_snapshot_stands_in_the_list_as_such(trexcmd: RunCommand) -> N
     assert result.exit_code == 1
 
 
-def test_a_snapshot_is_shown_by_number_and_by_file(trexcmd: RunCommand) -> None:
+def test_snapshot_is_shown_by_number_and_by_path(trexcmd: RunCommand) -> None:
     path = take(0, serial_timeout=5)
     take(1)
     shown = trexcmd("history", "show", "2")
@@ -75,7 +75,7 @@ def test_a_snapshot_is_shown_by_number_and_by_file(trexcmd: RunCommand) -> None:
 
 
 @pytest.mark.parametrize("number", ["0", "3", "99999999999"])
-def test_a_number_that_is_not_there_is_a_sentence(trexcmd: RunCommand, number: str) -> None:
+def test_unknown_snapshot_number_fails_without_traceback(trexcmd: RunCommand, number: str) -> None:
     take()
     result = trexcmd("history", "show", number)
     assert result.exit_code == 1
@@ -83,13 +83,13 @@ def test_a_number_that_is_not_there_is_a_sentence(trexcmd: RunCommand, number: s
     assert "Traceback" not in result.stderr
 
 
-def test_a_number_in_an_empty_history_is_a_sentence(trexcmd: RunCommand) -> None:
+def test_snapshot_number_in_empty_history_fails(trexcmd: RunCommand) -> None:
     result = trexcmd("history", "path", "1")
     assert result.exit_code == 1
     assert "no snapshots" in result.stderr
 
 
-def test_two_snapshots_are_compared_from_the_first_to_the_second(trexcmd: RunCommand) -> None:
+def test_history_diff_compares_first_snapshot_with_second(trexcmd: RunCommand) -> None:
     take(0, serial_timeout=5)
     take(1, serial_timeout=7)
     result = trexcmd("history", "diff", "2", "1")
@@ -97,7 +97,7 @@ def test_two_snapshots_are_compared_from_the_first_to_the_second(trexcmd: RunCom
     assert "5 → 7" in result.stdout
 
 
-def test_a_snapshot_is_compared_with_the_board(
+def test_history_diff_compares_snapshot_with_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 7")
@@ -108,7 +108,7 @@ def test_a_snapshot_is_compared_with_the_board(
     assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
 
 
-def test_what_set_settings_changed_comes_back_from_the_history(
+def test_set_settings_change_is_reverted_from_history(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     def stored() -> int:
@@ -126,14 +126,14 @@ def test_what_set_settings_changed_comes_back_from_the_history(
 
 
 @pytest.mark.parametrize("word", ["first", "-1", "1.5", "./1"])
-def test_a_path_is_asked_for_by_number_only(trexcmd: RunCommand, word: str) -> None:
+def test_history_path_accepts_only_numbers(trexcmd: RunCommand, word: str) -> None:
     assert trexcmd("history", "path", "--", word).exit_code == 2
 
 
 # --- How many are kept ------------------------------------------------------------------
 
 
-def test_how_many_are_kept_is_set_and_printed(trexcmd: RunCommand) -> None:
+def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
     assert trexcmd("history", "keep").stdout == "500\n"
     assert trexcmd("history", "keep", "all").exit_code == 0
     assert trexcmd("history", "keep").stdout == "all\n"
@@ -142,12 +142,12 @@ def test_how_many_are_kept_is_set_and_printed(trexcmd: RunCommand) -> None:
 
 
 @pytest.mark.parametrize("word", ["0", "-1", "many", "1.5", "10000000", "9" * 5000])
-def test_no_other_count_is_taken(trexcmd: RunCommand, word: str) -> None:
+def test_history_keep_rejects_invalid_limits(trexcmd: RunCommand, word: str) -> None:
     assert trexcmd("history", "keep", "--", word).exit_code == 2
     assert History().bound() == Bound()
 
 
-def test_a_lower_bound_asks_first_and_names_how_many_go(trexcmd: RunCommand) -> None:
+def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> None:
     for minutes in range(5):
         take(minutes)
     result = trexcmd("history", "keep", "2", stdin="n\n")
@@ -163,7 +163,7 @@ def test_a_lower_bound_asks_first_and_names_how_many_go(trexcmd: RunCommand) -> 
     assert len(History().snapshots()) == 1
 
 
-def test_a_damaged_bound_is_told_where_it_matters(
+def test_damaged_history_limit_is_reported(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     take()
@@ -182,19 +182,19 @@ def test_a_damaged_bound_is_told_where_it_matters(
     assert History().bound() == Bound(10)
 
 
-def test_a_board_is_not_needed_for_the_list(trexcmd: RunCommand) -> None:
+def test_history_lists_snapshots_without_a_port(trexcmd: RunCommand) -> None:
     take()
     assert trexcmd("history", TREX_PORT="").exit_code == 0
 
 
-def test_json_before_the_word_is_a_mistake(trexcmd: RunCommand) -> None:
+def test_json_option_before_subcommand_is_usage_error(trexcmd: RunCommand) -> None:
     take()
     result = trexcmd("history", "--json", "show", "1")
     assert result.exit_code == 2
     assert "behind show" in result.stderr
 
 
-def test_numbers_are_completed_with_what_they_stand_for() -> None:
+def test_completion_describes_snapshot_numbers() -> None:
     take()
     complete = ShellComplete(main, {}, "trexcmd", "_TREXCMD_COMPLETE")
     (found,) = complete.get_completions(["history", "show"], "")

@@ -1,4 +1,4 @@
-"""set-settings and restore-defaults that are disturbed, and how the board is reached after them."""
+"""Interrupted set-settings and restore-defaults, and how the board is reached afterwards."""
 
 import re
 import signal
@@ -29,8 +29,8 @@ when_some_are_stored = pytest.mark.parametrize(
 
 
 @dataclass
-class Writing:
-    """A file on its way to a board, up to a parameter that has just been stored."""
+class SettingsWrite:
+    """A run of set-settings that has just stored a certain parameter."""
 
     process: VirtualCommand
     board: SimulatedDevice
@@ -44,8 +44,8 @@ class Writing:
         assert "Traceback" not in said
         return said
 
-    def require_named(self, said: str) -> None:
-        """What is said to be stored is; of the rest everything is named."""
+    def assert_reported(self, said: str) -> None:
+        """Fail unless the messages name what was stored and what was not."""
         stored = self.board.show()["parameters"]
         given = {key for key in self.wanted.parameters if self.differs(key)}
         named_stored = named(said, "Stored: ")
@@ -61,8 +61,8 @@ class Writing:
     def differs(self, key: str) -> bool:
         return self.wanted.parameters[key] != self.before.parameters[key]
 
-    def require_kept(self) -> None:
-        """The snapshot holds what the board stored before, whole."""
+    def assert_snapshot_complete(self) -> None:
+        """Fail unless the snapshot holds everything the board stored before."""
         (snapshot,) = History().snapshots()
         assert History().load(snapshot) == self.before
 
@@ -92,7 +92,7 @@ def other(before: Settings) -> Settings:
     )
 
 
-Disturb = Callable[[str, Callable[[Writing], object]], tuple[Writing, str]]
+Disturb = Callable[[str, Callable[[SettingsWrite], object]], tuple[SettingsWrite, str]]
 
 
 @pytest.fixture
@@ -107,7 +107,7 @@ def disturb(
     Return what was written, and what was said of it.
     """
 
-    def until(key: str) -> Writing:
+    def until(key: str) -> SettingsWrite:
         board = start_simulator()
         file = tmp_path / "wanted.txt"
         text = trexcmd("get-settings", "-", "--port", board.url).stdout
@@ -117,9 +117,9 @@ def disturb(
         process = start("set-settings", str(file), url=board.url)
         value = wanted.parameters[key]
         assert becomes(lambda: board.show()["parameters"][key], value)
-        return Writing(process, board, file, before, wanted)
+        return SettingsWrite(process, board, file, before, wanted)
 
-    def disturbed(key: str, how: Callable[[Writing], object]) -> tuple[Writing, str]:
+    def disturbed(key: str, how: Callable[[SettingsWrite], object]) -> tuple[SettingsWrite, str]:
         writing = until(key)
         how(writing)
         said = writing.end()
@@ -130,26 +130,26 @@ def disturb(
 
 
 @when_some_are_stored
-def test_ctrl_c_ends_the_writing_between_two_settings(
+def test_ctrl_c_ends_writing_between_two_settings(
     disturb: Disturb, trexcmd: RunCommand, key: str
 ) -> None:
     writing, said = disturb(key, lambda writing: writing.process.send_signal(signal.SIGINT))
     assert "Interrupted: not everything was stored; what was not tried is as it was." in said
-    writing.require_named(said)
-    writing.require_kept()
+    writing.assert_reported(said)
+    writing.assert_snapshot_complete()
     again = trexcmd("set-settings", str(writing.file), "--port", writing.board.url)
     assert again.exit_code == 0, again.stderr
     assert writing.board.show()["parameters"] == writing.wanted.parameters
 
 
 @when_some_are_stored
-def test_a_cable_that_is_pulled_leaves_nothing_unsaid(
+def test_unplugging_while_writing_reports_every_setting(
     disturb: Disturb, trexcmd: RunCommand, key: str
 ) -> None:
     writing, said = disturb(key, lambda writing: writing.board.do("line unplug"))
     assert "gone" in said
-    writing.require_named(said)
-    writing.require_kept()
+    writing.assert_reported(said)
+    writing.assert_snapshot_complete()
     url = writing.board.do("line plug").split()[-1]
     again = trexcmd("set-settings", str(writing.file), "--port", url)
     assert again.exit_code == 0, again.stderr
@@ -177,7 +177,7 @@ def given(trexcmd: RunCommand, path: Path, **values: int) -> str:
         ({"uart_settings": 0x2A, "crc7_polynomial": 0x15}, "--baud 115200 --crc --polynomial 95"),
     ],
 )
-def test_whoever_changes_the_line_is_told_how_to_reach_the_board(
+def test_changed_line_settings_print_new_options(
     trexcmd: RunCommand,
     quick_simulator: SimulatedDevice,
     tmp_path: Path,
@@ -189,7 +189,7 @@ def test_whoever_changes_the_line_is_told_how_to_reach_the_board(
     assert sentence in said
 
 
-def test_the_options_that_were_told_reach_the_board(
+def test_printed_options_reach_the_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
@@ -202,7 +202,7 @@ def test_the_options_that_were_told_reach_the_board(
     assert trexcmd("get", "crc7_polynomial", *told.split()).exit_code == 0
 
 
-def test_a_rate_that_old_firmware_halves_is_told_as_it_will_be(
+def test_baud_rate_halved_by_old_firmware_is_printed_halved(
     trexcmd: RunCommand, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     old = start_simulator("--firmware", "1.0", "--unpaced")
@@ -212,7 +212,7 @@ def test_a_rate_that_old_firmware_halves_is_told_as_it_will_be(
     assert f"is reached with --port {old.url} --baud 14400\n" in said
 
 
-def test_a_new_number_is_told_to_whoever_calls_the_board_by_number(
+def test_new_device_number_is_printed_for_expanded_protocol(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "number.txt"
@@ -226,7 +226,7 @@ def test_a_new_number_is_told_to_whoever_calls_the_board_by_number(
 
 
 @pytest.mark.parametrize("values", [{"serial_timeout": 5}, {"device_number": 9}])
-def test_where_the_line_stays_nothing_is_said_of_it(
+def test_unchanged_line_settings_print_no_options(
     trexcmd: RunCommand, tmp_path: Path, values: dict[str, int]
 ) -> None:
     said = given(trexcmd, tmp_path / "same.txt", **values)
@@ -234,7 +234,7 @@ def test_where_the_line_stays_nothing_is_said_of_it(
     assert "is reached" not in said
 
 
-def test_whoever_restores_the_defaults_is_told_how_to_reach_the_board(
+def test_restore_defaults_prints_options_that_reach_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom device_number 9")
@@ -249,7 +249,7 @@ def test_whoever_restores_the_defaults_is_told_how_to_reach_the_board(
     ) in result.stderr
 
 
-def test_defaults_that_change_nothing_of_the_line_need_no_options(trexcmd: RunCommand) -> None:
+def test_restore_defaults_without_line_change_prints_no_options(trexcmd: RunCommand) -> None:
     assert "is reached with" not in trexcmd("restore-defaults", "--yes").stderr
 
 
@@ -268,7 +268,7 @@ motor1_acceleration: 12
 
 @pytest.mark.parametrize("line_end", ["\n", "\r\n"])
 @pytest.mark.parametrize("mark", ["", "\ufeff"])
-def test_a_persons_comments_order_and_spelling_survive_a_check(
+def test_check_settings_keeps_comments_order_and_spelling(
     trexcmd: RunCommand, tmp_path: Path, line_end: str, mark: str
 ) -> None:
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
@@ -279,7 +279,7 @@ def test_a_persons_comments_order_and_spelling_survive_a_check(
 
 
 @pytest.mark.parametrize("line_end", ["\n", "\r\n"])
-def test_a_last_line_without_an_end_gets_one(
+def test_missing_final_line_end_is_added(
     trexcmd: RunCommand, tmp_path: Path, line_end: str
 ) -> None:
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
@@ -292,10 +292,10 @@ def test_a_last_line_without_an_end_gets_one(
     assert "no end" not in trexcmd("check-settings", str(out)).stderr
 
 
-def test_a_file_that_cannot_be_amended_is_written_anew_with_a_word(
+def test_file_that_cannot_be_edited_in_place_is_rewritten(
     trexcmd: RunCommand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """No such file is known; the one who amends may refuse one all the same."""
+    """No such file is known, but `amend` may reject one."""
 
     def refuse(text: str, settings: Settings) -> str:
         del text, settings
@@ -310,14 +310,14 @@ def test_a_file_that_cannot_be_amended_is_written_anew_with_a_word(
     assert out.read_text(encoding="utf-8") == write_settings(read_settings(COMMENTED)[0])
 
 
-def test_a_file_may_be_checked_in_its_place(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_check_settings_can_write_to_its_input_file(trexcmd: RunCommand, tmp_path: Path) -> None:
     file = tmp_path / "in.txt"
     file.write_bytes(COMMENTED.encode())
     assert trexcmd("check-settings", str(file), str(file)).exit_code == 0
     assert file.read_bytes() == COMMENTED.encode()
 
 
-def test_a_file_that_cannot_be_used_writes_nothing(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_check_settings_of_invalid_file_writes_nothing(trexcmd: RunCommand, tmp_path: Path) -> None:
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
     file.write_text(COMMENTED.replace("0x0F", "200"), encoding="utf-8")
     assert trexcmd("check-settings", str(file), str(out)).exit_code == 1

@@ -1,4 +1,4 @@
-"""motor: it runs, and it stops, whatever happens."""
+"""motor: a motor runs and stops in every situation."""
 
 import signal
 import sys
@@ -38,7 +38,7 @@ def braked(simulator: SimulatedDevice) -> bool:
         (("2", "40", "--accelerate"), (0, 40, 0)),
     ],
 )
-def test_a_motor_runs_until_it_is_interrupted(
+def test_motor_runs_until_interrupted(
     words: tuple[str, ...],
     speeds: tuple[int, ...],
     start: StartCommand,
@@ -54,7 +54,7 @@ def test_a_motor_runs_until_it_is_interrupted(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 @pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGQUIT", "SIGTSTP"])
-def test_every_signal_that_ends_the_program_stops_the_motor(
+def test_every_terminating_signal_stops_motor(
     name: str, start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     command = run_motor_1(start, quick_simulator)
@@ -67,7 +67,7 @@ def test_every_signal_that_ends_the_program_stops_the_motor(
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
-def test_process_that_is_ended_by_a_signal_stops_the_motor(
+def test_signal_to_process_stops_motor(
     name: str, start_process: StartProcess, quick_simulator: SimulatedDevice
 ) -> None:
     process = start_process("motor", "1", "60")
@@ -80,7 +80,7 @@ def test_process_that_is_ended_by_a_signal_stops_the_motor(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-def test_closed_terminal_does_not_end_the_program_behind_nohup(
+def test_sighup_behind_nohup_does_not_stop_motor(
     start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
@@ -96,7 +96,7 @@ def test_closed_terminal_does_not_end_the_program_behind_nohup(
     assert braked(quick_simulator)
 
 
-def test_repeated_ctrl_c_does_not_keep_the_motor_from_stopping(
+def test_repeated_ctrl_c_still_stops_motor(
     start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     command = run_motor_1(start, quick_simulator)
@@ -106,7 +106,7 @@ def test_repeated_ctrl_c_does_not_keep_the_motor_from_stopping(
     assert braked(quick_simulator)
 
 
-def test_a_motor_runs_for_some_seconds_and_stops(
+def test_motor_stops_after_given_seconds(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("motor", "1", "50", "--seconds", "0.2")
@@ -115,11 +115,11 @@ def test_a_motor_runs_for_some_seconds_and_stops(
     assert braked(quick_simulator)
 
 
-def test_a_missing_timeout_is_warned_of(trexcmd: RunCommand) -> None:
+def test_motor_command_warns_if_serial_timeout_is_off(trexcmd: RunCommand) -> None:
     assert "Serial Timeout is off" in trexcmd("motor", "1", "5", "--seconds", "0.01").stderr
 
 
-def test_a_short_timeout_of_the_board_is_fed(
+def test_motor_command_feeds_short_serial_timeout(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "serial_timeout", "0.2 s").exit_code == 0
@@ -129,7 +129,7 @@ def test_a_short_timeout_of_the_board_is_fed(
     assert "Serial timeout" not in result.stderr
 
 
-def test_a_motor_can_be_braked(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
+def test_brake_option_brakes_motor(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
     command = start("motor", "1", "33", "--brake")
     assert becomes(
         lambda: [quick_simulator.show()["motors"][0][key] for key in ("direction", "speed")],
@@ -139,7 +139,7 @@ def test_a_motor_can_be_braked(start: StartCommand, quick_simulator: SimulatedDe
     command.communicate()
 
 
-def test_where_serial_does_not_control_the_motors_nothing_is_sent(
+def test_motor_command_fails_in_rc_mode(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
@@ -150,7 +150,7 @@ def test_where_serial_does_not_control_the_motors_nothing_is_sent(
     assert "Running" not in result.stderr
 
 
-def test_joint_mode_is_told_where_motor_2_is_asked_for(
+def test_motor_2_in_joint_mode_prints_a_warning(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "motor_mode", "joint")
@@ -158,9 +158,7 @@ def test_joint_mode_is_told_where_motor_2_is_asked_for(
     assert "motor 2 is ignored" in trexcmd("motor", "2", "5", "--seconds", "0.01").stderr
 
 
-def test_a_fault_of_the_driver_ends_the_run(
-    start: StartCommand, quick_simulator: SimulatedDevice
-) -> None:
+def test_motor_fault_ends_the_run(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
     command = run_motor_1(start, quick_simulator)
     quick_simulator.do("fault 1 on")
     _, errors = command.communicate()
@@ -169,7 +167,7 @@ def test_a_fault_of_the_driver_ends_the_run(
     assert braked(quick_simulator)
 
 
-def test_damage_on_the_line_does_not_end_the_run(
+def test_lost_data_on_the_line_does_not_end_the_run(
     start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     def counted(what: str) -> int:
@@ -188,7 +186,7 @@ def test_damage_on_the_line_does_not_end_the_run(
     assert braked(quick_simulator)
 
 
-def test_a_board_that_falls_silent_ends_the_run_with_a_sentence(
+def test_missing_replies_end_the_run_with_a_message(
     start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     command = run_motor_1(start, quick_simulator)
@@ -200,7 +198,7 @@ def test_a_board_that_falls_silent_ends_the_run_with_a_sentence(
     assert braked(quick_simulator)  # it has heard what it could not confirm
 
 
-def test_a_cable_that_is_pulled_ends_the_run_with_a_sentence(
+def test_unplugging_ends_the_run_with_a_message(
     start: StartCommand, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced")
@@ -228,11 +226,13 @@ def test_a_cable_that_is_pulled_ends_the_run_with_a_sentence(
         ("1", "5", "--secnds", "1"),
     ],
 )
-def test_what_no_motor_can_do_is_wrong_usage(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
+def test_invalid_motor_arguments_are_usage_errors(
+    trexcmd: RunCommand, words: tuple[str, ...]
+) -> None:
     assert trexcmd("motor", *words).exit_code == 2
 
 
-def test_a_stop_that_channels_drive_through_fails(
+def test_stop_fails_while_rc_channels_drive(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     for line in ("jumper mode rc", "power cycle"):

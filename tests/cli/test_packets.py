@@ -1,4 +1,4 @@
-"""decode: bytes in words."""
+"""decode: packets are described in words."""
 
 import pytest
 
@@ -23,12 +23,12 @@ from trex_gui.protocol.words import describe
         ("0x81,", "81  compact  get signature"),
     ],
 )
-def test_packets_are_told_in_words(trexcmd: RunCommand, packet: str, words: str) -> None:
+def test_decode_describes_packets(trexcmd: RunCommand, packet: str, words: str) -> None:
     result = trexcmd("decode", packet)
     assert (result.exit_code, result.stdout.rstrip("\n")) == (0, words)
 
 
-def test_every_command_has_words() -> None:
+def test_every_command_has_a_description() -> None:
     for opcode, cls in COMMANDS.items():
         data = bytes(cls.data_size)
         if 0xA0 <= opcode <= 0xAF:
@@ -38,14 +38,14 @@ def test_every_command_has_words() -> None:
         assert describe(event.command) != type(event.command).__name__
 
 
-def test_with_a_checksum_the_checksum_is_judged(trexcmd: RunCommand) -> None:
+def test_decode_verifies_the_crc(trexcmd: RunCommand) -> None:
     assert trexcmd("decode", "--crc", "86 1F 07").exit_code == 0
     result = trexcmd("decode", "--crc", "86", "1F", "08")
     assert result.exit_code == 1
     assert "the CRC is 08, not 07" in result.stdout
 
 
-def test_what_is_wrong_with_bytes_is_said(trexcmd: RunCommand) -> None:
+def test_decode_explains_invalid_bytes(trexcmd: RunCommand) -> None:
     result = trexcmd("decode", "81 05 86 C2 AF 07")
     assert result.exit_code == 1
     assert "a data byte outside a packet" in result.stdout
@@ -55,5 +55,7 @@ def test_what_is_wrong_with_bytes_is_said(trexcmd: RunCommand) -> None:
 
 
 @pytest.mark.parametrize("words", [("8G",), (), (" ",), ("--crc", "--polynomial", "11", "81")])
-def test_what_are_no_bytes_is_wrong_usage(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
+def test_invalid_decode_arguments_are_usage_errors(
+    trexcmd: RunCommand, words: tuple[str, ...]
+) -> None:
     assert trexcmd("decode", *words).exit_code == 2

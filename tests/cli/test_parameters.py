@@ -4,7 +4,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand
 
 
-def test_defaults_come_back_with_the_next_power_up(
+def test_defaults_are_restored_at_next_power_up(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "serial_timeout", "15")
@@ -18,7 +18,7 @@ def test_defaults_come_back_with_the_next_power_up(
     assert "2400 3700 5100 60" in trexcmd("calibration", "get").stdout
 
 
-def test_nothing_is_restored_unless_a_person_says_yes(
+def test_restore_defaults_requires_confirmation(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "serial_timeout", "15")
@@ -29,7 +29,9 @@ def test_nothing_is_restored_unless_a_person_says_yes(
     assert trexcmd("restore-defaults", stdin="y\n").exit_code == 0
 
 
-def test_restoring_needs_serial_mode(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+def test_restore_defaults_requires_serial_mode(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
     quick_simulator.do("jumper mode rc")
     quick_simulator.do("power cycle")
     result = trexcmd("restore-defaults", "--yes")

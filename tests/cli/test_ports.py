@@ -1,4 +1,4 @@
-"""list and find: what answers where, and how a lost board is set."""
+"""list and find: boards on ports, and boards at unknown line settings."""
 
 import json
 import signal
@@ -13,7 +13,7 @@ from trex_gui.cli import main
 from trex_gui.protocol.line_settings import Detection, LineSettings
 
 
-def test_list_as_json_names_port_and_board(
+def test_list_json_names_port_and_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     (row,) = json.loads(trexcmd("list", "--json").stdout)
@@ -21,7 +21,7 @@ def test_list_as_json_names_port_and_board(
     assert (row["product"], row["firmware"]) == ("TReX", "1.2")
 
 
-def test_list_refuses_a_port_that_is_not_there(trexcmd: RunCommand) -> None:
+def test_list_rejects_missing_port(trexcmd: RunCommand) -> None:
     result = trexcmd("list", "--port", "/dev/ttyNOTHERE")
     assert result.exit_code == 1
     assert "There is no port" in result.stdout
@@ -39,7 +39,7 @@ def test_find_prints_the_options_that_reach_the_board(
 @pytest.mark.parametrize(
     "line", [LineSettings(9600), LineSettings(57600), LineSettings(57600, Detection.CRC7)]
 )
-def test_what_find_prints_works_behind_a_command(
+def test_options_printed_by_find_reach_the_board(
     line: LineSettings, trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     assert trexcmd("set", "uart_settings", str(line.to_wire())).exit_code == 0
@@ -54,7 +54,7 @@ def test_what_find_prints_works_behind_a_command(
 @pytest.mark.slow
 @pytest.mark.timeout(120)
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
-def test_find_sees_parity_where_the_port_shows_it(start_simulator: StartSimulator) -> None:
+def test_find_detects_parity_on_port_that_shows_it(start_simulator: StartSimulator) -> None:
     simulator = start_simulator("--rfc2217", "127.0.0.1:0")
     port = ("--port", simulator.url)
     wire = LineSettings(19200, Detection.EVEN).to_wire()
@@ -78,7 +78,7 @@ def test_interrupted_search_ends_within_a_second(
     assert "broken off" in errors
 
 
-def test_find_without_a_board_says_what_to_look_at(
+def test_find_without_board_prints_hints(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
@@ -88,7 +88,7 @@ def test_find_without_a_board_says_what_to_look_at(
     assert "an LED is lit" in result.stderr
 
 
-def test_find_on_a_port_that_is_not_there_is_refused(trexcmd: RunCommand) -> None:
+def test_find_rejects_missing_port(trexcmd: RunCommand) -> None:
     result = trexcmd("find", "--port", "/dev/ttyNOTHERE")
     assert result.exit_code == 1
     assert "There is no port" in result.stderr

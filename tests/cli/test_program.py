@@ -25,7 +25,7 @@ def loaded_by(*words: str) -> set[str]:
     return {name for line in done.stdout.splitlines()[-1:] for name in line.split()}
 
 
-def test_help_loads_neither_the_line_nor_a_command() -> None:
+def test_help_loads_neither_link_nor_commands() -> None:
     modules = loaded_by("--help")
     assert not modules & {"serial", "yaml", "trex_gui.link", "trex_gui.protocol"}
     assert not {name for name in modules if name.startswith("trex_gui.cli.")} - {
@@ -34,7 +34,7 @@ def test_help_loads_neither_the_line_nor_a_command() -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_no_command_needs_qt_or_what_it_does_not_use(command: str) -> None:
+def test_command_help_loads_only_needed_modules(command: str) -> None:
     modules = loaded_by(command, "--help")
     assert not {name for name in modules if name.startswith(("PySide6", "pyqtgraph", "numpy"))}
     # and keep them
@@ -44,7 +44,7 @@ def test_no_command_needs_qt_or_what_it_does_not_use(command: str) -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_the_list_of_commands_names_each_as_it_calls_itself(command: str) -> None:
+def test_command_table_matches_each_command(command: str) -> None:
     loaded = main.get_command(
         main.make_context("trexcmd", ["--help"], resilient_parsing=True), command
     )
@@ -56,13 +56,13 @@ def test_the_list_of_commands_names_each_as_it_calls_itself(command: str) -> Non
     assert COMMANDS[command].help.replace("\n", " ") in " ".join(result.stdout.split())
 
 
-def test_a_slip_is_guessed() -> None:
+def test_misspelled_command_gets_a_suggestion() -> None:
     result = CliRunner().invoke(main, ["get-setings"])
     assert result.exit_code == 2
     assert "Did you mean get-settings?" in result.stderr
 
 
-def test_the_version_is_told() -> None:
+def test_version_option_prints_version() -> None:
     result = CliRunner().invoke(main, ["--version"])
     assert result.exit_code == 0
     assert result.stdout.startswith("trexcmd, version ")
@@ -80,7 +80,7 @@ def test_the_version_is_told() -> None:
         ("completion z", "zsh"),
     ],
 )
-def test_a_shell_is_offered_commands_options_and_parameter_names(words: str, offered: str) -> None:
+def test_completion_offers_commands_options_and_parameters(words: str, offered: str) -> None:
     line = f"trexcmd {words}"
     environment = {
         "_TREXCMD_COMPLETE": "bash_complete",
@@ -92,11 +92,11 @@ def test_a_shell_is_offered_commands_options_and_parameter_names(words: str, off
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_the_completion_script_of_a_shell_is_printed(shell: str) -> None:
+def test_completion_script_is_printed_for_each_shell(shell: str) -> None:
     result = CliRunner().invoke(main, ["completion", shell])
     assert result.exit_code == 0
     assert f"_TREXCMD_COMPLETE={shell}_complete" in result.stdout
 
 
-def test_another_shell_is_wrong_usage() -> None:
+def test_completion_for_unknown_shell_is_usage_error() -> None:
     assert CliRunner().invoke(main, ["completion", "tcsh"]).exit_code == 2

@@ -32,7 +32,7 @@ def streamed(trexcmd: RunCommand, *words: str) -> str:
     return text
 
 
-def test_rows_have_units_in_the_head_and_nothing_missing(
+def test_rows_have_units_in_header_and_complete_values(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     def current() -> str:
@@ -57,7 +57,7 @@ def test_rows_have_units_in_the_head_and_nothing_missing(
     assert f"{len(rows)} rows." in result.stderr
 
 
-def test_a_channel_without_a_signal_is_empty(
+def test_channel_without_signal_has_empty_cells(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("channel 3 invalid")
@@ -66,7 +66,7 @@ def test_a_channel_without_a_signal_is_empty(
     assert (row["channel_3_raw"], row["channel_3_us"]) == ("", "")
 
 
-def test_an_analog_board_is_measured_in_volts(
+def test_analog_board_is_streamed_in_volts(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode analog")
@@ -76,19 +76,21 @@ def test_an_analog_board_is_measured_in_volts(
     assert float(row["channel_1_V"]) == pytest.approx(2.5, abs=0.01)
 
 
-def test_an_error_stands_in_one_row(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+def test_error_is_reported_in_one_row_only(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
     trexcmd("raw", "41")
     rows = rows_of(streamed(trexcmd))
     assert [row["uart_format"] for row in rows].count("1") == 1
     assert [row["status_uart_error"] for row in rows].count("1") == 1
 
 
-def test_json_is_an_object_a_line(trexcmd: RunCommand) -> None:
+def test_json_stream_has_one_object_per_line(trexcmd: RunCommand) -> None:
     rows = [json.loads(line) for line in streamed(trexcmd, "--json").splitlines()]
     assert rows[0]["channel_1_us"] == 1500.0
 
 
-def test_an_interrupted_stream_has_whole_rows(
+def test_interrupted_stream_has_complete_rows(
     start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
@@ -104,7 +106,7 @@ def test_an_interrupted_stream_has_whole_rows(
 
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-def test_a_reader_that_leaves_is_no_traceback(start_process: StartProcess) -> None:
+def test_closed_output_ends_stream_without_traceback(start_process: StartProcess) -> None:
     process = start_process("stream")
     assert process.stdout is not None
     assert process.stderr is not None
@@ -117,7 +119,7 @@ def test_a_reader_that_leaves_is_no_traceback(start_process: StartProcess) -> No
     assert "Exception" not in errors
 
 
-def test_a_cable_that_is_pulled_leaves_what_was_read(
+def test_unplugging_keeps_rows_streamed_so_far(
     start: StartCommand, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     simulator = start_simulator("--unpaced")
@@ -130,7 +132,7 @@ def test_a_cable_that_is_pulled_leaves_what_was_read(
     assert len(rows_of(file.read_text(encoding="utf-8"))) > 5
 
 
-def test_a_board_that_falls_silent_ends_the_stream(
+def test_unpowered_board_ends_the_stream(
     start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
@@ -141,7 +143,7 @@ def test_a_board_that_falls_silent_ends_the_stream(
     assert "stopped answering" in errors
 
 
-def test_another_mode_ends_the_stream(
+def test_mode_change_ends_the_stream(
     start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
@@ -153,7 +155,7 @@ def test_another_mode_ends_the_stream(
     assert "mode has changed" in errors
 
 
-def test_a_file_that_cannot_be_written_is_refused(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_unwritable_csv_file_is_rejected(trexcmd: RunCommand, tmp_path: Path) -> None:
     result = trexcmd("stream", "--seconds", "1", "--csv", str(tmp_path / "missing" / "log.csv"))
     assert result.exit_code == 1
     assert "cannot be written" in result.stderr
@@ -162,5 +164,7 @@ def test_a_file_that_cannot_be_written_is_refused(trexcmd: RunCommand, tmp_path:
 @pytest.mark.parametrize(
     "words", [("--seconds", "0"), ("--seconds", "x"), ("--json", "--csv", "-")]
 )
-def test_what_makes_no_sense_is_wrong_usage(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
+def test_invalid_stream_arguments_are_usage_errors(
+    trexcmd: RunCommand, words: tuple[str, ...]
+) -> None:
     assert trexcmd("stream", *words).exit_code == 2

@@ -1,4 +1,4 @@
-"""What a person at a terminal sees, and how a program is asked to end."""
+"""Progress in a terminal, and interruption by signals."""
 
 import io
 import signal
@@ -14,7 +14,7 @@ class Terminal(io.StringIO):
         return True
 
 
-def test_progress_is_one_line_that_goes_away(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_uses_one_line_and_clears_it(monkeypatch: pytest.MonkeyPatch) -> None:
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)
     with ProgressLine("Writing") as line:
@@ -28,13 +28,13 @@ def test_progress_is_one_line_that_goes_away(monkeypatch: pytest.MonkeyPatch) ->
     assert "\n" not in terminal.getvalue()
 
 
-def test_progress_is_silent_where_nobody_watches(capsys: pytest.CaptureFixture[str]) -> None:
+def test_progress_is_silent_without_a_terminal(capsys: pytest.CaptureFixture[str]) -> None:
     with ProgressLine("Writing") as line:
         line(1, 2, "something")
     assert capsys.readouterr().err == ""
 
 
-def test_being_interrupted_is_noted_first_and_obeyed_then() -> None:
+def test_second_interrupt_raises_keyboard_interrupt() -> None:
     before = signal.getsignal(signal.SIGINT)
     with Interruption() as interrupted:
         assert not interrupted
@@ -45,7 +45,7 @@ def test_being_interrupted_is_noted_first_and_obeyed_then() -> None:
     assert signal.getsignal(signal.SIGINT) is before
 
 
-def test_precious_work_is_never_broken_off() -> None:
+def test_interrupts_of_precious_work_are_only_recorded() -> None:
     with Interruption(precious=True) as interrupted:
         for _ in range(3):
             signal.raise_signal(signal.SIGINT)

@@ -1,4 +1,4 @@
-"""Everything that takes the focus, or is a table or a plot, has a name for a screen reader."""
+"""Every focusable widget, table and plot has an accessible name."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from trex_gui.views.driving.gamepad_panel import GamepadPanel
 from trex_gui.views.find_dialog import FindDialog
 
 
-def test_window_has_names_with_and_without_a_board(
+def test_window_has_accessible_names_with_and_without_board(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     pages = window.window.pages
@@ -39,7 +39,7 @@ def test_window_has_names_with_and_without_a_board(
     bench.root.close()
 
 
-def test_recording_window_has_names(window: WindowDriver, tmp_path: Path) -> None:
+def test_recording_window_has_accessible_names(window: WindowDriver, tmp_path: Path) -> None:
     write(tmp_path / "minute.trexrec", list(an_hour(60)))
     window.program.desk.recordings.open_file(tmp_path / "minute.trexrec")
     recording = window.program.desk.recordings.windows[0]

@@ -11,7 +11,7 @@ def findings(window: WindowDriver) -> list[str]:
     return [window.text(name) for name in names if window.has(name)]
 
 
-def test_odd_settings_are_found_as_they_are_edited(
+def test_settings_check_warns_while_settings_are_edited(
     window: WindowDriver, quick_simulator: VirtualSimulator
 ) -> None:
     device, edit = window.device, window.device.parameters.edit

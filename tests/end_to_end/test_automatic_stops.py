@@ -1,4 +1,4 @@
-"""What the window reports when the program stops the motors by itself: what is confirmed."""
+"""The window reports automatic stops, and as confirmed only what the board confirmed."""
 
 from collections.abc import Iterator
 
@@ -46,7 +46,7 @@ def wait_for_banner(window: WindowDriver, causes: Causes, text: str) -> None:
     window.qtbot.waitUntil(check, timeout=TIMEOUT_MS)
 
 
-def test_stop_of_the_demo_is_reported_once_it_is_confirmed(
+def test_banner_reports_stop_of_demo_board_once_confirmed(
     window: WindowDriver, causes: Causes
 ) -> None:
     window.connect_to_demo()
@@ -64,7 +64,7 @@ def test_stop_of_the_demo_is_reported_once_it_is_confirmed(
         assert last == causes.banner
 
 
-def test_window_gives_the_reason_of_a_stop_and_goes_on(
+def test_window_shows_stop_reason_and_can_arm_again(
     connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     window = connected_window
@@ -83,7 +83,7 @@ def test_window_gives_the_reason_of_a_stop_and_goes_on(
     drive(window, quick_simulator)
 
 
-def test_no_stop_is_claimed_while_the_board_does_not_reply(
+def test_stop_stays_unconfirmed_while_board_does_not_reply(
     connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     window = connected_window
@@ -115,7 +115,7 @@ def test_no_stop_is_claimed_while_the_board_does_not_reply(
     assert len(causes.told) == 1
 
 
-def test_board_lost_with_the_stop_is_not_claimed_to_have_stopped(
+def test_stop_stays_unconfirmed_when_board_is_unplugged(
     connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     window = connected_window
@@ -128,7 +128,7 @@ def test_board_lost_with_the_stop_is_not_claimed_to_have_stopped(
     assert causes.told[-1].endswith("cut its power.") or causes.told[-1].endswith("their power.")
 
 
-def test_no_stop_is_claimed_where_nothing_can_be_stopped(
+def test_no_stop_is_reported_without_stoppable_motors(
     window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     causes.lock_the_screen()

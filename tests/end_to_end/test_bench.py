@@ -24,9 +24,7 @@ class BenchTestDialog(WidgetDriver):
         window.wait(lambda: window.device.telemetry.motor_currents is not None)
         window.trigger("bench")
         super().__init__(window.find(BenchDialog, "benchDialog"), window.qtbot)
-        opener = window.root.findChild(BenchOpener)
-        assert isinstance(opener, BenchOpener)
-        self.bench = opener.bench
+        self.bench = window.find_only(BenchOpener).bench
         self.motors = window.motors
         self.hold_button = self.find(HoldButton, "benchHoldButton")
         self._simulator = simulator
@@ -82,7 +80,7 @@ def test_motor_runs_while_the_button_is_held(dialog: BenchTestDialog) -> None:
     assert len(dialog.bench.runs) == 2
 
 
-def test_stops_in_the_dialog_end_the_test_and_disarm(
+def test_each_stop_cause_in_dialog_ends_run_and_disarms(
     dialog: BenchTestDialog, connected_window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     dialog.hold()
@@ -133,7 +131,7 @@ def test_stops_in_the_dialog_end_the_test_and_disarm(
     [WindowDriver.disconnect, lambda window: window.window.close()],
     ids=["disconnect", "close"],
 )
-def test_leaving_stops_the_bench_test(
+def test_disconnecting_or_closing_window_stops_bench_test(
     dialog: BenchTestDialog,
     connected_window: WindowDriver,
     leave: Callable[[WindowDriver], object],
@@ -145,7 +143,7 @@ def test_leaving_stops_the_bench_test(
     assert dialog.bench.runs[-1].end is End.ABORTED
 
 
-def test_settings_are_tuned_beside_the_result(
+def test_bench_dialog_edits_and_applies_settings(
     dialog: BenchTestDialog, connected_window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     dialog.find(QSpinBox, "bench_motor1_acceleration").setValue(25)

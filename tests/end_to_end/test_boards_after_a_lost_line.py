@@ -1,4 +1,4 @@
-"""Motors that were left turning behind a lost line, and a board at another port."""
+"""Motors left running by a lost connection, and another board connected afterwards."""
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
@@ -17,7 +17,7 @@ def lose(window: WindowDriver, board: SimulatedDevice) -> None:
     assert device.may_move
 
 
-def test_stop_of_another_board_warns_about_the_first(
+def test_stop_of_second_board_warns_about_first_board(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
     first, second = start_simulator(), start_simulator()

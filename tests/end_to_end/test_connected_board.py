@@ -39,7 +39,7 @@ def wait_for_brake(window: WindowDriver, simulator: SimulatedDevice, index: int)
     window.wait(lambda: simulator.show()["motors"][index]["direction"] == "brake")
 
 
-def test_pages_show_the_board_until_it_is_disconnected(
+def test_pages_show_board_data_until_disconnect(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window = connected
@@ -73,7 +73,7 @@ def test_pages_show_the_board_until_it_is_disconnected(
         assert not window.is_enabled(name), name
 
 
-def test_parameters_are_typed_applied_and_followed(
+def test_parameters_are_edited_applied_and_activated(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window, device = connected, connected.device
@@ -117,7 +117,7 @@ def test_parameters_are_typed_applied_and_followed(
     assert device.state.parameters["motor_mode"] == 1
 
 
-def test_board_in_rc_mode_takes_no_settings_and_no_speeds(
+def test_board_in_rc_mode_rejects_settings_and_speeds(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     simulator.do("jumper mode rc")
@@ -134,7 +134,7 @@ def test_board_in_rc_mode_takes_no_settings_and_no_speeds(
     assert window.device.parameters.pending == (("serial_timeout", 15),)
 
 
-def test_motors_run_after_run_motor_until_they_are_stopped(
+def test_motors_run_from_arming_until_stopped(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window = connected
@@ -170,7 +170,7 @@ def test_motors_run_after_run_motor_until_they_are_stopped(
     wait_for_brake(window, simulator, 0)
 
 
-def test_pulled_plug_is_noticed_and_motors_brake_when_it_is_back(
+def test_unplugging_is_detected_and_reconnecting_brakes_motors(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window = connected
@@ -193,7 +193,7 @@ def test_pulled_plug_is_noticed_and_motors_brake_when_it_is_back(
     assert "Not armed" in window.text("motorStateLabel")
 
 
-def test_board_that_cannot_be_heard_is_stopped(
+def test_board_that_does_not_reply_is_stopped(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window = connected
@@ -209,7 +209,9 @@ def test_board_that_cannot_be_heard_is_stopped(
     assert not window.motors.armed
 
 
-def test_missing_and_busy_ports_are_named(window: WindowDriver, simulator: SimulatedDevice) -> None:
+def test_missing_and_busy_ports_are_reported(
+    window: WindowDriver, simulator: SimulatedDevice
+) -> None:
     connector, ports = window.program.connector, window.program.ports
     connector.connect_to(ports.add_typed("/dev/ttyNothing7"))
     window.wait_for_text("bannerText", "There is no port /dev/ttyNothing7")

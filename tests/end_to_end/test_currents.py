@@ -17,11 +17,8 @@ class CurrentsPage(WindowDriver):
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.program, window.qtbot)
-        page = self.open_page("currentsPage").root
-        panel = page.findChild(TracePanel)
-        assert panel is not None
-        self.panel = panel
-        self.parts = WidgetDriver(panel, self.qtbot)
+        self.panel = self.open_page("currentsPage").find_only(TracePanel)
+        self.parts = WidgetDriver(self.panel, self.qtbot)
 
     def wait_for_event(self, kind: EventKind, text: str) -> None:
         def check() -> None:
@@ -59,7 +56,7 @@ def test_currents_are_shown_and_exported(
     quick_simulator.do("current 2 auto")
 
 
-def test_stop_apply_fault_and_silence_become_events(
+def test_stop_apply_fault_and_timeout_become_events(
     page: CurrentsPage, quick_simulator: SimulatedDevice
 ) -> None:
     page.motors.press_stop()

@@ -67,7 +67,7 @@ class DemoPanel(WidgetDriver):
         kinds = (QAbstractButton, QAbstractSlider, QComboBox)
         return [
             widget
-            for widget in self.root.findChildren(QWidget)
+            for widget in self.find_all(QWidget)
             if isinstance(widget, kinds) and widget.objectName().startswith("demo")
         ]
 
@@ -94,7 +94,7 @@ def error_counts(window: WindowDriver) -> dict[str, int]:
     return counts
 
 
-def test_sticks_move_the_channels(window: WindowDriver, panel: DemoPanel) -> None:
+def test_stick_sliders_set_channel_inputs(window: WindowDriver, panel: DemoPanel) -> None:
     telemetry = window.device.telemetry
     window.wait(lambda: telemetry.raw is not None)
     first = telemetry.raw
@@ -152,7 +152,7 @@ def test_faults_are_counted_on_the_status_page(window: WindowDriver, panel: Demo
     panel.wait_for(Link.UP)
 
 
-def test_power_and_jumpers_change_the_mode(window: WindowDriver, panel: DemoPanel) -> None:
+def test_mode_jumper_takes_effect_at_power_cycle(window: WindowDriver, panel: DemoPanel) -> None:
     panel.click("demoPower")
     panel.wait_for(Link.SILENT)
     assert "stopped answering" in window.text("statusLabel")
@@ -178,7 +178,7 @@ def test_power_and_jumpers_change_the_mode(window: WindowDriver, panel: DemoPane
     panel.wait_for_text("demoState", "The sticks control")
 
 
-def test_panel_guides_learning_and_resets_to_the_factory_state(panel: DemoPanel) -> None:
+def test_panel_guides_learning_and_resets_to_factory_state(panel: DemoPanel) -> None:
     panel.choose("demoMode", "rc")
     panel.click("demoMix")
     panel.click("demoSoGround")
@@ -200,7 +200,7 @@ def test_panel_guides_learning_and_resets_to_the_factory_state(panel: DemoPanel)
     panel.wait_for(Link.UP)
 
 
-def test_motors_draw_current_and_outlast_a_pulled_cable(
+def test_motors_draw_current_and_keep_running_when_unplugged(
     window: WindowDriver, panel: DemoPanel
 ) -> None:
     panel.drag_stick("demoLoad1", 0.3)
@@ -220,7 +220,7 @@ def test_motors_draw_current_and_outlast_a_pulled_cable(
     panel.wait(lambda: not window.device.may_move)
 
 
-def test_cable_is_pulled_and_plugged(window: WindowDriver, panel: DemoPanel) -> None:
+def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: DemoPanel) -> None:
     panel.pull_cable()
     assert "is gone" in window.text("bannerText")
     assert panel.root.isVisible()
@@ -252,7 +252,7 @@ def test_cable_is_pulled_and_plugged(window: WindowDriver, panel: DemoPanel) -> 
     panel.wait_for_text("demoState", "Switch it on")
 
 
-def test_other_board_disconnects_while_the_demo_cable_is_out(
+def test_choosing_unplugged_demo_disconnects_other_board(
     window: WindowDriver, panel: DemoPanel, quick_simulator: SimulatedDevice
 ) -> None:
     panel.pull_cable()

@@ -33,7 +33,7 @@ def move_mouse(slider: QSlider, place: QPoint) -> None:
     QApplication.sendEvent(slider, event)
 
 
-def test_drag_never_floods_the_line_and_its_last_position_arrives(
+def test_drag_never_floods_line_and_last_position_arrives(
     window: WindowDriver, simulator: VirtualSimulator, virtual_time: VirtualRuntime
 ) -> None:
     window.connect(simulator.url)

@@ -44,7 +44,7 @@ def armed(page: MotorsPage) -> MotorsPage:
 
 @pytest.fixture
 def keys(armed: MotorsPage) -> MotorsPage:
-    """With driving by keys switched on."""
+    """The armed page, driven by keys."""
     armed.click("driveWithKeys")
     return armed
 
@@ -52,7 +52,7 @@ def keys(armed: MotorsPage) -> MotorsPage:
 # --- Arm, sliders, numbers --------------------------------------------------------------
 
 
-def test_nothing_is_sent_before_run_motor(page: MotorsPage) -> None:
+def test_unarmed_controls_send_nothing(page: MotorsPage) -> None:
     sent = bytearray()
     page.simulator.on_write = sent.extend  # type: ignore[attr-defined]
     before = page.simulator.show()["motors"]
@@ -68,7 +68,7 @@ def test_nothing_is_sent_before_run_motor(page: MotorsPage) -> None:
     assert "nothing is sent yet" in page.text("motorsReason")
 
 
-def test_slider_number_and_brake_button_drive_their_motor(armed: MotorsPage) -> None:
+def test_slider_entry_and_brake_button_drive_their_motor(armed: MotorsPage) -> None:
     armed.hold_slider("motor1Slider", 60)
     armed.wait_for_targets(("forward", 60), None)
     armed.release_slider("motor1Slider")
@@ -95,7 +95,7 @@ def test_slider_number_and_brake_button_drive_their_motor(armed: MotorsPage) -> 
     assert armed.text("motor1Asked") == "Asked: coast"
 
 
-def test_number_typed_without_enter_never_counts(armed: MotorsPage) -> None:
+def test_number_typed_without_enter_is_discarded(armed: MotorsPage) -> None:
     sent: list[object] = []
     armed.motors.requested.connect(sent.append)
     for name in ("motor1Entry", "ceilingEntry", "brakeEntry", "lockoutEntry"):
@@ -116,7 +116,7 @@ def test_number_typed_without_enter_never_counts(armed: MotorsPage) -> None:
     assert armed.target(1)[0] == "brake"
 
 
-def test_slider_that_returns_to_zero_brakes_however_it_is_released(armed: MotorsPage) -> None:
+def test_return_to_zero_slider_brakes_at_every_release(armed: MotorsPage) -> None:
     armed.click("returnToZero")
     armed.hold_slider("motor2Slider", -80)
     armed.wait_for_targets(None, ("reverse", 80))
@@ -147,7 +147,7 @@ def test_slider_that_returns_to_zero_brakes_however_it_is_released(armed: Motors
     assert armed.target(1) == BRAKE
 
 
-def test_only_motors_that_do_the_same_can_be_linked(armed: MotorsPage) -> None:
+def test_only_motors_with_equal_setpoints_can_be_linked(armed: MotorsPage) -> None:
     box = armed.find(QCheckBox, "linkMotors")
     armed.drag("motor1Slider", 50)
     armed.wait_for_targets(("forward", 50), None)
@@ -172,7 +172,7 @@ def test_only_motors_that_do_the_same_can_be_linked(armed: MotorsPage) -> None:
     armed.wait_for_brake()
 
 
-def test_control_of_both_motors_sends_every_packet_for_both(armed: MotorsPage) -> None:
+def test_shared_controls_send_one_packet_for_both_motors(armed: MotorsPage) -> None:
     """Otherwise one wheel would start, or brake, a packet before the other."""
 
     def hold_key() -> None:
@@ -206,7 +206,7 @@ def test_control_of_both_motors_sends_every_packet_for_both(armed: MotorsPage) -
 
 
 def check_that_no_motor_moves_alone(commands: list[Command[object]]) -> None:
-    """A motor that does something already may be told so again by itself."""
+    """A packet for one motor may only repeat what that motor does already."""
     drives = dict.fromkeys((1, 2), Drive.brake())
     for command in commands:
         match command:
@@ -221,8 +221,8 @@ def check_that_no_motor_moves_alone(commands: list[Command[object]]) -> None:
 # --- Leave and stop ---------------------------------------------------------------------
 
 
-def test_leaving_the_page_with_a_held_control_stops_and_disarms(keys: MotorsPage) -> None:
-    """A slider without *Return to zero* would drive on where nobody sees it."""
+def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> None:
+    """A slider without *Return to zero* would keep driving on a hidden page."""
     sixty = ("forward", 60)
     controls: dict[str, tuple[Gesture, Gesture]] = {
         "slider": (
@@ -256,7 +256,7 @@ def test_leaving_the_page_with_a_held_control_stops_and_disarms(keys: MotorsPage
     assert keys.is_armed()
 
 
-def test_minimising_the_window_with_a_held_slider_stops_and_disarms(armed: MotorsPage) -> None:
+def test_minimising_with_held_slider_stops_and_disarms(armed: MotorsPage) -> None:
     armed.hold_slider("motor1Slider", 60)
     armed.wait_for_targets(("forward", 60), None)
     armed.window.showMinimized()
@@ -278,7 +278,7 @@ def test_minimising_the_window_with_a_held_slider_stops_and_disarms(armed: Motor
         armed.window.showNormal()
 
 
-def test_held_control_needs_a_new_press_after_stop(keys: MotorsPage) -> None:
+def test_held_control_needs_new_press_after_stop(keys: MotorsPage) -> None:
     keys.type_into("lockoutEntry", "0")
     keys.hold_slider("motor1Slider", 90)
     keys.wait_for_targets(("forward", 90), None)
@@ -312,7 +312,7 @@ def test_held_control_needs_a_new_press_after_stop(keys: MotorsPage) -> None:
     assert not keys.is_armed()
 
 
-def test_lock_after_stop_is_set_on_the_page_and_remembered(armed: MotorsPage) -> None:
+def test_lockout_after_stop_is_set_on_page_and_saved(armed: MotorsPage) -> None:
     entry = armed.find(QSpinBox, "lockoutEntry")
     assert entry.text() == "3 s"
     assert "Run motor" in entry.toolTip()
@@ -339,7 +339,7 @@ def test_lock_after_stop_is_set_on_the_page_and_remembered(armed: MotorsPage) ->
 # --- The ceiling ------------------------------------------------------------------------
 
 
-def test_no_control_drives_faster_than_the_ceiling(armed: MotorsPage) -> None:
+def test_no_control_exceeds_the_ceiling(armed: MotorsPage) -> None:
     armed.type_into("ceilingEntry", "50")
     armed.hold_slider("motor1Slider", 127)
     armed.wait_for_targets(("forward", 50), None)
@@ -388,7 +388,7 @@ def test_half_typed_ceiling_changes_no_speed(armed: MotorsPage) -> None:
 # --- The pad ----------------------------------------------------------------------------
 
 
-def test_pad_drives_while_it_is_held(armed: MotorsPage) -> None:
+def test_pad_drives_while_held(armed: MotorsPage) -> None:
     armed.hold_pad(1, 0)
     armed.wait_for_targets(FULL, FULL)
     armed.move_pad(-1, 0)
@@ -414,7 +414,7 @@ def test_pad_drives_while_it_is_held(armed: MotorsPage) -> None:
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # said by offscreen
-def test_pad_brakes_however_its_hold_ends(armed: MotorsPage) -> None:
+def test_pad_brakes_when_released_or_focus_is_lost(armed: MotorsPage) -> None:
     armed.hold_pad(1, 0)
     armed.wait_for_targets(FULL, None)
     armed.release_pad(QPoint(-5000, 200))
@@ -447,7 +447,7 @@ def test_pad_brakes_however_its_hold_ends(armed: MotorsPage) -> None:
 # --- Keys -------------------------------------------------------------------------------
 
 
-def test_keys_drive_in_the_pad_and_elsewhere_once_switched_on(armed: MotorsPage) -> None:
+def test_keys_drive_in_pad_and_if_enabled_elsewhere(armed: MotorsPage) -> None:
     before = armed.simulator.show()["motors"]
     armed.find(QCheckBox, "returnToZero").setFocus()
     armed.click_key(Qt.Key.Key_W)
@@ -481,7 +481,7 @@ def test_keys_drive_in_the_pad_and_elsewhere_once_switched_on(armed: MotorsPage)
     armed.wait_for_brake()
 
 
-def test_keys_for_something_else_do_not_drive(keys: MotorsPage) -> None:
+def test_keys_with_another_function_do_not_drive(keys: MotorsPage) -> None:
     window = keys.window.windowHandle()
     QTest.keyPress(window, Qt.Key.Key_Right, Qt.KeyboardModifier.ControlModifier)
     assert not keys.motors.holder, "a shortcut"
@@ -501,7 +501,7 @@ def test_keys_for_something_else_do_not_drive(keys: MotorsPage) -> None:
     assert all(keys.target(motor)[0] == "brake" for motor in (1, 2))
 
 
-def test_key_is_held_from_its_press_to_its_release(keys: MotorsPage) -> None:
+def test_key_is_held_despite_auto_repeat_and_layout_change(keys: MotorsPage) -> None:
     window, none = keys.window.windowHandle(), Qt.KeyboardModifier.NoModifier
     keys.press_key(Qt.Key.Key_W)
     keys.wait_for_targets(FULL, None)
@@ -526,7 +526,7 @@ def test_key_is_held_from_its_press_to_its_release(keys: MotorsPage) -> None:
     keys.wait_for_brake()
 
 
-def test_keys_let_go_when_they_cannot_be_followed(keys: MotorsPage) -> None:
+def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None:
     keys.press_key(Qt.Key.Key_W)
     keys.wait_for_targets(FULL, FULL)
     keys.find(QSpinBox, "motor1Entry").setFocus()  # where keys are needed
@@ -565,7 +565,7 @@ def test_keys_let_go_when_they_cannot_be_followed(keys: MotorsPage) -> None:
 # --- Modes ------------------------------------------------------------------------------
 
 
-def test_page_shows_what_channels_command(page: MotorsPage) -> None:
+def test_page_shows_channel_commands_in_rc_mode(page: MotorsPage) -> None:
     page.simulator.do("jumper mode rc")
     page.simulator.do("channel 2 1800us")
     page.simulator.do("power cycle")
@@ -590,7 +590,7 @@ def test_page_shows_what_channels_command(page: MotorsPage) -> None:
     page.wait_for_text("motorsReason", "channel 1 is required and has no signal")
 
 
-def test_page_drives_while_the_override_switch_is_on(page: MotorsPage) -> None:
+def test_page_drives_while_override_switch_is_on(page: MotorsPage) -> None:
     page.wait_for_text("motor1Reported", "serial in control, 0.00 A")
     assert "waits" not in page.text("motor1Reported"), "in serial mode channels drive nothing"
     page.simulator.do("jumper mode rc")
@@ -617,7 +617,7 @@ def test_page_drives_while_the_override_switch_is_on(page: MotorsPage) -> None:
     page.simulator.do("channel 5 1500us")
 
 
-def test_joint_mode_leaves_one_motor_without_a_turn(page: MotorsPage) -> None:
+def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> None:
     page.device.parameters.edit("motor_mode", 1)
     page.device.apply()
     page.wait(lambda: not page.device.applying)
@@ -639,7 +639,7 @@ def test_joint_mode_leaves_one_motor_without_a_turn(page: MotorsPage) -> None:
 # --- Facts ------------------------------------------------------------------------------
 
 
-def test_fault_is_named_and_a_stored_value_links_to_its_parameter(armed: MotorsPage) -> None:
+def test_fault_is_shown_and_stored_value_links_to_parameter(armed: MotorsPage) -> None:
     armed.motors.set_speed(1, 60)
     armed.simulator.do("fault 1 on")
     armed.wait_for_text("motorsReason", "Motor 1 without drive")
@@ -654,9 +654,9 @@ def test_fault_is_named_and_a_stored_value_links_to_its_parameter(armed: MotorsP
     assert "Current Limit" in str(view.currentIndex().siblingAtColumn(0).data())
 
 
-def test_motors_page_names_every_control_and_fits_a_small_window(page: MotorsPage) -> None:
-    root = page.find(QWidget, "motorsPage")
-    for widget in root.findChildren(QWidget):
+def test_controls_have_names_and_page_fits_small_window(page: MotorsPage) -> None:
+    content = page.open_page("motorsPage")
+    for widget in content.find_all(QWidget):
         is_part = "qt_" in widget.objectName() or isinstance(widget, QListView)
         is_silent = isinstance(widget, QLabel) and not widget.text()
         if is_part or is_silent or widget.focusPolicy() is Qt.FocusPolicy.NoFocus:
@@ -669,13 +669,14 @@ def test_motors_page_names_every_control_and_fits_a_small_window(page: MotorsPag
     for motor in (1, 2):  # as much as the board can report at once
         page.find(QLabel, f"motor{motor}Reported").setText("Board: serial in control, " * 4)
     QApplication.processEvents()
+    root = content.root
     area = root.parentWidget()
     assert area is not None
     assert root.minimumSizeHint().width() <= area.width()
     assert QPointF(root.width(), 0).x() <= area.width()
 
 
-def test_timeout_that_a_slow_line_cannot_feed_is_set_with_a_click(
+def test_timeout_too_short_for_baud_rate_is_set_with_a_click(
     window: WindowDriver, simulator: VirtualSimulator
 ) -> None:
     simulator.do("eeprom uart_settings 0")  # 1200 baud

@@ -65,7 +65,7 @@ def page(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -> It
     page.panel.gamepad.switch_off()
 
 
-def test_gamepad_drives_until_its_hold_button_is_released(page: GamepadPage) -> None:
+def test_gamepad_drives_while_hold_button_is_pressed(page: GamepadPage) -> None:
     page.gamepad.press(HOLD)
     page.gamepad.move(Y, -1.0)
     page.wait(lambda: page.panel.gamepad.state is not None)
@@ -82,7 +82,7 @@ def test_gamepad_drives_until_its_hold_button_is_released(page: GamepadPage) -> 
     assert page.is_armed()
 
 
-def test_motors_stop_however_driving_with_a_gamepad_ends(page: GamepadPage) -> None:
+def test_motors_stop_when_gamepad_control_ends(page: GamepadPage) -> None:
     page.drive()
     page.gamepad.press(STOP)
     page.wait_for_motors("brake")
@@ -113,7 +113,7 @@ def test_motors_stop_however_driving_with_a_gamepad_ends(page: GamepadPage) -> N
     page.wait_for_motors("brake")
 
 
-def test_stop_button_of_the_gamepad_works_on_other_pages(page: GamepadPage) -> None:
+def test_gamepad_stop_button_works_on_other_pages(page: GamepadPage) -> None:
     for name in ("statusPage", "currentsPage", "parametersPage"):
         page.open_page(name)
         page.motors.arm()

@@ -1,4 +1,4 @@
-"""Whatever happens to the window, the motors of the board stop: the board is asked, not we.
+"""Motors stop whatever happens to the window; the board shows whether they did.
 
 The simulated board and the window are processes of their own.
 """
@@ -21,6 +21,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.driven_window import AUXILIARY, SPEEDS
 from tests.support.logind import Logind, message_bus
+from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 
 pytestmark = [
@@ -35,7 +36,7 @@ PATIENCE = 25.0
 """Seconds for what takes a moment on a quiet computer; less than a window hangs."""
 
 PAUSE = 0.02
-"""Seconds between two looks, which cost the simulator time."""
+"""Seconds between two polls of the simulator."""
 
 
 def is_driven(simulator: SimulatedDevice) -> bool:
@@ -48,24 +49,15 @@ def is_driven(simulator: SimulatedDevice) -> bool:
     return speeds == list(SPEEDS.values()) and shown["aux"]["speed"] == AUXILIARY
 
 
-def is_stopped(simulator: SimulatedDevice) -> bool:
-    """Whether both motors brake fully, are told nothing else, and the auxiliary one is off."""
-    shown = simulator.show()
-    braked = {"direction": "brake", "speed": 127, "target_direction": "brake", "target_speed": 127}
-    return shown["aux"] == {"speed": 0, "target_speed": 0} and all(
-        {key: motor[key] for key in braked} == braked for motor in shown["motors"]
-    )
-
-
 def wait_until(happened: Callable[[], bool], cause: str = "") -> None:
-    """Fail when something does not happen."""
+    """Poll a condition in real time; fail when it does not come true."""
     end = time.monotonic() + PATIENCE
     while not happened():
         assert time.monotonic() < end, f"{cause}: it never happened"
         time.sleep(PAUSE)
 
 
-class DrivingWindow:
+class DrivingProcess:
     """The program in a process of its own.
 
     It is patient with itself, so that nothing but the cause stops its motors, unless its patience
@@ -122,16 +114,16 @@ class DrivingWindow:
         self.process.communicate()
 
 
-StartWindow = Callable[..., DrivingWindow]
+StartWindow = Callable[..., DrivingProcess]
 
 
 @pytest.fixture
 def start(quick_simulator: SimulatedDevice, tmp_path: Path) -> Iterator[StartWindow]:
     """Start a window."""
-    windows: list[DrivingWindow] = []
+    windows: list[DrivingProcess] = []
 
-    def start(**environment: str) -> DrivingWindow:
-        windows.append(DrivingWindow(quick_simulator, tmp_path, **environment))
+    def start(**environment: str) -> DrivingProcess:
+        windows.append(DrivingProcess(quick_simulator, tmp_path, **environment))
         return windows[-1]
 
     yield start
@@ -145,7 +137,7 @@ def status_of(process: "subprocess.Popen[str]") -> str:
 
 
 def wait_until_stopped(simulator: SimulatedDevice, cause: str) -> None:
-    """Fail where the motors do not stop, or what was on its way starts one again."""
+    """Wait for the motors to stop; fail if a delayed packet starts one again."""
     wait_until(lambda: is_stopped(simulator), cause)
     for _ in range(10):
         time.sleep(PAUSE)
@@ -155,7 +147,7 @@ def wait_until_stopped(simulator: SimulatedDevice, cause: str) -> None:
 # --- In the program ---------------------------------------------------------------------
 
 
-def test_motors_stop_at_every_mistake_and_loss_that_the_window_survives(
+def test_motors_stop_at_every_fault_the_program_survives(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
@@ -185,7 +177,7 @@ def test_motors_stop_at_every_mistake_and_loss_that_the_window_survives(
         pytest.param("disconnect_line", marks=pytest.mark.slow),
     ],
 )
-def test_motors_stop_when_the_line_ends(
+def test_motors_stop_when_connection_ends(
     cause: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
@@ -195,7 +187,7 @@ def test_motors_stop_when_the_line_ends(
 
 
 @pytest.mark.parametrize("cause", ["hang_computing", pytest.param("hang", marks=pytest.mark.slow)])
-def test_motors_stop_while_the_window_hangs(
+def test_motors_stop_while_window_hangs(
     cause: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start(patience="usual")
@@ -207,7 +199,7 @@ def test_motors_stop_while_the_window_hangs(
 # --- From outside -----------------------------------------------------------------------
 
 
-def test_motors_stop_at_a_signal_and_the_program_ends_well(
+def test_sigterm_stops_motors_and_exits_with_0(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
@@ -217,7 +209,7 @@ def test_motors_stop_at_a_signal_and_the_program_ends_well(
     assert window.process.wait(PATIENCE) == 0
 
 
-def test_suspended_program_has_stopped_the_motors_and_does_not_start_them_again(
+def test_suspending_stops_motors_and_resuming_starts_none(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
@@ -233,7 +225,7 @@ def test_suspended_program_has_stopped_the_motors_and_does_not_start_them_again(
 
 
 @pytest.mark.slow  # the program waits for its window first
-def test_signal_to_a_window_that_hangs_stops_the_motors_and_ends_the_program(
+def test_sigterm_stops_motors_of_hung_window_and_ends_it(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()  # patient: it is not for want of a pulse
@@ -244,7 +236,7 @@ def test_signal_to_a_window_that_hangs_stops_the_motors_and_ends_the_program(
     assert window.process.wait(PATIENCE) == 128 + signal.SIGTERM
 
 
-def test_second_ctrl_c_ends_a_window_that_hangs(
+def test_second_ctrl_c_ends_hung_window(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     window = start()
@@ -260,7 +252,7 @@ def test_second_ctrl_c_ends_a_window_that_hangs(
     assert is_stopped(quick_simulator)
 
 
-def test_trexcmd_stops_what_a_killed_window_left_running(
+def test_trexcmd_stops_motors_left_running_by_killed_window(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     """Without a serial timeout the board drives on, so the window warns beside Run motor."""
@@ -275,7 +267,7 @@ def test_trexcmd_stops_what_a_killed_window_left_running(
     assert is_stopped(quick_simulator)
 
 
-def test_board_with_a_serial_timeout_stops_after_kill_9(
+def test_serial_timeout_stops_motors_after_kill_9(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 5")
@@ -299,7 +291,7 @@ def bus() -> Iterator[tuple[str, QDBusConnection]]:
 _LOGIN = "/org/freedesktop/login1"
 
 
-def test_motors_stop_when_the_desktop_says_that_the_user_leaves(
+def test_motors_stop_at_suspend_shutdown_and_screen_lock(
     start: StartWindow, quick_simulator: SimulatedDevice, bus: tuple[str, QDBusConnection]
 ) -> None:
     address, connection = bus
@@ -326,7 +318,7 @@ def test_motors_stop_when_the_desktop_says_that_the_user_leaves(
     wait_until_stopped(quick_simulator, "Lock")
 
 
-def test_sleep_is_delayed_until_the_board_has_stopped_its_motors(
+def test_sleep_is_delayed_until_motors_are_stopped(
     start: StartWindow,
     quick_simulator: SimulatedDevice,
     bus: tuple[str, QDBusConnection],

@@ -71,7 +71,7 @@ def store(simulator: SimulatedDevice, line: LineSettings) -> None:
     simulator.do("power cycle")
 
 
-def test_board_at_unknown_settings_is_found_and_connected(
+def test_board_at_unknown_line_settings_is_found_and_connected(
     window: WindowDriver, dialog: FindBoardDialog, quick_simulator: SimulatedDevice
 ) -> None:
     url = quick_simulator.url
@@ -114,7 +114,7 @@ def test_board_at_unknown_settings_is_found_and_connected(
 @pytest.mark.realtime
 @pytest.mark.timeout(120)
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
-def test_board_with_parity_is_found_where_parity_can_be_seen(
+def test_board_with_parity_is_found_on_port_that_shows_parity(
     window: WindowDriver, dialog: FindBoardDialog, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--unpaced", "--rfc2217", "127.0.0.1:0")
@@ -130,7 +130,7 @@ def test_board_with_parity_is_found_where_parity_can_be_seen(
     assert window.device.settings.line == EVEN
 
 
-def test_search_ends_when_it_is_cancelled_or_the_dialog_closes(
+def test_search_ends_when_cancelled_or_dialog_closes(
     window: WindowDriver, dialog: FindBoardDialog, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
@@ -156,7 +156,7 @@ def test_search_ends_when_it_is_cancelled_or_the_dialog_closes(
     quick_simulator.do("power on")
 
 
-def test_search_without_a_board_says_what_to_check(
+def test_search_without_board_reports_why_none_was_found(
     window: WindowDriver,
     quick_simulator: SimulatedDevice,
     monkeypatch: pytest.MonkeyPatch,

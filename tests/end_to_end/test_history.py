@@ -30,7 +30,7 @@ def pending(window: WindowDriver) -> dict[str, int]:
     return dict(window.device.parameters.pending)
 
 
-def test_snapshots_are_restored_in_part_and_whole(
+def test_snapshots_are_restored_partly_and_completely(
     connected_window: WindowDriver, dialog: HistoryDialog, quick_simulator: SimulatedDevice
 ) -> None:
     window = connected_window
@@ -70,7 +70,7 @@ def test_snapshots_are_restored_in_part_and_whole(
     assert quick_simulator.show()["parameters"] == before
 
 
-def test_edits_count_as_the_present_settings(
+def test_edits_count_as_current_settings(
     connected_window: WindowDriver, dialog: HistoryDialog
 ) -> None:
     window, edit = connected_window, connected_window.device.parameters.edit
@@ -96,7 +96,7 @@ def test_edits_count_as_the_present_settings(
     }
 
 
-def test_snapshots_of_other_boards_are_pointed_out(
+def test_snapshot_of_another_board_shows_a_note(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     dialog, history = HistoryDialog(window), window.device.history
@@ -122,7 +122,7 @@ def test_snapshots_of_other_boards_are_pointed_out(
     assert not dialog.root.isVisible()
 
 
-def test_open_history_follows_the_connection(
+def test_history_dialog_follows_connection_state(
     connected_window: WindowDriver, dialog: HistoryDialog, quick_simulator: SimulatedDevice
 ) -> None:
     window, device = connected_window, connected_window.device

@@ -126,7 +126,7 @@ def test_learning_can_be_cancelled_in_each_step(
     learning.wait_for_head("Let go of every stick")
 
 
-def test_values_under_review_are_kept_when_asked_to_learn_again(
+def test_reviewed_values_are_kept_when_learning_is_reopened(
     connected_window: WindowDriver, learning: LearningDialog
 ) -> None:
     learning.use({1: Stick()})
@@ -144,7 +144,7 @@ def test_values_under_review_are_kept_when_asked_to_learn_again(
     learning.assert_nothing_changed()
 
 
-def test_learning_does_not_start_where_sticks_drive_motors(
+def test_learning_does_not_start_in_rc_or_analog_mode(
     connected_window: WindowDriver, learning: LearningDialog
 ) -> None:
     for mode in ("rc", "analog"):

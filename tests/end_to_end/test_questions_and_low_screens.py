@@ -1,4 +1,4 @@
-"""On a low screen and behind every question, the red button is in sight and does what it says."""
+"""The stop button stays visible and works on low screens and behind prompts."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -92,7 +92,7 @@ def asking(
 # --- Low screens ------------------------------------------------------------------------
 
 
-def test_stop_button_is_in_sight_on_a_low_screen(asking: AskingWindow) -> None:
+def test_stop_button_is_visible_on_low_screen(asking: AskingWindow) -> None:
     asking.edit()
     tabs = asking.window.pages
     for index in filter(tabs.isTabVisible, range(tabs.count())):
@@ -105,7 +105,7 @@ def test_stop_button_is_in_sight_on_a_low_screen(asking: AskingWindow) -> None:
     asking.check_that_stop_is_in_sight("message and question")
 
 
-def test_pages_scroll_on_a_low_screen_and_the_wheel_drives_no_motor(asking: AskingWindow) -> None:
+def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: AskingWindow) -> None:
     asking.window.resize(*LOW)
     asking.trigger("page5")
     assert asking.find(QWidget, "parametersView").height() > 100
@@ -142,7 +142,7 @@ def test_pages_scroll_on_a_low_screen_and_the_wheel_drives_no_motor(asking: Aski
 # --- Reload and close -------------------------------------------------------------------
 
 
-def test_reloading_or_closing_with_edits_asks_in_the_window(asking: AskingWindow) -> None:
+def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None:
     asking.edit()
     asking.trigger("reload")
     assert "forget the edits" in asking.question.text
@@ -189,7 +189,7 @@ def test_closing_with_edits_offers_to_save_them(
 # --- While settings are being written ---------------------------------------------------
 
 
-def test_disconnecting_while_settings_are_written_asks_first(asking: AskingWindow) -> None:
+def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) -> None:
     count = asking.begin_to_write()
     ways: list[Gesture] = [
         lambda: asking.click("connectButton"),
@@ -210,7 +210,7 @@ def test_disconnecting_while_settings_are_written_asks_first(asking: AskingWindo
     assert 0 < asking.device.pending <= count
 
 
-def test_writing_goes_on_while_the_window_asks(asking: AskingWindow) -> None:
+def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
     asking.begin_to_write()
     asking.click("connectButton")
     asking.click("questionCancel")

@@ -58,7 +58,7 @@ def test_slow_line_is_shared_fairly(baud: int) -> None:
 
 
 @pytest.mark.parametrize("setpoint", [SetAuxiliary(300), SetDrive(3, Drive.at(5))], ids=str)
-def test_impossible_setpoint_does_not_end_the_session(stage: Stage, setpoint: Request) -> None:
+def test_invalid_setpoint_does_not_end_session(stage: Stage, setpoint: Request) -> None:
     stage.script.at(1.0, setpoint).at(1.2, Ask(1, GetMode()))
     reports = run_for(stage, 1.5)
     assert reports[-1] == Closed(None)
@@ -84,7 +84,7 @@ def test_lost_stop_is_not_taken_as_confirmed(stage: Stage, lost: int) -> None:
 @pytest.mark.parametrize(
     "request_", [Ask(1, GetMode()), Reload(1), Write(1, (("serial_timeout", 1),)), Stop(1)], ids=str
 )
-def test_internal_error_answers_the_current_request(
+def test_internal_error_completes_the_current_request(
     stage: Stage, request_: Request, caplog: pytest.LogCaptureFixture
 ) -> None:
     def break_() -> None:
@@ -105,19 +105,19 @@ def test_internal_error_answers_the_current_request(
     ],
     ids=str,
 )
-def test_impossible_settings_release_the_port(stage: Stage, settings: LinkSettings) -> None:
+def test_invalid_settings_release_the_port(stage: Stage, settings: LinkSettings) -> None:
     reports = run_for(stage, 1.0, settings)
     assert isinstance(reports[-1], Closed)
     assert stage.transport.closed or not stage.transport.sent
 
 
-def test_reload_after_silence_counts_as_power_cycle(stage: Stage) -> None:
+def test_reload_after_power_loss_counts_as_power_cycle(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off).at(3.0, stage.board.power_on).at(3.0, Reload(1))
     run_for(stage, 4.0)
     assert [one.occasion for one in among(stage.reports, Connected)][1].power_cycled
 
 
-def test_status_read_before_the_line_was_lost_is_reported(stage: Stage) -> None:
+def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
     gone = PortUnavailable("gone")
     stage.script.at(1.0, SetDrive(1, Drive.at(1)))  # a stop is due at the end
     stage.script.at(1.2, lambda: stage.board.set_fault(1, fault=True))
@@ -134,7 +134,7 @@ def test_status_read_before_the_line_was_lost_is_reported(stage: Stage) -> None:
     assert Status.MOTOR1_FAULT in [one.status for one in samples(stage.reports, StatusNews)]
 
 
-def test_new_device_number_is_used_though_its_reply_is_lost(stage: Stage) -> None:
+def test_new_device_number_is_used_despite_lost_reply(stage: Stage) -> None:
     client = stage.client(LinkSettings("virtual", device_number=7))
     stage.line.to_drop = 1
     assert write_parameter(client.request, SPECS["device_number"], 42) == 42
@@ -160,7 +160,7 @@ def test_apply_without_a_board_does_not_lock_apply(
         device.shut_down()
 
 
-def test_closing_connection_does_not_come_up_in_between(
+def test_closing_connection_is_never_reported_connected(
     qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     device = Device()
@@ -175,7 +175,7 @@ def test_closing_connection_does_not_come_up_in_between(
     assert links == [Link.OPENING, Link.CLOSING, Link.NONE]
 
 
-def test_stopping_the_simulator_is_no_failure(qtbot: QtBot) -> None:
+def test_stopping_simulator_reports_no_failure(qtbot: QtBot) -> None:
     simulator = Simulator()
     failures: list[str] = []
     simulator.failed.connect(failures.append)
@@ -185,7 +185,7 @@ def test_stopping_the_simulator_is_no_failure(qtbot: QtBot) -> None:
     assert failures == []
 
 
-def test_text_that_is_no_number_is_rejected_with_a_message(qtbot: QtBot) -> None:
+def test_non_numeric_text_is_rejected_with_a_message(qtbot: QtBot) -> None:
     model = ParameterModel()
     model.load(SPECS, {s.key: s.default for s in SPECS.readable}, {}, power_cycled=True)
     with qtbot.waitSignal(model.refused) as refused:
@@ -193,7 +193,7 @@ def test_text_that_is_no_number_is_rejected_with_a_message(qtbot: QtBot) -> None
     assert "Serial Timeout" in refused.args[0]
 
 
-def test_calibration_edits_do_not_move_to_another_model(
+def test_calibration_edits_do_not_carry_over_to_other_model(
     qtbot: QtBot, start_simulator: StartSimulator
 ) -> None:
     device = Device()
@@ -215,13 +215,13 @@ def test_calibration_edits_do_not_move_to_another_model(
         device.shut_down()
 
 
-def test_invalid_polynomial_is_dropped_though_crc_is_off(qtbot: QtBot) -> None:
+def test_invalid_stored_polynomial_is_dropped_without_crc(qtbot: QtBot) -> None:
     QSettings().setValue("line/polynomial", 3)
     settings = Connector(Device(), Ports()).settings
     assert settings.polynomial >= 0x80
 
 
-def test_motors_reject_an_impossible_auxiliary_speed(qtbot: QtBot) -> None:
+def test_motors_reject_invalid_auxiliary_speed(qtbot: QtBot) -> None:
     motors = Motors()
     motors.allow(True)
     motors.arm()

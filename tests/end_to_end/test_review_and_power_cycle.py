@@ -85,7 +85,7 @@ def test_review_shows_edits_and_writes_only_checked_ones(
     assert device.parameters.pending == (("serial_timeout", 15),)
 
 
-def test_review_reports_what_was_stored_and_what_was_not(
+def test_review_reports_stored_and_failed_settings(
     connected_window: WindowDriver, review: ReviewDialog, simulator: VirtualSimulator
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -121,7 +121,7 @@ def test_review_reports_what_was_stored_and_what_was_not(
     assert device.pending == 2
 
 
-def test_interrupted_writing_keeps_unwritten_settings_as_edits(
+def test_interrupted_write_keeps_unwritten_settings_pending(
     connected_window: WindowDriver, review: ReviewDialog, simulator: VirtualSimulator
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -202,7 +202,7 @@ def test_power_cycle_is_followed_until_settings_are_active(
     assert not window.has("makeActiveButton")
 
 
-def test_board_is_found_at_its_new_line_settings(
+def test_board_is_reconnected_at_its_new_line_settings(
     connected_window: WindowDriver, review: ReviewDialog, power: SimulatedPower
 ) -> None:
     device = connected_window.device
@@ -218,7 +218,7 @@ def test_board_is_found_at_its_new_line_settings(
         review.close()
 
 
-def test_closed_connection_is_no_power_cycle(
+def test_disconnect_does_not_count_as_power_cycle(
     connected_window: WindowDriver, review: ReviewDialog, simulator: VirtualSimulator
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -234,7 +234,7 @@ def test_closed_connection_is_no_power_cycle(
     assert list(device.parameters.waiting_for_power) == []
 
 
-def test_power_cycle_that_takes_long_gets_help(
+def test_slow_power_cycle_shows_hints(
     connected_window: WindowDriver, review: ReviewDialog, power: SimulatedPower
 ) -> None:
     edit(connected_window, motor_mode=1)
@@ -251,7 +251,7 @@ def test_power_cycle_that_takes_long_gets_help(
 # --- Defaults ---------------------------------------------------------------------------
 
 
-def test_defaults_are_compared_and_go_through_the_review(
+def test_defaults_are_compared_and_reviewed_before_writing(
     connected_window: WindowDriver, review: ReviewDialog, simulator: VirtualSimulator
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -278,7 +278,7 @@ def test_defaults_are_compared_and_go_through_the_review(
     assert stored(simulator, "serial_timeout") == 15
 
 
-def test_ordered_reset_blocks_writing_until_power_cycle(
+def test_pending_reset_blocks_writing_until_power_cycle(
     connected_window: WindowDriver,
     review: ReviewDialog,
     simulator: VirtualSimulator,
@@ -323,7 +323,7 @@ def test_ordered_reset_blocks_writing_until_power_cycle(
 # --- Edits that cannot be written -------------------------------------------------------
 
 
-def test_edits_outlast_the_connection(
+def test_pending_edits_survive_a_disconnect(
     connected_window: WindowDriver, start_simulator: StartSimulator, simulator: VirtualSimulator
 ) -> None:
     window, device = connected_window, connected_window.device
@@ -343,7 +343,7 @@ def test_edits_outlast_the_connection(
     window.wait_for_text("bannerText", "are kept in File, History")
 
 
-def test_calibrations_of_the_other_input_source_stay_pending(
+def test_calibration_of_inactive_input_source_stays_pending(
     connected_window: WindowDriver,
     review: ReviewDialog,
     simulator: VirtualSimulator,

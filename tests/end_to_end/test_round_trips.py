@@ -1,4 +1,4 @@
-"""From a file to a board and back: what is saved is the same file again, byte for byte."""
+"""A settings file that is written to a board and read back is the same, byte for byte."""
 
 import re
 from collections.abc import Callable
@@ -21,11 +21,11 @@ from trex_gui.settings.reader import read_settings
 from trex_gui.settings.writer import write_settings
 
 _TITLE = re.compile(rb"# Read from the board by trexcmd \S+\n")
-_REACHED = re.compile(r"is reached with (.*)")
+_OPTIONS = re.compile(r"is reached with (.*)")
 
 
-class Bench:
-    """A simulated board, and the program with the options that reach it."""
+class CommandLineBoard:
+    """A simulated board that `trexcmd` reads and writes, with the options that reach it."""
 
     def __init__(self, simulator: SimulatedDevice, runtime: VirtualRuntime, folder: Path) -> None:
         self._simulator = simulator
@@ -33,11 +33,10 @@ class Bench:
         self._folder = folder
         self._files = 0
         self._options: list[str] = []
-        self._coming: list[str] = []
-        self.make_new()
+        self._next_options: list[str] = []
+        self.factory_reset()
 
-    def make_new(self) -> None:
-        """Take a board as it comes from the factory."""
+    def factory_reset(self) -> None:
         self._simulator.do("factory")
         self._options = ["--port", self._simulator.url]
 
@@ -46,50 +45,53 @@ class Bench:
         command.wait()
         result = command.result
         assert result.exit_code == 0, result.stderr
-        if found := _REACHED.search(result.stderr):
-            self._coming = found[1].split()
+        if found := _OPTIONS.search(result.stderr):
+            self._next_options = found[1].split()
         return result
 
     def save(self) -> bytes:
-        """Read the board; its head may name the program's version, but no time."""
+        """Return the settings of the board as a file."""
         self._files += 1
         path = self._folder / f"{self._files}.txt"
         self.run("get-settings", str(path))
         return path.read_bytes()
 
-    def give(self, data: bytes) -> None:
-        """Give the board a file, and switch it off and on.
+    def write(self, data: bytes) -> None:
+        """Write a settings file to the board, and switch it off and on.
 
-        Calibrations of inputs that it only reads then are given once more.
+        Write it again if it changes the input source: the board takes calibrations only of the
+        active source.
         """
-        path = self._folder / "given.txt"
+        path = self._folder / "written.txt"
         path.write_bytes(data)
-        told = self.run("set-settings", str(path)).stderr
+        messages = self.run("set-settings", str(path)).stderr
         self.power_cycle()
-        if "analog_channel_1" in told and b"channel_input_source: 1" in data:
+        if "analog_channel_1" in messages and b"channel_input_source: 1" in data:
             self.run("set-settings", str(path))
 
     def power_cycle(self) -> None:
         self._simulator.do("power cycle")
-        self._options, self._coming = self._coming or self._options, []
+        self._options, self._next_options = self._next_options or self._options, []
 
 
-Take = Callable[[str, str], Bench]
+StartBoard = Callable[[str, str], CommandLineBoard]
 
 
 @pytest.fixture
-def take(start_simulator: StartSimulator, virtual_time: VirtualRuntime, tmp_path: Path) -> Take:
-    """Take a board of a model and a firmware to the bench."""
+def start_board(
+    start_simulator: StartSimulator, virtual_time: VirtualRuntime, tmp_path: Path
+) -> StartBoard:
+    """Start a simulated board of a model and a firmware."""
 
-    def bench(model: str, firmware: str) -> Bench:
+    def start(model: str, firmware: str) -> CommandLineBoard:
         words = ("--model", model, "--firmware", firmware, "--unpaced")
-        return Bench(start_simulator(*words), virtual_time, tmp_path)
+        return CommandLineBoard(start_simulator(*words), virtual_time, tmp_path)
 
-    return bench
+    return start
 
 
 def other_settings(model: str, firmware: str, *, analog: bool, line: LineSettings) -> Settings:
-    """Return settings that differ from the factory's in everything."""
+    """Return settings that all differ from the factory defaults."""
     specs = parameters_of(model, firmware).readable
     values = {
         spec.key: max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid)
@@ -108,20 +110,22 @@ def other_settings(model: str, firmware: str, *, analog: bool, line: LineSetting
     return replace(factory(model, firmware), parameters=values, calibrations=calibrations)
 
 
-def there_and_back(bench: Bench, data: bytes) -> bytes:
-    """Give a file to a board, save it, and do the same with that on a new board."""
-    bench.give(data)
-    first = bench.save()
-    bench.make_new()
-    bench.give(first)
-    assert bench.save() == first
+def round_trip(board: CommandLineBoard, data: bytes) -> bytes:
+    """Write a file and read it back; repeat with the result on a reset board. Return the result."""
+    board.write(data)
+    first = board.save()
+    board.factory_reset()
+    board.write(first)
+    assert board.save() == first
     return first
 
 
 @every_board
-def test_the_golden_file_comes_back_as_it_is(model: str, firmware: str, take: Take) -> None:
+def test_golden_file_survives_round_trip(
+    model: str, firmware: str, start_board: StartBoard
+) -> None:
     golden = (GOLDEN / f"{model}-{firmware}.txt").read_bytes()
-    saved = there_and_back(take(model, firmware), golden)
+    saved = round_trip(start_board(model, firmware), golden)
     shown = golden[: golden.index(b"\n# Calibrations for analog voltages")]
     assert _TITLE.sub(b"", saved, count=1) == shown
 
@@ -131,38 +135,40 @@ def test_the_golden_file_comes_back_as_it_is(model: str, firmware: str, take: Ta
     [(*board, "RC") for board in BOARDS]
     + [(*board, "analog") for board in BOARDS if board[1] in {"1.0", "1.3"}],
 )
-def test_other_settings_come_back_as_they_are(
-    model: str, firmware: str, inputs: str, take: Take
+def test_non_default_settings_survive_round_trip(
+    model: str, firmware: str, inputs: str, start_board: StartBoard
 ) -> None:
     line = LineSettings(57600, Detection.CRC7, 2)
     wanted = other_settings(model, firmware, analog=inputs == "analog", line=line)
     data = write_settings(wanted).encode()
-    saved = there_and_back(take(model, firmware), data)
+    saved = round_trip(start_board(model, firmware), data)
     assert _TITLE.sub(b"", saved, count=1) == data
 
 
 @pytest.mark.parametrize("baud", [28800, 38400])
-def test_rates_that_old_firmware_halves_come_back_too(baud: int, take: Take) -> None:
+def test_baud_rate_halved_by_old_firmware_survives_round_trip(
+    baud: int, start_board: StartBoard
+) -> None:
     line = LineSettings(baud, stop_bits=2)
     wanted = other_settings("trexjr", "1.1", analog=False, line=line)
     data = write_settings(wanted).encode()
-    assert _TITLE.sub(b"", there_and_back(take("trexjr", "1.1"), data), count=1) == data
+    assert _TITLE.sub(b"", round_trip(start_board("trexjr", "1.1"), data), count=1) == data
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_a_sample_comes_back_with_every_value(name: str, take: Take) -> None:
+def test_sample_settings_survive_round_trip(name: str, start_board: StartBoard) -> None:
     text = text_of(name)
     wanted = read_settings(text)[0]
     model, firmware = wanted.product.key, wanted.product.firmware[0]
-    saved, findings = read_settings(there_and_back(take(model, firmware), text.encode()))
+    saved, findings = read_settings(round_trip(start_board(model, firmware), text.encode()))
     assert findings == ()
     assert saved.parameters.items() >= wanted.parameters.items()
     assert saved.firmware == firmware
     assert saved.calibrations.items() <= factory(model, firmware).calibrations.items()
 
 
-def test_a_saved_file_changes_nothing_on_the_board_it_comes_from(take: Take) -> None:
-    bench = take("trex", "1.2")
-    saved = bench.save()
-    bench.give(saved)
-    assert bench.save() == saved == bench.save()
+def test_saved_file_changes_nothing_on_its_own_board(start_board: StartBoard) -> None:
+    board = start_board("trex", "1.2")
+    saved = board.save()
+    board.write(saved)
+    assert board.save() == saved == board.save()

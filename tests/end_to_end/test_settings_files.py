@@ -113,7 +113,7 @@ def test_edits_of_every_page_are_undone_from_the_menu(connected_window: WindowDr
     assert device.pending == 2
 
 
-def test_bad_files_change_nothing_and_name_the_lines(
+def test_invalid_files_change_nothing_and_findings_name_lines(
     connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
     path = tmp_path / "bad.txt"
@@ -139,7 +139,7 @@ def test_bad_files_change_nothing_and_name_the_lines(
     assert "nowhere.txt was not opened" in connected_window.text("bannerText")
 
 
-def test_load_dialog_explains_what_does_not_fit(
+def test_load_dialog_explains_mismatches_with_the_board(
     connected_window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
     device = connected_window.device
@@ -164,7 +164,7 @@ def test_load_dialog_explains_what_does_not_fit(
     files.files.close_all()
 
 
-def test_settings_that_the_firmware_lacks_are_left_out(
+def test_settings_unknown_to_firmware_are_left_out(
     window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     window.connect(start_simulator("--firmware", "1.0", "--unpaced").url)
@@ -251,9 +251,7 @@ def test_settings_are_exported_as_code_and_printed(
     assert "was not written" in window.text("bannerText")
 
     window.trigger("print")
-    preview = window.root.findChild(QDialog, "printPreviewDialog")
-    if preview is None:
-        assert "printing is not installed" in window.text("bannerText")
+    if window.has("printPreviewDialog"):
+        window.dialog("printPreviewDialog").root.close()
     else:
-        assert preview.isVisible()
-        preview.close()
+        assert "printing is not installed" in window.text("bannerText")

@@ -71,7 +71,7 @@ def test_file_is_opened_edited_saved_and_closed(
     assert [each.document.name for each in files.files.editors] == ["other.txt"]
 
 
-def test_bad_file_opens_as_text_or_is_refused(
+def test_invalid_file_opens_as_text_or_is_rejected(
     window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
     path = tmp_path / "bad.txt"
@@ -91,7 +91,7 @@ def test_bad_file_opens_as_text_or_is_refused(
         assert path.read_bytes() == bad.data, bad.name
 
 
-def test_new_file_begins_with_the_chosen_settings(
+def test_new_file_starts_with_chosen_settings(
     window: WindowDriver, files: SettingsFiles, tmp_path: Path
 ) -> None:
     for beginning, key, value in BEGINNINGS:
@@ -100,8 +100,7 @@ def test_new_file_begins_with_the_chosen_settings(
         beginnings = dialog.find(QListWidget, "beginningsList")
         (item,) = beginnings.findItems(beginning, Qt.MatchFlag.MatchExactly)
         beginnings.setCurrentItem(item)
-        box = dialog.root.findChild(QDialogButtonBox)
-        assert box is not None
+        box = dialog.find_only(QDialogButtonBox)
         QTest.mouseClick(box.button(QDialogButtonBox.StandardButton.Ok), LEFT)
         editor = files.editor()
         assert editor.document.draft.parameters.value_of(key) == value, beginning
@@ -136,7 +135,7 @@ def test_dropped_text_file_opens(window: WindowDriver, files: SettingsFiles, rov
     window.wait(lambda: len(files.files.editors) == 1)
 
 
-def test_editor_keys_do_not_reach_the_board(window: WindowDriver) -> None:
+def test_apply_and_undo_shortcuts_work_only_in_main_window(window: WindowDriver) -> None:
     """Ctrl+P applies settings there and prints here; Esc stops the motors everywhere."""
     for key, context in (
         ("apply", Qt.ShortcutContext.WindowShortcut),

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QAbstractButton, QPushButton, QWidget
 from tests.recording.samples import an_hour, write
 from tests.support.pages.motors import BRAKE, MotorsPage
 from tests.support.simulator import SimulatedDevice
-from tests.support.window import LEFT, WindowDriver
+from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.model.device import Link
 from trex_gui.settings.files import save
 from trex_gui.settings.writer import write_settings
@@ -52,12 +52,9 @@ def open_bench(window: WindowDriver, folder: Path) -> QWidget:
     return window.find(QWidget, "benchDialog")
 
 
-def stop_button(window: QWidget) -> QPushButton:
-    (button,) = (
-        button
-        for button in window.findChildren(QPushButton)
-        if button.objectName().endswith("StopButton")
-    )
+def stop_button(window: WidgetDriver) -> QPushButton:
+    buttons = window.find_all(QPushButton)
+    (button,) = (each for each in buttons if each.objectName().endswith("StopButton"))
     return button
 
 
@@ -65,7 +62,7 @@ def spoken(button: QAbstractButton) -> str:
     return QAccessible.queryAccessibleInterface(button).text(QAccessible.Text.Name)
 
 
-def test_red_button_of_every_window_stops_the_motors(
+def test_stop_button_of_every_window_stops_motors(
     connected_window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     page = MotorsPage(connected_window, quick_simulator)
@@ -84,7 +81,7 @@ def test_red_button_of_every_window_stops_the_motors(
         case = open_window.__name__
         window = open_window(page, tmp_path)
         page.wait(window.isVisible)
-        button = stop_button(window)
+        button = stop_button(WidgetDriver(window, page.qtbot))
         assert spoken(button) == "Stop motor", case
         page.motors.arm()
         page.motors.set_speed(1, 60)

@@ -50,7 +50,7 @@ def driving(window: WindowDriver, simulator: SimulatedDevice) -> DrivingWindow:
 # --- What stops -------------------------------------------------------------------------
 
 
-def test_red_button_stops_on_every_page_as_soon_as_it_is_pressed(driving: DrivingWindow) -> None:
+def test_stop_button_stops_on_press_on_every_page(driving: DrivingWindow) -> None:
     stop = driving.button("stopButton")
     tabs = driving.window.pages
     pages = list(filter(tabs.isTabVisible, range(tabs.count())))
@@ -67,7 +67,7 @@ def test_red_button_stops_on_every_page_as_soon_as_it_is_pressed(driving: Drivin
         driving.drive()
 
 
-def test_every_way_to_stop_in_the_window_stops_the_motors(driving: DrivingWindow) -> None:
+def test_motors_stop_at_every_stop_control_and_lost_control(driving: DrivingWindow) -> None:
     stop = driving.button("stopButton")
     stop.setFocus()
     QTest.keyClick(stop, Qt.Key.Key_Space)
@@ -97,7 +97,7 @@ def test_every_way_to_stop_in_the_window_stops_the_motors(driving: DrivingWindow
     driving.wait_for_text("motorStateLabel", "The Motors page was left.")
 
 
-def test_drag_that_goes_on_after_escape_drives_nothing(driving: DrivingWindow) -> None:
+def test_drag_continued_after_escape_drives_nothing(driving: DrivingWindow) -> None:
     slider = driving.find(QSlider, "motor1Slider")
     for lockout in (0, 3):
         driving.motors.lockout = lockout
@@ -127,7 +127,7 @@ def test_disconnecting_and_closing_stop_the_motors(driving: DrivingWindow) -> No
     driving.wait(lambda: is_stopped(driving.simulator))
 
 
-def test_stop_that_is_pressed_while_the_board_is_read_is_sent(
+def test_stop_pressed_while_board_is_read_is_sent(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window.select("portCombo", window.program.ports.add_typed(simulator.url))
@@ -141,7 +141,7 @@ def test_stop_that_is_pressed_while_the_board_is_read_is_sent(
 # --- The lock, and what is said ---------------------------------------------------------
 
 
-def test_motors_cannot_be_armed_while_the_bar_counts_down_after_stop(
+def test_motors_cannot_be_armed_during_lockout_after_stop(
     driving: DrivingWindow,
 ) -> None:
     driving.motors.lockout = 6.0
@@ -156,7 +156,7 @@ def test_motors_cannot_be_armed_while_the_bar_counts_down_after_stop(
     driving.drive()
 
 
-def test_serial_timeout_that_is_off_is_set_with_a_click(driving: DrivingWindow) -> None:
+def test_disabled_serial_timeout_is_set_with_a_click(driving: DrivingWindow) -> None:
     device = driving.device
     driving.motors.stop()
     driving.expect_stop("program")
@@ -174,7 +174,7 @@ def test_serial_timeout_that_is_off_is_set_with_a_click(driving: DrivingWindow) 
     assert len(device.history.snapshots()) == 1
 
 
-def test_stop_that_channels_drive_through_is_not_called_one(
+def test_stop_is_not_reported_while_rc_channels_drive(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     for line in ("jumper mode rc", "power cycle"):

@@ -101,7 +101,7 @@ def test_traffic_is_listed_from_connect_to_disconnect(
     page.wait_for_row("Closed.")
 
 
-def test_traffic_is_searched_and_faults_are_listed_alone(
+def test_traffic_is_searched_and_filtered_by_faults(
     window: WindowDriver, page: TrafficPage, simulator: SimulatedDevice
 ) -> None:
     window.connect(simulator.url)
@@ -129,7 +129,7 @@ def test_traffic_is_searched_and_faults_are_listed_alone(
         assert str(index.data(Qt.ItemDataRole.AccessibleTextRole)).startswith("Fault: ")
 
 
-def test_polling_is_shown_on_demand_and_can_be_paused(
+def test_polling_is_shown_on_demand_and_log_can_be_paused(
     window: WindowDriver, page: TrafficPage, simulator: SimulatedDevice
 ) -> None:
     window.connect(simulator.url)
@@ -161,7 +161,7 @@ def test_polling_is_shown_on_demand_and_can_be_paused(
     assert "polling is hidden" in page.summary
 
 
-def test_rows_are_shown_in_full_copied_and_saved(
+def test_rows_are_shown_in_detail_copied_and_saved(
     window: WindowDriver,
     page: TrafficPage,
     simulator: SimulatedDevice,

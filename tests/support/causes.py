@@ -5,9 +5,10 @@ from contextlib import contextmanager
 from typing import Any
 
 from PySide6.QtCore import QMetaObject, QTimer
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from tests.support.window import WindowDriver
 from trex_gui.system.session_events import SessionEvents
 from trex_gui.watching import Watching
 from trex_gui.window import Program
@@ -21,13 +22,13 @@ class Causes:
     """
 
     def __init__(
-        self, program: Program, watching: Watching, caught: Sequence[tuple[Any, ...]]
+        self, window: WindowDriver, watching: Watching, caught: Sequence[tuple[Any, ...]]
     ) -> None:
-        self._program = program
+        self._window = window
         self._watching = watching
         self._caught = caught
         self.told: list[str] = []
-        program.switchboard.stop_told.connect(self.told.append)
+        window.program.switchboard.stop_told.connect(self.told.append)
 
     @property
     def mistakes(self) -> list[type[BaseException]]:
@@ -37,9 +38,7 @@ class Causes:
     @property
     def banner(self) -> str:
         """What the banner says; empty while none is shown."""
-        text = self._program.window.findChild(QLabel, "bannerText")
-        assert text is not None
-        return text.text() if text.isVisible() else ""
+        return self._window.text("bannerText") if self._window.has("bannerText") else ""
 
     def make_a_mistake(self) -> None:
         """Let a slot raise an error that nobody catches, a moment later."""
@@ -61,7 +60,7 @@ def watched(program: Program, qtbot: QtBot, app: QApplication) -> Iterator[Cause
     """Watch over a program as its start does; errors of slots are kept, and fail nothing."""
     with qtbot.captureExceptions() as mistakes:
         watching = Watching(program, app)
-        causes = Causes(program, watching, mistakes)
+        causes = Causes(WindowDriver(program, qtbot), watching, mistakes)
         try:
             yield causes
         finally:

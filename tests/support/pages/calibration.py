@@ -96,8 +96,7 @@ class CalibrationPage(WidgetDriver):
     def action(self, key: str) -> QAction:
         """Return the entry of the page's menu with this key."""
         assert self.is_enabled("changeButton")
-        action = self.widget.findChild(QAction, f"{key}Action")
-        assert isinstance(action, QAction), key
+        action = self.find(QAction, f"{key}Action")
         assert action.isVisible(), key
         return action
 

@@ -57,8 +57,7 @@ class LearningDialog(WidgetDriver):
     def bar(self, channel: int) -> ChannelBar:
         """Return the bar that shows the input of a channel."""
         name = f"Raw input of channel {channel}"
-        bars = self.dialog.findChildren(ChannelBar)
-        return next(bar for bar in bars if bar.accessibleName() == name)
+        return next(bar for bar in self.find_all(ChannelBar) if bar.accessibleName() == name)
 
     def stored(self) -> dict[str, Any]:
         """Return everything that the board keeps, and how often it wrote any of it."""

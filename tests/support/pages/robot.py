@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from tests.support.window import LEFT, WindowDriver
+from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.aracna.link.messages import Moving, SpeedsHeld
 from trex_gui.model.connection import Link
 from trex_gui.window import Program
@@ -156,8 +156,8 @@ class RobotWindow(WindowDriver):
 
     def type_into_row(self, list_name: str, text: str) -> None:
         """Type into the editor that is open in a list, and confirm it."""
-        editor = self.find(QListView, list_name).findChild(QLineEdit)
-        assert editor is not None, f"no row of {list_name} is edited"
+        row = WidgetDriver(self.find(QListView, list_name), self.qtbot)
+        editor = row.find_only(QLineEdit)
         editor.selectAll()
         QTest.keyClicks(editor, text)
         QTest.keyClick(editor, Qt.Key.Key_Return)

@@ -119,8 +119,11 @@ class SettingsFiles:
 
     def load_dialogs(self) -> list[LoadDialog]:
         """Return the load dialogs that can be seen."""
-        dialogs = self._window.root.findChildren(QDialog, "loadSettingsDialog")
-        return [LoadDialog(each, self._window.qtbot) for each in dialogs if each.isVisible()]
+        return [
+            LoadDialog(dialog, self._window.qtbot)
+            for dialog in self._window.find_all(QDialog)
+            if dialog.objectName() == "loadSettingsDialog" and dialog.isVisible()
+        ]
 
     def load_dialog(self) -> LoadDialog:
         """Return the only load dialog that can be seen."""
@@ -143,9 +146,7 @@ class SettingsEditorWindow(WidgetDriver):
 
     def action(self, key: str) -> QAction:
         """Return the menu entry with this key."""
-        action = self.root.findChild(QAction, f"editor{key}Action")
-        assert isinstance(action, QAction), key
-        return action
+        return self.find(QAction, f"editor{key}Action")
 
     def edit(self, key: str, value: int) -> None:
         """Change a parameter to a wire value."""
