@@ -173,3 +173,17 @@ def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
         device.disconnect_line()
         qtbot.waitUntil(lambda: device.link is Link.NONE)
     assert failures == []
+
+
+def test_stop_of_another_board_warns_about_the_lost_one(
+    driven: Device, simulator: SimulatedDevice, start_simulator: StartSimulator, qtbot: QtBot
+) -> None:
+    failures: list[str] = []
+    simulator.do("line unplug")
+    qtbot.waitUntil(lambda: driven.link is Link.NONE)
+    driven.failed.connect(failures.append)
+    driven.connect_to(LinkSettings(start_simulator().url))
+    qtbot.waitUntil(lambda: bool(failures))
+    assert not driven.may_move
+    assert simulator.url in failures[0]
+    assert "cut the power of the first" in failures[0]
