@@ -94,6 +94,21 @@ def test_drift_is_reported_only_beyond_its_limit(source: InputSource) -> None:
     assert problems(LIMITS[source].drifted + 1) == [Kind.MOVED]
 
 
+def problems_of(counts: list[int]) -> list[tuple[Kind, str]]:
+    """Measure an RC input at rest that gives these counts, 50 a second."""
+    found = measure_neutral([Sample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC)
+    assert found is not None
+    return [(problem.kind, problem.text) for problem in found.problems]
+
+
+def test_twitch_is_reported_only_beyond_ten_microseconds() -> None:
+    rest = [3750] * 40
+    assert problems_of([*rest, *[3775] * 5, *rest]) == []
+    ((kind, text),) = problems_of([*rest, *[3776] * 5, *rest])
+    assert kind is Kind.MOVED
+    assert "between 1500 µs and 1510 µs" in text
+
+
 def test_missing_signal_is_reported_with_remedy() -> None:
     (problem,) = neutral_of(Stick(connected=False)).problems
     assert problem.kind is Kind.NO_SIGNAL
@@ -136,6 +151,16 @@ def test_frequent_outliers_are_reported_as_jitter() -> None:
     assert "9 of 80" in found.problems[0].text or "8 of 80" in found.problems[0].text
 
 
+def test_outliers_are_reported_only_beyond_three_percent() -> None:
+    def with_outliers(*places: int) -> list[int]:
+        return [5100 if i in places else 3750 for i in range(100)]
+
+    assert problems_of(with_outliers(20, 40, 60)) == []
+    ((kind, text),) = problems_of(with_outliers(20, 40, 60, 80))
+    assert kind is Kind.JITTER
+    assert text.startswith("4 of 100 pulses were far from all others")
+
+
 def test_single_outlier_does_not_count_as_noise() -> None:
     samples = [Sample(i / 50, 5100 if i == 30 else 3750 + i % 2) for i in range(80)]
     found = measure_neutral(samples, InputSource.RC)
@@ -154,6 +179,13 @@ def test_outliers_at_end_of_samples_are_ignored(wild: int) -> None:
 
 def test_noise_beyond_any_deadband_is_reported() -> None:
     assert kinds(Stick(noise=60)) == {Kind.NOISE}
+
+
+def test_excessive_noise_is_reported_with_its_size() -> None:
+    assert problems_of([3594, *[3906, 3594] * 40]) == []
+    ((kind, text),) = problems_of([3593, *[3907, 3593] * 40])
+    assert kind is Kind.NOISE
+    assert text.startswith("At rest its noise is ±62.8 µs:")
 
 
 @unhurried

@@ -3,8 +3,8 @@
 import pytest
 
 from trex_gui.learning import proof
-from trex_gui.learning.proof import StickTest, what_keeps_safe_start
-from trex_gui.protocol.calibration import FULL_SCALE
+from trex_gui.learning.proof import StickTest, idle_side, what_keeps_safe_start
+from trex_gui.protocol.calibration import FULL_SCALE, Calibration
 
 
 def stick_held_at(*phases: tuple[int, int]) -> proof.Tested:
@@ -58,6 +58,18 @@ def test_stick_passes_after_both_ends_and_rest() -> None:
     at_rest = stick_held_at(*both, (0, 30))
     assert at_rest.passed
     assert at_rest.text == "Good."
+
+
+# --- Throttles --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("calibration", "side"),
+    [(Calibration(2500, 2750, 4700, 75), -1), (Calibration(2800, 4750, 5000, 75), 1)],
+)
+def test_throttle_is_idle_on_its_shorter_side(calibration: Calibration, side: int) -> None:
+    assert idle_side(calibration, reversed_=False) == side
+    assert idle_side(calibration, reversed_=True) == -side
 
 
 # --- Switches ---------------------------------------------------------------------------

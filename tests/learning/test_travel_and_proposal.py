@@ -10,7 +10,8 @@ from tests.learning.measure import check, learn, neutral_of, travel_of
 from tests.support.transmitter import HOLD, Stick
 from trex_gui.learning.problems import Kind
 from trex_gui.learning.proposal import Proposal, propose
-from trex_gui.learning.travel import Way
+from trex_gui.learning.samples import Sample
+from trex_gui.learning.travel import Task, Travel, TravelWatch, Way, least_travel
 from trex_gui.model.channel_curve import ChannelCurve
 from trex_gui.model.learned_check import Check
 from trex_gui.protocol.calibration import Calibration, remap
@@ -180,6 +181,38 @@ def test_signal_lost_during_travel_is_reported() -> None:
     assert Kind.JITTER in [problem.kind for problem in travel.problems]
 
 
+def travel_of_counts(counts: list[int | None]) -> Travel:
+    """Feed what a stick that rests at 3750 counts gives, 50 samples a second."""
+    watch = TravelWatch(neutral_of(Stick()), Task.STICK)
+    for step, count in enumerate(counts):
+        watch.feed(Sample(step / 50, count))
+    return watch.travel
+
+
+def problems_with_lost_samples(lost: int) -> list[tuple[Kind, str]]:
+    """Push a stick to both ends; so many of the 50 samples have no signal."""
+    travel = travel_of_counts([*[None] * lost, *[5000] * 10, *[2500] * (40 - lost)])
+    return [(problem.kind, problem.text) for problem in travel.problems]
+
+
+def test_lost_samples_are_reported_only_beyond_one_tenth() -> None:
+    assert problems_with_lost_samples(5) == []
+    ((kind, text),) = problems_with_lost_samples(6)
+    assert kind is Kind.JITTER
+    assert "12% of the samples had no valid pulse" in text
+
+
+def test_no_signal_is_reported_beyond_half_of_samples() -> None:
+    assert [kind for kind, _ in problems_with_lost_samples(25)] == [Kind.JITTER]
+    assert [kind for kind, _ in problems_with_lost_samples(26)] == [Kind.NO_SIGNAL]
+
+
+def test_first_end_is_known_from_required_travel_on() -> None:
+    least = least_travel(neutral_of(Stick()).deadband)
+    assert travel_of_counts([3750 - least + 1] * 5).first is None
+    assert travel_of_counts([3750 - least] * 5).first is Way.DOWN
+
+
 def test_only_travelled_direction_counts_as_reached() -> None:
     travel = travel_of(Stick(), neutral_of(Stick()), moves=ONLY_UP)
     assert travel.reached(Way.UP)
@@ -235,6 +268,14 @@ def test_trim_beyond_throttle_rest_gives_low_auxiliary_speed(
     beyond = -250 if stick.rest < 1500 else 250
     assert abs(remap(round(stick.rest * 2.5) + beyond, found)) <= 25
     assert abs(remap(round(stick.rest * 2.5) + beyond * 6 // 10, found)) <= 10
+
+
+def test_throttle_idle_end_is_put_at_input_limit() -> None:
+    low = learn(THROTTLE, channel=3).calibration
+    high = learn(Stick(rest=1900, low=1100, high=1900), channel=3).calibration
+    assert low is not None
+    assert high is not None
+    assert (low.minimum, high.maximum) == (1250, 6250), "0.5 and 2.5 ms"
 
 
 def test_analog_throttle_calibration_extends_beyond_its_rest() -> None:
@@ -362,6 +403,12 @@ def test_stick_held_off_rest_after_travel_keeps_neutral(last: tuple[float, float
     travel = travel_of(Stick(), neutral, moves=(*HOLD, last, (0.5, last[1])))
     assert travel.settled is not None
     assert travel.rest == neutral.value
+
+
+def test_noisy_stick_settles_when_let_go() -> None:
+    stick = Stick(noise=12)
+    travel = travel_of(stick, neutral_of(stick), moves=(*HOLD, (0.5, 0.0)))
+    assert travel.settled == pytest.approx(3750, abs=15)
 
 
 def test_moving_stick_has_not_settled() -> None:

@@ -8,7 +8,6 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.link import looking
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
 from trex_gui.model.finder import Finder
@@ -36,17 +35,10 @@ def finder(qtbot: QtBot) -> Iterator[Finder]:
     simulator.stop()
 
 
-@pytest.fixture
-def unhurried(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Wait longer for each answer: a board that is not found in time is looked for for long."""
-    monkeypatch.setattr(looking, "QUIET", 2.0)
-
-
 def at(url: str) -> Port:
     return Port(PortKind.TYPED, url, url)
 
 
-@pytest.mark.usefixtures("unhurried")
 def test_found_board_is_listed_with_port_and_settings(
     finder: Finder, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
@@ -141,7 +133,6 @@ def test_connecting_to_a_scanned_port_ends_the_scan_first(
     connector.shut_down()
 
 
-@pytest.mark.usefixtures("unhurried")
 def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
     device, ports = Device(), Ports()
     connector = Connector(device, ports)
