@@ -134,7 +134,7 @@ def test_file_for_newer_firmware_is_rejected_naming_the_key(
     assert "uart_response_delay: TReX 1.0 does not have it" in result.stderr
 
 
-def test_set_settings_requires_serial_mode(
+def test_set_settings_writes_nothing_outside_serial_mode(
     trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
@@ -142,6 +142,7 @@ def test_set_settings_requires_serial_mode(
     result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)))
     assert result.exit_code == 1
     assert "not in serial mode" in result.stderr
+    assert quick_simulator.show()["counters"]["eeprom_writes"] == 0
 
 
 def test_calibrations_of_inactive_source_are_skipped_and_named(

@@ -95,6 +95,9 @@ def test_source_can_be_closed_twice_and_reopened() -> None:
     assert source.pads() == ()
     source.open()
     assert source.pads() == ()
+    virtual = VirtualPad()
+    assert len(source.pads()) == 1
+    virtual.unplug()
     source.close()
 
 

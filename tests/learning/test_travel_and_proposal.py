@@ -182,7 +182,7 @@ def test_signal_lost_during_travel_is_reported() -> None:
 
 
 def travel_of_counts(counts: list[int | None]) -> Travel:
-    """Feed what a stick that rests at 3750 counts gives, 50 samples a second."""
+    """Feed these counts, 50 a second, from a stick that rests at 3750."""
     watch = TravelWatch(neutral_of(Stick()), Task.STICK)
     for step, count in enumerate(counts):
         watch.feed(Sample(step / 50, count))
@@ -190,7 +190,7 @@ def travel_of_counts(counts: list[int | None]) -> Travel:
 
 
 def problems_with_lost_samples(lost: int) -> list[tuple[Kind, str]]:
-    """Push a stick to both ends; so many of the 50 samples have no signal."""
+    """Push a stick to both ends; `lost` of the 50 samples have no signal."""
     travel = travel_of_counts([*[None] * lost, *[5000] * 10, *[2500] * (40 - lost)])
     return [(problem.kind, problem.text) for problem in travel.problems]
 
@@ -207,7 +207,7 @@ def test_no_signal_is_reported_beyond_half_of_samples() -> None:
     assert [kind for kind, _ in problems_with_lost_samples(26)] == [Kind.NO_SIGNAL]
 
 
-def test_first_end_is_known_from_required_travel_on() -> None:
+def test_first_end_is_known_once_travel_is_enough() -> None:
     least = least_travel(neutral_of(Stick()).deadband)
     assert travel_of_counts([3750 - least + 1] * 5).first is None
     assert travel_of_counts([3750 - least] * 5).first is Way.DOWN

@@ -168,9 +168,11 @@ def test_damaged_limit_removes_nothing_and_is_reported(history: History, text: s
 def test_unreadable_limit_is_reported_and_cannot_be_set(history: History) -> None:
     (history.folder / BOUND_FILE).mkdir(parents=True)
     take(history)
+    take(history, 1)
     assert "cannot be read" in history.bound().problem
     with pytest.raises(SettingsError):
         history.keep(1)
+    assert len(history.snapshots()) == 2
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
