@@ -1,6 +1,5 @@
 """The window says no more of the robot than is known, and refuses what could not be done."""
 
-
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
 from trex_gui.model.connection import Link
 
