@@ -96,17 +96,17 @@ class Travel:
     task: Task
     neutral: int
     deadband: int
-    low: int | None = None
-    high: int | None = None
-    first: Way | None = None
-    samples: int = 0
-    invalid: int = 0
-    is_silent: bool = False
-    held_low: bool = False
-    held_high: bool = False
-    now: int | None = None
-    interval: float = 0.0
-    settled: int | None = None
+    low: int | None
+    high: int | None
+    first: Way | None
+    samples: int
+    invalid: int
+    is_silent: bool
+    held_low: bool
+    held_high: bool
+    now: int | None
+    interval: float
+    settled: int | None
 
     @property
     def rest(self) -> int:
