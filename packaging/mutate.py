@@ -102,10 +102,13 @@ class Worker(threading.Thread):
         root: Path,
         packages: dict[str, Package],
         limit: float,
+        *,
+        folder: Path,
     ) -> None:
         super().__init__(daemon=True)
         self._todo, self._done, self._packages, self._limit = todo, done, packages, limit
-        self._folder = Path(tempfile.mkdtemp(prefix="mutants-"))
+        self._folder = folder
+        folder.mkdir()
         for name in COPIED:
             source = root / name
             if source.is_dir():
@@ -119,7 +122,6 @@ class Worker(threading.Thread):
             try:
                 mutant = self._todo.get_nowait()
             except queue.Empty:
-                shutil.rmtree(self._folder, ignore_errors=True)
                 return
             self._done.put((mutant, self._try(mutant)))
 
@@ -127,13 +129,17 @@ class Worker(threading.Thread):
         file = self._folder / mutant.path
         source = file.read_text(encoding="utf-8")
         changed = mutate_code(source, get_operator(mutant.operator)(), mutant.nth)
+        line = changed.splitlines()[mutant.line - 1].strip()
+        try:
+            compile(changed, mutant.path, "exec")
+        except SyntaxError:
+            return {"outcome": "invalid", "by": "", "changed": line, "seconds": 0.0}
         file.write_text(changed, encoding="utf-8")
         began = time.monotonic()
         try:
             outcome, by = self._test(self._packages[mutant.package].tests)
         finally:
             file.write_text(source, encoding="utf-8")
-        line = changed.splitlines()[mutant.line - 1].strip()
         seconds = round(time.monotonic() - began, 1)
         return {"outcome": outcome, "by": by, "changed": line, "seconds": seconds}
 
@@ -172,24 +178,28 @@ def run(
     for mutant in mutants:
         todo.put(mutant)
     by_name = {package.name: package for package in packages}
-    for _ in range(beside):
-        Worker(todo, done, root, by_name, limit).start()
     results: dict[str, dict[str, object]] = {}
-    for count in range(1, len(mutants) + 1):
-        mutant, result = done.get()
-        results[mutant.key] = {**asdict(mutant), **result}
-        print(
-            f"{count:4}/{len(mutants)} {result['outcome']:9}{mutant.path}:{mutant.line} "
-            f"{mutant.text!r} -> {result['changed']!r} {result['by']}",
-            flush=True,
-        )
+    with tempfile.TemporaryDirectory(prefix="mutants-", ignore_cleanup_errors=True) as folder:
+        for number in range(beside):
+            Worker(todo, done, root, by_name, limit, folder=Path(folder) / str(number)).start()
+        for count in range(1, len(mutants) + 1):
+            mutant, result = done.get()
+            results[mutant.key] = {**asdict(mutant), **result}
+            print(
+                f"{count:4}/{len(mutants)} {result['outcome']:9}{mutant.path}:{mutant.line} "
+                f"{mutant.text!r} -> {result['changed']!r} {result['by']}",
+                flush=True,
+            )
     return results
 
 
 def table(results: Sequence[dict[str, object]]) -> str:
-    """Return a line for each package: how many were tried, caught and survived."""
+    """Return a line for each package: how many were tried, caught and survived.
+
+    What is no Python any more does not count.
+    """
     counts: defaultdict[str, Counter[str]] = defaultdict(Counter)
-    for result in results:
+    for result in (result for result in results if result["outcome"] != "invalid"):
         counts[str(result["package"])][str(result["outcome"])] += 1
         counts["all"][str(result["outcome"])] += 1
     rows = [f"{'package':16}{'tried':>6}{'caught':>8}{'survived':>10}{'share':>8}"]
