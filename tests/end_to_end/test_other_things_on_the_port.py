@@ -1,8 +1,6 @@
 """Ports that are remote, damaged, or lead to no TReX."""
 
-import os
 import socket
-import sys
 import threading
 from collections.abc import Iterator
 
@@ -53,6 +51,7 @@ def test_network_board_connects_and_its_loss_is_reported(
     assert "gone" in window.text("bannerText")
 
 
+@pytest.mark.realtime
 def test_device_sending_unsolicited_data_is_reported(
     window: WindowDriver, unsolicited_sender: str
 ) -> None:
@@ -62,17 +61,12 @@ def test_device_sending_unsolicited_data_is_reported(
     assert window.device.shut_down()
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-def test_port_without_a_board_is_reported(window: WindowDriver) -> None:
-    master, slave = os.openpty()
-    try:
-        window.device.connect_to(LinkSettings(os.ttyname(slave)))
-        window.wait(lambda: window.device.link is Link.NONE)
-        assert "No TReX answers" in window.text("bannerText")
-        assert "power" in window.text("bannerText")
-    finally:
-        os.close(master)
-        os.close(slave)
+def test_port_without_a_board_is_reported(window: WindowDriver, simulator: SimulatedDevice) -> None:
+    simulator.do("power off")
+    window.device.connect_to(LinkSettings(simulator.url))
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert "No TReX answers" in window.text("bannerText")
+    assert "power" in window.text("bannerText")
 
 
 def test_wrong_baud_rate_is_named_in_the_message(

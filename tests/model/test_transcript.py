@@ -7,9 +7,8 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.link.transcript import Piece, Way
 from trex_gui.link.trex_wording import TrexWording
-from trex_gui.model import transcript as model
 from trex_gui.model.session_thread import SessionThread
-from trex_gui.model.transcript import Transcript
+from trex_gui.model.transcript import MOST_KEPT, Transcript
 from trex_gui.model.transcript_saver import TranscriptSaver
 from trex_gui.protocol.commands import Signature
 from trex_gui.protocol.device_table import device_table
@@ -74,19 +73,18 @@ def test_failed_poll_between_two_pulls_is_listed_once(setup: TranscriptSetup) ->
     assert len(setup.told) == 1
 
 
-def test_telemetry_does_not_displace_a_write(
-    setup: TranscriptSetup, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(model, "MOST_KEPT", 100)
-    monkeypatch.setattr(model, "_TRIMMED", 90)
+def test_telemetry_does_not_displace_a_write(setup: TranscriptSetup) -> None:
     setup.say(WRITE, STORED)
-    for _ in range(500):
+    for count in range(MOST_KEPT):
         setup.say(POLL, ANSWER)
+        if count % 100 == 0:
+            setup.transcript.pull()
     assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
     everything = setup.transcript.everything
-    assert 90 <= len(everything.rows) <= 100
-    assert everything.count == 501
-    assert [row.number for row in everything.since(499)] == [500, 501]
+    assert everything.count == MOST_KEPT + 1
+    assert len(everything.rows) == 0.9 * MOST_KEPT, "many rows go at a time"
+    newest = [row.number for row in everything.since(MOST_KEPT - 1)]
+    assert newest == [MOST_KEPT, MOST_KEPT + 1]
     assert len(everything.since(0)) == len(everything.rows)
 
 

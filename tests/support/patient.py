@@ -20,13 +20,22 @@ Other tests run at the same time, and the host may take the processor away for a
 """
 
 
+Callback = Callable[[], bool | None]
+
+
+def as_condition(callback: Callback) -> Callback:
+    """Return what pytest-qt shall wait for: it takes None as true, which only fits assertions."""
+    is_lambda = getattr(callback, "__name__", "") == "<lambda>"
+    return (lambda: bool(callback())) if is_lambda else callback
+
+
 class PatientQtBot(QtBot):
     """Waits for conditions and signals for so long."""
 
     def waitUntil(  # noqa: N802 - the name is Qt's
-        self, callback: Callable[[], bool | None], *, timeout: int = PATIENCE_MS
+        self, callback: Callback, *, timeout: int = PATIENCE_MS
     ) -> None:
-        super().waitUntil(callback, timeout=timeout)
+        super().waitUntil(as_condition(callback), timeout=timeout)
 
     def waitSignal(  # noqa: N802
         self, signal: Any, *, timeout: int = PATIENCE_MS, **options: Any

@@ -20,6 +20,7 @@ from pytestqt.qtbot import QtBot
 from pytestqt.wait_signal import MultiSignalBlocker, SignalBlocker
 from shiboken6 import Shiboken
 
+from tests.support.patient import Callback, as_condition
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.transport import Transport
 from trex_gui.runtime import Runtime
@@ -66,7 +67,7 @@ class VirtualRuntime(Runtime):
     """The clock, and everything that waits for it.
 
     Attributes:
-        ports: what can be opened, by URL; anything else is looked for on this computer.
+        ports: what can be opened, by URL.
         make_process: makes what stands in for a process that the program starts.
     """
 
@@ -120,7 +121,8 @@ class VirtualRuntime(Runtime):
     def open_transport(self, settings: LinkSettings) -> Transport:
         if settings.url in self.ports:
             return self.ports[settings.url].open(settings)
-        return super().open_transport(settings)
+        super().open_transport(settings).close()  # a port that does not exist has its own message
+        raise RuntimeError(f"{settings.url} is a real port: mark the test realtime")
 
     # --- For simulated devices ----------------------------------------------------------
 
@@ -348,15 +350,16 @@ class VirtualQtBot(QtBot):
         self.runtime = runtime
 
     def wait(self, ms: int) -> None:
-        self.runtime.advance(ms / 1000)
+        raise TypeError(f"wait for a condition instead of {ms} ms, or advance the runtime")
 
-    def waitUntil(self, callback: Callable[[], bool | None], *, timeout: int = WAIT_MS) -> None:
+    def waitUntil(self, callback: Callback, *, timeout: int = WAIT_MS) -> None:
+        condition = as_condition(callback)
         failure: AssertionError | None = None
 
         def holds() -> bool:
             nonlocal failure
             try:
-                result = callback()
+                result = condition()
             except AssertionError as error:
                 failure = error
                 return False

@@ -5,16 +5,8 @@ from PySide6.QtWidgets import QDialog, QLabel
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.link.discovery import attempts
 from trex_gui.link.settings import LinkSettings
 from trex_gui.runtime import open_transport
-
-
-@pytest.fixture(autouse=True)
-def _search_few_settings(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Probe some settings of a TReX only; all of them take half a minute."""
-    few = list(attempts())[:7]
-    monkeypatch.setattr("trex_gui.link.discovery.attempts", lambda *, full: few)
 
 
 @pytest.fixture
