@@ -7,60 +7,25 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSpinBox
 
+from tests.support.pages.bench_dialog import BenchTestDialog
 from tests.support.simulator import SimulatedDevice
-from tests.support.window import LEFT, WidgetDriver, WindowDriver
+from tests.support.window import WindowDriver
 from trex_gui.bench.profile import Profile
 from trex_gui.bench.run import End
-from trex_gui.model.bench import Phase, Plan
+from trex_gui.model.bench import Plan
 from trex_gui.views.bench.dialog import BenchDialog
-from trex_gui.views.bench.hold_button import HoldButton
 from trex_gui.views.bench.opener import BenchOpener
-
-
-class BenchTestDialog(WidgetDriver):
-    """The dialog of bench tests, open for a connected board."""
-
-    def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
-        window.wait(lambda: window.device.telemetry.motor_currents is not None)
-        window.trigger("bench")
-        super().__init__(window.find(BenchDialog, "benchDialog"), window.qtbot)
-        self.bench = window.find_only(BenchOpener).bench
-        self.motors = window.motors
-        self.hold_button = self.find(HoldButton, "benchHoldButton")
-        self._simulator = simulator
-        self.bench.set_plan(Plan(profile=Profile(speed=60, duration=20.0), abort_current=30.0))
-
-    def arm(self) -> None:
-        """Click Run motor as soon as it is not locked, and focus the button to hold."""
-        self.wait(lambda: self.is_enabled("benchRunButton"))
-        self.click("benchRunButton")
-        self.root.activateWindow()
-        self.hold_button.setFocus()
-        self.wait(self.hold_button.hasFocus)
-
-    def hold(self) -> None:
-        """Arm, press the button and keep it down until the motor runs."""
-        self.arm()
-        QTest.mousePress(self.hold_button, LEFT)
-        self.wait(lambda: self.speed() == 60)
-
-    def release(self) -> None:
-        QTest.mouseRelease(self.hold_button, LEFT)
-
-    def speed(self) -> int:
-        """Return the speed of the simulated motor 1; 0 while it brakes."""
-        motor = self._simulator.show()["motors"][0]
-        return 0 if motor["direction"] == "brake" else int(motor["speed"])
-
-    def wait_for_end(self) -> None:
-        """Wait until the simulated motor brakes and the test is over."""
-        self.wait(lambda: self.speed() == 0)
-        self.wait(lambda: self.bench.phase is Phase.IDLE)
 
 
 @pytest.fixture
 def dialog(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -> BenchTestDialog:
-    return BenchTestDialog(connected_window, quick_simulator)
+    window, device = connected_window, connected_window.device
+    window.wait(lambda: device.telemetry.motor_currents is not None)
+    window.trigger("bench")
+    bench = window.find_only(BenchOpener).bench
+    bench.set_plan(Plan(profile=Profile(speed=60, duration=20.0), abort_current=30.0))
+    dialog = window.find(BenchDialog, "benchDialog")
+    return BenchTestDialog(dialog, device, bench, window.qtbot, quick_simulator)
 
 
 def test_motor_runs_while_the_button_is_held(dialog: BenchTestDialog) -> None:
@@ -69,7 +34,7 @@ def test_motor_runs_while_the_button_is_held(dialog: BenchTestDialog) -> None:
     dialog.wait_for_end()
     assert dialog.bench.runs[-1].end is End.LET_GO
     assert dialog.motors.armed
-    assert "Let go after" in dialog.text("benchNote")
+    assert "Let go after" in dialog.note
 
     dialog.hold_button.setFocus()
     QTest.keyPress(dialog.hold_button, Qt.Key.Key_Space)
@@ -103,7 +68,7 @@ def test_each_stop_cause_in_dialog_ends_run_and_disarms(
     quick_simulator.do("current 1 31.5")
     dialog.wait_for_end()
     quick_simulator.do("current 1 auto")
-    assert "Motor 1 drew 31.50 A, more than the 30 A" in dialog.text("benchNote")
+    assert "Motor 1 drew 31.50 A, more than the 30 A" in dialog.note
     assert not dialog.motors.armed
     dialog.release()
     telemetry = connected_window.device.telemetry
@@ -138,8 +103,7 @@ def test_disconnecting_or_closing_window_stops_bench_test(
 ) -> None:
     dialog.hold()
     leave(connected_window)
-    dialog.wait(lambda: dialog.speed() == 0)
-    dialog.wait(lambda: dialog.bench.phase is Phase.IDLE)
+    dialog.wait_for_end()
     assert dialog.bench.runs[-1].end is End.ABORTED
 
 

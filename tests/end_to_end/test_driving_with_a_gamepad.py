@@ -5,13 +5,13 @@ from collections.abc import Iterator
 import pytest
 
 from tests.gamepad.virtual_pad import VirtualPad
+from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
 from tests.support.pages.motors import MotorsPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.views.driving.gamepad_panel import GamepadPanel
 
 HOLD, STOP = 9, 1  # of SDL's virtual gamepads: left shoulder, B
-Y = 1
 
 
 class GamepadPage(MotorsPage):
@@ -19,18 +19,15 @@ class GamepadPage(MotorsPage):
 
     def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
         super().__init__(window, simulator)
-        self.panel = self.find(GamepadPanel, "gamepadPanel")
-        self.motors.lockout = 0
         self.motors.accelerate = False
         self.click("gamepadBox")
         self.plug_in()
 
     def plug_in(self) -> None:
         self.gamepad = VirtualPad()
+        panel = self.find(GamepadPanel, "gamepadPanel")
+        self.panel = GamepadPanelPage(panel, self.device, self.gamepad, self.qtbot)
         self.wait(lambda: self.panel.gamepad.pad is not None)
-
-    def wait_for_state(self, part: str) -> None:
-        self.wait_for_text("gamepadState", part)
 
     def wait_for_motors(self, direction: str) -> None:
         """Wait until both motors go this way, and are meant to."""
@@ -43,12 +40,7 @@ class GamepadPage(MotorsPage):
         self.qtbot.waitUntil(check, timeout=20_000)
 
     def drive(self) -> None:
-        """Drive forward as fast as it goes."""
-        self.motors.arm()
-        self.wait_for_state("Hold")
-        self.gamepad.press(HOLD)
-        self.wait_for_state("Driving")
-        self.gamepad.move(Y, -1.0)
+        self.panel.drive()
         self.wait_for_motors("forward")
 
     def release(self) -> None:
@@ -70,7 +62,7 @@ def test_gamepad_drives_while_hold_button_is_pressed(page: GamepadPage) -> None:
     page.gamepad.move(Y, -1.0)
     page.wait(lambda: page.panel.gamepad.state is not None)
     page.motors.arm()
-    page.wait_for_state("Let go")
+    page.panel.wait_for_state("Let go")
     page.let_nothing_happen(0.1)
     assert all(page.target(motor)[0] == "brake" for motor in (1, 2)), "held before Run motor"
     page.motors.stop()
@@ -104,7 +96,7 @@ def test_motors_stop_when_gamepad_control_ends(page: GamepadPage) -> None:
     page.drive()
     page.gamepad.unplug()
     page.wait_for_motors("brake")
-    page.wait_for_state("has gone")
+    page.panel.wait_for_state("has gone")
     assert not page.is_armed(), "unplugged"
 
     page.plug_in()

@@ -3,13 +3,12 @@
 import sys
 
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QListWidget, QProgressBar, QToolButton
+from PySide6.QtWidgets import QProgressBar, QToolButton
 
+from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.window import WidgetDriver, WindowDriver
+from tests.support.window import WindowDriver
 from trex_gui.link.client import Client
-from trex_gui.link.discovery import attempts
 from trex_gui.link.settings import LinkSettings
 from trex_gui.model.connection import Link
 from trex_gui.protocol.commands import SetParameter
@@ -23,35 +22,6 @@ if sys.platform == "win32":
 EVEN = LineSettings(57600, Detection.EVEN)
 
 
-class FindBoardDialog(WidgetDriver):
-    """The dialog that finds boards; making this object opens it."""
-
-    def __init__(self, window: WindowDriver) -> None:
-        window.trigger("find")
-        super().__init__(window.find(FindDialog, "findDialog"), window.qtbot)
-        self._window = window
-        self.finder = window.program.connector.finder
-
-    def search(self, url: str) -> None:
-        """Open the dialog with the button of the window, check this port alone and start."""
-        self.root.close()
-        self._window.program.ports.add_typed(url)
-        self._window.click("findButton")
-        assert self.root.isVisible()
-        ports = self.find(QListWidget, "findPorts")
-        for row in range(ports.count()):
-            checked = ports.item(row).text().startswith(url)
-            state = Qt.CheckState.Checked if checked else Qt.CheckState.Unchecked
-            ports.item(row).setCheckState(state)
-        self.click("findStartButton")
-
-    def is_searching(self) -> bool:
-        return self.finder.running
-
-    def wait_for_end(self) -> None:
-        self.wait(lambda: not self.is_searching(), 60_000)
-
-
 @pytest.fixture(autouse=True)
 def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("serial.tools.list_ports.comports", list)
@@ -59,7 +29,9 @@ def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def dialog(_no_other_ports: None, window: WindowDriver) -> FindBoardDialog:
-    return FindBoardDialog(window)
+    window.trigger("find")
+    dialog = window.find(FindDialog, "findDialog")
+    return FindBoardDialog(dialog, window.program.connector.finder, window.qtbot)
 
 
 def store(simulator: SimulatedDevice, line: LineSettings) -> None:
@@ -81,7 +53,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     dialog.finder.progressed.connect(
         lambda: progress.append((dialog.text("findProgressText"), bar.maximum()))
     )
-    dialog.search(url)
+    dialog.search(window, url)
     assert dialog.is_enabled("findCancelButton")
     assert not dialog.is_enabled("findStartButton")
     dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
@@ -98,9 +70,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert all(motor["direction"] == "brake" for motor in quick_simulator.show()["motors"])
 
     window.click("findButton")
-    ports = dialog.find(QListWidget, "findPorts")
-    texts = [ports.item(row).text() for row in range(ports.count())]
-    assert f"{url} – connected to this window" in texts
+    assert f"{url} – connected to this window" in dialog.rows()
     assert dialog.text("findBusyLabel").startswith(f"{url} is connected to this window")
     dialog.click("findDisconnectButton")
     window.wait(lambda: window.device.link is Link.NONE)
@@ -134,7 +104,7 @@ def test_search_ends_when_cancelled_or_dialog_closes(
     window: WindowDriver, dialog: FindBoardDialog, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
-    dialog.search(quick_simulator.url)
+    dialog.search(window, quick_simulator.url)
     dialog.wait(lambda: dialog.finder.done > 1)
     dialog.click("findCancelButton")
     dialog.wait_for_end()
@@ -148,7 +118,7 @@ def test_search_ends_when_cancelled_or_dialog_closes(
     dialog.wait_for_end()
     assert dialog.finder.summary == "The search was broken off."
 
-    dialog.search(quick_simulator.url)
+    dialog.search(window, quick_simulator.url)
     assert dialog.is_searching()
     window.window.close()
     assert not dialog.is_searching()
@@ -158,19 +128,16 @@ def test_search_ends_when_cancelled_or_dialog_closes(
 
 def test_search_without_board_reports_why_none_was_found(
     window: WindowDriver,
+    dialog: FindBoardDialog,
     quick_simulator: SimulatedDevice,
-    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    few = list(attempts())[:3]  # all of them take half a minute
-    monkeypatch.setattr("trex_gui.link.discovery.attempts", lambda *, full: few)
     url = quick_simulator.url
     quick_simulator.do("power off")
     window.program.connector.connect_to(window.program.ports.add_typed(url))
     window.wait_for_text("bannerText", " Find a board (Ctrl+Shift+F) tries every setting.")
     assert window.device.link is Link.NONE
 
-    dialog = FindBoardDialog(window)
-    dialog.search(url)
+    dialog.search(window, url)
     dialog.wait_for_end()
     assert dialog.text("findText0").startswith(f"No TReX answers on {url} at any")
     assert not dialog.has("connectFound0")

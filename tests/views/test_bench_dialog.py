@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.bench.runs import run_of
+from tests.support.pages.bench_dialog import BenchTestDialog
 from tests.support.window import LEFT, WidgetDriver
 from trex_gui.bench.profile import Profile, Shape
 from trex_gui.bench.run import End
@@ -151,56 +152,32 @@ def test_disabled_button_cannot_be_held(hold_button: HoldButtonDriver) -> None:
 # --- The window -------------------------------------------------------------------------
 
 
-class BenchDialogDriver(WidgetDriver):
-    """The dialog of bench tests without a board."""
-
-    def __init__(self, qtbot: QtBot) -> None:
-        self.device = Device()
-        self.bench = Bench(self.device)
-        dialog = BenchDialog(self.device, self.bench)
-        super().__init__(dialog, qtbot)
-        self.files = dialog.files
-        qtbot.addWidget(dialog)
-        dialog.open_bench()
-
-    @property
-    def note(self) -> str:
-        return self.text("benchNote")
-
-    @property
-    def plot(self) -> BenchPlot:
-        return self.find(BenchPlot, "benchPlot")
-
-    def figure(self, row: int, column: int) -> str:
-        item = self.find(FiguresTable, "benchFigures").item(row, column)
-        assert item is not None
-        return item.text()
-
-
 @pytest.fixture
-def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[BenchDialogDriver]:
+def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[BenchTestDialog]:
     theme().install(qapp)
-    dialog = BenchDialogDriver(qtbot)
-    yield dialog
-    dialog.root.close()
+    device = Device()
+    bench = Bench(device)
+    dialog = BenchDialog(device, bench)
+    qtbot.addWidget(dialog)
+    dialog.open_bench()
+    yield BenchTestDialog(dialog, device, bench, qtbot)
+    dialog.close()
 
 
-def test_unconnected_dialog_disables_button_and_says_why(
-    dialog: BenchDialogDriver,
-) -> None:
+def test_unconnected_dialog_disables_button_and_says_why(dialog: BenchTestDialog) -> None:
     assert not dialog.is_enabled("benchHoldButton")
     assert "Connect to a board" in dialog.note
 
 
-def test_stop_button_stops_on_press(dialog: BenchDialogDriver) -> None:
+def test_stop_button_stops_on_press(dialog: BenchTestDialog) -> None:
     stop = dialog.button("benchStopButton")
     stop.setEnabled(True)
-    assert not dialog.device.motors.locked_for
+    assert not dialog.motors.locked_for
     QTest.mousePress(stop, LEFT)
-    assert dialog.device.motors.locked_for
+    assert dialog.motors.locked_for
 
 
-def test_form_fields_define_the_plan(dialog: BenchDialogDriver) -> None:
+def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:
     dialog.select("benchMotor", 2)
     dialog.select("benchShape", Shape.SINE)
     dialog.select("benchDirection", -1)
@@ -218,7 +195,7 @@ def test_form_fields_define_the_plan(dialog: BenchDialogDriver) -> None:
     assert plan.abort_at_limit
 
 
-def test_period_is_enabled_for_ramp_but_not_for_step(dialog: BenchDialogDriver) -> None:
+def test_period_is_enabled_for_ramp_but_not_for_step(dialog: BenchTestDialog) -> None:
     period = dialog.find(QDoubleSpinBox, "benchPeriod")
     assert not period.isEnabled()
     dialog.select("benchShape", Shape.RAMP)
@@ -226,12 +203,12 @@ def test_period_is_enabled_for_ramp_but_not_for_step(dialog: BenchDialogDriver) 
     assert "rises" in period.toolTip()
 
 
-def test_speed_is_limited_to_the_ceiling(dialog: BenchDialogDriver) -> None:
-    dialog.device.motors.set_ceiling(50)
+def test_speed_is_limited_to_the_ceiling(dialog: BenchTestDialog) -> None:
+    dialog.motors.set_ceiling(50)
     assert dialog.find(QSpinBox, "benchSpeed").maximum() == 50
 
 
-def test_plan_is_plotted_before_it_runs(dialog: BenchDialogDriver) -> None:
+def test_plan_is_plotted_before_it_runs(dialog: BenchTestDialog) -> None:
     plot = dialog.plot
     dialog.find(QDoubleSpinBox, "benchDuration").setValue(9.4)
     dialog.wait(lambda: plot.seconds == pytest.approx(10))
@@ -241,7 +218,7 @@ READINGS = [(index / 80, 12.0 if index < 10 else 4.0) for index in range(160)]
 GENTLER = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
 
 
-def test_result_is_shown_beside_the_previous_one(dialog: BenchDialogDriver) -> None:
+def test_result_is_shown_beside_the_previous_one(dialog: BenchTestDialog) -> None:
     dialog.bench.keep(run_of(READINGS))
     assert [dialog.figure(0, column) for column in range(3)] == ["12.00 A", "–", "–"]
     dialog.bench.keep(run_of(GENTLER))
@@ -251,7 +228,7 @@ def test_result_is_shown_beside_the_previous_one(dialog: BenchDialogDriver) -> N
     dialog.wait(lambda: plot.highest >= 12.0)
 
 
-def test_reference_run_can_be_selected(dialog: BenchDialogDriver) -> None:
+def test_reference_run_can_be_selected(dialog: BenchTestDialog) -> None:
     for readings in (READINGS, GENTLER, GENTLER):
         dialog.bench.keep(run_of(readings))
     compare = dialog.combo("benchCompare")
@@ -262,7 +239,7 @@ def test_reference_run_can_be_selected(dialog: BenchDialogDriver) -> None:
     assert dialog.figure(0, 1) == "–"
 
 
-def test_settling_band_can_be_selected(dialog: BenchDialogDriver) -> None:
+def test_settling_band_can_be_selected(dialog: BenchTestDialog) -> None:
     rising = [(index / 80, index / 40) for index in range(80)]
     dialog.bench.keep(run_of(rising + [(1 + index / 80, 2.0) for index in range(80)]))
     assert dialog.figure(5, 0) == "850 ms"  # two counts are more than a tenth of 2 A
@@ -273,14 +250,14 @@ def test_settling_band_can_be_selected(dialog: BenchDialogDriver) -> None:
     assert header.text() == "Settled within 50 % after"
 
 
-def test_reason_for_an_abort_is_shown(dialog: BenchDialogDriver) -> None:
+def test_reason_for_an_abort_is_shown(dialog: BenchTestDialog) -> None:
     reason = "Motor 1 drew 12.00 A, more than the 10 A to abort at."
     dialog.bench.keep(run_of(READINGS, ended=0.5, end=End.ABORTED, reason=reason))
     note = dialog.note
     assert f"Aborted after 0.50 s: {reason}" in note
 
 
-def test_saved_run_can_be_opened(dialog: BenchDialogDriver, tmp_path: Path) -> None:
+def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> None:
     dialog.bench.keep(run_of(READINGS))
     path = tmp_path / "test.csv"
     dialog.files.save(dialog.bench.runs[0], path)
@@ -299,7 +276,7 @@ def test_saved_run_can_be_opened(dialog: BenchDialogDriver, tmp_path: Path) -> N
     ],
 )
 def test_invalid_file_is_rejected_with_the_reason(
-    dialog: BenchDialogDriver, tmp_path: Path, content: bytes | None, words: str
+    dialog: BenchTestDialog, tmp_path: Path, content: bytes | None, words: str
 ) -> None:
     path = tmp_path / "other.csv"
     if content is not None:
@@ -310,7 +287,7 @@ def test_invalid_file_is_rejected_with_the_reason(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="every folder can be written to")
-def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchDialogDriver, tmp_path: Path) -> None:
+def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchTestDialog, tmp_path: Path) -> None:
     dialog.bench.keep(run_of(READINGS))
     dialog.files.save(dialog.bench.runs[0], tmp_path / "test.PNG")
     picture = QImage(str(tmp_path / "test.PNG"))
@@ -321,17 +298,17 @@ def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchDialogDriver, tmp_pa
     assert "test.png was not saved" in dialog.note
 
 
-def test_failed_save_is_reported(dialog: BenchDialogDriver, tmp_path: Path) -> None:
+def test_failed_save_is_reported(dialog: BenchTestDialog, tmp_path: Path) -> None:
     dialog.files.save(run_of(READINGS), tmp_path / "nowhere" / "test.csv")
     assert "test.csv was not saved" in dialog.note
 
 
-def test_escape_keeps_the_dialog_open(dialog: BenchDialogDriver) -> None:
+def test_escape_keeps_the_dialog_open(dialog: BenchTestDialog) -> None:
     dialog.press_escape()
     assert dialog.root.isVisible()
 
 
-def test_every_control_has_an_accessible_name(dialog: BenchDialogDriver) -> None:
+def test_every_control_has_an_accessible_name(dialog: BenchTestDialog) -> None:
     kinds = (QAbstractButton, QComboBox, QAbstractSpinBox, FiguresTable, BenchPlot)
     found = [
         widget
@@ -345,7 +322,7 @@ def test_every_control_has_an_accessible_name(dialog: BenchDialogDriver) -> None
         assert interface.text(QAccessible.Text.Name), widget.objectName()
 
 
-def test_plot_shows_values_under_the_mouse(dialog: BenchDialogDriver) -> None:
+def test_plot_shows_values_under_the_mouse(dialog: BenchTestDialog) -> None:
     dialog.bench.keep(run_of(READINGS))
     plot = dialog.plot
     dialog.wait(lambda: plot.highest >= 12.0)
@@ -365,7 +342,7 @@ def test_plot_shows_values_under_the_mouse(dialog: BenchDialogDriver) -> None:
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_dialog_is_drawn_in_both_schemes(dialog: BenchDialogDriver, scheme: str) -> None:
+def test_dialog_is_drawn_in_both_schemes(dialog: BenchTestDialog, scheme: str) -> None:
     theme().set_scheme("dark" if scheme == "dark" else "light")
     dialog.bench.keep(run_of(READINGS))
     assert not dialog.root.grab().isNull()

@@ -4,11 +4,10 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QListWidget
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
-from tests.support.window import WidgetDriver
+from tests.support.pages.find_dialog import FindBoardDialog
 from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device
 from trex_gui.model.ports import Ports
@@ -37,39 +36,23 @@ def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
     ports.deleteLater()
 
 
-class FindDialogDriver(WidgetDriver):
-    """The dialog that scans ports."""
-
-    @property
-    def ports(self) -> QListWidget:
-        return self.find(QListWidget, "findPorts")
-
-    def rows(self) -> dict[str, bool]:
-        """Return the text of each port that is offered, and whether it is checked."""
-        items = [self.ports.item(row) for row in range(self.ports.count())]
-        return {item.text(): item.checkState() is Qt.CheckState.Checked for item in items}
-
-    def can_start(self) -> bool:
-        return self.is_enabled("findStartButton")
-
-
 @pytest.fixture
-def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindDialogDriver]:
+def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
     device = Device()
     connector = Connector(device, ports)
     dialog = FindDialog(Switchboard([TrexWay(device, connector)]), ports, connector)
     qtbot.addWidget(dialog)
-    yield FindDialogDriver(dialog, qtbot)
+    yield FindBoardDialog(dialog, connector.finder, qtbot)
     connector.shut_down()
 
 
-def test_every_local_port_is_checked(dialog: FindDialogDriver) -> None:
+def test_every_local_port_is_checked(dialog: FindBoardDialog) -> None:
     assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": True}
-    assert dialog.can_start()
+    assert dialog.is_enabled("findStartButton")
 
 
 def test_network_addresses_are_listed_but_not_checked(
-    dialog: FindDialogDriver, ports: Ports
+    dialog: FindBoardDialog, ports: Ports
 ) -> None:
     ports.add_typed("socket://somewhere:1")
     ports.add_typed("/dev/pts/99")
@@ -81,20 +64,20 @@ def test_network_addresses_are_listed_but_not_checked(
 
 
 def test_check_marks_survive_a_port_refresh(
-    dialog: FindDialogDriver, ports: Ports, listed: list[ListPortInfo]
+    dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
 ) -> None:
-    dialog.ports.item(0).setCheckState(Qt.CheckState.Unchecked)
-    assert not dialog.can_start()
+    dialog.ports()[0].setCheckState(Qt.CheckState.Unchecked)
+    assert not dialog.is_enabled("findStartButton")
     listed.append(port_of_this_computer("/dev/ttyUSB1", "n/a"))
     ports.refresh()
     assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
-    assert dialog.can_start()
+    assert dialog.is_enabled("findStartButton")
 
 
 def test_scan_cannot_start_without_ports(
-    dialog: FindDialogDriver, ports: Ports, listed: list[ListPortInfo]
+    dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
 ) -> None:
     listed.clear()
     ports.refresh()
     assert dialog.rows() == {}
-    assert not dialog.can_start()
+    assert not dialog.is_enabled("findStartButton")

@@ -3,12 +3,10 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QCheckBox,
     QComboBox,
-    QDialog,
     QSpinBox,
     QVBoxLayout,
     QWidget,
@@ -16,8 +14,9 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.pads import PAD, HeldPads
+from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
 from tests.support.window import WidgetDriver
-from trex_gui.gamepad.profile import Axis, Profile, Style
+from trex_gui.gamepad.profile import Axis, Style
 from trex_gui.gamepad.sdl import HOW_TO_INSTALL, SdlPads
 from trex_gui.model.device import Device
 from trex_gui.views.driving.gamepad_bar import PartBar
@@ -25,80 +24,35 @@ from trex_gui.views.driving.gamepad_panel import GamepadPanel
 from trex_gui.views.widgets.leds import Lamp
 
 HOLD, STOP = 4, 1
-X, Y, OTHER_X, OTHER_Y = 0, 1, 2, 3
+OTHER_X, OTHER_Y = 2, 3
 
 
-class GamepadPanelDriver(WidgetDriver):
-    """The panel in a window of its own, with a gamepad and available motors."""
-
-    def __init__(self, qtbot: QtBot) -> None:
-        self.device = Device()
-        self.motors = self.device.motors
-        self.motors.lockout = 0
-        self.motors.allow(True)
-        self.pads = HeldPads(PAD)
-        self.window = QWidget()
-        qtbot.addWidget(self.window)
-        panel = GamepadPanel(self.device, self.window, source=self.pads)
-        super().__init__(panel, qtbot)
-        self.gamepad = panel.gamepad
-        QVBoxLayout(self.window).addWidget(panel)
-        self.window.show()
-        self.activate()
-
-    @property
-    def profile(self) -> Profile:
-        return self.gamepad.profile
-
-    @property
-    def state(self) -> str:
-        return self.text("gamepadState")
-
-    def activate(self) -> None:
-        self.window.activateWindow()
-        self.wait(self.window.isActiveWindow)
-
-    def select_text(self, name: str, part: str) -> None:
-        """Select the entry of a combo box that contains a text."""
-        combo = self.combo(name)
-        index = combo.findText(part, Qt.MatchFlag.MatchContains)
-        assert index >= 0, [combo.itemText(row) for row in range(combo.count())]
-        self.select(name, combo.itemData(index))
-
-    def wait_for_state(self, part: str) -> None:
-        self.wait_for_text("gamepadState", part)
-
-    def drive(self) -> None:
-        self.motors.arm()
-        self.wait_for_state("Hold")
-        self.pads.press(HOLD)
-        self.wait_for_state("Driving")
-        self.pads.move(Y, -1.0)
-        self.wait(lambda: self.motors.drive(1) is not None)
-        assert self.motors.holder == "gamepad"
-
-    def open_set_up(self) -> None:
-        self.click("gamepadSetUpButton")
-        self.wait(self.find(QDialog, "gamepadDialog").isVisible)
-        self.wait(lambda: self.gamepad.state is not None)
+Panel = GamepadPanelPage[HeldPads]
 
 
 @pytest.fixture
-def panel(qtbot: QtBot) -> Iterator[GamepadPanelDriver]:
-    panel = GamepadPanelDriver(qtbot)
+def panel(qtbot: QtBot) -> Iterator[Panel]:
+    """The panel in a window of its own, with a gamepad and available motors."""
+    device, pads, window = Device(), HeldPads(PAD), QWidget()
+    qtbot.addWidget(window)
+    panel = Panel(GamepadPanel(device, window, source=pads), device, pads, qtbot)
+    panel.motors.allow(True)
+    QVBoxLayout(window).addWidget(panel.root)
+    window.show()
+    panel.activate()
     yield panel
     panel.gamepad.switch_off()
 
 
 @pytest.fixture
-def active_panel(panel: GamepadPanelDriver) -> GamepadPanelDriver:
+def active_panel(panel: Panel) -> Panel:
     """A panel that reads the gamepad."""
     panel.find(QCheckBox, "gamepadBox").setChecked(True)
     return panel
 
 
 @pytest.fixture
-def set_up(active_panel: GamepadPanelDriver) -> GamepadPanelDriver:
+def set_up(active_panel: Panel) -> Panel:
     """A panel with its set-up open."""
     active_panel.open_set_up()
     return active_panel
@@ -107,30 +61,26 @@ def set_up(active_panel: GamepadPanelDriver) -> GamepadPanelDriver:
 # --- The panel --------------------------------------------------------------------------
 
 
-def test_inactive_panel_reads_nothing_and_hides_its_controls(
-    panel: GamepadPanelDriver,
-) -> None:
+def test_inactive_panel_reads_nothing_and_hides_its_controls(panel: Panel) -> None:
     assert not panel.pads.is_open
     for name in ("gamepadCombo", "gamepadSetUpButton", "gamepadForward", "gamepadState"):
         assert not panel.find(QWidget, name).isVisible(), name
 
 
-def test_state_says_what_to_hold_and_how_to_stop(active_panel: GamepadPanelDriver) -> None:
-    assert "Press Run motor, then hold button 5 (left shoulder)" in active_panel.state
+def test_state_says_what_to_hold_and_how_to_stop(active_panel: Panel) -> None:
+    active_panel.wait_for_state("Press Run motor, then hold button 5 (left shoulder)")
     active_panel.drive()
-    assert "Let go of button 5 (left shoulder) to stop" in active_panel.state
+    active_panel.wait_for_state("Let go of button 5 (left shoulder) to stop")
 
 
-def test_hiding_the_panel_while_driving_stops_the_motors(active_panel: GamepadPanelDriver) -> None:
+def test_hiding_the_panel_while_driving_stops_the_motors(active_panel: Panel) -> None:
     active_panel.drive()
     active_panel.root.hide()
     assert not active_panel.motors.armed
     assert "Motors page" in active_panel.motors.stop_reason
 
 
-def test_another_window_while_driving_stops_the_motors(
-    active_panel: GamepadPanelDriver, qtbot: QtBot
-) -> None:
+def test_another_window_while_driving_stops_the_motors(active_panel: Panel, qtbot: QtBot) -> None:
     active_panel.drive()
     other = QWidget()
     qtbot.addWidget(other)
@@ -141,7 +91,7 @@ def test_another_window_while_driving_stops_the_motors(
 
 
 def test_unfocused_option_allows_driving_in_the_background(
-    active_panel: GamepadPanelDriver, qtbot: QtBot
+    active_panel: Panel, qtbot: QtBot
 ) -> None:
     active_panel.click("gamepadUnfocusedBox")
     active_panel.drive()
@@ -155,14 +105,14 @@ def test_unfocused_option_allows_driving_in_the_background(
     qtbot.waitUntil(lambda: not active_panel.motors.holder)
 
 
-def test_unplugged_gamepad_is_reported_and_disarms(active_panel: GamepadPanelDriver) -> None:
+def test_unplugged_gamepad_is_reported_and_disarms(active_panel: Panel) -> None:
     active_panel.drive()
     active_panel.pads.unplug(PAD)
     active_panel.wait_for_state("has gone")
     assert not active_panel.motors.armed
 
 
-def test_bar_shows_the_gamepad_setpoint(active_panel: GamepadPanelDriver) -> None:
+def test_bar_shows_the_gamepad_setpoint(active_panel: Panel) -> None:
     bar = active_panel.find(PartBar, "gamepadForward")
     active_panel.wait(lambda: bar.accessibleDescription() == "0 %")
     active_panel.pads.move(Y, -1.0)
@@ -182,7 +132,7 @@ def test_missing_pygame_shows_how_to_install_it(
     assert HOW_TO_INSTALL in driver.text("gamepadState")
 
 
-def test_every_control_has_an_object_and_accessible_name(set_up: GamepadPanelDriver) -> None:
+def test_every_control_has_an_object_and_accessible_name(set_up: Panel) -> None:
     controls = (QAbstractButton, QComboBox, QSpinBox, PartBar, Lamp)
     found = [each for each in set_up.find_all(QWidget) if isinstance(each, controls)]
     for each in found:
@@ -196,7 +146,7 @@ def test_every_control_has_an_object_and_accessible_name(set_up: GamepadPanelDri
 # --- The set-up -------------------------------------------------------------------------
 
 
-def test_axis_is_detected_by_moving_the_stick(set_up: GamepadPanelDriver) -> None:
+def test_axis_is_detected_by_moving_the_stick(set_up: Panel) -> None:
     set_up.click("gamepadFirstDetect")
     assert "Move the stick that shall drive forward" in set_up.text("gamepadSetUpNote")
     set_up.pads.move(OTHER_Y, -1.0)
@@ -206,20 +156,20 @@ def test_axis_is_detected_by_moving_the_stick(set_up: GamepadPanelDriver) -> Non
     set_up.wait(lambda: set_up.profile.second == Axis(OTHER_X))
 
 
-def test_button_is_detected_by_pressing_it(set_up: GamepadPanelDriver) -> None:
+def test_button_is_detected_by_pressing_it(set_up: Panel) -> None:
     set_up.click("gamepadHoldDetect")
     set_up.pads.press(6)
     set_up.wait(lambda: set_up.profile.hold == 6)
 
 
-def test_button_is_never_assigned_to_hold_and_stop(set_up: GamepadPanelDriver) -> None:
+def test_button_is_never_assigned_to_hold_and_stop(set_up: Panel) -> None:
     set_up.select_text("gamepadStopCombo", "button 5")
     assert set_up.profile.stop == HOLD
     assert set_up.profile.hold is None
     assert "bumped" in set_up.text("gamepadSetUpNote")
 
 
-def test_set_up_changes_apply_at_once(set_up: GamepadPanelDriver) -> None:
+def test_set_up_changes_apply_at_once(set_up: Panel) -> None:
     set_up.select_text("gamepadStyleCombo", "for each motor")
     set_up.select_text("gamepadSecondCombo", "axis 4")
     set_up.click("gamepadSecondInvert")
@@ -231,7 +181,7 @@ def test_set_up_changes_apply_at_once(set_up: GamepadPanelDriver) -> None:
     assert (profile.dead_zone, profile.expo) == (0.2, 0.0)
 
 
-def test_defaults_button_restores_the_defaults(set_up: GamepadPanelDriver) -> None:
+def test_defaults_button_restores_the_defaults(set_up: Panel) -> None:
     before = set_up.profile
     set_up.select_text("gamepadFirstCombo", "axis 3")
     assert set_up.profile != before
@@ -239,7 +189,7 @@ def test_defaults_button_restores_the_defaults(set_up: GamepadPanelDriver) -> No
     assert set_up.profile == before
 
 
-def test_axis_bar_and_button_lamp_follow_the_gamepad(set_up: GamepadPanelDriver) -> None:
+def test_axis_bar_and_button_lamp_follow_the_gamepad(set_up: Panel) -> None:
     bar = set_up.find(PartBar, f"gamepadAxisBar{OTHER_X}")
     lamp = set_up.find(Lamp, "gamepadLamp7")
     set_up.pads.move(OTHER_X, -0.5)
@@ -249,9 +199,7 @@ def test_axis_bar_and_button_lamp_follow_the_gamepad(set_up: GamepadPanelDriver)
     assert lamp.accessibleDescription() == "pressed"
 
 
-def test_set_up_blocks_driving_but_not_the_stop_button(
-    set_up: GamepadPanelDriver,
-) -> None:
+def test_set_up_blocks_driving_but_not_the_stop_button(set_up: Panel) -> None:
     set_up.motors.arm()
     set_up.pads.press(HOLD)
     set_up.pads.move(Y, -1.0)
@@ -261,23 +209,19 @@ def test_set_up_blocks_driving_but_not_the_stop_button(
     assert set_up.motors.drive(1) is None
 
 
-def test_opening_the_set_up_while_driving_stops_the_motors(
-    active_panel: GamepadPanelDriver,
-) -> None:
+def test_opening_the_set_up_while_driving_stops_the_motors(active_panel: Panel) -> None:
     active_panel.drive()
     active_panel.open_set_up()
     assert not active_panel.motors.armed
 
 
-def test_closing_the_set_up_allows_driving_again(set_up: GamepadPanelDriver) -> None:
+def test_closing_the_set_up_allows_driving_again(set_up: Panel) -> None:
     set_up.click("gamepadCloseButton")
     set_up.activate()  # window managers do it; without a screen there is none
     set_up.drive()
 
 
-def test_unplugging_disables_the_axis_selection_in_set_up(
-    set_up: GamepadPanelDriver,
-) -> None:
+def test_unplugging_disables_the_axis_selection_in_set_up(set_up: Panel) -> None:
     set_up.click("gamepadFirstDetect")
     set_up.pads.unplug(PAD)
     set_up.wait_for_text("gamepadName", "No gamepad")

@@ -5,7 +5,7 @@ from datetime import timedelta
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QItemSelectionModel, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -14,16 +14,16 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QSpinBox,
-    QTableView,
+    QWidget,
 )
 from pytestqt.qtbot import QtBot
 
-from tests.support.pages.settings import ComparisonDialog
+from tests.support.pages.settings import HistoryDialog
 from tests.support.snapshots import take
+from tests.support.window import WidgetDriver
 from trex_gui.model.device import Device
 from trex_gui.settings.history import BOUND_FILE, Bound, History
-from trex_gui.views.history.dialog import HistoryDialog
-from trex_gui.views.widgets.question import Question
+from trex_gui.views.history import dialog as history_dialog
 
 MINUTE = timedelta(minutes=1)
 
@@ -33,77 +33,20 @@ def history() -> History:
     return History()  # in a folder of the test's own
 
 
-class HistoryDialogDriver(ComparisonDialog):
-    """The history of no board."""
-
-    def __init__(self, qtbot: QtBot) -> None:
-        self._dialog = HistoryDialog(Device())
-        super().__init__(self._dialog, qtbot)
-        qtbot.addWidget(self._dialog)
-
-    def open(self) -> QTableView:
-        self._dialog.open_history()
-        return self.snapshots
-
-    def refresh(self) -> None:
-        self._dialog.refresh()
-
-    @property
-    def snapshots(self) -> QTableView:
-        return self.find(QTableView, "snapshotView")
-
-    @property
-    def question(self) -> Question:
-        return self.find(Question, "historyQuestion")
-
-    @property
-    def summary(self) -> str:
-        return self.text("comparisonSummary")
-
-    @property
-    def banner(self) -> str:
-        return self.text("bannerText")
-
-    def differences(self) -> dict[str, tuple[str, str]]:
-        """Return both values of each setting by its text."""
-        return {row[0]: (row[1], row[2]) for row in self.rows()}
-
-    def wait_for_differences(self, expected: dict[str, tuple[str, str]]) -> None:
-        self.wait(lambda: self.differences() == expected)
-
-    def wait_for_summary(self, part: str) -> None:
-        self.wait_for_text("comparisonSummary", part)
-
-    def select_snapshots(self, *rows: int) -> None:
-        view = self.snapshots
-        view.clearSelection()
-        flags = QItemSelectionModel.SelectionFlag
-        for row in rows:
-            index = view.model().index(row, 0)
-            view.selectionModel().setCurrentIndex(index, flags.Select | flags.Rows)
-
-    def compare_with_file(self) -> None:
-        box = self.combo("compareWithCombo")
-        box.setCurrentIndex(box.findText("a settings file…"))
-        box.activated.emit(box.currentIndex())
-
-    def answer(self, *, yes: bool) -> None:
-        self.wait(self.question.isVisible)
-        self.click("historyQuestionYes" if yes else "questionCancel")
-        assert not self.question.isVisible()
-
-
 @pytest.fixture
-def dialog(qtbot: QtBot) -> Iterator[HistoryDialogDriver]:
-    dialog = HistoryDialogDriver(qtbot)
-    yield dialog
-    dialog.root.close()
+def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
+    window = QWidget()
+    qtbot.addWidget(window)
+    dialog = history_dialog.HistoryDialog(Device(), window)
+    window.addAction("History", dialog.open_history).setObjectName("historyAction")
+    yield HistoryDialog(WidgetDriver(window, qtbot))
+    dialog.close()
 
 
 # --- Looking back -----------------------------------------------------------------------
 
 
-def test_empty_history_says_when_snapshots_are_taken(dialog: HistoryDialogDriver) -> None:
+def test_empty_history_says_when_snapshots_are_taken(dialog: HistoryDialog) -> None:
     dialog.open()
     empty = dialog.find(QLabel, "historyEmpty")
     dialog.wait(empty.isVisible)
@@ -112,42 +55,42 @@ def test_empty_history_says_when_snapshots_are_taken(dialog: HistoryDialogDriver
 
 
 def test_newest_snapshot_is_compared_with_the_previous_one(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     take(history, MINUTE, serial_timeout=5)
     take(history, serial_timeout=7)
     dialog.open()
-    assert dialog.differences() == {"Serial Timeout": ("0.5 s", "0.7 s")}
-    assert "1 setting differs" in dialog.summary
+    assert dialog.values() == {"serial_timeout": ("0.5 s", "0.7 s")}
+    assert "1 setting differs" in dialog.text("comparisonSummary")
     assert "Apply of 2 settings" in dialog.text("snapshotTitle")
     assert not dialog.is_enabled("restoreButton")
     assert "No board is connected" in dialog.text("restoreNote")
 
 
 def test_older_snapshot_shows_what_restoring_it_would_change(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     take(history, MINUTE, serial_timeout=5)
     take(history, serial_timeout=7)
     dialog.open()
-    dialog.select_snapshots(1)
-    dialog.wait_for_differences({"Serial Timeout": ("0.7 s", "0.5 s")})
+    dialog.select_snapshot(1)
+    dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
 
 
 def test_two_snapshots_are_compared_from_newer_to_older(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
         take(history, ago * MINUTE, serial_timeout=wire)
     dialog.open()
-    dialog.select_snapshots(2, 0)
-    dialog.wait_for_differences({"Serial Timeout": ("0.7 s", "0.5 s")})
-    dialog.select_snapshots(0, 1, 2)
-    dialog.wait_for_summary("two to compare")
+    dialog.select_snapshot(2, 0)
+    dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
+    dialog.select_snapshot(0, 1, 2)
+    dialog.wait_for_text("comparisonSummary", "two to compare")
 
 
 def test_reference_snapshot_can_be_selected_and_is_kept(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
         take(history, ago * MINUTE, serial_timeout=wire)
@@ -158,13 +101,13 @@ def test_reference_snapshot_can_be_selected_and_is_kept(
     assert not model.item(0).isEnabled()  # the board
     box.setCurrentIndex(box.count() - 1)
     box.activated.emit(box.currentIndex())
-    assert dialog.differences() == {"Serial Timeout": ("0.5 s", "0.7 s")}
-    dialog.select_snapshots(1)
-    dialog.wait_for_differences({"Serial Timeout": ("0.5 s", "0.6 s")})
+    assert dialog.values() == {"serial_timeout": ("0.5 s", "0.7 s")}
+    dialog.select_snapshot(1)
+    dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.5 s", "0.6 s")})
 
 
 def test_settings_file_can_be_the_reference(
-    dialog: HistoryDialogDriver,
+    dialog: HistoryDialog,
     history: History,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -175,12 +118,12 @@ def test_settings_file_can_be_the_reference(
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
     dialog.open()
     dialog.compare_with_file()
-    assert dialog.differences() == {"Serial Timeout": ("0.4 s", "0.7 s")}
+    assert dialog.values() == {"serial_timeout": ("0.4 s", "0.7 s")}
     assert dialog.combo("compareWithCombo").currentText() == "rover.txt"
 
 
 def test_missing_settings_file_is_reported(
-    dialog: HistoryDialogDriver,
+    dialog: HistoryDialog,
     history: History,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -196,82 +139,77 @@ def test_missing_settings_file_is_reported(
     dialog.compare_with_file()
 
 
-def test_only_snapshot_shows_what_it_contains(
-    dialog: HistoryDialogDriver, history: History
-) -> None:
+def test_only_snapshot_shows_what_it_contains(dialog: HistoryDialog, history: History) -> None:
     take(history, serial_timeout=7)
     dialog.open()
-    assert dialog.differences()["Serial Timeout"] == ("not given", "0.7 s")
-    assert "no other snapshot of a TReX" in dialog.summary
+    assert dialog.values()["serial_timeout"] == ("not given", "0.7 s")
+    assert "no other snapshot of a TReX" in dialog.text("comparisonSummary")
 
 
 def test_snapshot_of_another_product_is_not_compared(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     take(history, 2 * MINUTE, model="trexjr")
     take(history, MINUTE)
     take(history)
     dialog.open()
-    dialog.select_snapshots(2)
-    dialog.wait_for_summary("no other snapshot of a TReX Jr")
+    dialog.select_snapshot(2)
+    dialog.wait_for_text("comparisonSummary", "no other snapshot of a TReX Jr")
 
 
 def test_damaged_snapshot_is_explained_and_never_offered(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     take(history, 2 * MINUTE)
     take(history, MINUTE).path.write_text("rubbish\n", encoding="utf-8")
     take(history)
-    view = dialog.open()
-    dialog.select_snapshots(1)
-    dialog.wait_for_summary("is damaged and cannot be restored")
-    assert not dialog.differences()
+    dialog.open()
+    dialog.select_snapshot(1)
+    dialog.wait_for_text("comparisonSummary", "is damaged and cannot be restored")
+    assert not dialog.values()
     assert not dialog.is_enabled("saveSnapshotButton")
     assert not dialog.is_enabled("restoreButton")
-    assert "damaged" in view.model().index(1, 0).data(Qt.ItemDataRole.ToolTipRole)
-    dialog.select_snapshots(0)
+    assert "damaged" in dialog.snapshots.model().index(1, 0).data(Qt.ItemDataRole.ToolTipRole)
+    dialog.select_snapshot(0)
     box = dialog.combo("compareWithCombo")
     dialog.wait(box.isEnabled)
     assert sum("snapshot of" in box.itemText(row) for row in range(box.count())) == 1
-    dialog.select_snapshots(0, 1)
-    dialog.wait_for_summary("is damaged")
+    dialog.select_snapshot(0, 1)
+    dialog.wait_for_text("comparisonSummary", "is damaged")
 
 
-def test_search_filters_the_list(dialog: HistoryDialogDriver, history: History) -> None:
+def test_search_filters_the_list(dialog: HistoryDialog, history: History) -> None:
     take(history, MINUTE, reason="trexcmd set-settings rover.txt")
     take(history)
-    view = dialog.open()
+    dialog.open()
     search = dialog.find(QLineEdit, "snapshotSearch")
     QTest.keyClicks(search, "rover")
-    assert view.model().rowCount() == 1
+    assert dialog.count() == 1
     QTest.keyClicks(search, "xyz")
     assert dialog.has("snapshotNoMatch")
     search.clear()
-    assert view.model().rowCount() == 2
+    assert dialog.count() == 2
 
 
 def test_snapshot_of_another_program_appears_on_refresh(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     take(history, MINUTE, serial_timeout=5)
-    view = dialog.open()
+    dialog.open()
     take(history)
-    dialog.refresh()
-    assert view.model().rowCount() == 2
-    (row,) = view.selectionModel().selectedRows()
-    assert row.row() == 1  # what was looked at stays
+    dialog.widget.refresh()
+    assert dialog.count() == 2
+    assert dialog.selected_row() == 1  # what was looked at stays
 
 
 # --- What a person does -----------------------------------------------------------------
 
 
-def test_deletion_needs_confirmation_in_the_dialog(
-    dialog: HistoryDialogDriver, history: History
-) -> None:
+def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog, history: History) -> None:
     for ago in (3, 2, 1):
         take(history, ago * MINUTE)
-    view = dialog.open()
-    dialog.select_snapshots(1)
+    dialog.open()
+    dialog.select_snapshot(1)
     dialog.click("deleteSnapshotButton")
     assert not dialog.question.isWindow()
     dialog.click("deleteSnapshotButton")
@@ -280,16 +218,15 @@ def test_deletion_needs_confirmation_in_the_dialog(
     dialog.answer(yes=False)
     assert len(history.snapshots()) == 3
     gone = history.snapshots()[1]
-    QTest.keyClick(view, Qt.Key.Key_Delete)
+    QTest.keyClick(dialog.snapshots, Qt.Key.Key_Delete)
     dialog.answer(yes=True)
     assert gone not in history.snapshots()
     assert len(history.snapshots()) == 2
-    (row,) = view.selectionModel().selectedRows()
-    assert row.row() == 1  # what took its place
+    assert dialog.selected_row() == 1  # what took its place
 
 
 def test_deleting_the_last_snapshot_empties_the_history(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     take(history)
     dialog.open()
@@ -299,7 +236,7 @@ def test_deleting_the_last_snapshot_empties_the_history(
 
 
 def test_closing_with_an_open_question_deletes_nothing(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     take(history)
     dialog.open()
@@ -309,7 +246,7 @@ def test_closing_with_an_open_question_deletes_nothing(
 
 
 def test_copy_is_saved_as_a_settings_file(
-    dialog: HistoryDialogDriver,
+    dialog: HistoryDialog,
     history: History,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -330,9 +267,7 @@ def test_copy_is_saved_as_a_settings_file(
 # --- How many are kept ------------------------------------------------------------------
 
 
-def test_higher_bound_is_set_without_a_question(
-    dialog: HistoryDialogDriver, history: History
-) -> None:
+def test_higher_bound_is_set_without_a_question(dialog: HistoryDialog, history: History) -> None:
     dialog.open()
     assert not dialog.is_enabled("keptButton")
     dialog.find(QSpinBox, "keptField").setValue(1000)
@@ -346,11 +281,11 @@ def test_higher_bound_is_set_without_a_question(
 
 
 def test_lower_bound_asks_and_says_how_many_are_removed(
-    dialog: HistoryDialogDriver, history: History
+    dialog: HistoryDialog, history: History
 ) -> None:
     for ago in (3, 2, 1):
         take(history, ago * MINUTE)
-    view = dialog.open()
+    dialog.open()
     dialog.find(QSpinBox, "keptField").setValue(1)
     dialog.click("keptButton")
     assert dialog.question.text == "Remove the oldest 2 of 3 snapshots for good?"
@@ -361,12 +296,10 @@ def test_lower_bound_asks_and_says_how_many_are_removed(
     dialog.click("keptButton")
     dialog.answer(yes=True)
     assert (len(history.snapshots()), history.bound()) == (1, Bound(1))
-    assert view.model().rowCount() == 1
+    assert dialog.count() == 1
 
 
-def test_damaged_bound_is_reported_until_it_is_set(
-    dialog: HistoryDialogDriver, history: History
-) -> None:
+def test_damaged_bound_is_reported_until_it_is_set(dialog: HistoryDialog, history: History) -> None:
     take(history)
     (history.folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
     dialog.open()
@@ -378,11 +311,9 @@ def test_damaged_bound_is_reported_until_it_is_set(
     assert dialog.banner == ""
 
 
-def test_bound_set_elsewhere_appears_on_refresh(
-    dialog: HistoryDialogDriver, history: History
-) -> None:
+def test_bound_set_elsewhere_appears_on_refresh(dialog: HistoryDialog, history: History) -> None:
     take(history)
     dialog.open()
     history.keep(77)
-    dialog.refresh()
+    dialog.widget.refresh()
     assert dialog.find(QSpinBox, "keptField").value() == 77

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QItemSelectionModel, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QMessageBox, QTableView, QTableWidget, QWidget
@@ -13,7 +13,9 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.model.comparison_table import ComparisonColumn, ComparisonRole
 from trex_gui.model.connection import Link
+from trex_gui.views.history import dialog as history_dialog
 from trex_gui.views.settings_editor.window import SettingsEditor
+from trex_gui.views.widgets.question import Question
 
 
 class ComparisonDialog(WidgetDriver):
@@ -154,22 +156,56 @@ class SettingsEditorWindow(WidgetDriver):
 
 
 class HistoryDialog(ComparisonDialog):
-    """The dialog of snapshots."""
+    """The dialog of snapshots and the window from whose menu it opens."""
 
-    def __init__(self, window: WindowDriver) -> None:
-        super().__init__(window.dialog("historyDialog").root, window.qtbot)
-        self._window = window
+    def __init__(self, window: WidgetDriver) -> None:
+        self.widget = window.find(history_dialog.HistoryDialog, "historyDialog")
+        super().__init__(self.widget, window.qtbot)
+        self._action = window.find(QAction, "historyAction")
 
     def open(self) -> None:
-        self._window.trigger("history")
+        self._action.trigger()
         self.wait(self.root.isVisible)
+
+    @property
+    def snapshots(self) -> QTableView:
+        return self.find(QTableView, "snapshotView")
+
+    @property
+    def question(self) -> Question:
+        return self.find(Question, "historyQuestion")
+
+    @property
+    def banner(self) -> str:
+        return self.text("bannerText")
 
     def count(self) -> int:
         """Return how many snapshots are listed."""
-        return self.find(QTableView, "snapshotView").model().rowCount()
+        return self.snapshots.model().rowCount()
 
-    def select_snapshot(self, row: int) -> None:
-        self.find(QTableView, "snapshotView").selectRow(row)
+    def selected_row(self) -> int:
+        """Return the row of the only selected snapshot."""
+        (row,) = self.snapshots.selectionModel().selectedRows()
+        return row.row()
+
+    def select_snapshot(self, *rows: int) -> None:
+        """Select one snapshot or several."""
+        view = self.snapshots
+        view.clearSelection()
+        flags = QItemSelectionModel.SelectionFlag
+        for row in rows:
+            index = view.model().index(row, 0)
+            view.selectionModel().setCurrentIndex(index, flags.Select | flags.Rows)
+
+    def compare_with_file(self) -> None:
+        box = self.combo("compareWithCombo")
+        box.setCurrentIndex(box.findText("a settings file…"))
+        box.activated.emit(box.currentIndex())
+
+    def answer(self, *, yes: bool) -> None:
+        self.wait(self.question.isVisible)
+        self.click("historyQuestionYes" if yes else "questionCancel")
+        assert not self.question.isVisible()
 
     def check_only(self, setting: str) -> None:
         self.click("tickNoneButton")

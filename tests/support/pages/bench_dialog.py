@@ -1,0 +1,66 @@
+"""The dialog of bench tests."""
+
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.window import LEFT, WidgetDriver
+from trex_gui.model.bench import Bench, Phase
+from trex_gui.model.device import Device
+from trex_gui.views.bench.dialog import BenchDialog
+from trex_gui.views.bench.figures_table import FiguresTable
+from trex_gui.views.bench.hold_button import HoldButton
+from trex_gui.views.bench.plot import BenchPlot
+
+
+class BenchTestDialog(WidgetDriver):
+    """The dialog, with or without a simulated board."""
+
+    def __init__(
+        self,
+        dialog: BenchDialog,
+        device: Device,
+        bench: Bench,
+        qtbot: QtBot,
+        simulator: SimulatedDevice | None = None,
+    ) -> None:
+        super().__init__(dialog, qtbot)
+        self.motors = device.motors
+        self.bench = bench
+        self.files = dialog.files
+        self.plot = self.find(BenchPlot, "benchPlot")
+        self.hold_button = self.find(HoldButton, "benchHoldButton")
+        self._simulator = simulator
+
+    @property
+    def note(self) -> str:
+        return self.text("benchNote")
+
+    def figure(self, row: int, column: int) -> str:
+        item = self.find(FiguresTable, "benchFigures").item(row, column)
+        assert item is not None
+        return item.text()
+
+    def hold(self) -> None:
+        """Arm once unlocked, press the button and keep it down until the motor runs."""
+        self.wait(lambda: self.is_enabled("benchRunButton"))
+        self.click("benchRunButton")
+        self.root.activateWindow()
+        self.hold_button.setFocus()
+        self.wait(self.hold_button.hasFocus)
+        QTest.mousePress(self.hold_button, LEFT)
+        self.wait(lambda: self.speed() == 60)
+
+    def release(self) -> None:
+        QTest.mouseRelease(self.hold_button, LEFT)
+
+    def speed(self) -> int:
+        """Return the speed of the simulated motor 1; 0 while it brakes."""
+        assert self._simulator is not None
+        motor = self._simulator.show()["motors"][0]
+        return 0 if motor["direction"] == "brake" else int(motor["speed"])
+
+    def wait_for_end(self) -> None:
+        """Wait until the simulated motor brakes and the test is over."""
+        self.wait(lambda: self.speed() == 0)
+        self.wait(lambda: self.bench.phase is Phase.IDLE)
