@@ -22,6 +22,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from tests.support.matrix import LONG_FACTOR
 from tests.support.patient import PatientQtBot
 from tests.support.simulator import SimulatedDevice, SimulatorProcess, StartSimulator
 from tests.support.virtual import Stage
@@ -35,10 +36,10 @@ from trex_gui.views.theme import theme
 from trex_gui.window import Program, build
 
 # Several processes may share the computer: how long an example takes says nothing.
+hypothesis.settings.register_profile("gate", deadline=None, derandomize=True, max_examples=100)
 hypothesis.settings.register_profile(
-    "gate", hypothesis.settings.default, deadline=None, derandomize=True
+    "all", deadline=None, derandomize=False, max_examples=100 * LONG_FACTOR
 )
-hypothesis.settings.register_profile("all", hypothesis.settings.default, deadline=None)
 hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "gate"))
 
 

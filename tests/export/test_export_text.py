@@ -10,11 +10,11 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given
-from hypothesis import settings as examples
 from hypothesis import strategies as st
 
 from tests.export.programs import HERE, LANGUAGE_NAMES, LANGUAGES, C, compile_, link, settings_for
 from tests.settings.samples import TREX, TREX_JR, any_settings, factory
+from tests.support.matrix import examples
 from trex_gui import __version__
 from trex_gui.export.code import export_code, file_name
 from trex_gui.export.language import Language
@@ -84,7 +84,7 @@ def test_exported_text_matches_golden_file(name: str, text: str, tmp_path: Path)
     assert not difference, "\n".join([*difference, hint])
 
 
-@examples(deadline=None, max_examples=30)
+@examples(30)
 @given(settings=any_settings(), line=any_link())
 def test_exported_text_is_short_ascii_lines_without_gaps(
     settings: Settings, line: LinkSettings
@@ -99,7 +99,7 @@ def test_exported_text_is_short_ascii_lines_without_gaps(
         assert max(map(len, text.splitlines())) <= LONGEST_LINE
 
 
-@examples(deadline=None, max_examples=30)
+@examples(30)
 @given(settings=any_settings(), line=any_link())
 def test_exported_python_parses_in_3_8_and_has_all_values(
     settings: Settings, line: LinkSettings

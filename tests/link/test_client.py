@@ -4,10 +4,10 @@ import contextlib
 
 import pytest
 from hypothesis import given
-from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from tests.link.helpers import staged
+from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
@@ -36,7 +36,7 @@ from trex_gui.protocol.errors import BadReply, BadRequest, NoReply, PortUnavaila
 from trex_gui.protocol.flags import Mode
 from trex_gui.protocol.line_settings import Detection, LineSettings
 
-modest = hypothesis_settings(deadline=None, max_examples=40)
+modest = examples(40)
 
 
 CRC = LinkSettings("virtual", LineSettings(detection=Detection.CRC7))

@@ -3,9 +3,9 @@
 from collections import deque
 
 from hypothesis import given
-from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.link.drives import DriveSlots, packets
 from trex_gui.link.mailbox import Mailbox
 from trex_gui.link.messages import (
@@ -30,7 +30,7 @@ from trex_gui.protocol.commands import (
     GetMode,
 )
 
-modest = hypothesis_settings(deadline=None, max_examples=40)
+modest = examples(40)
 
 
 class Bag:

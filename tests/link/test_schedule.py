@@ -5,13 +5,13 @@ from collections.abc import Mapping
 
 import pytest
 from hypothesis import given
-from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.link.schedule import Schedule, Topic, rates
 from trex_gui.protocol.flags import InputSource
 
-modest = hypothesis_settings(deadline=None, max_examples=40)
+modest = examples(40)
 
 
 BYTES = {

@@ -4,7 +4,6 @@ import logging
 
 import pytest
 from hypothesis import given
-from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from tests.link.helpers import (
@@ -16,6 +15,7 @@ from tests.link.helpers import (
     run_for,
     staged,
 )
+from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.motors import Direction
@@ -38,7 +38,7 @@ from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import STOP, Drive, DriveMotor, GetMode, GetParameter, GetStatus
 from trex_gui.protocol.errors import PortUnavailable, TrexError
 
-modest = hypothesis_settings(deadline=None, max_examples=40)
+modest = examples(40)
 
 
 GONE = PortUnavailable("The line is gone. Plug it in again.")

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import given
-from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from tests.link.helpers import commands, staged
+from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.emulator.firmware import Board
 from trex_gui.link.settings import LinkSettings
@@ -32,7 +32,7 @@ from trex_gui.protocol.flags import InputSource
 from trex_gui.protocol.line_settings import Detection
 from trex_gui.protocol.parameters import ParameterSpec, parameters_of
 
-modest = hypothesis_settings(deadline=None, max_examples=40)
+modest = examples(40)
 
 
 SPECS = parameters_of("trex", "1.2")

@@ -4,14 +4,14 @@ import random
 
 import pytest
 from hypothesis import given
-from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.model.draft import Draft
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.parameters import ParameterSpec, parameters_of
 
-modest = hypothesis_settings(deadline=None, max_examples=40)
+modest = examples(40)
 
 
 SPECS = parameters_of("trex", "1.2")

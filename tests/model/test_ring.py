@@ -2,12 +2,12 @@
 
 import numpy as np
 from hypothesis import given
-from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.model.ring import Ring
 
-modest = hypothesis_settings(deadline=None, max_examples=40)
+modest = examples(40)
 
 
 def rows(ring: Ring, columns: int) -> list[tuple[float, ...]]:

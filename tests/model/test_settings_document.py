@@ -4,13 +4,14 @@ import difflib
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.settings.samples import any_settings, factory
 from tests.support.bad_files import BAD_FILES, BadFile
+from tests.support.matrix import examples
 from trex_gui.model.settings_document import SettingsDocument
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
@@ -209,7 +210,7 @@ def test_edit_of_a_sample_changes_one_line(path: Path) -> None:
     assert len(changed_lines(before, document.text)) == 2
 
 
-@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.binary(max_size=200) | st.text(max_size=200).map(str.encode))
 def test_arbitrary_bytes_do_not_crash_the_document(
     qapp: QApplication, tmp_path: Path, data: bytes
@@ -228,7 +229,7 @@ def test_arbitrary_bytes_do_not_crash_the_document(
     assert load(tmp_path / "copy.txt").decode() == document.text
 
 
-@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@examples(40, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(before=any_settings(), after=any_settings())
 def test_edited_document_text_parses_to_its_settings(
     qapp: QApplication, before: Settings, after: Settings

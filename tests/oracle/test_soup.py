@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from tests.oracle.device import Oracle, table
 from tests.oracle.framing import COMMANDS, NO_COMMANDS, data_bytes, sealed
 from tests.oracle.remapping import Calibration
+from tests.support.matrix import examples
 from trex_gui.emulator.eeprom import Eeprom
 from trex_gui.emulator.firmware import Board
 from trex_gui.emulator.line import Line
@@ -287,9 +288,8 @@ def pour(random: Random, size: int) -> int:
 
 
 # Streams are short and shown whole; shrinking one outlasts the time that a test has.
-WITHIN_TIME = settings(
-    max_examples=40,
-    deadline=None,
+WITHIN_TIME = examples(
+    40,
     phases=(Phase.explicit, Phase.reuse, Phase.generate),
     suppress_health_check=list(HealthCheck),
 )

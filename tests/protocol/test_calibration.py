@@ -1,9 +1,10 @@
 """Calibrations on the wire, and what remapping makes of raw counts."""
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.protocol.calibration import (
     DEFAULT_CALIBRATION,
     Calibration,
@@ -15,7 +16,7 @@ from trex_gui.protocol.commands import GetRawChannels
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.flags import InputSource
 
-modest = settings(deadline=None, max_examples=50)
+modest = examples(50)
 TYPICAL = Calibration(2500, 3750, 5000, 75)
 
 coded = st.integers(0, 0x3FFF)

@@ -1,13 +1,14 @@
 """CRC-7 against a long division by hand, as the guide describes it."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.protocol.crc7 import DEFAULT_POLYNOMIAL, check_polynomial, crc7
 from trex_gui.protocol.errors import BadRequest
 
-modest = settings(deadline=None, max_examples=40)
+modest = examples(40)
 polynomials = st.integers(0x80, 0xFF)
 
 

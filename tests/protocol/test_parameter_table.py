@@ -3,9 +3,10 @@
 import re
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.protocol.device_table import device_table
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.parameters import Kind, ParameterSet, ParameterSpec, parameters_of
@@ -402,7 +403,7 @@ def test_single_valid_value_is_not_called_a_range() -> None:
     assert "127 to 127" not in str(caught.value)
 
 
-@settings(deadline=None, max_examples=30)
+@examples(30)
 @given(text=st.text(max_size=12) | st.from_regex(r"[-+]?[0-9]{0,4}[.,]?[0-9]{0,3} ?[msAk%x]{0,2}"))
 def test_any_text_gives_valid_value_or_is_rejected(text: str) -> None:
     for key in ("serial_timeout", "required_channels", "crc7_polynomial", "motor1_pwm_maximum"):

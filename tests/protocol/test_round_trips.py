@@ -3,9 +3,10 @@
 from itertools import pairwise
 from typing import Any
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.matrix import examples
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.commands import (
     COMMANDS,
@@ -35,7 +36,7 @@ from trex_gui.protocol.crc7 import crc7
 from trex_gui.protocol.framing import Framing
 from trex_gui.protocol.parser import Malformed, NeedData, Packet, PacketParser, Reply, ReplyParser
 
-modest = settings(deadline=None, max_examples=40)
+modest = examples(40)
 
 seven_bits = st.integers(0, 0x7F)
 masks = st.integers(0, 0x1F)

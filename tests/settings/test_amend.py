@@ -4,10 +4,11 @@ import itertools
 from dataclasses import dataclass, replace
 
 import pytest
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, given
 from hypothesis import strategies as st
 
 from tests.settings.samples import TREX, TREX_JR, any_calibration, any_settings, factory
+from tests.support.matrix import examples
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.errors import BadRequest
 from trex_gui.protocol.flags import InputSource
@@ -18,7 +19,7 @@ from trex_gui.settings.errors import SettingsError
 from trex_gui.settings.reader import read_settings
 from trex_gui.settings.writer import calibration_text, parameter_text, write_settings
 
-thorough = settings(deadline=None, max_examples=20, phases=[Phase.generate])
+thorough = examples(20, phases=[Phase.generate])
 RC_1 = (InputSource.RC, 1)
 
 

@@ -3,15 +3,16 @@
 from dataclasses import replace
 
 import pytest
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, given
 
 from tests.settings.samples import TREX, TREX_JR, any_settings, factory
+from tests.support.matrix import examples
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.flags import InputSource
 from trex_gui.settings.comparison import Comparison, Row, compare
 from trex_gui.settings.document import CALIBRATION_KEYS, Settings
 
-modest = settings(deadline=None, max_examples=40, phases=[Phase.generate])
+modest = examples(40, phases=[Phase.generate])
 RC_1 = (InputSource.RC, 1)
 STICK = Calibration(2500, 3750, 5000, 75)
 STICK_TEXT = "1000 / 1500 / 2000 µs, deadband 30 µs"

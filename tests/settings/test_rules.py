@@ -4,10 +4,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 import pytest
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, given
 from hypothesis import strategies as st
 
 from tests.settings.samples import TREX, TREX_JR, any_calibration, factory
+from tests.support.matrix import examples
 from trex_gui.protocol.calibration import Calibration
 from trex_gui.protocol.crc7 import crc7
 from trex_gui.protocol.flags import InputSource
@@ -15,7 +16,7 @@ from trex_gui.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.settings.document import CALIBRATION_KEYS, Settings
 from trex_gui.settings.rules import RULES, Advice, Context, accept, advise
 
-thorough = settings(deadline=None, max_examples=40, phases=[Phase.generate])
+thorough = examples(40, phases=[Phase.generate])
 NOTHING_ELSE = Context()
 DRIVING = Context(drives_from_computer=True)
 

@@ -1,16 +1,17 @@
 """Whatever is written reads back, and whatever is read ends in a sentence at worst."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.settings.samples import any_settings, factory
+from tests.support.matrix import examples
 from trex_gui.settings.document import Settings
 from trex_gui.settings.errors import Finding, SettingsError, Severity
 from trex_gui.settings.reader import read_settings
 from trex_gui.settings.writer import write_settings
 
-modest = settings(deadline=None, max_examples=40)
+modest = examples(40)
 WHOLE = write_settings(factory(), title_lines=["bench, µ"])
 
 PUNCTUATION = ["\n", "  ", ": ", "- ", "{", "}", "[", "]", ",", "? ", "|", ">", "'", '"', "\\", "#"]
@@ -63,7 +64,7 @@ def test_any_text_is_read_or_rejected(text: str) -> None:
     assert_read_or_refused("product: TReX Jr\n" + text)
 
 
-@settings(deadline=None, max_examples=300)
+@examples(300)
 @given(words=st.lists(yaml_words, max_size=25))
 def test_any_yaml_fragments_are_read_or_rejected(words: list[str]) -> None:
     assert_read_or_refused("".join(words))

@@ -3,10 +3,11 @@
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.aracna import BOOT, AracnaStage
+from tests.support.matrix import examples
 from trex_gui.aracna.emulator.line import AracnaLine
 from trex_gui.protocol.line_settings import Detection, LineSettings
 
@@ -176,7 +177,7 @@ PIECES = st.one_of(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(
     pieces=st.lists(st.tuples(PIECES, st.floats(0, 1.5)), max_size=8),
     paced=st.booleans(),

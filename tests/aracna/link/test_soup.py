@@ -3,10 +3,11 @@
 from collections.abc import Callable
 from functools import partial
 
-from hypothesis import Phase, given, settings
+from hypothesis import Phase, given
 from hypothesis import strategies as st
 
 from tests.aracna.link.scene import ScriptedSession
+from tests.support.matrix import examples
 from trex_gui.aracna.link.messages import (
     Connected,
     Drag,
@@ -58,7 +59,7 @@ MENDING = ("line mute off", "line drop 0", "line drop 0 sent", "servo 3 alive", 
     keeps_last=st.booleans(),
 )
 # Shrinking takes longer than a test may.
-@settings(max_examples=60, deadline=None, phases=(Phase.explicit, Phase.generate))
+@examples(60, phases=(Phase.explicit, Phase.generate))
 def test_every_request_has_one_outcome_and_robot_recovers(
     acts: list[tuple[float, Callable[[int], Request] | str]], *, keeps_last: bool
 ) -> None:
