@@ -17,6 +17,8 @@ class Timeouts:
             last damage on.
         retry: pause between two attempts to reach a board that does not respond.
         current_gap: a bench test is aborted when no current was read for so long.
+        standstill: how long a motor may draw a current after a confirmed stop. Brakes take 1.3 s at
+            most, and a reading on a slow line 0.4 s.
         sleep_delay: how long the computer is kept from sleeping until a stop is confirmed.
     """
 
@@ -25,4 +27,5 @@ class Timeouts:
     stop_confirmation: float = 3.0
     retry: float = 0.25
     current_gap: float = 0.6
+    standstill: float = 2.5
     sleep_delay: float = 1.0

@@ -11,7 +11,6 @@ from trex_gui.bench.plan import Plan
 from trex_gui.bench.run import End, Run
 from trex_gui.link.messages import Batch
 from trex_gui.link.telemetry import Currents, StatusNews
-from trex_gui.link.timeouts import Timeouts
 from trex_gui.model.bench_obstacle import HOLDER, obstacle
 from trex_gui.model.device import Device, Link
 from trex_gui.model.events import EventKind
@@ -228,8 +227,8 @@ class Bench(QObject):
                 self._finish()
         elif past >= run.profile.duration:
             self._end(End.COMPLETE)
-        elif self._clock() - self._last_reading > self._current_gap:
-            self.abort(self.tr("No current was read for {0:g} s.").format(self._current_gap))
+        elif self._clock() - self._last_reading > (gap := self._device.timeouts.current_gap):
+            self.abort(self.tr("No current was read for {0:g} s.").format(gap))
         else:
             speed = run.profile.speed_at(past)
             if not self._wishes or self._wishes[-1][1] != speed:
@@ -335,12 +334,6 @@ class Bench(QObject):
             self._unit = state.signature.model.current_unit
             self._plan = replace(self._plan, abort_current=round(_ABORT_COUNTS * self._unit, 2))
         self.changed.emit()
-
-    @property
-    def _current_gap(self) -> float:
-        """Seconds without a reading of the currents after which nothing is driven blindly."""
-        settings = self._device.settings
-        return (Timeouts() if settings is None else settings.timeouts).current_gap
 
     def _settings(self) -> tuple[tuple[str, str], ...]:
         """What the board stores for the motor, for people."""

@@ -20,6 +20,7 @@ from trex_gui.link.next_line import where_to_look
 from trex_gui.link.reading import DeviceState
 from trex_gui.link.settings import LinkSettings
 from trex_gui.link.telemetry import StatusNews
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.link.writing import Written
 from trex_gui.model.apply import Apply
 from trex_gui.model.board_state import after_writing, in_force
@@ -128,6 +129,12 @@ class Device(QObject):
     def settings(self) -> LinkSettings | None:
         """How the line is, or was last, opened."""
         return self._connection.settings
+
+    @property
+    def timeouts(self) -> Timeouts:
+        """How long to wait on this line."""
+        settings = self._connection.settings
+        return Timeouts() if settings is None else settings.timeouts
 
     @property
     def state(self) -> DeviceState | None:

@@ -13,9 +13,6 @@ _COUNTS = 2.5
 """Counts of the current sensor that a standing motor stays below. Inferred: a reading is an
 average of 64 samples and wavers by one; that is 0.38 A of a TReX, 0.1 A of a TReX Jr."""
 
-_PATIENCE_MS = 2500
-"""How long a current may last: brakes take 1.3 s at most, and a slow line 0.4 s a reading."""
-
 
 class Standing(QObject):
     """Stops the motors, waits for the proof, then watches the currents.
@@ -41,8 +38,6 @@ class Standing(QObject):
         self._since: float | None = None
         self._timer = runtime().timer(self)
         self._timer.setSingleShot(True)
-        self._timer.setInterval(_PATIENCE_MS)
-
         self._timer.timeout.connect(self._on_patience_over)
         device.telemetry.updated.connect(self._on_updated)
 
@@ -67,7 +62,7 @@ class Standing(QObject):
             return
         # Readings from before the stop may still be on their way to us; they are quickly past.
         self._since = self._device.telemetry.latest
-        self._timer.start()
+        self._timer.start(round(self._device.timeouts.standstill * 1000))
 
     @Slot()
     def _on_updated(self) -> None:
