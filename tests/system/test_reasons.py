@@ -20,15 +20,15 @@ from trex_gui.system.windows_events import (
 pytestmark = pytest.mark.usefixtures("qapp")
 
 
-def said_by_the_desktop() -> list[str]:
-    """Everything that a Linux desktop may tell."""
+def said_by_the_desktop(*, begins: bool) -> list[str]:
+    """Everything that a Linux desktop may tell, at the beginning or at the end of each."""
     nowhere = QDBusConnection("there is none")
     events = SessionEvents(nowhere, nowhere)
     told: list[str] = []
     events.leaving.connect(told.append)
-    events._on_sleep(begins=True)
-    events._on_shut_down(begins=True)
-    events._on_locked()
+    events._on_sleep(begins=begins)
+    events._on_shut_down(begins=begins)
+    events._on_saver(active=begins)
     return told
 
 
@@ -67,7 +67,7 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     reasons = [
-        *said_by_the_desktop(),
+        *said_by_the_desktop(begins=True),
         *said_by_windows(),
         *said_of_a_sleep_that_is_over(),
         *said_of_a_mistake(monkeypatch),
@@ -80,3 +80,7 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(
         assert "motor" not in reason, reason
     assert reasons[-1] == "The program made a mistake (ValueError)"
     assert reasons[2] == reasons[4] == "The screen was locked"
+
+
+def test_waking_up_and_unlocking_give_no_stop_reason() -> None:
+    assert said_by_the_desktop(begins=False) == []

@@ -1,21 +1,23 @@
-"""A real thread on a real pseudo-terminal."""
+"""A line and its thread: in virtual time, or in a real thread on a real pseudo-terminal."""
 
 import os
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.support.patient import PATIENT, PatientQtBot
 from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.link.messages import (
     Ask,
     Batch,
     Closed,
     Connected,
     Outcome,
+    Progress,
     Report,
     SetDrive,
     Stop,
@@ -23,11 +25,11 @@ from trex_gui.link.messages import (
 )
 from trex_gui.link.session import Session
 from trex_gui.link.settings import LinkSettings
+from trex_gui.link.timeouts import Timeouts
 from trex_gui.protocol.commands import Drive, GetParameter
 from trex_gui.protocol.errors import BadReply, NoReply, PortUnavailable
+from trex_gui.runtime import now, open_transport
 from trex_gui.worker.line_worker import LineWorker
-
-pytestmark = pytest.mark.realtime
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -40,8 +42,9 @@ class Watched:
         self.reports: list[Report] = []
         self.threads: set[threading.Thread] = set()
         self.url = url
-        settings = LinkSettings(url)
-        self.worker = LineWorker(lambda inbox, tell: Session(settings, inbox, tell))
+        timeouts = PATIENT if isinstance(qtbot, PatientQtBot) else Timeouts()
+        settings = LinkSettings(url, timeouts=timeouts)
+        self.worker = LineWorker(lambda inbox, tell: Session(settings, inbox, tell, open_transport))
         self.worker.reported.connect(self._take)
         self.qtbot = qtbot
 
@@ -55,11 +58,14 @@ class Watched:
     def wait(self, kind: type) -> None:
         self.qtbot.waitUntil(lambda: self.has(kind))
 
-    def connect(self) -> bool:
-        """Connect; return whether it came to that: a simulator may stand still just then."""
-        self.worker.start()
-        self.qtbot.waitUntil(lambda: self.has(Connected) or self.has(Closed))
-        return self.has(Connected)
+    def close(self) -> float:
+        """Close the line; return how many seconds its thread took to end."""
+        begun = now()
+        assert self.worker.close(15_000)
+        took = now() - begun
+        self.wait(Closed)
+        assert self.end == Closed(None)
+        return took
 
     def outcome(self, number: int) -> Outcome:
         """Wait for the outcome of a request."""
@@ -81,14 +87,6 @@ class Watched:
 
 Watch = Callable[[str], Watched]
 
-TRIES = 4
-"""How often what takes too long, or fails, is tried: a computer that stands still spoils one."""
-
-
-def is_soon(seconds: float, take: Callable[[], float]) -> bool:
-    """Whether something that is measured anew by each call takes less than this, once at least."""
-    return any(take() < seconds for _ in range(TRIES))
-
 
 @pytest.fixture
 def watch(qtbot: QtBot) -> Iterator[Watch]:
@@ -101,28 +99,32 @@ def watch(qtbot: QtBot) -> Iterator[Watch]:
 
     yield make
     for one in watched:
-        if one.worker.isRunning():
-            assert one.worker.close(15_000), "the thread lives on"
+        assert one.worker.close(15_000), "the thread lives on"
 
 
 def connected(watch: Watch, url: str) -> Watched:
     """Return a worker that is connected to a simulated board."""
-    for _ in range(TRIES):
-        watched = watch(url)
-        if watched.connect():
-            return watched
-        assert isinstance(watched.end.error, NoReply | BadReply), watched.end
-    raise AssertionError(watched.end)
+    watched = watch(url)
+    watched.worker.start()
+    watched.qtbot.waitUntil(lambda: watched.has(Connected) or watched.has(Closed))
+    assert watched.has(Connected), watched.end
+    return watched
 
 
 @pytest.fixture
 def line(quick_simulator: SimulatedDevice, watch: Watch) -> Watched:
-    """A worker that is connected to a simulated board."""
+    """A worker that is connected to a simulated board whose bytes take no time."""
     return connected(watch, quick_simulator.url)
 
 
+@pytest.fixture
+def paced_line(simulator: SimulatedDevice, watch: Watch) -> Watched:
+    """A worker that is connected to a simulated board whose bytes take their time."""
+    return connected(watch, simulator.url)
+
+
 class Stranger:
-    """A pseudo-terminal with another device behind it, or none."""
+    """A pseudo-terminal with another device behind it."""
 
     def __init__(self, answer: Callable[[bytes], bytes]) -> None:
         self.master, self._slave = os.openpty()
@@ -167,6 +169,7 @@ Make = Callable[[Callable[[bytes], bytes]], Stranger]
 # --- Life -------------------------------------------------------------------------------
 
 
+@pytest.mark.realtime
 def test_board_reports_arrive_in_gui_thread(line: Watched) -> None:
     line.wait(Batch)
     (connected,) = [one for one in line.reports if isinstance(one, Connected)]
@@ -174,54 +177,51 @@ def test_board_reports_arrive_in_gui_thread(line: Watched) -> None:
     assert line.threads == {threading.main_thread()}
 
 
-def close(line: Watched) -> float:
-    """Close a line; return how many seconds that took."""
-    begun = time.monotonic()
-    assert line.worker.close(15_000)
-    took = time.monotonic() - begun
-    assert line.worker.isFinished()
-    line.wait(Closed)
-    assert line.end == Closed(None)
-    return took
+def test_closing_ends_thread_within_a_second(paced_line: Watched) -> None:
+    assert paced_line.close() < 1.0
 
 
-def test_closing_ends_thread_within_a_second(
-    quick_simulator: SimulatedDevice, watch: Watch
-) -> None:
-    assert is_soon(1.0, lambda: close(connected(watch, quick_simulator.url)))
-
-
+@pytest.mark.realtime
 def test_closed_port_can_be_opened_again(line: Watched, watch: Watch) -> None:
-    assert line.worker.close(15_000)
-    again = connected(watch, line.url)
-    assert again.has(Connected)
+    line.close()
+    assert line.worker.isFinished()
+    connected(watch, line.url)
 
 
 def test_closing_during_connect_ends_within_a_second(
+    simulator: SimulatedDevice, watch: Watch
+) -> None:
+    watched = watch(simulator.url)
+    watched.worker.start()
+    watched.wait(Progress)
+    assert watched.close() < 1.0
+    assert not watched.has(Connected)
+
+
+@pytest.mark.realtime
+def test_closing_right_after_start_ends_thread(
     quick_simulator: SimulatedDevice, watch: Watch
 ) -> None:
-    def take() -> float:
-        watched = watch(quick_simulator.url)
-        watched.worker.start()
-        return close(watched)
-
-    assert is_soon(1.0, take)
+    watched = watch(quick_simulator.url)
+    watched.worker.start()
+    watched.close()
+    assert watched.worker.isFinished()
 
 
+@pytest.mark.realtime
 def test_unstarted_worker_can_be_closed(watch: Watch) -> None:
     assert watch("/dev/nothing").worker.close()
 
 
-def test_closing_brakes_running_motor(line: Watched, quick_simulator: SimulatedDevice) -> None:
-    line.worker.submit(SetDrive(1, Drive.at(100)))
-    line.qtbot.waitUntil(lambda: quick_simulator.show()["motors"][0]["speed"] == 100)
-    assert line.worker.close(15_000)
-
+def test_closing_brakes_running_motor(paced_line: Watched, simulator: SimulatedDevice) -> None:
     def motor() -> tuple[str, int]:
-        shown = quick_simulator.show()["motors"][0]
+        shown = simulator.show()["motors"][0]
         return shown["direction"], shown["speed"]
 
-    line.qtbot.waitUntil(lambda: motor() == ("brake", 127))
+    paced_line.worker.submit(SetDrive(1, Drive.at(100)))
+    paced_line.qtbot.waitUntil(lambda: motor() == ("forward", 100))
+    assert paced_line.close() < 1.0
+    assert motor() == ("brake", 127)
 
 
 # --- Requests ---------------------------------------------------------------------------
@@ -238,6 +238,7 @@ def test_each_request_gets_its_outcome(line: Watched) -> None:
     assert line.outcome(4).error is None
 
 
+@pytest.mark.realtime
 def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
     threads = [
         threading.Thread(target=line.worker.submit, args=(Ask(number, GetParameter(0)),))
@@ -250,39 +251,28 @@ def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
     assert {line.outcome(number).value for number in range(20)} == {7}
 
 
-def test_batches_are_limited_to_60_a_second(line: Watched) -> None:
-    """Compare sample times, since the window may receive batches late."""
-    line.reports.clear()
+def test_batches_are_limited_to_60_a_second(line: Watched, virtual_time: VirtualRuntime) -> None:
+    def arrived() -> int:
+        return sum(isinstance(one, Batch) for one in line.reports)
 
-    def ends() -> list[float]:
-        return [one.samples[-1].time for one in line.reports if isinstance(one, Batch)]
-
-    line.qtbot.waitUntil(lambda: len(ends()) >= 30)
-    assert ends()[29] - ends()[0] > 29 / 60 - 0.1
+    before = arrived()
+    virtual_time.advance(1.0)
+    assert 50 <= arrived() - before <= 60
 
 
 # --- Trouble ----------------------------------------------------------------------------
 
 
-def test_unplugged_cable_ends_session_within_half_a_second(
-    quick_simulator: SimulatedDevice, watch: Watch
-) -> None:
-    def take() -> float:
-        line = connected(watch, url[-1])
-        quick_simulator.do("line unplug")
-        begun = time.monotonic()
-        line.wait(Closed)
-        took = time.monotonic() - begun
-        assert isinstance(line.end.error, PortUnavailable)
-        assert "Plug it in, then connect again" in str(line.end.error)
-        assert line.worker.wait(15_000)
-        url.append(quick_simulator.do("line plug").split()[-1])
-        return took
-
-    url = [quick_simulator.url]
-    assert is_soon(0.5, take)
+@pytest.mark.realtime
+def test_unplugged_cable_ends_session(line: Watched, quick_simulator: SimulatedDevice) -> None:
+    quick_simulator.do("line unplug")
+    line.wait(Closed)
+    assert isinstance(line.end.error, PortUnavailable)
+    assert "Plug it in, then connect again" in str(line.end.error)
+    assert line.worker.wait(15_000)
 
 
+@pytest.mark.realtime
 def test_ended_simulator_is_reported_as_unavailable_port(
     line: Watched, quick_simulator: SimulatedDevice
 ) -> None:
@@ -298,6 +288,7 @@ def test_missing_port_is_reported(watch: Watch) -> None:
     assert "There is no port /dev/ttyNothing9" in str(watched.end.error)
 
 
+@pytest.mark.realtime
 def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
     watched = watch(line.url)
     watched.worker.start()
@@ -306,23 +297,20 @@ def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
     assert not line.has(Closed)
 
 
-def test_silent_device_is_reported_as_no_reply(stranger: Make, watch: Watch) -> None:
-    url = stranger(lambda _data: b"").url
-
-    def take() -> float:
-        watched = watch(url)
-        begun = time.monotonic()
-        watched.worker.start()
-        watched.wait(Closed)
-        took = time.monotonic() - begun
-        assert isinstance(watched.end.error, NoReply)
-        assert "No TReX answers" in str(watched.end.error)
-        assert watched.worker.wait(15_000)
-        return took
-
-    assert is_soon(1.5, take)
+def test_silent_device_is_reported_within_half_a_second(
+    quick_simulator: SimulatedDevice, watch: Watch
+) -> None:
+    quick_simulator.do("power off")
+    watched = watch(quick_simulator.url)
+    begun = now()
+    watched.worker.start()
+    watched.wait(Closed)
+    assert now() - begun < 0.5
+    assert isinstance(watched.end.error, NoReply)
+    assert "No TReX answers" in str(watched.end.error)
 
 
+@pytest.mark.realtime
 def test_other_device_is_reported_as_bad_reply(stranger: Make, watch: Watch) -> None:
     watched = watch(stranger(lambda _data: b"ERROR: unknown command\r\n").url)
     watched.worker.start()
@@ -331,6 +319,7 @@ def test_other_device_is_reported_as_bad_reply(stranger: Make, watch: Watch) -> 
     assert "not as a TReX does" in str(watched.end.error)
 
 
+@pytest.mark.realtime
 def test_loopback_plug_is_reported_as_joined_wires(stranger: Make, watch: Watch) -> None:
     watched = watch(stranger(lambda data: data).url)
     watched.worker.start()
