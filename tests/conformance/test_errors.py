@@ -52,12 +52,9 @@ def test_impatient_host_overruns_read_and_send_buffer(trex: Trex) -> None:
     Inferred: that it takes no more than 400 bytes, and answers to them, during a write.
     """
     flood = trex.packet("81") * (400 // len(trex.packet("81")))
-    for _ in range(20):  # a busy computer may not send all of it during the write
-        trex.everything(trex.packet(CALIBRATION) + flood)
-        trex.everything(b"\xff")  # ends what may have been cut
-        if (errors := trex.number("85")) & 0x03 == 0x03:
-            break
-    assert errors & 0x03 == 0x03
+    trex.everything(trex.packet(CALIBRATION) + flood)
+    trex.everything(b"\xff")  # ends what may have been cut
+    assert trex.number("85") & 0x03 == 0x03
 
 
 @pytest.mark.parametrize(
@@ -180,24 +177,13 @@ def test_serial_timeout_stops_motors_and_sets_its_bit(trex: Trex) -> None:
 
 def test_timely_packets_prevent_serial_timeout(trex: Trex) -> None:
     """CMD10 0x85: "too much time goes by between TReX serial receptions"."""
-    for _ in range(50):  # a busy computer may itself let too much time go by
-        assert trex.ask("AF 07 02 55 2A") == "00"
-        receptions = [trex.now()]
-        trex.ask("85")
-        trex.tell("DA 20 20")
-        gaps = []
-        for _ in range(3):
-            trex.wait(0.08)
-            receptions.append(trex.now())
-            trex.ask("82")
-            gaps.append(trex.now() - receptions[-2])
-        motors = trex.motor(1), trex.motor(2)
-        found = trex.ask("85")
-        gaps.append(trex.now() - receptions[-1])
-        if max(gaps) < 0.2:
-            break
-    assert motors == (("forward", 0x20), ("forward", 0x20))
-    assert found == "00"
+    assert trex.ask("AF 07 02 55 2A") == "00"
+    trex.tell("DA 20 20")
+    for _ in range(3):  # longer in all than the timeout of 200 ms
+        trex.wait(0.08)
+        trex.ask("82")
+    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x20), ("forward", 0x20))
+    assert trex.ask("85") == "00"
 
 
 def test_timeout_parameter_0_disables_serial_timeout(trex: Trex) -> None:

@@ -10,9 +10,6 @@ from tests.conformance.ends import PATIENCE, WireEnd
 from tests.conformance.trex import RATES, Trex, Variant, only
 from trex_gui.emulator.server import DeviceOption
 
-_SOME, _MANY = 20, 1000
-"""Answers timed, at least and at most: on a busy machine few come without a pause."""
-
 
 def on_the_wire(variant: Variant) -> bool:
     """For what only a wire has: rates, an echo, bytes that pass each other."""
@@ -197,26 +194,16 @@ def test_response_delay_holds_replies_back_for_1_ms(trex: Trex) -> None:
     """F1491: for slow hosts."""
     assert trex.ask("AF 17 01 55 2A") == "00"
     assert trex.ask("9F 17") == "01"
-    took = []
-    for _ in range(_MANY):  # a loaded machine adds to some
-        trex.ask("82")
-        took.append(trex.took)
-        if len(took) >= _SOME and min(took) < 0.002:
-            break
-    assert 0.001 - 1e-9 <= min(took) < 0.002  # 1e-9: the rounding of summed times
+    trex.ask("82")
+    assert trex.took == pytest.approx(0.001)
 
 
 @only(firmware="1.2")
 def test_replies_without_response_delay_come_at_once(trex: Trex) -> None:
     """F1491: it is an option."""
     assert trex.ask("AF 17 00 55 2A") == "00"
-    took = []
-    for _ in range(_MANY):
-        trex.ask("82")
-        took.append(trex.took)
-        if min(took) < 0.001:
-            break
-    assert min(took) < 0.001
+    trex.ask("82")
+    assert trex.took < 0.001
 
 
 @only(firmware="1.0")

@@ -1,9 +1,7 @@
 """Bench tests with a simulated board: its motors do what the profile says, and stop in time."""
 
-import sys
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -19,14 +17,17 @@ from trex_gui.model.bench import Bench, Phase, Plan
 from trex_gui.model.device import Device, Link
 from trex_gui.runtime import now
 
-if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+STEP = 0.02
+"""Seconds between two steps of a profile."""
 
-TRIES = 4
-"""How often is tried what a computer that stands still for a moment spoils."""
+UPDATE = 0.01
+"""Seconds between two updates of the board's outputs (CMD10 0xC4)."""
 
-LATE = 0.35
-"""Seconds by which a simulated motor may follow its command on a machine with much else to do."""
+LATE = STEP + UPDATE
+"""Seconds by which a simulated motor follows its profile at most; the bytes take no time."""
+
+READING = 1 / 80
+"""Seconds between two readings of the current, by the board and by the program (CMD10 0x8D)."""
 
 
 class BenchSetup:
@@ -137,84 +138,53 @@ def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
 # --- The motors follow ------------------------------------------------------------------
 
 
-@pytest.mark.timeout(180)
 @pytest.mark.parametrize(
     ("shape", "motor"),
     [(Shape.RAMP, 1), (Shape.SINE, 2), (Shape.REVERSE, 1), (Shape.STEP, 2)],
 )
 def test_simulated_motor_follows_the_profile(armed: BenchSetup, shape: Shape, motor: int) -> None:
     armed.plan(shape, speed=-100, duration=2.0, period=2.0, motor=motor, abort_current=40.0)
-    strays = ["not tried"]
-    for _ in range(5 * TRIES):  # each takes two seconds, in none of which anybody may stand still
-        if not (strays := strays_from_the_profile(armed, motor)):
-            break
-    assert strays == []
-
-
-def strays_from_the_profile(armed: BenchSetup, motor: int) -> list[str]:
-    """Run a test; return where the simulated motor was somewhere else than it should have been."""
     profile = armed.bench.plan.profile
-    seen: list[tuple[float, float, int]] = []
-    before_it = now()
+    seen: list[tuple[float, int]] = []
+    begun = now()
     assert armed.bench.begin()
-    after_it = now()
 
     def look() -> bool:
-        before = now()
-        speed = armed.speed(motor)
-        seen.append((before - after_it - LATE, now() - before_it, speed))
+        seen.append((now() - begun, armed.speed(motor)))
         return armed.bench.phase is not Phase.DRIVING
 
     armed.until(look)
     armed.until(lambda: armed.brakes(motor))
     assert armed.speed(3 - motor) == 0
     armed.result()
-    inside = [(low, high, speed) for low, high, speed in seen if low > 0 and high < 1.95]
-    strays = [] if len(inside) > 10 else [f"looked at {len(inside)} times"]
-    for low, high, speed in inside:
-        expected = [profile.speed_at(low + (high - low) * part / 200) for part in range(201)]
-        if not min(expected) <= speed <= max(expected):
-            strays.append(f"{speed} between {low:.2f} and {high:.2f} s")
-    if max((abs(speed) for *_, speed in inside), default=0) < 90:
-        strays.append("never fast")
-    return strays
+    inside = [(time, speed) for time, speed in seen if LATE < time < profile.duration]
+    for time, speed in inside:
+        expected = [profile.speed_at(time - LATE * part / 200) for part in range(201)]
+        assert min(expected) <= speed <= max(expected), f"{time:.3f} s"
+    assert max(abs(speed) for _, speed in inside) >= 90
 
 
 def test_completed_test_leaves_the_motor_braked_and_armed(armed: BenchSetup) -> None:
-    def lasts() -> float:
-        run = armed.run()
-        assert run.end is End.COMPLETE
-        armed.until(armed.brakes)
-        assert armed.device.motors.armed
-        assert armed.device.motors.holder == ""
-        return run.ended
-
     armed.plan(speed=60, duration=0.6, abort_current=40.0)
-    assert any(0.6 <= lasts() < 0.6 + LATE for _ in range(TRIES))
+    run = armed.run()
+    assert run.end is End.COMPLETE
+    assert 0.6 <= run.ended < 0.6 + STEP
+    assert armed.brakes()
+    assert armed.device.motors.armed
+    assert armed.device.motors.holder == ""
 
 
 def test_profile_sends_at_most_50_setpoints_per_second(armed: BenchSetup) -> None:
     armed.plan(Shape.SINE, speed=127, duration=1.0, abort_current=40.0)
-    counts = [len(armed.run().wishes)]
-    while counts[-1] < 10 and len(counts) < TRIES:
-        counts.append(len(armed.run().wishes))
-    assert counts[-1] >= 10
-    assert max(counts) <= 51
+    assert 40 <= len(armed.run().wishes) <= 51
 
 
 def test_profile_speed_is_limited_by_the_ceiling(armed: BenchSetup) -> None:
     armed.device.motors.set_ceiling(30)
     armed.plan(Shape.SINE, speed=100, duration=0.6, period=0.6, abort_current=40.0)
-    runs = [armed.run()]
-    while highest(runs) < 30 and len(runs) < TRIES:
-        runs.append(armed.run())
-    assert highest(runs) == 30
-    assert runs[0].profile.speed == 30
-
-
-def highest(runs: list[Run]) -> int:
-    """Return the highest speed that any of several tests requested."""
-    return max((abs(speed) for run in runs for _, speed in run.wishes), default=0)
+    run = armed.run()
+    assert max(abs(speed) for _, speed in run.wishes) == 30
+    assert run.profile.speed == 30
 
 
 def test_options_of_other_controls_are_unchanged(armed: BenchSetup) -> None:
@@ -252,52 +222,38 @@ def rush_in(load: float, share: float) -> tuple[float, float]:
     return max(readings), readings[-1]
 
 
-def gapless(setup: BenchSetup) -> Run:
-    """Return a test in which wishes and readings followed each other closely.
-
-    A computer that stands still for a moment holds them up, and then there are other figures.
-    """
-    for _ in range(TRIES):
-        run = setup.run()
-        begun = run.wishes[0][0] < 0.05
-        times = [0.0, *(time for time, _ in run.currents if time <= run.ended), run.ended]
-        if begun and max(later - earlier for earlier, later in pairwise(times)) < 0.15:
-            break
-    return run
-
-
 def test_peak_and_steady_current_match_the_motor_model(armed: BenchSetup) -> None:
     armed.simulator.do("load 1 6")
     armed.plan(speed=64, duration=1.5, accelerate=False, abort_current=38.0)
-    found = figures(gapless(armed))
+    found = figures(armed.run())
     peak, steady = rush_in(6.0, 64 / 127)
     assert steady == pytest.approx(6.0, abs=0.1)
     assert found.steady == pytest.approx(steady, abs=0.15)
     assert found.peak is not None
-    assert 1.3 * steady < found.peak < 1.1 * peak  # a slow line misses the very top of it
+    assert 0.9 * peak < found.peak < 1.02 * peak  # two readings may share the very top of it
     assert found.mean is not None
     assert found.charge is not None
     assert found.charge == pytest.approx(found.mean * 1.5 / 3.6, rel=0.1)
     assert found.delay is not None
-    assert 0 < found.delay < LATE
+    assert 0 < found.delay <= 2 * READING  # the first may have been taken before the command
     assert found.settled is not None
-    assert found.settled < 0.6  # time constant 60 ms, and what the line adds
+    assert found.settled < 0.2  # three time constants of 60 ms, and the readings
 
 
 def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> None:
     armed.simulator.do("load 1 3")
     armed.plan(speed=120, duration=1.2, accelerate=True, abort_current=38.0)
-    hard = figures(gapless(armed))
+    hard = figures(armed.run())
     armed.device.parameters.edit("motor1_acceleration", 20)  # 120 takes 0.6 s
     armed.device.apply()
     armed.until(lambda: not armed.device.applying and armed.device.pending == 0)
-    soft_run = gapless(armed)
+    soft_run = armed.run()
     soft = figures(soft_run)
     assert hard.peak is not None
     assert soft.peak is not None
     assert soft.peak < 0.7 * hard.peak
     assert dict(soft_run.settings)["Motor 1 Acceleration"].startswith("20")
-    assert len(armed.bench.runs) == len(armed.finished) >= 2
+    assert len(armed.bench.runs) == len(armed.finished) == 2
 
 
 # --- Letting go and what ends a test ----------------------------------------------------
@@ -349,17 +305,10 @@ def test_current_above_abort_limit_aborts_and_disarms(driving: BenchSetup) -> No
 
 
 def test_stalled_motor_is_stopped_within_one_second(armed: BenchSetup) -> None:
-    def lasts() -> float:
-        if not armed.device.motors.armed:
-            armed.until(lambda: armed.device.motors.locked_for == 0)
-            armed.arm()
-            armed.until(lambda: not armed.bench.obstacle)
-        assert armed.bench.begin()
-        return aborted(armed).ended
-
     armed.simulator.do("load 1 25")  # more than it can turn at this speed
     armed.plan(speed=100, duration=30.0, abort_current=15.0, accelerate=False)
-    assert any(lasts() < 1.0 for _ in range(TRIES))
+    assert armed.bench.begin()
+    assert aborted(armed).ended < 1.0
 
 
 def test_current_of_other_motor_does_not_abort_the_test(driving: BenchSetup) -> None:

@@ -15,9 +15,6 @@ from trex_gui.model.ports import Port, PortKind, Ports
 from trex_gui.model.simulator import Simulator, simulator_command
 from trex_gui.protocol.line_settings import Detection, LineSettings
 
-if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
-
 
 @pytest.fixture
 def device(qtbot: QtBot) -> Device:

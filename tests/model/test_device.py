@@ -1,7 +1,5 @@
 """The board as the window sees it: a real thread, a real line, a simulated board."""
 
-import math
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -17,13 +15,7 @@ from trex_gui.protocol.flags import Status, UartError
 from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.runtime import now
 
-if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
-
 LEARNED = Calibration(2400, 3700, 5100, 80)
-
-TRIES = 4
-"""How often is tried what a computer that stands still for a moment spoils."""
 
 
 class DeviceRecorder:
@@ -430,19 +422,14 @@ def test_disconnecting_reports_no_failure(connected: DeviceRecorder) -> None:
 def test_unplugged_cable_is_reported_within_half_a_second(
     connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    def take() -> float:
-        connected.device.motors.arm()
-        quick_simulator.do("line unplug")
-        begun = now()
-        connected.until_link(Link.NONE)
-        took = now() - begun
-        assert len(connected.failures) == 1
-        assert "Plug it in, then connect again" in connected.failures.pop()
-        assert not connected.device.motors.can_arm
-        connected.connect(quick_simulator.do("line plug").split()[-1])
-        return took
-
-    assert any(take() < 0.5 for _ in range(TRIES))
+    connected.device.motors.arm()
+    quick_simulator.do("line unplug")
+    begun = now()
+    connected.until_link(Link.NONE)
+    assert now() - begun < 0.5
+    assert len(connected.failures) == 1
+    assert "Plug it in, then connect again" in connected.failures[0]
+    assert not connected.device.motors.can_arm
 
 
 def test_cable_unplugged_during_a_write_keeps_the_edits(
@@ -507,23 +494,16 @@ def test_missing_port_chosen_while_connected_is_reported(connected: DeviceRecord
 def test_shutdown_stops_motors_within_one_second(
     connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    def take() -> float:
-        if connected.device.link is Link.NONE:
-            connected.connect(quick_simulator.url)
-        motors = connected.device.motors
-        motors.accelerate = False
-        motors.arm()
-        motors.set_speed(1, 90)
-        connected.until(lambda: speed(quick_simulator) == ("forward", 90))
-        begun = now()
-        in_time = connected.device.shut_down()
-        took = now() - begun
-        assert connected.device.link is Link.NONE
-        connected.until(connected.device.shut_down)
-        connected.until(lambda: speed(quick_simulator) == ("brake", 127))
-        return took if in_time else math.inf
-
-    assert any(take() < 1.0 for _ in range(TRIES))
+    motors = connected.device.motors
+    motors.accelerate = False
+    motors.arm()
+    motors.set_speed(1, 90)
+    connected.until(lambda: speed(quick_simulator) == ("forward", 90))
+    begun = now()
+    assert connected.device.shut_down()
+    assert now() - begun < 1.0
+    assert connected.device.link is Link.NONE
+    assert speed(quick_simulator) == ("brake", 127)
 
 
 def test_shutdown_without_a_connection_is_immediate(recorder: DeviceRecorder) -> None:

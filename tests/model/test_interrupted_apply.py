@@ -1,6 +1,5 @@
 """Power cut, cable pulled and line closed at every step of an Apply, over a real line."""
 
-import sys
 from collections.abc import Callable, Iterator
 
 import pytest
@@ -16,9 +15,6 @@ from trex_gui.protocol.line_settings import LineSettings
 from trex_gui.protocol.parameters import parameters_of
 from trex_gui.settings.document import Settings
 from trex_gui.settings.snapshot import settings_of
-
-if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
 SPECS = parameters_of("trex", "1.2")
 LEARNED = Calibration(2400, 3700, 5100, 80)

@@ -1,6 +1,5 @@
 """Learning on a simulated board: the steps, what stops them, and what they leave behind."""
 
-import sys
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
@@ -15,12 +14,6 @@ from trex_gui.link.writing import Written
 from trex_gui.model.device import Device, Link
 from trex_gui.model.learning import Learning, Step
 from trex_gui.protocol.errors import NoReply, TrexError
-
-if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
-
-pytestmark = pytest.mark.timeout(180)  # a busy computer may take its time
-
 
 UNPROVED = "not sure that the motors stand"
 
@@ -83,7 +76,7 @@ class LearningSetup:
         self.until(lambda: not self.device.applying)
 
     def hold(self) -> None:
-        """Wait for as many measurements as make an end, on a busy computer too."""
+        """Wait for as many measurements as make an end."""
         inputs = self.device.telemetry.inputs
         start = inputs.times[-1]
         self.until(lambda: float(inputs.times[-1]) > start + 0.4)

@@ -1,6 +1,5 @@
 """A board that comes back with other line settings, on a real port."""
 
-import sys
 from collections.abc import Callable, Iterator
 
 import pytest
@@ -12,9 +11,6 @@ from trex_gui.model.connector import Connector
 from trex_gui.model.device import Device, Link
 from trex_gui.model.ports import Ports
 from trex_gui.protocol.line_settings import Detection, LineSettings
-
-if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
 NEW = LineSettings(57600, Detection.CRC7)
 UART, POLYNOMIAL = "uart_settings", "crc7_polynomial"

@@ -1,6 +1,5 @@
 """What the test of the sticks says about the inputs of a board, with what the board stores."""
 
-import sys
 from collections.abc import Callable, Iterator
 
 import pytest
@@ -12,9 +11,6 @@ from trex_gui.link.settings import LinkSettings
 from trex_gui.model.device import Device, Link
 from trex_gui.model.stick_tests import StickTests
 from trex_gui.protocol.calibration import Calibration, remap
-
-if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
 THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
 """Learned from a stick that rests at 1100 µs; below that is trim only."""
