@@ -60,6 +60,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--all", action="store_true", help="run the tests marked slow, too")
 
 
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Leave other files alone where only realtime tests run: to import all takes longer."""
+    is_other = collection_path.name.startswith("test_") and (
+        config.getoption("markexpr") == "realtime"
+        and b"realtime" not in collection_path.read_bytes()
+    )
+    return True if is_other else None  # `None` leaves it to others
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     if config.getoption("--all"):
         return
