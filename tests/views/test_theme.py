@@ -138,6 +138,13 @@ def test_system_scheme_defaults_to_light() -> None:
     assert not theme().is_dark
 
 
+def test_second_install_keeps_the_scheme_of_the_system(qapp: QApplication) -> None:
+    theme().set_scheme("dark")
+    theme().install(qapp)
+    theme().set_scheme("system")
+    assert not theme().is_dark
+
+
 def test_unknown_scheme_is_rejected() -> None:
     with pytest.raises(ValueError, match="no scheme 'sepia'"):
         theme().set_scheme("sepia")  # type: ignore[arg-type]  # what a settings file may say

@@ -99,8 +99,9 @@ class Theme(QObject):
 
     def install(self, app: QApplication) -> None:
         """Give the application the Fusion style and our palette, and follow the system."""
+        if self._app is None:  # afterwards the palette is ours
+            self._system_was_dark = _is_dark(app.palette().window().color())
         self._app = app
-        self._system_was_dark = _is_dark(app.palette().window().color())
         app.setStyle("Fusion")
         app.styleHints().colorSchemeChanged.connect(
             self._on_system_changed, Qt.ConnectionType.UniqueConnection
