@@ -108,6 +108,15 @@ def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
     return VirtualQtBot(request, request.getfixturevalue("virtual_time"))
 
 
+@pytest.fixture(autouse=True)
+def _usual_scheme() -> Iterator[None]:
+    """Leave no colour scheme of a test behind."""
+    yield
+    if theme().choice != "system":
+        theme().set_scheme("system")
+        QCoreApplication.processEvents()
+
+
 @pytest.fixture
 def board() -> Board:
     return Board()

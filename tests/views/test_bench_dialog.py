@@ -346,4 +346,3 @@ def test_dialog_is_drawn_in_both_schemes(dialog: BenchTestDialog, scheme: str) -
     theme().set_scheme("dark" if scheme == "dark" else "light")
     dialog.bench.keep(run_of(READINGS))
     assert not dialog.root.grab().isNull()
-    theme().set_scheme("system")

@@ -1,4 +1,4 @@
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
 from PySide6.QtGui import QColor, QImage
@@ -16,12 +16,9 @@ RC = DEFAULT_CALIBRATION[InputSource.RC]
 
 
 @pytest.fixture(autouse=True)
-def _light(qapp: QApplication) -> Iterator[None]:
+def _light(qapp: QApplication) -> None:
     theme().install(qapp)
     theme().set_scheme("light")
-    yield
-    theme().set_scheme("light")
-    qapp.processEvents()
 
 
 @pytest.fixture

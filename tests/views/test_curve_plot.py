@@ -1,6 +1,5 @@
 """The curve with its handles, by itself."""
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -23,7 +22,7 @@ USUAL = ChannelCurve(Calibration(2500, 3750, 5000, 75))
 
 
 @pytest.fixture
-def plot(qapp: QApplication, qtbot: QtBot) -> Iterator[CurvePlot]:
+def plot(qapp: QApplication, qtbot: QtBot) -> CurvePlot:
     theme().install(qapp)
     theme().set_scheme("light")
     widget = CurvePlot()
@@ -32,9 +31,7 @@ def plot(qapp: QApplication, qtbot: QtBot) -> Iterator[CurvePlot]:
     widget.show_channel(1, InputSource.RC, USUAL, USUAL, editable=True)
     widget.show()
     widget.grab()
-    yield widget
-    theme().set_scheme("light")
-    qapp.processEvents()
+    return widget
 
 
 class CurvePlotDriver(WidgetDriver):

@@ -1,5 +1,4 @@
 import tomllib
-from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QObject
@@ -16,12 +15,9 @@ SHOWN = ("light", "dark")
 
 
 @pytest.fixture(autouse=True)
-def _light_again(qapp: QApplication) -> Iterator[None]:
+def _light(qapp: QApplication) -> None:
     theme().install(qapp)
     theme().set_scheme("light")
-    yield
-    theme().set_scheme("light")
-    qapp.processEvents()
 
 
 def tables(scheme: str) -> dict[str, dict[str, str]]:

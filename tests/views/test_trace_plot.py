@@ -98,8 +98,6 @@ def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> Iterator[TracePan
     panel.refresh()
     yield TracePanelDriver(panel, qtbot)
     panel.export.finish()
-    theme().set_scheme("light")
-    qapp.processEvents()
 
 
 @pytest.fixture
