@@ -314,15 +314,20 @@ def speed(simulator: SimulatedDevice) -> tuple[str, int]:
     return motor["direction"], motor["speed"]
 
 
-def test_armed_motor_runs_and_stop_brakes_it(
-    connected: DeviceRecorder, quick_simulator: SimulatedDevice
-) -> None:
+def run_motor_1(connected: DeviceRecorder, simulator: SimulatedDevice) -> None:
+    """Arm and run motor 1 at 90."""
     motors = connected.device.motors
     motors.accelerate = False
     motors.arm()
     motors.set_speed(1, 90)
-    connected.until(lambda: speed(quick_simulator) == ("forward", 90))
-    motors.stop()
+    connected.until(lambda: speed(simulator) == ("forward", 90))
+
+
+def test_armed_motor_runs_and_stop_brakes_it(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    run_motor_1(connected, quick_simulator)
+    connected.device.motors.stop()
     connected.until(lambda: speed(quick_simulator) == ("brake", 127))
     assert connected.failures == []
 
@@ -353,13 +358,9 @@ def test_stop_without_a_connection_is_harmless(recorder: DeviceRecorder) -> None
 def test_disconnecting_stops_the_motors(
     connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    motors = connected.device.motors
-    motors.accelerate = False
-    motors.arm()
-    motors.set_speed(1, 90)
-    connected.until(lambda: speed(quick_simulator) == ("forward", 90))
+    run_motor_1(connected, quick_simulator)
     connected.device.disconnect_line()
-    assert not motors.armed
+    assert not connected.device.motors.armed
     connected.until_link(Link.NONE)
     connected.until(lambda: speed(quick_simulator) == ("brake", 127))
 
@@ -389,11 +390,7 @@ def test_driven_motors_may_move_until_stop_is_confirmed(
 def test_reconnect_stops_motors_that_ran_when_unplugged(
     connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    motors = connected.device.motors
-    motors.accelerate = False
-    motors.arm()
-    motors.set_speed(1, 90)
-    connected.until(lambda: speed(quick_simulator) == ("forward", 90))
+    run_motor_1(connected, quick_simulator)
     quick_simulator.do("line unplug")
     connected.until_link(Link.NONE)
     assert connected.device.may_move
@@ -494,11 +491,7 @@ def test_missing_port_chosen_while_connected_is_reported(connected: DeviceRecord
 def test_shutdown_stops_motors_within_one_second(
     connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    motors = connected.device.motors
-    motors.accelerate = False
-    motors.arm()
-    motors.set_speed(1, 90)
-    connected.until(lambda: speed(quick_simulator) == ("forward", 90))
+    run_motor_1(connected, quick_simulator)
     begun = now()
     assert connected.device.shut_down()
     assert now() - begun < 1.0

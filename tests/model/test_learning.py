@@ -51,6 +51,12 @@ class LearningSetup:
 
         self.until(is_there)
 
+    def restart_in_mode(self, mode: str) -> None:
+        """Set the mode jumper and cycle the power."""
+        self.simulator.do(f"jumper mode {mode}")
+        self.simulator.do("power cycle")
+        self.until(lambda: self.device.state is not None and not self.device.state.mode.is_serial)
+
     def go_to_travel(self, *channels: int) -> None:
         self.learning.begin(channels or (1, 2))
         self.until_step(Step.NEUTRAL)
@@ -133,9 +139,7 @@ def test_unconfirmed_stop_fails_learning(setup: LearningSetup) -> None:
 
 
 def test_rc_mode_is_refused_with_a_remedy(setup: LearningSetup) -> None:
-    setup.simulator.do("jumper mode rc")
-    setup.simulator.do("power cycle")
-    setup.until(lambda: setup.device.state is not None and not setup.device.state.mode.is_serial)
+    setup.restart_in_mode("rc")
     setup.learning.begin((1,))
     assert setup.learning.step is Step.FAILED
     assert "sticks drive the motors" in setup.learning.trouble
@@ -143,9 +147,7 @@ def test_rc_mode_is_refused_with_a_remedy(setup: LearningSetup) -> None:
 
 
 def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
-    setup.simulator.do("jumper mode rc")
-    setup.simulator.do("power cycle")
-    setup.until(lambda: setup.device.state is not None and not setup.device.state.mode.is_serial)
+    setup.restart_in_mode("rc")
     setup.until(lambda: setup.device.telemetry.serial_controls is False)
     setup.simulator.do("channel 5 1000us")
     setup.until(lambda: setup.device.telemetry.serial_controls is True)
@@ -155,9 +157,7 @@ def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
 
 
 def test_analog_mode_is_refused(setup: LearningSetup) -> None:
-    setup.simulator.do("jumper mode analog")
-    setup.simulator.do("power cycle")
-    setup.until(lambda: setup.device.state is not None and not setup.device.state.mode.is_serial)
+    setup.restart_in_mode("analog")
     setup.learning.begin((1,))
     assert setup.learning.step is Step.FAILED
     assert "in analog mode: the sticks drive the motors" in setup.learning.trouble
