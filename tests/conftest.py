@@ -29,11 +29,11 @@ from tests.support.virtual import Stage
 from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot, VirtualRuntime
 from tests.support.window import WindowDriver
-from trex_gui.emulator.firmware import Board
-from trex_gui.model.device import Link
-from trex_gui.runtime import use_runtime
-from trex_gui.views.theme import theme
-from trex_gui.window import Program, build
+from trex_gui.composition import Program, build
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.ui.runtime import use_runtime
+from trex_gui.ui.theme.theme import theme
 
 # Several processes may share the computer: how long an example takes says nothing.
 hypothesis.settings.register_profile("gate", deadline=None, derandomize=True, max_examples=100)

@@ -8,14 +8,14 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.emulator.patience import becomes
+from tests.devices.trex.simulator.patience import becomes
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui import __version__
 from trex_gui.app import main
-from trex_gui.link.settings import LinkSettings
+from trex_gui.composition import Program
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.tour import Tour
-from trex_gui.window import Program
 
 
 def run(*arguments: str, timeout: float = 50) -> subprocess.CompletedProcess[str]:

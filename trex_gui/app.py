@@ -72,7 +72,7 @@ def main(argv: list[str] | None = None) -> int:
     """Run the window until it is closed; return the exit code."""
     words = sys.argv[1:] if argv is None else argv
     if words[:1] == ["--simulator"]:
-        from trex_gui.emulator.server import main as run_simulator  # noqa: PLC0415
+        from trex_gui.cli.simulator import main as run_simulator  # noqa: PLC0415
 
         run_simulator(args=words[1:], prog_name="trex-sim")
         return 0
@@ -82,11 +82,11 @@ def main(argv: list[str] | None = None) -> int:
     from PySide6.QtCore import Qt, QTimer  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
-    from trex_gui.link.timeouts import Timeouts  # noqa: PLC0415
-    from trex_gui.views.theme import theme  # noqa: PLC0415
-    from trex_gui.watching import Watching  # noqa: PLC0415
-    from trex_gui.window import build  # noqa: PLC0415
-    from trex_gui.worker.garbage import GuiThreadCollector  # noqa: PLC0415
+    from trex_gui.composition import build  # noqa: PLC0415
+    from trex_gui.core.timing import Timeouts  # noqa: PLC0415
+    from trex_gui.supervisor import Watching  # noqa: PLC0415
+    from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
+    from trex_gui.ui.workers.garbage_collection import GuiThreadCollector  # noqa: PLC0415
 
     QApplication.setApplicationName("TReX Studio")
     QApplication.setOrganizationName("TReX Studio")
@@ -104,7 +104,7 @@ def main(argv: list[str] | None = None) -> int:
 
     # The plotting library takes 0.4 s of this thread: now, while no motor can be armed yet, and
     # not when a page with a plot is first shown, when one may turn.
-    QTimer.singleShot(_LOAD_PLOTS_MS, lambda: import_module("trex_gui.views.traces.panel"))
+    QTimer.singleShot(_LOAD_PLOTS_MS, lambda: import_module("trex_gui.ui.plotting.panel"))
 
     if arguments.tour is not None:
         from trex_gui.tour import Tour  # noqa: PLC0415

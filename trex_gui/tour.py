@@ -9,12 +9,12 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
-from trex_gui.aracna.link.messages import Play, Step
-from trex_gui.model.device import Link
-from trex_gui.protocol.flags import CHANNELS
-from trex_gui.runtime import now, runtime
-from trex_gui.views.theme import Scheme, theme
-from trex_gui.window import Program
+from trex_gui.composition import Program
+from trex_gui.devices.aracna.session.messages import Play, Step
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.theme.theme import Scheme, theme
 
 _SIZE = (1440, 800)  # room for a page as it is, and for the panel of the simulated board
 _SETTLE_MS = 2500

@@ -12,11 +12,11 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from trex_gui.model.trace.history import History
-from trex_gui.model.trace.source import TraceInfo
-from trex_gui.model.trace.traces import Traces
-from trex_gui.views.theme import theme
-from trex_gui.views.traces.panel import TracePanel
+from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.source import TraceInfo
+from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.panel import TracePanel
+from trex_gui.ui.theme.theme import theme
 
 LENGTHS = (1_000, 10_000, 100_000, 1_000_000)
 _ROUNDS = 60

@@ -10,10 +10,10 @@ import pytest
 import serial
 
 from tests.support.simulator import StartSimulator
-from trex_gui.emulator.eeprom import Eeprom
-from trex_gui.emulator.firmware import Board
-from trex_gui.emulator.line import Line
-from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import Line
 
 _TRANSACTIONS = 30_000
 _WANTED_RATE = 20_000

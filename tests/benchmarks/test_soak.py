@@ -10,8 +10,8 @@ import time
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.model.device import Link
-from trex_gui.window import Program
+from trex_gui.composition import Program
+from trex_gui.devices.trex.model.device import Link
 
 _FRAMES = 20_000
 

@@ -10,8 +10,8 @@ _PROBE = """
 import sys, time
 begun = time.perf_counter()
 from PySide6.QtWidgets import QApplication
-from trex_gui.views.theme import theme
-from trex_gui.window import build
+from trex_gui.ui.theme.theme import theme
+from trex_gui.composition import build
 app = QApplication([])
 QApplication.setOrganizationName("TReX Studio benchmark")
 theme().install(app)

@@ -19,13 +19,13 @@ from PySide6.QtWidgets import QSlider
 
 from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.emulator.eeprom import Eeprom
-from trex_gui.link.client import Client
-from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import SerialTransport
-from trex_gui.model.device import Link
-from trex_gui.protocol.commands import STOP, Command, ReplyT_co
-from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.core.transport.serial_port import SerialTransport
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
 
 _PRESSES = 1000
 _STOP_BYTES = STOP[0].opcode.to_bytes()

@@ -12,16 +12,16 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import StartSimulator
 from tests.support.virtual import Stage
-from trex_gui.emulator.eeprom import Eeprom
-from trex_gui.emulator.firmware import Board
-from trex_gui.link.messages import Batch, Report
-from trex_gui.link.schedule import rates
-from trex_gui.link.settings import LinkSettings
-from trex_gui.link.telemetry import Control, Currents, Raw, Remapped
-from trex_gui.model.device import Link
-from trex_gui.protocol.flags import InputSource
-from trex_gui.protocol.line_settings import LineSettings
-from trex_gui.window import Program
+from trex_gui.composition import Program
+from trex_gui.devices.trex.client.schedule import rates
+from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.session.messages import Batch, Report
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
 
 _SECONDS = 8.0
 _KINDS = {"currents": Currents, "raw": Raw, "remapped": Remapped, "control": Control}

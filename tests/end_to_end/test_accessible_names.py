@@ -4,12 +4,12 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QWidget
 
-from tests.recording.samples import an_hour, write
+from tests.devices.trex.recording.samples import an_hour, write
 from tests.support.accessible_names import assert_named, is_part, takes_part
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.views.driving.gamepad_panel import GamepadPanel
-from trex_gui.views.find_dialog import FindDialog
+from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
+from trex_gui.ui.frame.find_dialog import FindDialog
 
 
 def test_window_has_accessible_names_with_and_without_board(

@@ -10,8 +10,8 @@ from tests.support.causes import Causes, watched
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import TIMEOUT_MS, WindowDriver
-from trex_gui.link.explain import BEYOND_A_STOP
-from trex_gui.model.device import Link
+from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
+from trex_gui.devices.trex.model.device import Link
 
 LOCKED = "The screen was locked"
 MISTAKEN = "The program made a mistake (ValueError)"

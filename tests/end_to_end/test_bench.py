@@ -10,11 +10,11 @@ from PySide6.QtWidgets import QSpinBox
 from tests.support.pages.bench_dialog import BenchTestDialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.bench.profile import Profile
-from trex_gui.bench.run import End
-from trex_gui.model.bench import Plan
-from trex_gui.views.bench.dialog import BenchDialog
-from trex_gui.views.bench.opener import BenchOpener
+from trex_gui.devices.trex.bench.profile import Profile
+from trex_gui.devices.trex.bench.run import End
+from trex_gui.devices.trex.model.bench.bench import Plan
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.bench.opener import BenchOpener
 
 
 @pytest.fixture

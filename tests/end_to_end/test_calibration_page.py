@@ -8,11 +8,11 @@ import pytest
 from tests.support.pages.calibration import CalibrationPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.model.calibration_moves import Handle
-from trex_gui.protocol.calibration import DEFAULT_CALIBRATION
-from trex_gui.protocol.flags import CHANNELS, InputSource
-from trex_gui.views.pages.calibration import page as widgets
-from trex_gui.views.widgets.input_trace import InputTrace
+from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.views.pages.calibration import page as widgets
+from trex_gui.devices.trex.views.pages.calibration.input_trace import InputTrace
 
 FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
 

@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QSlider, QWidget
 from tests.support.pages.parameters import ParametersPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.link.settings import LinkSettings
-from trex_gui.model.connection import Link
-from trex_gui.protocol.calibration import Calibration
-from trex_gui.protocol.flags import InputSource
-from trex_gui.runtime import now, open_transport
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.ui.runtime import now, open_transport
 
 
 @pytest.fixture

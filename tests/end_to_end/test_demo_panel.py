@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
 from tests.support.demo_panels import reached_by_tab, stand_in_order
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
-from trex_gui.model.connection import Link
-from trex_gui.model.demo_snapshot import DemoSnapshot
-from trex_gui.protocol.flags import CHANNELS, Mode
-from trex_gui.views.widgets.stick_slider import StickSlider
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
+from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
+from trex_gui.ui.widgets.stick_slider import StickSlider
 
 CONTROLS = {
     *("demoPower", "demoPowerCycle", "demoBattery", "demoMode", "demoMix", "demoSoGround"),

@@ -12,11 +12,11 @@ from tests.support.pages.motors import MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import LEFT, WindowDriver
-from trex_gui.link.messages import SetDrive
-from trex_gui.link.motors import DRIVE_INTERVAL
-from trex_gui.link.repeating import REPEATS
-from trex_gui.protocol.commands import Drive, DriveMotor
-from trex_gui.runtime import now
+from trex_gui.devices.trex.driving.motors import DRIVE_INTERVAL
+from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
+from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
+from trex_gui.devices.trex.session.messages import SetDrive
+from trex_gui.ui.runtime import now
 
 MOVES = 1000
 RATE = 500  # moves in a second

@@ -16,15 +16,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from tests.link.helpers import moving
+from tests.devices.trex.session.helpers import moving
 from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.link.settings import LinkSettings
-from trex_gui.model.device import Link
-from trex_gui.model.driving.lockout import remembered_lockout
-from trex_gui.protocol.commands import Command, Drive, DriveAuxiliary, DriveBoth, DriveMotor
-from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.model.driving.lockout import remembered_lockout
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 BACK = ("reverse", 127)
 CURVE = (FULL, ("forward", 42))

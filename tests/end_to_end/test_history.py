@@ -10,7 +10,7 @@ from tests.support.pages.settings import HistoryDialog, ReviewDialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.snapshots import take
 from tests.support.window import WindowDriver
-from trex_gui.model.connection import Link
+from trex_gui.devices.trex.model.connection import Link
 
 
 @pytest.fixture

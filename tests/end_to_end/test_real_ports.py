@@ -14,7 +14,7 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.pages.settings import ReviewDialog
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.model.connection import Link
+from trex_gui.devices.trex.model.connection import Link
 
 pytestmark = [
     pytest.mark.realtime,

@@ -15,12 +15,12 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from tests.recording.samples import an_hour, write, write_an_hour_of_csv
+from tests.devices.trex.recording.samples import an_hour, write, write_an_hour_of_csv
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.link.timeouts import Timeouts
-from trex_gui.runtime import now
-from trex_gui.views.recording.indicator import RecordIndicator
+from trex_gui.core.timing import Timeouts
+from trex_gui.ui.playback.indicator import RecordIndicator
+from trex_gui.ui.runtime import now
 
 
 def indicator(window: WindowDriver) -> RecordIndicator:
@@ -133,7 +133,7 @@ def test_recording_is_complete_after_window_closes(
 @pytest.fixture
 def assert_complete() -> Callable[[Path], None]:
     """Fail if a recording is not complete."""
-    from trex_gui.recording.files import open_recording
+    from trex_gui.devices.trex.recording.files import open_recording
 
     def check(path: Path) -> None:
         file = open_recording(path)
@@ -233,7 +233,9 @@ def test_stop_reaches_board_while_recording_to_full_disk(
 def test_motor_keeps_running_while_hour_of_csv_is_opened(
     connected_window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    import_module("trex_gui.views.recording.window")  # the program does so at its start
+    import_module(
+        "trex_gui.devices.trex.views.recordings.window"
+    )  # the program does so at its start
     write_an_hour_of_csv(tmp_path / "hour.csv")
     window, motors = connected_window, connected_window.device.motors
     motors.accelerate = False

@@ -6,18 +6,25 @@ import pytest
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
-from tests.link.helpers import (
-    among,
-    moving,
-    outcomes,
-    run_for,
-    samples,
-)
-from tests.link.test_schedule import on_line, simulate
+from tests.devices.trex.client.test_schedule import on_line, simulate
+from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, samples
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual import Stage
-from trex_gui.emulator.motors import Direction as EmulatedDirection
-from trex_gui.link.messages import (
+from trex_gui.core.errors import BadRequest, PortUnavailable
+from trex_gui.devices.trex.client.schedule import rates
+from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.client.writing import write_parameter
+from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import InputSource, Status
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.session.messages import (
     Ask,
     Closed,
     Connected,
@@ -28,23 +35,10 @@ from trex_gui.link.messages import (
     Stop,
     Write,
 )
-from trex_gui.link.schedule import rates
-from trex_gui.link.settings import LinkSettings
-from trex_gui.link.telemetry import StatusNews
-from trex_gui.link.writing import write_parameter
-from trex_gui.model.connector import Connector
-from trex_gui.model.device import Device, Link
-from trex_gui.model.driving.motors import Motors
-from trex_gui.model.parameters import ParameterModel
-from trex_gui.model.ports import Ports
-from trex_gui.model.simulator import Simulator
-from trex_gui.protocol.calibration import Calibration
-from trex_gui.protocol.commands import STOP, Drive, GetMode
-from trex_gui.protocol.errors import BadRequest, PortUnavailable
-from trex_gui.protocol.flags import InputSource, Status
-from trex_gui.protocol.line_settings import Detection, LineSettings
-from trex_gui.protocol.parameters import parameters_of
-from trex_gui.runtime import runtime
+from trex_gui.devices.trex.simulator.motors import Direction as EmulatedDirection
+from trex_gui.ui.devices.ports import Ports
+from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.runtime import runtime
 
 SPECS = parameters_of("trex", "1.2")
 

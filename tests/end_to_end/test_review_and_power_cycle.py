@@ -7,11 +7,11 @@ from tests.support.pages.settings import ComparisonDialog, ReviewDialog, Simulat
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.link.settings import LinkSettings
-from trex_gui.model.comparison_table import ComparisonColumn
-from trex_gui.model.connection import Link
-from trex_gui.protocol.calibration import Calibration
-from trex_gui.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 LINES = (
     LineSettings(115200),

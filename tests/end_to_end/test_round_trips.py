@@ -8,17 +8,17 @@ from pathlib import Path
 import pytest
 from click.testing import Result
 
-from tests.settings.samples import factory
-from tests.settings.test_samples import BOARDS, GOLDEN, SAMPLES, every_board, text_of
+from tests.devices.trex.settings.samples import factory
+from tests.devices.trex.settings.test_samples import BOARDS, GOLDEN, SAMPLES, every_board, text_of
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import VirtualCommand
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.protocol.calibration import Calibration
-from trex_gui.protocol.line_settings import Detection, LineSettings
-from trex_gui.protocol.parameters import parameters_of
-from trex_gui.settings.document import CALIBRATION_KEYS, Settings
-from trex_gui.settings.reader import read_settings
-from trex_gui.settings.writer import write_settings
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
 
 _TITLE = re.compile(rb"# Read from the board by trexcmd \S+\n")
 _OPTIONS = re.compile(r"is reached with (.*)")

@@ -6,13 +6,13 @@ from PySide6.QtGui import QAccessible
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QWidget
 
-from tests.recording.samples import an_hour, write
+from tests.devices.trex.recording.samples import an_hour, write
 from tests.support.pages.motors import BRAKE, MotorsPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
-from trex_gui.model.device import Link
-from trex_gui.settings.files import save
-from trex_gui.settings.writer import write_settings
+from trex_gui.core.files.text_files import save
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.settings.writer import write_settings
 
 
 def open_playback(window: WindowDriver, folder: Path) -> QWidget:

@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QCheckBox, QFileDialog, QLineEdit, QPlainTextEdit
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.views.transcript.page import TranscriptPage
-from trex_gui.views.transcript.table import RECEIVED, SENT, WORDS
-from trex_gui.views.transcript.table_view import TranscriptView
+from trex_gui.ui.traffic.page import TranscriptPage
+from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS
+from trex_gui.ui.traffic.table_view import TranscriptView
 
 
 class TrafficPage(WidgetDriver):

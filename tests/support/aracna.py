@@ -3,9 +3,9 @@
 from typing import Any
 
 from tests.support.simulator import SimulatorProcess
-from trex_gui.aracna.emulator.control import control
-from trex_gui.aracna.emulator.line import AracnaLine
-from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.devices.aracna.simulator.control import control
+from trex_gui.devices.aracna.simulator.line import AracnaLine
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 BOOT = 1.1
 """Seconds after which a board that was switched on listens."""

@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
-from trex_gui.model.simulator import Simulator
+from trex_gui.ui.devices.simulator_process import Simulator
 
 
 class Overheard(Simulator):

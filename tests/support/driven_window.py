@@ -16,12 +16,12 @@ from PySide6.QtCore import QObject, QSocketNotifier, QTimer
 from PySide6.QtGui import QAction
 
 from tests.support.patient import PATIENT
-from trex_gui import app, window
-from trex_gui.link import session
-from trex_gui.link.timeouts import Timeouts
-from trex_gui.model.device import Link
+from trex_gui import app, composition
+from trex_gui.composition import Program
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.session import session
 from trex_gui.system.wake import WakeWatch
-from trex_gui.window import Program
 
 SPEEDS = {1: 60, 2: -60}
 AUXILIARY = 50
@@ -138,7 +138,7 @@ WATCHES: list[QObject] = []
 
 def main(url: str, patience: str = "") -> int:
     """Run the program until it is ended."""
-    build = window.build
+    build = composition.build
 
     def build_and_drive(timeouts: Timeouts | None = None) -> Program:
         del timeouts
@@ -151,7 +151,7 @@ def main(url: str, patience: str = "") -> int:
         WATCHES.append(instance)
         return program
 
-    window.build = build_and_drive
+    composition.build = build_and_drive
     return app.main(["--port", url])
 
 

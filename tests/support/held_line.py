@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from tests.support.virtual_devices import VirtualSimulator
-from trex_gui.protocol.commands import SetParameter
+from trex_gui.devices.trex.protocol.commands import SetParameter
 
 _STORE = SetParameter(0, 0).opcode
 

@@ -6,7 +6,7 @@ from typing import Any
 from pytestqt.qtbot import QtBot
 from pytestqt.wait_signal import MultiSignalBlocker, SignalBlocker
 
-from trex_gui.link.timeouts import Timeouts
+from trex_gui.core.timing import Timeouts
 
 PATIENT = Timeouts(
     extra=0.3, heartbeat=60.0, stop_confirmation=15.0, current_gap=30.0, sleep_delay=15.0

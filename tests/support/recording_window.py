@@ -13,10 +13,10 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer
 
 from tests.support.patient import PATIENT
-from trex_gui import app, window
-from trex_gui.link.timeouts import Timeouts
-from trex_gui.model.device import Link
-from trex_gui.window import Program
+from trex_gui import app, composition
+from trex_gui.composition import Program
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.model.device import Link
 
 ENOUGH = 100  # samples
 
@@ -48,7 +48,7 @@ class Recording(QObject):
 
 def main(url: str, path: str, disk: str) -> int:
     """Run the program until it is ended."""
-    build, sync = window.build, os.fsync
+    build, sync = composition.build, os.fsync
 
     def slow_sync(fd: Any) -> None:
         time.sleep(60 if disk == "never" else float(disk))
@@ -61,7 +61,7 @@ def main(url: str, path: str, disk: str) -> int:
         return program
 
     os.fsync = slow_sync
-    window.build = build_and_record
+    composition.build = build_and_record
     return app.main(["--port", url])
 
 

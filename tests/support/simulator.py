@@ -54,7 +54,7 @@ class SimulatorProcess(SimulatedDevice):
 
     def __init__(self, *arguments: str) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="trex-sim")
-        command = [sys.executable, "-m", "trex_gui.emulator", *arguments]
+        command = [sys.executable, "-m", "trex_gui.cli.simulator", *arguments]
         if sys.platform != "win32" and not _OWN_PLACES & set(arguments):
             command += ["--link", str(Path(self._folder.name) / "port")]
         self._process = subprocess.Popen(

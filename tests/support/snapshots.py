@@ -3,9 +3,9 @@
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
-from tests.settings.samples import factory
-from trex_gui.protocol.flags import InputSource
-from trex_gui.settings.history import History, Snapshot
+from tests.devices.trex.settings.samples import factory
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.history import History, Snapshot
 
 ADAPTER = "FT232R (ttyUSB0)"
 

@@ -4,9 +4,9 @@ from collections.abc import Iterable
 
 from hypothesis import strategies as st
 
-from trex_gui.link.exchanges import Assembler, Exchange, Wording
-from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transcript import Piece, Way
+from trex_gui.core.transport.traffic_log import Piece, Way
+from trex_gui.core.transport.transactions import Assembler, Exchange, Wording
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 Said = tuple[bytes, bytes]
 """What is sent, and what comes back."""

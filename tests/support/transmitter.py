@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from random import Random
 
 from tests.support.simulator import SimulatedDevice
-from trex_gui.learning.samples import Sample
-from trex_gui.protocol.flags import InputSource
+from trex_gui.devices.trex.calibration.samples import Sample
+from trex_gui.devices.trex.protocol.flags import InputSource
 
 RATE = 50.0
 """Times a second that a receiver gives a pulse, and the board a new value."""

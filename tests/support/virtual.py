@@ -3,13 +3,13 @@
 from collections import deque
 from collections.abc import Callable
 
-from trex_gui.emulator.firmware import Board
-from trex_gui.emulator.line import Line
-from trex_gui.link.client import Client
-from trex_gui.link.messages import Close, Report, Request
-from trex_gui.link.session import Session
-from trex_gui.link.settings import LinkSettings
-from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.session.messages import Close, Report, Request
+from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import Line
 
 
 class VirtualTransport:

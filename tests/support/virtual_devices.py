@@ -11,12 +11,12 @@ from PySide6.QtCore import QByteArray, QObject, QProcess
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.emulator import server
-from trex_gui.emulator.serving import GOODBYE
-from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import Transport, why_not_open
-from trex_gui.protocol.errors import PortUnavailable
-from trex_gui.protocol.line_settings import LineSettings
+from trex_gui.cli import simulator
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.simulator.server import GOODBYE
+from trex_gui.core.transport.serial_port import Transport, why_not_open
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 _SLICE = 0.02  # seconds between two looks whether the cable is still in
@@ -94,8 +94,8 @@ def _do_nothing(*_: object) -> None:
     pass
 
 
-def _simulation(arguments: Sequence[str]) -> server.Simulation:
-    command = server.main
+def _simulation(arguments: Sequence[str]) -> simulator.Simulation:
+    command = simulator.main
     assert isinstance(command, click.Command)
     options = command.make_context("trex-sim", list(arguments)).params
     for name in ("link", "tcp", "rfc2217"):
@@ -103,8 +103,8 @@ def _simulation(arguments: Sequence[str]) -> server.Simulation:
     paced = not options.pop("unpaced")
     motors = options.pop("motors")
     if options.pop("aracna"):
-        return server.simulate_aracna(motors, paced=paced, seed=options["seed"])
-    return server.simulate_trex(paced=paced, **options)
+        return simulator.simulate_aracna(motors, paced=paced, seed=options["seed"])
+    return simulator.simulate_trex(paced=paced, **options)
 
 
 class VirtualTransport:
@@ -192,7 +192,7 @@ class VirtualProcess(QProcess):
             self._runtime.at(self._runtime.now(), self._fail_to_start, of_gui=True)
             return
         self._state = QProcess.ProcessState.Running
-        options = [word for word in arguments if word not in {"-m", "trex_gui.emulator"}]
+        options = [word for word in arguments if word not in {"-m", "trex_gui.cli.simulator"}]
 
         def begin() -> None:
             if self._state is QProcess.ProcessState.Running:

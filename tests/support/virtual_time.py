@@ -21,9 +21,9 @@ from pytestqt.wait_signal import MultiSignalBlocker, SignalBlocker
 from shiboken6 import Shiboken
 
 from tests.support.patient import Callback, as_condition
-from trex_gui.link.settings import LinkSettings
-from trex_gui.link.transport import Transport
-from trex_gui.runtime import Runtime
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.ui.runtime import Runtime
 
 START = 1000.0
 """Virtual seconds at which every test begins."""

@@ -26,8 +26,8 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from trex_gui.model.connection import Link
-from trex_gui.window import Program
+from trex_gui.composition import Program
+from trex_gui.devices.trex.model.connection import Link
 
 ObjectT = TypeVar("ObjectT", bound=QObject)
 

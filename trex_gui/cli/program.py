@@ -12,7 +12,7 @@ from trex_gui import __version__
 class Entry(NamedTuple):
     """Where a command is, and what the list of commands says of it.
 
-    `module` lies in this package; one of another device begins with a dot and lies beside it.
+    `module` lies in `trex_gui.devices`, or in this package.
     """
 
     module: str
@@ -21,25 +21,41 @@ class Entry(NamedTuple):
 
 
 COMMANDS: Mapping[str, Entry] = {
-    "list": Entry("ports", "list_command", "List the ports and what answers on them."),
-    "find": Entry("ports", "find_command", "Find a board whose serial settings are unknown."),
-    "status": Entry("status", "status", "Show what the board is, how it is set, what it measures."),
-    "stream": Entry("stream", "stream", "Write what the board measures as CSV, until Ctrl-C."),
-    "get": Entry("parameters", "get_command", "Show one parameter."),
-    "set": Entry("set_parameter", "set_command", "Store one parameter and read it back."),
-    "get-settings": Entry("files", "get_settings", "Save the board's settings to a file."),
-    "set-settings": Entry("files", "set_settings", "Give the board the settings of a file."),
-    "check-settings": Entry("files", "check_settings", "Check a settings file without a board."),
-    "diff": Entry("files", "diff", "Compare settings files, or a file with the board."),
-    "history": Entry("history", "history", "List what boards stored before each change."),
-    "calibration": Entry("calibration", "calibration", "Show or store channel calibrations."),
-    "export": Entry("export", "export", "Write the settings as C, Python or an Arduino sketch."),
-    "restore-defaults": Entry("defaults", "restore_defaults", "Go back to factory parameters."),
-    "motor": Entry("motor", "motor", "Run a motor until Ctrl-C, or for some seconds."),
-    "stop": Entry("motor", "stop", "Stop every motor and prove it."),
-    "aracna": Entry(".aracna.cli.commands", "aracna", "Ask an Aracna, move it, play its poses."),
-    "raw": Entry("packets", "raw", "Send bytes and show what comes back."),
-    "decode": Entry("packets", "decode", "Say what packets some bytes are."),
+    "list": Entry("trex.cli.ports", "list_command", "List the ports and what answers on them."),
+    "find": Entry(
+        "trex.cli.ports", "find_command", "Find a board whose serial settings are unknown."
+    ),
+    "status": Entry(
+        "trex.cli.status", "status", "Show what the board is, how it is set, what it measures."
+    ),
+    "stream": Entry(
+        "trex.cli.stream", "stream", "Write what the board measures as CSV, until Ctrl-C."
+    ),
+    "get": Entry("trex.cli.parameters", "get_command", "Show one parameter."),
+    "set": Entry("trex.cli.set_parameter", "set_command", "Store one parameter and read it back."),
+    "get-settings": Entry("trex.cli.files", "get_settings", "Save the board's settings to a file."),
+    "set-settings": Entry(
+        "trex.cli.files", "set_settings", "Give the board the settings of a file."
+    ),
+    "check-settings": Entry(
+        "trex.cli.files", "check_settings", "Check a settings file without a board."
+    ),
+    "diff": Entry("trex.cli.files", "diff", "Compare settings files, or a file with the board."),
+    "history": Entry("trex.cli.history", "history", "List what boards stored before each change."),
+    "calibration": Entry(
+        "trex.cli.calibration", "calibration", "Show or store channel calibrations."
+    ),
+    "export": Entry(
+        "trex.cli.export", "export", "Write the settings as C, Python or an Arduino sketch."
+    ),
+    "restore-defaults": Entry(
+        "trex.cli.defaults", "restore_defaults", "Go back to factory parameters."
+    ),
+    "motor": Entry("trex.cli.motor", "motor", "Run a motor until Ctrl-C, or for some seconds."),
+    "stop": Entry("trex.cli.motor", "stop", "Stop every motor and prove it."),
+    "aracna": Entry("aracna.cli.commands", "aracna", "Ask an Aracna, move it, play its poses."),
+    "raw": Entry("trex.cli.packets", "raw", "Send bytes and show what comes back."),
+    "decode": Entry("trex.cli.packets", "decode", "Say what packets some bytes are."),
     "completion": Entry("completion", "completion", "Print the completion script of a shell."),
 }
 """Every command, in the order in which a person meets them."""
@@ -56,7 +72,8 @@ class _Program(click.Group):
         del ctx
         if (entry := COMMANDS.get(cmd_name)) is None:
             return None
-        module = importlib.import_module(f".{entry.module}", "trex_gui.cli")
+        package = "trex_gui.devices" if "." in entry.module else "trex_gui.cli"
+        module = importlib.import_module(f".{entry.module}", package)
         command = getattr(module, entry.name)
         assert isinstance(command, click.Command)  # noqa: S101 - for the type checker
         return command

@@ -16,7 +16,7 @@ from PySide6.QtDBus import (
     QDBusUnixFileDescriptor,
 )
 
-from trex_gui.runtime import runtime
+from trex_gui.ui.runtime import runtime
 
 log = logging.getLogger(__name__)
 

@@ -5,12 +5,12 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver
-from trex_gui.model.bench import Bench, Phase
-from trex_gui.model.device import Device
-from trex_gui.views.bench.dialog import BenchDialog
-from trex_gui.views.bench.figures_table import FiguresTable
-from trex_gui.views.bench.hold_button import HoldButton
-from trex_gui.views.bench.plot import BenchPlot
+from trex_gui.devices.trex.model.bench.bench import Bench, Phase
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.bench.figures_table import FiguresTable
+from trex_gui.devices.trex.views.bench.hold_button import HoldButton
+from trex_gui.devices.trex.views.bench.plot import BenchPlot
 
 
 class BenchTestDialog(WidgetDriver):

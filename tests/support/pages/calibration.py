@@ -10,13 +10,13 @@ from PySide6.QtWidgets import QApplication, QListWidget, QTabBar, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
-from trex_gui.link.settings import LinkSettings
-from trex_gui.model.calibration_moves import Handle
-from trex_gui.model.device import Device, Link
-from trex_gui.protocol.calibration import Calibration
-from trex_gui.views.pages.calibration import page
-from trex_gui.views.theme import theme
-from trex_gui.views.widgets.curve_plot import CurvePlot
+from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.views.pages.calibration import page
+from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.ui.theme.theme import theme
 
 
 class CalibrationPage(WidgetDriver):

@@ -5,8 +5,8 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.model.finder import Finder
-from trex_gui.views.find_dialog import FindDialog
+from trex_gui.ui.devices.scanner import Finder
+from trex_gui.ui.frame.find_dialog import FindDialog
 
 
 class FindBoardDialog(WidgetDriver):

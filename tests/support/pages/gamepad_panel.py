@@ -9,9 +9,9 @@ from pytestqt.qtbot import QtBot
 from tests.gamepad.virtual_pad import VirtualPad
 from tests.support.pads import HeldPads
 from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
 from trex_gui.gamepad.profile import Profile
-from trex_gui.model.device import Device
-from trex_gui.views.driving.gamepad_panel import GamepadPanel
 
 Y = 1
 """The axis that drives forward."""

@@ -11,14 +11,14 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick, Transmitter
 from tests.support.window import TIMEOUT_MS, WidgetDriver
-from trex_gui.link.settings import LinkSettings
-from trex_gui.model.device import Device, Link
-from trex_gui.model.learning import Learning
-from trex_gui.protocol.line_settings import LineSettings
-from trex_gui.runtime import now
-from trex_gui.views.learning.dialog import LearnDialog
-from trex_gui.views.theme import theme
-from trex_gui.views.widgets.channel_bar import ChannelBar
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.views.learning.dialog import LearnDialog
+from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.ui.runtime import now
+from trex_gui.ui.theme.theme import theme
 
 HOLD_SECONDS = 0.45
 """How long a user holds a stick: long enough for an end and for a rest."""

@@ -5,9 +5,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QSpinBox
 
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.model.parameter_filter import ParameterFilter
-from trex_gui.model.parameters import Column
-from trex_gui.views.widgets.parameter_view import ParameterView
+from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
+from trex_gui.devices.trex.model.parameters.parameters import Column
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 
 class ParametersPage(WidgetDriver):

@@ -21,9 +21,9 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
-from trex_gui.aracna.link.messages import Moving, SpeedsHeld
-from trex_gui.model.connection import Link
-from trex_gui.window import Program
+from trex_gui.composition import Program
+from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
+from trex_gui.devices.trex.model.connection import Link
 
 ROBOT_PAGE, POSES_PAGE, LOG_PAGE = range(3)
 

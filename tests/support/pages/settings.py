@@ -11,11 +11,11 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.model.comparison_table import ComparisonColumn, ComparisonRole
-from trex_gui.model.connection import Link
-from trex_gui.views.history import dialog as history_dialog
-from trex_gui.views.settings_editor.window import SettingsEditor
-from trex_gui.views.widgets.question import Question
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
+from trex_gui.devices.trex.views.history import dialog as history_dialog
+from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.ui.widgets.inline_prompt import Question
 
 
 class ComparisonDialog(WidgetDriver):

@@ -1,0 +1,416 @@
+"""trex-sim as a process of its own, in real time."""
+
+import json
+import os
+import selectors
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import serial
+from click.testing import CliRunner
+
+from tests.devices.trex.simulator.patience import PATIENCE, becomes
+from tests.support.matrix import sampled
+from trex_gui import __version__
+from trex_gui.cli.simulator import main
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+
+needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
+
+
+class Sim:
+    """A running trex-sim."""
+
+    def __init__(self, arguments: list[str], stdin: Any = subprocess.PIPE) -> None:
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "trex_gui.cli.simulator", *arguments],
+            stdin=stdin,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            bufsize=0,
+        )
+        self._rest = b""
+        word, _, self.url = self.line().partition(" ")
+        assert word == "ready", self.errors()
+
+    def line(self) -> str:
+        """Return the next line that it prints; empty at its end."""
+        assert self.process.stdout is not None
+        end = time.monotonic() + PATIENCE
+        with selectors.DefaultSelector() as selector:
+            selector.register(self.process.stdout, selectors.EVENT_READ)
+            while b"\n" not in self._rest:
+                assert selector.select(max(0.0, end - time.monotonic())), "nothing was printed"
+                data = os.read(self.process.stdout.fileno(), 65536)
+                if not data:
+                    break
+                self._rest += data
+        line, _, self._rest = self._rest.partition(b"\n")
+        return line.decode()
+
+    def control(self, text: str) -> str:
+        assert self.process.stdin is not None
+        self.process.stdin.write(text.encode() + b"\n")
+        return self.line()
+
+    def show(self, name: str = "") -> dict[str, Any]:
+        shown: dict[str, Any] = json.loads(self.control(f"{name} show").removeprefix("ok "))
+        return shown
+
+    def wait(self) -> int:
+        return self.process.wait(PATIENCE)
+
+    def errors(self) -> str:
+        assert self.process.stderr is not None
+        self.wait()
+        return self.process.stderr.read().decode()
+
+    def close(self) -> None:
+        self.process.kill()
+        self.process.wait(PATIENCE)
+        for pipe in (self.process.stdin, self.process.stdout, self.process.stderr):
+            if pipe is not None:
+                pipe.close()
+
+
+Start = Callable[..., Sim]
+
+
+@pytest.fixture
+def start() -> Iterator[Start]:
+    running: list[Sim] = []
+
+    def starter(*arguments: str, stdin: Any = subprocess.PIPE) -> Sim:
+        running.append(Sim(list(arguments), stdin))
+        return running[-1]
+
+    yield starter
+    for sim in running:
+        sim.close()
+
+
+def ask(url: str, packet: str, size: int, **settings: Any) -> bytes:
+    with serial.serial_for_url(url, timeout=PATIENCE, **{"baudrate": 19200, **settings}) as port:
+        port.write(bytes.fromhex(packet))
+        data: bytes = port.read(size)
+        return data
+
+
+def is_silent(sim: Sim, packet: str, **settings: Any) -> bool:
+    """Send a packet; return whether no answer comes once it has passed the wire."""
+
+    def carried() -> bool:
+        sent: int = sim.show()["counters"]["line"]["sent"]
+        return sent >= before + len(data)
+
+    data = bytes.fromhex(packet)
+    before: int = sim.show()["counters"]["line"]["sent"]
+    with serial.serial_for_url(sim.url, timeout=0.1, **{"baudrate": 19200, **settings}) as port:
+        port.write(data)
+        assert becomes(carried, True)
+        answer: bytes = port.read(1)
+        return answer == b""
+
+
+def refused(*arguments: str) -> tuple[int, str]:
+    """Start it in vain; return the exit code and what it says about it."""
+    result = subprocess.run(
+        [sys.executable, "-m", "trex_gui.cli.simulator", *arguments],
+        check=False,
+        capture_output=True,
+        stdin=subprocess.DEVNULL,
+        text=True,
+        timeout=PATIENCE,
+    )
+    assert result.stdout == ""
+    assert "Traceback" not in result.stderr
+    return result.returncode, result.stderr
+
+
+class TestCommandLine:
+    def test_version_and_help_are_printed(self) -> None:
+        version = CliRunner().invoke(main, ["--version"])
+        assert (version.exit_code, __version__ in version.output) == (0, True)
+        helped = CliRunner().invoke(main, ["--help"])
+        assert helped.exit_code == 0
+        for option in ("--model", "--link", "--tcp", "--rfc2217", "--eeprom", "--device", "--demo"):
+            assert option in helped.output
+
+    @pytest.mark.parametrize(
+        "arguments",
+        [
+            ["--model", "qik"],
+            ["--mode", "turbo"],
+            ["--device", "128"],
+            ["--device", "x"],
+            ["--device", "7:qik"],
+            ["--tcp", "nowhere"],
+            ["--tcp", "127.0.0.1:99999"],
+            ["--tcp", "127.0.0.1:0", "--rfc2217", "127.0.0.1:0"],
+            ["--tcp", "127.0.0.1:0", "--link", "somewhere"],
+            ["--device", "7", "--device", "7", "--eeprom", "somewhere"],
+            ["--warp"],
+        ],
+    )
+    def test_wrong_usage_exits_2(self, arguments: list[str]) -> None:
+        assert CliRunner().invoke(main, arguments).exit_code == 2
+
+    def test_damaged_eeprom_file_exits_1_with_message(self, tmp_path: Path) -> None:
+        path = tmp_path / "eeprom.json"
+        path.write_text("{", encoding="utf-8")
+        code, said = refused("--eeprom", str(path))
+        assert code == 1
+        assert str(path) in said
+        assert len(said.splitlines()) == 1
+
+    def test_port_in_use_exits_1_with_message(self) -> None:
+        with socket.create_server(("127.0.0.1", 0)) as other:
+            address = f"127.0.0.1:{other.getsockname()[1]}"
+            code, said = refused("--tcp", address)
+        assert code == 1
+        assert address in said
+
+
+@needs_pty
+@pytest.mark.realtime
+class TestPseudoTerminal:
+    def test_program_opens_pty_like_serial_port(self, start: Start) -> None:
+        sim = start()
+        assert sim.url.startswith("/dev/")
+        assert ask(sim.url, "81", 7) == b"TReX1.2"
+        assert ask(sim.url, "80 07 01", 7) == b"TReX1.2"
+
+    def test_pty_bytes_take_line_time(self, start: Start) -> None:
+        sim = start()
+        with serial.Serial(sim.url, 19200, timeout=PATIENCE) as port:
+            begin = time.monotonic()
+            for _ in range(20):
+                port.write(bytes.fromhex("86 1F"))
+                assert len(port.read(10)) == 10
+            taken = time.monotonic() - begin
+        assert taken >= 20 * 12 * 10 / 19200 * 0.999
+
+    @pytest.mark.parametrize(
+        ("baud", "noticed"), sampled([(76800, b"\x10"), (1200, b"\0"), (115200, b"\x10")], every=3)
+    )
+    def test_pty_follows_host_baud_rate(
+        self, start: Start, tmp_path: Path, baud: int, noticed: bytes
+    ) -> None:
+        path = tmp_path / "eeprom.json"
+        Eeprom.open(path).write("uart_settings", {1200: 0, 76800: 9, 115200: 10}[baud])
+        sim = start("--eeprom", str(path))
+        assert ask(sim.url, "82", 1, baudrate=baud) == b"r"
+        assert is_silent(sim, "82", baudrate=19200)
+        assert ask(sim.url, "85", 1, baudrate=baud) == noticed  # 1200 is too slow for that
+
+    def test_pty_follows_host_stop_bits(self, start: Start) -> None:
+        sim = start()
+        assert is_silent(sim, "82", stopbits=2)
+        assert ask(sim.url, "85", 1) == b"\x10"
+
+    def test_host_without_line_settings_gets_reply(self, start: Start) -> None:
+        sim = start()
+        terminal = os.open(sim.url, os.O_RDWR | os.O_NOCTTY)
+        try:
+            os.write(terminal, b"\x82")
+            assert os.read(terminal, 1) == b"r"
+        finally:
+            os.close(terminal)
+
+    def test_echo_option_returns_sent_bytes(self, start: Start) -> None:
+        sim = start("--echo")
+        assert ask(sim.url, "82", 2) == b"\x82r"
+
+    def test_several_boards_share_one_line(self, start: Start) -> None:
+        sim = start("--device", "7", "--device", "9:trexjr", "--firmware", "1.0")
+        assert ask(sim.url, "80 07 01", 7) == b"TReX1.0"
+        assert ask(sim.url, "80 09 01", 9) == b"TReXJr1.0"
+        assert sim.control("@9 power off") == "ok power off"
+        assert sim.show("@7")["power"] is True
+        with serial.Serial(sim.url, 19200, timeout=PATIENCE) as port:
+            port.write(b"\x81")
+            assert port.read(7) == b"TReX1.0"
+            port.timeout = 0.2
+            assert port.read(1) == b""
+
+    def test_unplug_is_detected_and_plug_restores_link(self, start: Start, tmp_path: Path) -> None:
+        link = tmp_path / "trex"
+        sim = start("--link", str(link))
+        assert sim.url == str(link)
+        with serial.Serial(sim.url, 19200, timeout=PATIENCE) as port:
+            assert sim.control("line unplug") == "ok unplugged"
+            with pytest.raises(serial.SerialException):
+                port.write(b"\x81")
+        assert not link.is_symlink()
+        assert sim.control("line plug") == f"ok plugged {link}"
+        assert ask(sim.url, "81", 7) == b"TReX1.2"
+
+    def test_stale_link_is_replaced(self, start: Start, tmp_path: Path) -> None:
+        link = tmp_path / "trex"
+        link.symlink_to("/dev/pts/nothing")
+        sim = start("--link", str(link))
+        assert ask(sim.url, "81", 7) == b"TReX1.2"
+
+    def test_existing_file_is_not_replaced_by_link(self, tmp_path: Path) -> None:
+        link = tmp_path / "trex"
+        link.write_text("mine", encoding="utf-8")
+        code, said = refused("--link", str(link))
+        assert code == 1
+        assert str(link) in said
+        assert list(tmp_path.iterdir()) == [link]
+        assert link.read_text(encoding="utf-8") == "mine"
+
+
+@pytest.mark.realtime
+class TestTcp:
+    def test_tcp_server_accepts_successive_hosts(self, start: Start) -> None:
+        sim = start("--tcp", "127.0.0.1:0")
+        assert sim.url.startswith("socket://127.0.0.1:")
+        assert not sim.url.endswith(":0")
+        for _ in range(3):
+            assert ask(sim.url, "81", 7) == b"TReX1.2"
+
+    def test_unplug_is_detected_and_plug_restores_tcp_port(self, start: Start) -> None:
+        sim = start("--tcp", "127.0.0.1:0")
+        address = sim.url.removeprefix("socket://").split(":")
+        where = (address[0], int(address[1]))
+        with socket.create_connection(where, PATIENCE) as host:
+            host.sendall(b"\x82")
+            assert host.recv(1) == b"r"
+            sim.control("line unplug")
+            assert host.recv(1) == b""
+        with pytest.raises(ConnectionRefusedError):
+            socket.create_connection(where, PATIENCE)
+        assert sim.control("line plug") == f"ok plugged {sim.url}"
+        assert ask(sim.url, "82", 1) == b"r"
+
+    def test_demo_moves_sticks(self, start: Start) -> None:
+        sim = start("--tcp", "127.0.0.1:0", "--demo", "--unpaced")
+        seen: set[bytes] = set()
+        end = time.monotonic() + PATIENCE
+        with serial.serial_for_url(sim.url, timeout=PATIENCE) as port:
+            while len(seen) < 5 and time.monotonic() < end:
+                port.write(bytes.fromhex("86 1F"))
+                seen.add(port.read(10))
+        assert len(seen) == 5
+
+
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial 3.5
+@pytest.mark.realtime
+class TestRfc2217:
+    def test_rfc2217_follows_host_parity(self, start: Start, tmp_path: Path) -> None:
+        path = tmp_path / "eeprom.json"
+        Eeprom.open(path).write("uart_settings", 0x45)
+        sim = start("--rfc2217", "127.0.0.1:0", "--eeprom", str(path))
+        assert sim.url.startswith("rfc2217://127.0.0.1:")
+        assert is_silent(sim, "82", parity="N")
+        assert ask(sim.url, "85", 1, parity="E") == b"\x04"
+        assert is_silent(sim, "82", parity="E", baudrate=38400)
+
+    def test_rfc2217_passes_bytes_that_look_like_telnet(self, start: Start) -> None:
+        sim = start("--rfc2217", "127.0.0.1:0")
+        sim.control("channel 1 invalid")
+        assert ask(sim.url, "FF FF 86 01", 2) == b"\xff\xff"
+
+    def test_rfc2217_server_survives_malformed_client(self, start: Start) -> None:
+        sim = start("--rfc2217", "127.0.0.1:0")
+        address = sim.url.removeprefix("rfc2217://").split(":")
+        with socket.create_connection((address[0], int(address[1])), PATIENCE) as host:
+            host.sendall(b"\xff\xf0")
+            while host.recv(1024):
+                pass
+        assert ask(sim.url, "82", 1) == b"r"
+
+
+@pytest.mark.realtime
+class TestEnd:
+    @pytest.fixture
+    def link(self, tmp_path: Path) -> Path:
+        return tmp_path / "trex"
+
+    @needs_pty
+    def test_quit_command_ends_simulator_cleanly(self, start: Start, link: Path) -> None:
+        sim = start("--link", str(link))
+        assert sim.control("quit") == "ok bye"
+        assert (sim.wait(), sim.errors()) == (0, "")
+        assert not link.is_symlink()
+
+    @needs_pty
+    @pytest.mark.parametrize("name", sampled(["SIGTERM", "SIGINT", "SIGHUP"], every=3))
+    def test_signal_ends_simulator_cleanly(self, start: Start, link: Path, name: str) -> None:
+        sim = start("--link", str(link))
+        sim.process.send_signal(getattr(signal, name))
+        assert (sim.wait(), sim.errors()) == (0, "")
+        assert not link.is_symlink()
+
+    @needs_pty
+    def test_closed_stdin_pipe_ends_simulator_cleanly(self, start: Start, link: Path) -> None:
+        sim = start("--link", str(link))
+        assert sim.process.stdin is not None
+        sim.process.stdin.close()
+        assert (sim.wait(), sim.errors()) == (0, "")
+        assert not link.is_symlink()
+
+    def test_simulator_runs_without_standard_input(self, start: Start) -> None:
+        sim = start("--tcp", "127.0.0.1:0", stdin=subprocess.DEVNULL)
+        assert ask(sim.url, "82", 1) == b"r"
+        assert sim.process.poll() is None
+        sim.process.terminate()
+        assert (sim.wait(), sim.errors()) == (0, "")
+
+    def test_control_lines_are_read_from_file(self, start: Start, tmp_path: Path) -> None:
+        script = tmp_path / "script"
+        script.write_text("channel 1 4000\nbogus\nchannel 2 4001", encoding="utf-8")
+        with script.open("rb") as file:
+            sim = start("--tcp", "127.0.0.1:0", stdin=file)
+        answers = [sim.line() for _ in range(3)]
+        assert answers[0] == "ok channel 1 gets 1600us"
+        assert answers[1].startswith("error 'bogus' is unknown")
+        assert answers[2] == "ok channel 2 gets 1600.4us"
+        assert becomes(lambda: ask(sim.url, "86 03", 4), bytes.fromhex("A0 0F A1 0F"))
+        assert sim.process.poll() is None
+
+    @needs_pty
+    def test_simulator_survives_end_of_terminal_input(self, start: Start) -> None:
+        master, slave = os.openpty()
+        try:
+            sim = start("--tcp", "127.0.0.1:0", stdin=slave)
+            os.write(master, b"channel 1 4000\n\x04")  # Ctrl-D
+            assert sim.line() == "ok channel 1 gets 1600us"
+            assert becomes(lambda: ask(sim.url, "86 01", 2), bytes.fromhex("A0 0F"))
+            assert sim.process.poll() is None
+        finally:
+            os.close(slave)
+            os.close(master)
+
+
+@pytest.mark.realtime
+class TestEeprom:
+    def test_eeprom_write_survives_restart(self, start: Start, tmp_path: Path) -> None:
+        path = tmp_path / "eeprom.json"
+        first = start("--tcp", "127.0.0.1:0", "--eeprom", str(path))
+        assert ask(first.url, "AF 07 0F 55 2A", 1) == b"\x00"
+        first.close()
+        second = start("--tcp", "127.0.0.1:0", "--eeprom", str(path))
+        assert ask(second.url, "9F 07", 1) == b"\x0f"
+
+    def test_each_board_has_its_own_eeprom_file(self, start: Start, tmp_path: Path) -> None:
+        path = tmp_path / "eeprom.json"
+        sim = start("--tcp", "127.0.0.1:0", "--eeprom", str(path), "--device", "7", "--device", "9")
+        assert sim.show("@9")["parameters"]["device_number"] == 9
+        assert {file.name for file in tmp_path.iterdir()} == {"eeprom-7.json", "eeprom-9.json"}
+
+    def test_stored_device_number_overrides_option(self, start: Start, tmp_path: Path) -> None:
+        path = tmp_path / "eeprom.json"
+        Eeprom.open(path).write("device_number", 12)
+        sim = start("--tcp", "127.0.0.1:0", "--eeprom", str(path), "--device", "9")
+        assert sim.show()["parameters"]["device_number"] == 12
+        sim.control("quit")
+        assert "device 12" in sim.errors()

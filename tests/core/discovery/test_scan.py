@@ -1,0 +1,245 @@
+"""Looking for devices of any kind on one port: in which order, and what is told in the end."""
+
+from collections.abc import Callable
+
+import pytest
+
+from tests.devices.trex.discovery.test_prober import Wire, wire_of
+from tests.devices.trex.simulator.ports import a_board
+from trex_gui.core.discovery.prober import Seek, Step, Telling, Verdict
+from trex_gui.core.discovery.scan import PortSearch, order, search_port
+from trex_gui.core.errors import BadRequest, PortUnavailable
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.devices.trex.discovery.probe import RINSE, RINSE_LINE
+from trex_gui.devices.trex.discovery.prober import SEEK_TREX
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+
+VIRTUAL = LinkSettings("virtual", LineSettings(9600))
+
+
+class Deaf:
+    """Looks for a kind of device that is never there; notes what it is asked to do."""
+
+    parts = (2, 3)
+    found = ()
+    is_over = False
+
+    def __init__(self, noted: list[str], name: str, verdict: Verdict) -> None:
+        self._noted = noted
+        self._name = name
+        self._verdict = verdict
+
+    def overhear(self, line: LineSettings, data: bytes) -> None:
+        self._noted.append(f"{self._name} hears {data!r} at {line.baud}")
+
+    def ask(
+        self,
+        wire: Transport,
+        part: int,
+        progress: Callable[[Step], None],
+        cancelled: Callable[[], bool],
+    ) -> None:
+        for done in range(self.parts[part]):
+            if cancelled():
+                return
+            progress(Step(done, self.parts[part], LineSettings()))
+        self._noted.append(f"{self._name} {part}")
+
+    def verdict(self) -> Verdict:
+        return self._verdict
+
+
+def nobody(noted: list[str], name: str, telling: Telling = Telling.SILENCE) -> Seek:
+    verdict = Verdict(telling, f"No {name}.")
+    talks_at = LineSettings(38400) if name == "Talker" else None
+    return Seek(name, lambda _settings, *, full, known: Deaf(noted, name, verdict), talks_at)
+
+
+def search(wire: Wire, seeks: dict[str, Seek], first: str | None = None) -> PortSearch:
+    return search_port(VIRTUAL, seeks, first=first, open_wire=lambda _settings: wire)
+
+
+def test_likely_settings_of_all_kinds_come_first() -> None:
+    parts = {"common": (5, 83), "rare": (5,)}
+    assert order(parts, None) == [("common", 0), ("rare", 0), ("common", 1)]
+    assert order(parts, "common") == order(parts, None)
+
+
+def test_expected_device_kind_comes_first() -> None:
+    parts = {"common": (5, 83), "rare": (5, 9)}
+    assert order(parts, "rare") == [("rare", 0), ("common", 0), ("rare", 1), ("common", 1)]
+    assert order(parts, "forgotten") == order(parts, None)
+
+
+def test_search_follows_order_and_opens_port_once() -> None:
+    noted: list[str] = []
+    opened: list[LinkSettings] = []
+    wire = wire_of(a_board())
+    wire.line.mute = True
+
+    def open_wire(settings: LinkSettings) -> Wire:
+        opened.append(settings)
+        return wire
+
+    seeks = {"one": nobody(noted, "One"), "two": nobody(noted, "Two")}
+    search_port(VIRTUAL, seeks, first="two", open_wire=open_wire)
+    assert noted == ["Two 0", "One 0", "Two 1", "One 1"]
+    assert [settings.line for settings in opened] == [RINSE_LINE]
+    assert wire.closed
+
+
+def test_progress_counts_probes_and_names_device_kind() -> None:
+    steps: list[Step] = []
+    wire = wire_of(a_board())
+    seeks = {"one": nobody([], "One"), "two": nobody([], "Two")}
+    search_port(VIRTUAL, seeks, progress=steps.append, open_wire=lambda _settings: wire)
+    assert [step.done for step in steps] == list(range(10))
+    assert {step.total for step in steps} == {10}
+    assert [step.kind for step in steps] == ["One"] * 2 + ["Two"] * 2 + ["One"] * 3 + ["Two"] * 3
+
+
+def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
+    noted: list[str] = []
+    seeks = {"trex": SEEK_TREX, "other": nobody(noted, "Other")}
+    wire = wire_of(a_board(settings=LineSettings(57600).to_wire()))
+    result = search(wire, seeks)
+    assert (result.device, [found.name for found in result.found]) == ("trex", ["TReX 1.2"])
+    assert result.found[0].settings == LinkSettings("virtual", LineSettings(57600))
+    assert noted == []
+    assert wire.line.now < 2.5
+
+
+def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
+    noted: list[str] = []
+    seeks = {"trex": SEEK_TREX, "other": nobody(noted, "Other")}
+    result = search(wire_of(a_board(settings=LineSettings(4800).to_wire())), seeks)
+    assert result.found[0].settings.line == LineSettings(4800)
+    assert noted == ["Other 0"]
+
+
+def test_unsolicited_data_is_heard_at_rate_declared_by_kind() -> None:
+    noted: list[str] = []
+    seeks = {"trex": SEEK_TREX, "talker": nobody(noted, "Talker")}
+    board = a_board()
+    board.power_off()
+    wire = wire_of(board)
+    read = wire.read
+    wire.read = lambda size, seconds: b"$GPGGA" if seconds == 0.3 else read(size, seconds)  # type: ignore[method-assign]
+    result = search(wire, seeks)
+    assert noted[0] == "Talker hears b'$GPGGA' at 38400"
+    assert "24 47 50 47 47 41 came at 38400 baud" in result.lines[0]
+
+
+def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
+    seeks = {
+        "silent": nobody([], "Silent"),
+        "known": nobody([], "Known", Telling.KNOWN),
+        "echo": nobody([], "Echo", Telling.ECHO),
+        "mute": nobody([], "Mute"),
+        "strange": nobody([], "Strange", Telling.STRANGE),
+    }
+    assert search(wire_of(a_board()), seeks).lines == [
+        "No Known.",
+        "No Strange.",
+        "No Echo.",
+        "No Silent.",
+        "No Mute.",
+    ]
+
+
+def test_cancelled_search_is_reported_as_cancelled() -> None:
+    steps: list[Step] = []
+    noted: list[str] = []
+    wire = wire_of(a_board())
+    result = search_port(
+        VIRTUAL,
+        {"one": nobody(noted, "One"), "two": nobody(noted, "Two")},
+        progress=steps.append,
+        cancelled=lambda: len(steps) == 3,
+        open_wire=lambda _settings: wire,
+    )
+    assert result.cancelled
+    assert noted == ["One 0"]
+    assert wire.closed
+
+
+def test_unopened_port_reports_only_its_error() -> None:
+    def refuse(settings: LinkSettings) -> Wire:
+        raise PortUnavailable("It is in use by a terminal.")
+
+    result = search_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=refuse)
+    assert result.lines == ["It is in use by a terminal."]
+    assert not result.cancelled
+
+
+@pytest.mark.parametrize("telling", [Telling.SILENCE, Telling.STRANGE])
+def test_port_loss_is_reported_before_evidence(telling: Telling) -> None:
+    wire = wire_of(a_board())
+
+    class Puller(Deaf):
+        def ask(
+            self,
+            wire: Transport,
+            part: int,
+            progress: Callable[[Step], None],
+            cancelled: Callable[[], bool],
+        ) -> None:
+            raise PortUnavailable("It is gone.")
+
+    verdict = Verdict(telling, "No Two.")
+    pulled = Seek("Two", lambda _settings, *, full, known: Puller([], "Two", verdict))
+    result = search(wire, {"one": nobody([], "One", telling), "two": pulled})
+    heard = ["No One.", "No Two."] if telling else []
+    assert result.lines == ["It is gone.", *heard]
+    assert wire.closed
+
+
+def test_search_ends_with_flush_byte_and_default_settings() -> None:
+    wire = wire_of(a_board())
+    search(wire, {"one": nobody([], "One")})
+    assert bytes(wire.sent) == RINSE
+    assert wire.tuned[-1] == LineSettings()
+
+
+def test_found_board_is_sent_no_flush_byte() -> None:
+    """A byte at another rate would leave it with an error that it shows from then on."""
+    wire = wire_of(a_board())
+    search(wire, {"trex": SEEK_TREX})
+    assert not bytes(wire.sent).endswith(RINSE)
+
+
+def test_unsupported_baud_rates_are_reported() -> None:
+    board = a_board()
+    board.power_off()
+    wire = wire_of(board)
+    wire.unable = frozenset({14400, 76800})
+    (line,) = search(wire, {"trex": SEEK_TREX}).lines
+    assert "cannot be set to 14400, 76800 baud" in line
+
+
+def test_report_counts_rates_with_unknown_replies() -> None:
+    board = a_board()
+    board.power_off()
+    wire = wire_of(board)
+    read = wire.read
+    wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
+    (line,) = search(wire, {"trex": SEEK_TREX}).lines
+    assert "45 52 52 came at 1200 baud" in line
+    assert "something at 88 more" in line
+
+
+def test_port_without_flush_rate_is_reported_and_closed() -> None:
+    wire = wire_of(a_board())
+    tune = wire.tune
+
+    def tune_fast(line: LineSettings) -> None:
+        if line == RINSE_LINE:
+            raise BadRequest("the port cannot be set to 1200 baud")
+        tune(line)
+
+    wire.tune = tune_fast  # type: ignore[method-assign]
+    result = search(wire, {"trex": SEEK_TREX})
+    assert not result.device
+    assert result.lines
+    assert wire.closed

@@ -1,0 +1,152 @@
+"""Settings files on disk, and what a person reads when the disk says no."""
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.settings.samples import factory
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files.text_files import load, save
+from trex_gui.devices.trex.settings.plain_yaml import LARGEST_FILE
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
+
+posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has other permissions")
+forbidding = pytest.mark.skipif(
+    sys.platform == "win32" or os.geteuid() == 0, reason="root may do everything"
+)
+
+
+def sentence(path: Path, text: str | None = None) -> str:
+    """Return what is said when a file cannot be read, or written with a text."""
+    with pytest.raises(SettingsError) as caught:
+        load(path) if text is None else save(path, text)
+    assert caught.value.name == str(path)
+    (found,) = caught.value.findings
+    return str(found)
+
+
+def test_saved_file_can_be_loaded(tmp_path: Path) -> None:
+    path = tmp_path / "bench µ.txt"
+    save(path, write_settings(factory()))
+    assert read_settings(load(path)) == (factory(), ())
+
+
+def test_save_replaces_file_and_leaves_no_other(tmp_path: Path) -> None:
+    path = tmp_path / "bench.txt"
+    save(path, "old, and longer\n")
+    save(path, "new\n")
+    assert load(path) == b"new\n"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_saved_line_endings_are_always_line_feeds(tmp_path: Path) -> None:
+    save(tmp_path / "bench.txt", "a\nb\n")
+    assert (tmp_path / "bench.txt").read_bytes() == b"a\nb\n"
+
+
+@pytest.mark.parametrize("failing", ["os.fsync", "pathlib.Path.replace"])
+def test_failed_save_keeps_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, failing: str
+) -> None:
+    def full(*arguments: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    path = tmp_path / "bench.txt"
+    save(path, "old\n")
+    monkeypatch.setattr(failing, full)
+    assert sentence(path, "new\n") == "it cannot be written: No space left on device"
+    assert path.read_text() == "old\n"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_invalid_unicode_is_rejected_and_keeps_old_file(tmp_path: Path) -> None:
+    path = tmp_path / "bench.txt"
+    save(path, "old\n")
+    assert sentence(path, "\ud800").startswith("it cannot be written: ")
+    assert path.read_text() == "old\n"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@posix
+def test_save_keeps_file_permissions(tmp_path: Path) -> None:
+    path = tmp_path / "bench.txt"
+    path.write_text("old\n")
+    path.chmod(0o640)
+    save(path, "new\n")
+    assert path.stat().st_mode & 0o777 == 0o640
+
+
+@posix
+def test_new_file_has_default_permissions(tmp_path: Path) -> None:
+    save(tmp_path / "bench.txt", "new\n")
+    (tmp_path / "other").write_text("")
+    modes = [(tmp_path / name).stat().st_mode for name in ("bench.txt", "other")]
+    assert modes[0] == modes[1]
+
+
+@posix
+def test_save_through_link_keeps_link(tmp_path: Path) -> None:
+    target = tmp_path / "target.txt"
+    target.write_text("old\n")
+    link = tmp_path / "link.txt"
+    link.symlink_to(target)
+    save(link, "new\n")
+    assert link.is_symlink()
+    assert target.read_text() == "new\n"
+
+
+def test_missing_file_is_reported(tmp_path: Path) -> None:
+    assert sentence(tmp_path / "none.txt") == "there is no such file"
+
+
+def test_folder_in_place_of_file_is_reported(tmp_path: Path) -> None:
+    assert sentence(tmp_path) == "is a folder, not a file"
+    assert sentence(tmp_path, "new\n") == "is a folder, not a file"
+
+
+def test_missing_folder_is_named(tmp_path: Path) -> None:
+    folder = tmp_path / "none"
+    assert sentence(folder / "bench.txt", "new\n") == f"there is no folder {folder.resolve()}"
+
+
+def test_invalid_file_name_is_reported() -> None:
+    assert sentence(Path("a\0b")).startswith("it cannot be read: ")
+    assert sentence(Path("a\0b"), "new\n").startswith("it cannot be written: ")
+
+
+@posix
+def test_pipe_is_rejected_without_waiting(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    assert sentence(pipe) == "is no ordinary file"
+    assert sentence(pipe, "new\n") == "is no ordinary file"
+
+
+@forbidding
+def test_file_without_permission_is_reported(tmp_path: Path) -> None:
+    path = tmp_path / "bench.txt"
+    path.write_text("old\n")
+    path.chmod(0)
+    assert sentence(path) == "it may not be read; its permissions forbid it"
+    assert sentence(path, "new\n") == "it may not be written; its permissions forbid it"
+
+
+def test_permission_error_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def forbidden(*arguments: object, **options: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    path = tmp_path / "bench.txt"
+    path.write_text("old\n")
+    monkeypatch.setattr(Path, "open", forbidden)
+    assert sentence(path) == "it may not be read; its permissions forbid it"
+    assert sentence(path, "new\n") == "it may not be written; its permissions forbid it"
+
+
+def test_oversized_file_is_rejected_without_reading_all(tmp_path: Path) -> None:
+    path = tmp_path / "huge.txt"
+    with path.open("wb") as file:
+        file.truncate(1 << 40 if sys.platform == "linux" else LARGEST_FILE + 1)
+    assert sentence(path) == "is larger than 256 KiB; settings are not that long"

@@ -1,0 +1,78 @@
+"""The inbox of a session, between two threads."""
+
+import threading
+
+import pytest
+
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.session.request_queue import QueueInbox
+from trex_gui.devices.trex.session.messages import Stop
+
+
+class WatchedCondition(threading.Condition):
+    """A condition that shows whether a thread has begun to wait on it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.has_waiter = threading.Event()
+
+    def wait(self, timeout: float | None = None) -> bool:
+        self.has_waiter.set()  # its lock, which `put` needs, is free once it waits
+        return super().wait(timeout)
+
+
+def test_empty_inbox_waits_for_its_timeout(virtual_time: VirtualRuntime) -> None:
+    inbox = QueueInbox(virtual_time.condition())
+    begun = virtual_time.now()
+    ended: list[float] = []
+
+    def read() -> None:
+        for seconds in (0.0, 0.05):
+            assert inbox.get(seconds) is None
+            ended.append(virtual_time.now())
+
+    virtual_time.start_thread(read)
+    virtual_time.advance(1.0)
+    assert ended == [begun, begun + 0.05]
+
+
+@pytest.mark.realtime
+def test_request_wakes_waiting_reader() -> None:
+    condition = WatchedCondition()
+    inbox = QueueInbox(condition)
+    taken: list[object] = []
+    reader = threading.Thread(target=lambda: taken.append(inbox.get(600.0)), daemon=True)
+    reader.start()
+    assert condition.has_waiter.wait(30.0)
+    inbox.put(Stop(1))
+    reader.join(30.0)
+    assert taken == [Stop(1)]
+
+
+def test_requests_are_taken_in_order() -> None:
+    inbox = QueueInbox()
+    for number in range(3):
+        inbox.put(Stop(number))
+    assert [inbox.get(0.0), inbox.get(0.01), inbox.get(1e-6)] == [Stop(0), Stop(1), Stop(2)]
+
+
+@pytest.mark.realtime
+@pytest.mark.parametrize("seconds", [1e-9, 1e-6, 1e-5])
+def test_very_short_wait_ends(seconds: float) -> None:
+    """A new one, and one that a request has come through, which is what a session waits at."""
+    rounds = 4000
+    ended: list[int] = []
+
+    def wait() -> None:
+        for number in range(rounds):
+            inbox = QueueInbox()
+            assert inbox.get(seconds) is None
+            inbox.put(Stop(number))
+            assert inbox.get(seconds) == Stop(number)
+            assert inbox.get(seconds) is None
+            ended.append(number)
+
+    thread = threading.Thread(target=wait, daemon=True)
+    thread.start()
+    thread.join(30.0)
+    assert len(ended) == rounds

@@ -1,0 +1,81 @@
+"""A line whose own thread is without the processor for a while, and finds the line as it was."""
+
+import os
+import select
+import sys
+import time
+import tty
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from serial import serialposix
+
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.transport.serial_port import SerialTransport
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals"),
+]
+
+
+@pytest.fixture
+def ends() -> Iterator[tuple[int, SerialTransport]]:
+    """The far end of a pseudo-terminal, and a line on the near one."""
+    far, near = os.openpty()
+    tty.setraw(near)
+    transport = SerialTransport(LinkSettings(os.ttyname(near)))
+    yield far, transport
+    transport.close()
+    os.close(near)
+    os.close(far)
+
+
+class _Late:
+    """A module of the system of which one function is changed."""
+
+    def __init__(self, module: object, **changed: object) -> None:
+        self._module = module
+        vars(self).update(changed)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._module, name)
+
+
+def test_write_succeeds_although_its_thread_is_late(
+    ends: tuple[int, SerialTransport], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    far, transport = ends
+
+    def write(descriptor: int, data: bytes) -> int:
+        count = os.write(descriptor, data)
+        time.sleep(1.1)  # somebody else has the processor
+        return count
+
+    monkeypatch.setattr(serialposix, "os", _Late(os, write=write))
+    transport.write(b"\x81\x82")
+    assert os.read(far, 16) == b"\x81\x82"
+
+
+def test_timely_reply_is_read_although_thread_is_late(
+    ends: tuple[int, SerialTransport], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    far, transport = ends
+
+    def wait(*arguments: Any) -> Any:
+        found = select.select(*arguments)
+        os.write(far, b"answer")  # right behind the last look
+        # A pseudo-terminal hands bytes over a little later: wait until they have come in time.
+        select.select(arguments[0], [], [], 10)
+        return found
+
+    monkeypatch.setattr(serialposix, "select", _Late(select, select=wait))
+    assert transport.read(6, 0.001) == b"answer"
+
+
+def test_write_to_blocked_port_raises_port_unavailable(ends: tuple[int, SerialTransport]) -> None:
+    _far, transport = ends
+    with pytest.raises(PortUnavailable):
+        transport.write(bytes(1_000_000))

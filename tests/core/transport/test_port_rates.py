@@ -1,0 +1,170 @@
+"""Which baud rates a port can do, and changing them while it is open."""
+
+import array
+import errno
+import os
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+
+import pytest
+import serial
+
+from tests.support.simulator import SimulatedDevice
+from trex_gui.core.errors import BadRequest, PortUnavailable
+from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport import port_rates
+from trex_gui.core.transport.port_rates import rates_of
+from trex_gui.core.transport.serial_port import SerialTransport
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.protocol.commands import GetSignature
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+
+pytestmark = pytest.mark.realtime
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
+
+
+@pytest.fixture
+def terminal() -> Iterator[tuple[int, str]]:
+    """A pseudo-terminal with nobody behind it: its master end, and the path of the other."""
+    master, slave = os.openpty()
+    yield master, os.ttyname(slave)
+    for end in (master, slave):
+        os.close(end)
+
+
+def no_time() -> float:
+    """A clock that stands still: no driver is too slow."""
+    return 0.0
+
+
+@linux
+def test_pseudo_terminal_supports_every_rate_and_sends_nothing(
+    terminal: tuple[int, str],
+) -> None:
+    master, url = terminal
+    transport = SerialTransport(LinkSettings(url, LineSettings(14400)))
+    assert rates_of(transport._port, baud_rates(), no_time) == frozenset(baud_rates())
+    os.set_blocking(master, False)
+    with pytest.raises(BlockingIOError):
+        os.read(master, 1)
+    transport.close()
+
+
+@linux
+def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice) -> None:
+    settings = LinkSettings(quick_simulator.url)
+    transport = SerialTransport(settings)
+    before = port_rates._get(transport._port.fileno())
+    transport.rates()
+    assert port_rates._get(transport._port.fileno()) == before
+    client = Client(transport, replace(settings, timeouts=Timeouts(extra=15)))
+    assert str(client.request(GetSignature())) == "TReX 1.2"
+    transport.close()
+
+
+@linux
+def test_pseudo_terminal_can_be_reconfigured_repeatedly(
+    terminal: tuple[int, str],
+) -> None:
+    for line in (
+        LineSettings(57600, Detection.EVEN, 2),
+        LineSettings(57600, Detection.ODD, 2),
+        LineSettings(1200),
+        LineSettings(1200, Detection.EVEN),
+    ):
+        for _ in range(2):
+            transport = SerialTransport(LinkSettings(terminal[1], line))
+            transport.tune(LineSettings(1200))
+            transport.tune(line)
+            transport.close()
+
+
+class Adapter:
+    """A port whose driver takes the nearest rate that it has."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, *possible: int) -> None:
+        self.words = array.array("I", [0] * 11)
+        self.possible = possible
+        self.failure: OSError | None = None
+        monkeypatch.setattr(port_rates, "_get", lambda handle: self.words[:])
+        monkeypatch.setattr(port_rates, "_set", self._set)
+
+    def fileno(self) -> int:
+        return 3
+
+    def _set(self, handle: int, words: "array.array[int]") -> None:
+        if self.failure is not None:
+            raise self.failure
+        self.words = words[:]
+        wanted = words[-1]
+        self.words[-1] = min(self.possible, key=lambda rate: abs(rate - wanted))
+
+
+@linux
+def test_rate_far_from_driver_rate_is_unsupported(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    adapter = Adapter(monkeypatch, 9600, 19200, 57143, 75000)
+    assert rates_of(adapter, [9600, 38400, 57600, 76800], no_time) == frozenset(
+        {9600, 57600, 76800}
+    )
+    adapter.possible = (19200, 57600, 115200)
+    assert rates_of(adapter, [19200, 76800, 115200], no_time) == frozenset({19200, 115200})
+
+
+@linux
+def test_rates_are_unknown_when_driver_rejects_settings(monkeypatch: pytest.MonkeyPatch) -> None:
+    adapter = Adapter(monkeypatch, 9600)
+    adapter.failure = OSError(errno.EINVAL, "Invalid argument")
+    assert rates_of(adapter, [9600]) is None  # nor can it be set back
+
+
+@linux
+def test_rates_are_unknown_when_driver_is_slow(monkeypatch: pytest.MonkeyPatch) -> None:
+    adapter = Adapter(monkeypatch, 9600)
+    moments = iter((0.0, 0.05, 0.11, 0.2))
+    assert rates_of(adapter, [9600, 19200, 38400], lambda: next(moments)) is None
+
+
+def test_rates_are_unknown_on_other_systems(
+    monkeypatch: pytest.MonkeyPatch, terminal: tuple[int, str]
+) -> None:
+    transport = SerialTransport(LinkSettings(terminal[1]))
+    monkeypatch.setattr("platform.machine", lambda: "mips64")
+    assert transport.rates() is None
+    monkeypatch.setattr(sys, "platform", "darwin")
+    assert transport.rates() is None
+    transport.close()
+
+
+def test_rates_of_closed_port_are_unknown(terminal: tuple[int, str]) -> None:
+    transport = SerialTransport(LinkSettings(terminal[1]))
+    transport.close()
+    assert transport.rates() is None
+
+
+def test_failed_reconfiguration_raises_matching_error(
+    terminal: tuple[int, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    transport = SerialTransport(LinkSettings(terminal[1]))
+    for failure, kind in (
+        (ValueError("no such rate"), BadRequest),
+        (serial.SerialException(errno.EINVAL, "Invalid argument"), BadRequest),
+        (serial.SerialException(errno.EIO, "Input/output error"), PortUnavailable),
+    ):
+
+        def fail(*_: object, failure: Exception = failure, **__: object) -> None:
+            raise failure
+
+        with monkeypatch.context() as patched:
+            patched.setattr(transport._port, "_reconfigure_port", fail)
+            with pytest.raises(kind):
+                transport.tune(LineSettings(76800))
+        transport.tune(LineSettings())
+    transport.close()

@@ -1,0 +1,401 @@
+"""Real ports: a pseudo-terminal, a TCP port, and every way in which they fail."""
+
+import errno
+import itertools
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+import serial
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.core.errors import NoReply, PortUnavailable, ResultCode
+from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.serial_port import SerialTransport, why_not_open
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.protocol.commands import GetMode, GetSignature, SetParameter
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import Mode
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+import termios
+
+pytestmark = pytest.mark.realtime
+
+Start = StartSimulator
+
+LINE = LineSettings()
+
+PATIENCE = 15.0
+"""Seconds after which what should have happened will not, however loaded the machine."""
+
+
+def patient(transport: SerialTransport, url: str) -> Client:
+    """Return a client that waits for a simulator which stands still."""
+    return Client(transport, LinkSettings(url, timeouts=Timeouts(extra=PATIENCE)))
+
+
+@pytest.fixture
+def terminal() -> Iterator[tuple[int, str]]:
+    """A pseudo-terminal with nobody behind it: its master end, and the path of the other."""
+    master, slave = os.openpty()
+    yield master, os.ttyname(slave)
+    for end in (master, slave):
+        os.close(end)
+
+
+@pytest.fixture
+def opened() -> Iterator[Callable[[str], SerialTransport]]:
+    """Open ports that are closed with the test."""
+    transports: list[SerialTransport] = []
+
+    def open_port(
+        url: str, line: LineSettings = LINE, clock: Callable[[], float] = time.monotonic
+    ) -> SerialTransport:
+        transports.append(SerialTransport(LinkSettings(url, line), clock))
+        return transports[-1]
+
+    yield open_port
+    for transport in transports:
+        transport.close()
+
+
+Open = Callable[..., SerialTransport]
+
+
+def refusal(url: str, line: LineSettings = LINE) -> str:
+    """Return why a port does not open."""
+    with pytest.raises(PortUnavailable) as caught:
+        SerialTransport(LinkSettings(url, line))
+    return str(caught.value)
+
+
+# --- Talking ----------------------------------------------------------------------------
+
+
+def test_board_replies_over_pseudo_terminal(quick_simulator: SimulatedDevice, opened: Open) -> None:
+    transport = opened(quick_simulator.url)
+    # No echo comes, so a patient one would wait for it in vain.
+    assert Client(transport, LinkSettings(quick_simulator.url)).detect_echo() is False
+    client = patient(transport, quick_simulator.url)
+    assert str(client.request(GetSignature())) == "TReX 1.2"
+    assert client.request(SetParameter(7, 9)) is ResultCode.OK
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 9
+
+
+def test_board_replies_over_tcp(start_simulator: Start, opened: Open) -> None:
+    url = start_simulator("--tcp", "127.0.0.1:0", "--echo").url
+    assert url.startswith("socket://")
+    client = patient(opened(url), url)
+    assert client.detect_echo() is True
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+
+
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial's, not ours
+def test_rfc2217_port_applies_parity(start_simulator: Start, opened: Open) -> None:
+    url = start_simulator("--rfc2217", "127.0.0.1:0").url
+    line = LineSettings(19200, Detection.EVEN)
+    client = Client(opened(url, line), LinkSettings(url, line))
+    with pytest.raises(NoReply):
+        client.request(GetMode())  # the board has no parity
+
+
+def test_network_port_has_greater_latency_than_local_port(
+    start_simulator: Start, opened: Open, terminal: tuple[int, str]
+) -> None:
+    remote = opened(start_simulator("--tcp", "127.0.0.1:0").url)
+    assert remote.latency > opened(terminal[1]).latency
+
+
+@pytest.mark.parametrize("baud", baud_rates())
+def test_every_baud_rate_of_a_board_can_be_set(
+    baud: int, terminal: tuple[int, str], opened: Open
+) -> None:
+    opened(terminal[1], LineSettings(baud))
+
+
+def test_port_gets_baud_rate_and_stop_bits_of_line(terminal: tuple[int, str], opened: Open) -> None:
+    master, path = terminal
+    opened(path, LineSettings(57600, stop_bits=2))
+    attributes = termios.tcgetattr(master)
+    assert attributes[5] == termios.B57600
+    assert attributes[2] & termios.CSTOPB
+
+
+def test_low_latency_is_requested_from_adapter(
+    terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[bool] = []
+
+    def set_mode(_port: serial.Serial, low_latency: bool) -> None:
+        asked.append(low_latency)
+        raise OSError(errno.ENOTTY, "a terminal has no latency")
+
+    monkeypatch.setattr(serial.Serial, "set_low_latency_mode", set_mode)
+    opened(terminal[1])
+    assert asked == [True]
+
+
+def test_all_byte_values_pass_unchanged(terminal: tuple[int, str], opened: Open) -> None:
+    master, path = terminal
+    transport = opened(path)
+    everything = bytes(range(256))
+    transport.write(everything)
+    passed = b""
+    while len(passed) < len(everything):  # a terminal may pass them on in pieces
+        passed += os.read(master, 512)
+    assert passed == everything
+    os.write(master, everything)
+    assert transport.read(256, PATIENCE) == everything
+
+
+def test_read_ends_when_all_bytes_have_arrived(terminal: tuple[int, str], opened: Open) -> None:
+    master, path = terminal
+    transport = opened(path)
+    os.write(master, b"abc")
+    begun = time.monotonic()
+    assert transport.read(3, 40.0) == b"abc"
+    assert time.monotonic() - begun < 30.0
+
+
+def test_incomplete_read_ends_at_timeout(terminal: tuple[int, str], opened: Open) -> None:
+    master, path = terminal
+    transport = opened(path)
+    for _ in range(20):  # a busy computer adds to some
+        os.write(master, b"xab")
+        assert transport.read(1, PATIENCE) == b"x"  # so the rest is here as well
+        begun = transport.clock()
+        assert transport.read(3, 0.1) == b"ab"
+        took = transport.clock() - begun
+        assert took >= 0.1
+        if took < 0.3:
+            break
+    assert took < 0.3
+
+
+def test_discard_returns_and_removes_bytes(terminal: tuple[int, str], opened: Open) -> None:
+    master, path = terminal
+    transport = opened(path)
+    os.write(master, b"xstale")
+    assert transport.read(1, PATIENCE) == b"x"  # so the rest is here as well
+    assert transport.discard() == b"stale"
+    assert transport.discard() == b""
+    os.write(master, b"new")
+    assert transport.read(3, PATIENCE) == b"new"
+
+
+def test_clock_jump_while_reading_loses_no_bytes(terminal: tuple[int, str], opened: Open) -> None:
+    master, path = terminal
+    seconds = itertools.count()
+    transport = opened(path, clock=lambda: next(seconds))
+    os.write(master, b"xlate")
+    assert transport.read(1, 1_000_000) == b"x"
+    assert transport.discard() == b"late"
+
+
+# --- Ports that do not open -------------------------------------------------------------
+
+
+def test_missing_port_is_reported_with_available_ports() -> None:
+    said = refusal("/dev/ttyNothing9")
+    assert said.startswith("There is no port /dev/ttyNothing9.")
+    assert "Ports of this computer:" in said
+
+
+def test_port_is_opened_exclusively(terminal: tuple[int, str], opened: Open) -> None:
+    opened(terminal[1])
+    said = refusal(terminal[1])
+    assert "is in use" in said
+    assert "Close it there, then connect again." in said
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+def test_owner_of_port_lock_is_named_before_other_users(
+    terminal: tuple[int, str], opened: Open
+) -> None:
+    code = f"import sys; port = open({terminal[1]!r}); print('open', flush=True); sys.stdin.read()"
+    with subprocess.Popen(
+        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as onlooker:
+        assert onlooker.stdout is not None
+        assert onlooker.stdout.readline() == b"open\n"
+        opened(terminal[1])
+        assert "in use by another line of this program" in refusal(terminal[1])
+        onlooker.communicate(b"", timeout=30)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+def test_process_that_holds_port_is_named(terminal: tuple[int, str]) -> None:
+    code = (
+        "import serial, sys\n"
+        f"port = serial.Serial({terminal[1]!r}, exclusive=True)\n"
+        "print('open', flush=True)\n"
+        "sys.stdin.read()\n"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as holder:
+        assert holder.stdout is not None
+        assert holder.stdout.readline() == b"open\n"
+        said = refusal(terminal[1])
+        assert f"(process {holder.pid})" in said
+        holder.communicate(b"", timeout=30)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+def test_open_waits_for_own_connection_that_is_closing(
+    terminal: tuple[int, str], opened: Open
+) -> None:
+    first = opened(terminal[1])
+    closing = threading.Timer(0.2, first.close)
+    closing.start()
+    try:
+        opened(terminal[1], clock=lambda: 0.0)  # however busy the computer is
+    finally:
+        closing.join()
+
+
+def test_closed_port_can_be_reopened(terminal: tuple[int, str], opened: Open) -> None:
+    opened(terminal[1]).close()
+    opened(terminal[1])
+
+
+def test_second_close_is_harmless(terminal: tuple[int, str], opened: Open) -> None:
+    transport = opened(terminal[1])
+    transport.close()
+    transport.close()
+
+
+def test_regular_file_is_rejected_as_port(tmp_path: Path) -> None:
+    path = tmp_path / "notes.txt"
+    path.write_text("no port")
+    assert str(path) in refusal(str(path))
+    assert path.read_text() == "no port"
+
+
+def test_unserved_network_port_is_reported_unreachable() -> None:
+    assert refusal("socket://127.0.0.1:9").startswith("socket://127.0.0.1:9 cannot be reached")
+
+
+@pytest.mark.parametrize("url", ["", "nonsense://x", "socket://nowhere", "rfc2217://", "a\0b"])
+def test_invalid_url_is_rejected_with_message(url: str) -> None:
+    assert refusal(url)
+
+
+@pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may open everything"
+)
+def test_port_without_permission_is_reported(terminal: tuple[int, str]) -> None:
+    Path(terminal[1]).chmod(0)
+    assert "You may not open" in refusal(terminal[1])
+
+
+# --- The sentences ----------------------------------------------------------------------
+
+
+def why(number: int, url: str = "/dev/ttyUSB0") -> str:
+    """Return the sentence for an error of the system, as pyserial wraps it."""
+    error = OSError(number, os.strerror(number))
+    return why_not_open(url, LINE, serial.SerialException(number, f"could not open: {error}"))
+
+
+def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None:
+    import grp
+
+    said = why(errno.EACCES, terminal[1])
+    group = grp.getgrgid(Path(terminal[1]).stat().st_gid).gr_name
+    assert said.startswith(f"You may not open {terminal[1]}.")
+    assert "sudo" in said
+    if group != "root":
+        assert f"sudo usermod -aG {group} $USER" in said
+    assert f"sudo chmod a+rw {terminal[1]}" in said
+
+
+def test_permission_error_of_missing_port_names_dialout() -> None:
+    assert "sudo usermod -aG dialout $USER" in why(errno.EACCES, "/dev/ttyGone9")
+
+
+@pytest.mark.parametrize("number", [errno.EBUSY, errno.EAGAIN])
+def test_port_in_use_is_reported(number: int) -> None:
+    assert "/dev/ttyUSB0 is in use by" in why(number)
+
+
+def test_unsupported_line_settings_are_named() -> None:
+    said = why_not_open("/dev/ttyUSB0", LINE, ValueError("Invalid baud rate"))
+    assert "cannot be set to 19200 baud, no error detection, 1 stop bit" in said
+
+
+def test_unexpected_error_shows_system_message() -> None:
+    assert why(errno.EIO) == "/dev/ttyUSB0 cannot be opened: input/output error."
+
+
+def test_error_number_is_found_in_wrapped_error() -> None:
+    cause = PermissionError(errno.EACCES, "Permission denied")
+    wrapped = serial.SerialException("could not open port")
+    wrapped.__cause__ = cause
+    assert why_not_open("/dev/ttyX", LINE, wrapped).startswith("You may not open /dev/ttyX.")
+
+
+def test_error_without_message_shows_its_type() -> None:
+    said = why_not_open("/dev/ttyX", LINE, AttributeError())
+    assert said == "/dev/ttyX cannot be opened: AttributeError."
+
+
+# --- Lines that are lost ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("action", ["read", "discard", "write"])
+def test_unplugged_cable_is_detected_at_once(
+    action: str, quick_simulator: SimulatedDevice, opened: Open
+) -> None:
+    transport = opened(quick_simulator.url)
+    quick_simulator.do("line unplug")
+    begun = time.monotonic()
+    act: dict[str, Callable[[], object]] = {
+        "read": lambda: transport.read(1, 40.0),
+        "discard": transport.discard,
+        "write": lambda: transport.write(b"\x82"),
+    }
+    with pytest.raises(
+        PortUnavailable, match=r"is gone\. Plug it in, then connect again\."
+    ) as caught:
+        act[action]()
+    assert time.monotonic() - begun < 30.0
+    assert quick_simulator.url in str(caught.value)
+
+
+def test_unplugged_cable_is_detected_by_request(
+    quick_simulator: SimulatedDevice, opened: Open
+) -> None:
+    client = patient(opened(quick_simulator.url), quick_simulator.url)
+    client.request(GetMode())
+    quick_simulator.do("line unplug")
+    with pytest.raises(PortUnavailable):
+        client.request(GetMode())
+
+
+def test_lost_network_connection_is_detected(start_simulator: Start, opened: Open) -> None:
+    simulator = start_simulator("--tcp", "127.0.0.1:0")
+    client = patient(opened(simulator.url), simulator.url)
+    client.request(GetMode())
+    simulator.end()
+    with pytest.raises(PortUnavailable, match="is gone"):
+        client.request(GetMode())
+
+
+def test_use_of_closed_port_raises_port_unavailable(
+    terminal: tuple[int, str], opened: Open
+) -> None:
+    transport = opened(terminal[1])
+    transport.close()
+    for act in (lambda: transport.read(1, 0.1), lambda: transport.write(b"x"), transport.discard):
+        with pytest.raises(PortUnavailable):
+            act()

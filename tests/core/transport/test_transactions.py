@@ -1,0 +1,156 @@
+"""Question and answer find each other again, however the bytes come."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.talk import (
+    STRANGE_TALK,
+    Said,
+    assert_sayable,
+    pieces_of,
+    rows_of,
+    told,
+)
+from trex_gui.core.transport.traffic_log import Piece, Way
+from trex_gui.core.transport.transactions import Assembler
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    GetMode,
+    GetSignature,
+    SetParameter,
+    Signature,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.crc7 import crc7
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.session.traffic_decoder import TrexWording
+
+CRC = LinkSettings("virtual", line=LineSettings(19200, Detection.CRC7))
+
+TREX: list[tuple[Said, str, bool]] = [
+    ((b"\x81", b"TReX1.2"), "get signature → TReX 1.2", False),
+    ((b"\x81", b"\x81TReX1.2"), "get signature → TReX 1.2", False),
+    ((b"\x82", b"r"), "get mode → serial mode, RC inputs", False),
+    ((b"\x82", b""), "get mode → no answer", True),
+    ((b"\x82", b"\x82"), "get mode → only its echo came back", True),
+    ((b"\x81", b"TReX"), "get signature → the answer is not complete", True),
+    ((b"\x84", b"\x00"), "get status bits, and clear them → none", False),
+    ((b"\x84", b"\x10"), "get status bits, and clear them → Motor 1 fault", False),
+    ((b"\x85", b"\x80"), "get UART error bits, and clear them → Serial timeout", False),
+    (
+        (b"\x86\x1f", bytes(8) + b"\xff\xff"),
+        "get raw inputs of all channels → 1: 0, 2: 0, 3: 0, 4: 0, 5: no signal",
+        False,
+    ),
+    ((b"\x87\x01", b"\xff"), "get remapped inputs of channel 1 → 1: -127", False),
+    (
+        (b"\x8f", b"\x02\x00"),
+        "get currents of both motors → motor 1: 2 counts, motor 2: 0 counts",
+        False,
+    ),
+    ((b"\x9f\x07", b"\x0f"), "get Serial Timeout → 1.5 s (15)", False),
+    ((b"\xaf\x07\x0f\x55\x2a", b"\x00"), "set Serial Timeout to 1.5 s (15) → stored", False),
+    (
+        (b"\xaf\x07\x0f\x55\x2a", b"\x02"),
+        "set Serial Timeout to 1.5 s (15) → refused: this value is not allowed (code 2)",
+        True,
+    ),
+    ((b"\xc2\x50", b""), "set motor 1 to forward 80", False),
+    ((b"\xc2\x50", b"\xc2\x50"), "set motor 1 to forward 80", False),
+    (
+        (b"\xc2\x50", b"\x07"),
+        "set motor 1 to forward 80 → bytes that it does not ask for; perhaps a late answer",
+        True,
+    ),
+    ((b"\x80\x09\x02", b"R"), "device 9: get mode → RC mode", False),
+    ((b"\xff", b""), "null command: nothing", False),
+    ((b"\x12", b""), "no packet of a TReX: a data byte outside a packet", False),
+    ((b"\xc2\x00\xca\x00", b""), "set motor 1 to forward 0; set motor 2 to forward 0", False),
+    ((b"\xc2\x00\x82", b"r"), "set motor 1 to forward 0; get mode → serial mode, RC inputs", False),
+    ((b"", b"\x55\x55"), "bytes that nobody asked for", True),
+]
+
+
+@pytest.mark.parametrize(("said", "text", "is_fault"), TREX, ids=lambda value: str(value)[:40])
+def test_trex_exchange_is_decoded(said: Said, text: str, is_fault: bool) -> None:
+    assert told(TrexWording(), pieces_of([said])) == [(text, is_fault)]
+
+
+@given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
+def test_fragmented_bytes_decode_to_same_rows(talk: list[tuple[Said, str, bool]], cut: int) -> None:
+    # Bytes behind an answer that is whole begin a row of their own, wherever they were cut.
+    said = [one[0] for one in talk if one[0][0] and not one[2]]
+    whole = told(TrexWording(), pieces_of(said))
+    assert told(TrexWording(), pieces_of(said, cut)) == whole
+    assert len(whole) == len(said)
+
+
+def test_every_byte_appears_in_exactly_one_row() -> None:
+    said = [one[0] for one in TREX]
+    rows = rows_of(TrexWording(), pieces_of(said, 1))
+    assert b"".join(row.sent for row in rows) == b"".join(sent for sent, _ in said)
+    assert b"".join(row.received for row in rows) == b"".join(received for _, received in said)
+
+
+@pytest.mark.parametrize("command", [GetSignature(), GetMode(), SetParameter(7, 15)], ids=str)
+@pytest.mark.parametrize("number", [None, 7])
+def test_reply_with_wrong_crc_is_decoded_as_fault(
+    command: Command[object], number: int | None
+) -> None:
+    sent = Framing(number, CRC.polynomial).encode(command)
+    answer = {GetSignature: b"TReX1.2", GetMode: b"r", SetParameter: b"\x00"}[type(command)]
+    good = answer + bytes([crc7(answer, CRC.polynomial)])
+    ((_, is_fault),) = told(TrexWording(), pieces_of([(sent, good)], settings=CRC))
+    assert not is_fault
+    bad = answer + bytes([good[-1] ^ 1])
+    ((text, is_fault),) = told(TrexWording(), pieces_of([(sent, bad)], settings=CRC))
+    assert is_fault
+    assert "the CRC is" in text
+
+
+def test_late_bytes_are_assigned_to_their_request() -> None:
+    assembler = Assembler(TrexWording())
+    assembler.feed([Piece(1.0, Way.SENT, b"\x81"), Piece(1.1, Way.RECEIVED, b"TRe")])
+    (row,) = assembler.feed([Piece(1.4, Way.RECEIVED, b"X1.2")])
+    assert row.received == b"TReX1.2"
+    assert row.seconds == pytest.approx(0.4)
+
+
+def test_decoded_units_are_those_of_board_model() -> None:
+    wording = TrexWording()
+    junior = device_table().model("trexjr")
+    wording.board = Signature(junior, "1.2")
+    ((text, _),) = told(wording, pieces_of([(b"\x8f", b"\x0a\x00")]))
+    assert f"motor 1: {10 * junior.current_unit:.2f} A" in text
+
+
+def test_polls_are_distinguished_from_user_requests() -> None:
+    polled = [b"\x82", b"\x86\x1f", b"\x8f", b"\xff", b"\x80\x07\x04"]
+    asked = [b"\x81", b"\x9f\x07", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
+    assert all(map(TrexWording().is_routine, polled))
+    assert not any(map(TrexWording().is_routine, asked))
+
+
+@given(STRANGE_TALK, st.integers(1, 24))
+def test_arbitrary_bytes_can_be_decoded(talk: list[Said], cut: int) -> None:
+    assert_sayable(TrexWording(), pieces_of(talk, cut))
+
+
+@pytest.mark.parametrize("sent", [b"\x84", b"\x85", b"\x8d"])
+def test_echo_is_not_taken_for_reply(sent: bytes) -> None:
+    assembler = Assembler(TrexWording())
+    assembler.note_settings(LinkSettings("virtual"), echo=True)
+    (row,) = assembler.feed([Piece(1.0, Way.SENT, sent), Piece(1.1, Way.RECEIVED, sent)])
+    row.is_over = True
+    words = TrexWording().words_of(row)
+    assert words.is_fault
+    assert words.text.endswith("only its echo came back")
+    whole = [
+        Piece(2.0, Way.SENT, sent),
+        Piece(2.1, Way.RECEIVED, sent),
+        Piece(2.2, Way.RECEIVED, b"\0"),
+    ]
+    assert assembler.feed(whole)[-1].received == sent + b"\0"

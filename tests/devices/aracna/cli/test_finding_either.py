@@ -1,0 +1,55 @@
+"""trexcmd find and list, where a port leads to a robot, to a board, or to nobody."""
+
+import json
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+
+def test_find_reports_robot_without_errors(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
+    result = trexcmd("find", "--port", robot.url)
+    assert result.stdout == f"--port {robot.url}\n"
+    searching, found = result.stderr.splitlines()
+    assert searching == f"Searching {robot.url} ..."
+    assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no error")
+
+
+def test_find_reports_aracna_and_trex_in_same_format(
+    trexcmd: RunCommand, robot: SimulatedDevice, quick_simulator: SimulatedDevice
+) -> None:
+    rows = []
+    for url in (robot.url, quick_simulator.url):
+        rows += json.loads(trexcmd("find", "--json", "--port", url).stdout)
+    assert [(row["product"], row["baud"]) for row in rows] == [("Aracna", 38400), ("TReX", 19200)]
+
+
+def test_find_on_silent_port_reports_each_device_kind(
+    trexcmd: RunCommand, robot: SimulatedDevice
+) -> None:
+    robot.do("power off")
+    result = trexcmd("find", "--port", robot.url)
+    assert result.exit_code == 1
+    _, trex, aracna, summary = result.stderr.splitlines()
+    assert trex.startswith(f"No TReX answers on {robot.url} at any baud rate")
+    assert aracna.startswith(f"No Aracna answers on {robot.url} at 38400 baud")
+    assert summary == "Error: No board was found."
+
+
+def test_find_reports_port_in_use_once(
+    trexcmd: RunCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
+) -> None:
+    other = virtual_time.open_transport(LinkSettings(robot.url))
+    result = trexcmd("find", "--port", robot.url)
+    other.close()
+    assert result.exit_code == 1
+    assert result.stderr.count("is in use") == 1
+    assert "answers" not in result.stderr
+
+
+def test_list_shows_silent_port_as_nothing_answers(
+    trexcmd: RunCommand, robot: SimulatedDevice
+) -> None:
+    robot.do("power off")
+    assert trexcmd("list").stdout == f"{robot.url}\tnothing answers\n"

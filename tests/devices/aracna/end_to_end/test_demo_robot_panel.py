@@ -1,0 +1,384 @@
+"""The panel of the Demo Aracna: it shows the simulated robot, and handles it like a real one."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtGui import QAccessible
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSlider,
+    QCheckBox,
+    QComboBox,
+    QDockWidget,
+    QLabel,
+    QScrollArea,
+    QWidget,
+)
+
+from tests.support.accessible_names import assert_named
+from tests.support.demo_panels import reached_by_tab, stand_in_order
+from tests.support.pages.robot import RobotWindow
+from tests.support.window import WidgetDriver
+from trex_gui.devices.aracna.model.demo_snapshot import RobotSnapshot
+from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
+from trex_gui.devices.aracna.views.demo.panel import DemoRobotView
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.ui.widgets.leds import Lamp
+from trex_gui.ui.widgets.stick_slider import StickSlider
+
+
+class DemoRobotPanel(WidgetDriver):
+    """The panel, in a window."""
+
+    def __init__(self, window: RobotWindow) -> None:
+        self.dock = window.find(QDockWidget, "aracnaDemoPanel")
+        super().__init__(self.dock, window.qtbot)
+        self.window = window
+        self.robot = window.robot
+
+    @property
+    def snapshot(self) -> RobotSnapshot:
+        """The state that the simulated robot has reported last."""
+        snapshot = self.window.program.robot_way.demo_robot.snapshot
+        assert snapshot is not None
+        return snapshot
+
+    @property
+    def scroll_area(self) -> QScrollArea:
+        return self.find_only(QScrollArea)
+
+    def gauge(self, motor: int) -> ServoGauge:
+        return self.find(ServoGauge, f"aracnaDemoGauge{motor}")
+
+    def slide(self, name: str, share: float) -> None:
+        """Move a slider with the keyboard to a share of its range."""
+        slider = self.find(StickSlider, name)
+        slider.setFocus()
+        QTest.keyClick(slider, Qt.Key.Key_Home)
+        steps = round(share * (slider.maximum() - slider.minimum()) / slider.singleStep())
+        for _ in range(steps):
+            QTest.keyClick(slider, Qt.Key.Key_Right)
+
+    def dropped(self) -> int:
+        """Return how many bytes were lost on the wire."""
+        return int(self.window.simulated()["counters"]["line"]["dropped"])
+
+    def lose(self, what: str) -> None:
+        """Let the next bytes of a kind get lost, and wait until they are."""
+        before = self.dropped()
+        self.choose("aracnaDemoLoss", what)
+        self.click("aracnaDemoLose")
+        self.wait(lambda: self.dropped() > before)
+
+    def begin_to_move(self, goal: int = 100, speed: int = 40) -> None:
+        """Send all motors far away and slowly: 4.5 s at this speed."""
+        self.robot.set_speeds((speed,) * self.robot.motors)
+        self.robot.move((goal,) * self.robot.motors)
+        self.wait(lambda: self.snapshot.state == "moving" and self.snapshot.is_moving)
+
+    def wait_for_report(self, part: str) -> None:
+        self.window.wait_for_text("aracnaReport", part)
+
+
+@pytest.fixture
+def panel(connected_window: RobotWindow) -> DemoRobotPanel:
+    """The panel of a Demo Aracna that is connected."""
+    panel = DemoRobotPanel(connected_window)
+    panel.wait(panel.dock.isVisible)
+    panel.wait(lambda: connected_window.program.robot_way.demo_robot.snapshot is not None)
+    return panel
+
+
+# --- Servos -----------------------------------------------------------------------------
+
+
+def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotPanel) -> None:
+    assert panel.window.text("aracnaPresent0") == "–", "not reported by the robot yet"
+    panel.wait_for_text("aracnaDemoWhere0", "512")
+    assert "limp" in panel.gauge(0).toolTip()
+    panel.wait_for_text("aracnaDemoState", "Idle")
+
+    panel.begin_to_move()
+    assert "Moving" in panel.text("aracnaDemoState")
+    gauge = panel.gauge(7)
+    panel.wait(lambda: 110 < gauge.position < 500)
+    assert panel.robot.known.moving is not None
+    assert "on its way to 100" in gauge.toolTip()
+    panel.wait(lambda: panel.robot.known.moved is not None)
+    panel.wait(lambda: panel.text("aracnaDemoWhere7") == str(panel.robot.present[7]))
+    panel.wait(lambda: "holds" in gauge.toolTip())
+    panel.wait_for_text("aracnaDemoState", "Idle")
+
+
+def test_led_text_shows_blinking_during_boot(panel: DemoRobotPanel) -> None:
+    view = panel.find_only(DemoRobotView)
+    for state, led, text in (
+        ("booting", True, "LED: blinks"),
+        ("booting", False, "LED: blinks"),
+        ("idle", True, "LED: on"),
+        ("moving", False, "LED: off"),
+    ):
+        view.show_head(replace(panel.snapshot, state=state, led=led))
+        assert panel.text("aracnaDemoLedText") == text, state
+        lamp = panel.find(Lamp, "aracnaDemoLed")
+        assert lamp.lit is led, state
+        assert lamp.accessibleName() == text, state
+
+
+def test_faulty_servos_delay_robot_and_are_named(panel: DemoRobotPanel) -> None:
+    panel.window.move()  # from a known place a late answer is called late sooner
+    panel.begin_to_move(100)
+    panel.click("aracnaDemoDead3")
+    panel.wait_for_report("waits for motor 3")
+    assert panel.window.text("aracnaState3") == "stuck here"
+    assert "dead" in panel.gauge(3).toolTip()
+    panel.click("aracnaDemoDead3")
+    panel.wait(lambda: panel.robot.known.stuck is None and panel.robot.known.moving is None)
+    panel.wait(lambda: not panel.snapshot.servos[3].dead)
+
+    panel.begin_to_move(500)
+    panel.click("aracnaDemoBlocked5")
+    panel.wait_for_report("waits for motor 5")
+    assert "cannot get to 500" in panel.gauge(5).toolTip()
+    panel.click("aracnaDemoBlocked5")
+    panel.wait_for_report("where it was sent")
+
+    panel.slide("aracnaDemoLoad0", 0.9)
+    panel.wait(lambda: panel.snapshot.servos[0].load == pytest.approx(0.9))
+    assert "90 %" in panel.find(StickSlider, "aracnaDemoLoad0").toolTip()
+    panel.begin_to_move(100)
+    panel.wait_for_report("waits for motor 0")
+    servos = panel.snapshot.servos
+    assert servos[7].position < servos[0].position - 100
+    panel.slide("aracnaDemoLoad0", 0)
+    panel.wait_for_report("where it was sent")
+
+
+# --- Power ------------------------------------------------------------------------------
+
+
+def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
+    window, robot = panel.window, panel.robot
+    panel.begin_to_move(speed=15)
+    window.wait_for_silence(lambda: panel.click("aracnaDemoRestart"))
+    panel.wait_for_text("aracnaDemoBoots", "Starts: 2")
+    assert panel.snapshot.is_moving, "the servos go on"
+    window.wait_until_up()
+    panel.wait_for_text("aracnaDemoState", "Idle")
+
+    panel.click("aracnaDemoPower")
+    panel.wait(lambda: robot.link is Link.SILENT)
+    assert "stopped answering" in window.text("statusLabel")
+    panel.wait_for_text("aracnaDemoState", "power is off")
+    assert not panel.is_enabled("aracnaDemoRestart")
+    panel.click("aracnaDemoPower")
+    window.wait_until_up()
+    panel.wait(lambda: panel.snapshot.servo_power)
+
+
+def test_servo_power_cut_stops_motion(panel: DemoRobotPanel) -> None:
+    window = panel.window
+    window.move()
+    panel.begin_to_move()
+    assert "only thing that stops" in panel.text("aracnaDemoPowerHint")
+    panel.click("aracnaDemoServoPower")
+    panel.wait(lambda: not panel.snapshot.servo_power)
+    stopped = [servo.position for servo in panel.snapshot.servos]
+    panel.wait_for_report("listens to nothing")
+    assert "servo power" in window.text("aracnaReport")
+    assert [servo.position for servo in panel.snapshot.servos] == stopped
+    assert min(stopped) > 100
+    assert "no power" in panel.text("aracnaDemoState")
+    panel.click("aracnaDemoServoPower")
+    panel.wait(lambda: panel.robot.known.stuck is None)
+
+
+# --- The cable --------------------------------------------------------------------------
+
+
+def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> None:
+    window = panel.window
+    panel.begin_to_move()
+    panel.click("aracnaDemoCable")
+    panel.wait(lambda: panel.robot.link is Link.NONE)
+    panel.wait(lambda: not panel.snapshot.line.plugged)
+    assert window.has("banner")
+    assert "goes on" in window.text("aracnaMotionLabel")
+    assert panel.dock.isVisible()
+    assert "The cable is out" in panel.text("aracnaDemoState")
+    assert not panel.is_enabled("aracnaDemoNoise")
+
+    window.click("connectButton")
+    window.wait_for_text("bannerText", "Tick “Plugged in” on its panel")
+    assert panel.robot.link is Link.NONE
+    assert panel.dock.isVisible()
+    assert window.text("statusLabel") == "Not connected."
+    assert window.is_enabled("connectButton")
+
+    panel.click("aracnaDemoCable")
+    panel.wait(lambda: panel.text("aracnaDemoState") == "The cable is in again. Press Connect.")
+    window.press_connect()
+
+    panel.click("aracnaDemoMute")
+    panel.wait(lambda: panel.robot.link is Link.SILENT)
+    panel.click("aracnaDemoMute")
+    window.wait_until_up()
+
+    panel.slide("aracnaDemoNoise", 1)
+    panel.wait(lambda: panel.snapshot.line.noise == pytest.approx(0.05))
+    assert panel.text("aracnaDemoNoiseValue") == "5.0\u00a0%"
+    panel.slide("aracnaDemoNoise", 0)
+    panel.wait(lambda: panel.snapshot.line.noise == 0)
+
+
+def test_robot_moves_again_after_lost_bytes(panel: DemoRobotPanel) -> None:
+    window, robot = panel.window, panel.robot
+    panel.lose("ANSWER_BYTE")
+    window.wait_until_up()
+    window.move()
+
+    # Most likely of a question; in a move it would be a wrong value, or one too few.
+    panel.lose("COMMAND_BYTE")
+    window.wait_until_up()
+
+    window.move()
+    panel.begin_to_move()
+    panel.choose("aracnaDemoLoss", "ANSWER_END")
+    panel.click("aracnaDemoLose")
+    panel.wait(lambda: robot.known.moving is None)
+    assert None in robot.present
+    assert "positions are not known" in window.text("aracnaReport")
+    window.wait_until_up()
+    window.move()
+    assert None not in robot.present
+
+
+def test_mend_all_repairs_everything(panel: DemoRobotPanel) -> None:
+    for name in ("aracnaDemoDead1", "aracnaDemoBlocked2", "aracnaDemoMute", "aracnaDemoServoPower"):
+        panel.click(name)
+    panel.slide("aracnaDemoLoad3", 0.5)
+    panel.slide("aracnaDemoNoise", 0.5)
+    panel.wait(lambda: panel.snapshot.servos[3].load > 0.4 and panel.snapshot.line.noise > 0.02)
+    assert panel.snapshot.servos[1].dead
+    assert panel.snapshot.servos[2].blocked
+    panel.wait(lambda: panel.robot.link is Link.SILENT)  # else it may be called so once mended
+
+    panel.click("aracnaDemoMend")
+    panel.wait(lambda: all(servo.is_whole for servo in panel.snapshot.servos))
+    panel.wait(lambda: panel.snapshot.servo_power and panel.snapshot.line.noise == 0)
+    assert not panel.snapshot.line.mute
+    for name in ("aracnaDemoDead1", "aracnaDemoBlocked2", "aracnaDemoMute"):
+        assert not panel.find(QCheckBox, name).isChecked(), name
+    panel.window.wait_until_up()
+    panel.window.move()
+
+
+# --- Visibility -------------------------------------------------------------------------
+
+
+def test_panel_is_shown_only_with_demo_robot(window: RobotWindow) -> None:
+    panel, action = DemoRobotPanel(window), window.action("aracna_demo")
+    assert panel.dock.isHidden()
+    assert not action.isEnabled()
+
+    window.choose_demo()
+    panel.wait(panel.dock.isVisible)
+    assert window.window.dockWidgetArea(panel.dock) is Qt.DockWidgetArea.RightDockWidgetArea
+    assert not window.has("demoPanel")
+    window.choose_demo("trex")
+    window.wait(lambda: window.has("demoPanel"))
+    assert panel.dock.isHidden()
+    assert not action.isVisible()
+    window.choose_demo()
+    panel.wait(panel.dock.isVisible)
+    assert not window.has("demoPanel")
+
+    window.click("connectButton")
+    panel.wait(panel.dock.isHidden)
+    window.wait(window.is_idle)
+    window.choose_demo()
+    panel.wait(panel.dock.isVisible)
+    window.program.connect_to_port("/dev/ttyNothing7", "aracna")
+    panel.wait(panel.dock.isHidden)
+    assert not action.isEnabled()
+
+
+def test_closed_panel_stays_closed_until_menu_shows_it(panel: DemoRobotPanel) -> None:
+    window, action = panel.window, panel.window.action("aracna_demo")
+    assert action.isChecked()
+    panel.dock.close()
+    assert not action.isChecked()
+    window.press_disconnect()
+    window.choose_demo()
+    assert panel.dock.isHidden()
+
+    window.simulated()  # what was under way has been answered before
+    panel.robot.move((400,) * 8)
+    panel.wait(lambda: panel.robot.known.moved is not None)
+    assert panel.snapshot.servos[0].position == 512, "a hidden panel asks for nothing"
+    action.trigger()
+    panel.wait(panel.dock.isVisible)
+    assert action.isChecked()
+    panel.wait(lambda: panel.snapshot.servos[0].position == panel.robot.present[0])
+
+
+# --- Accessibility ----------------------------------------------------------------------
+
+NAMES = {
+    *("aracnaDemoPower", "aracnaDemoRestart", "aracnaDemoServoPower"),
+    *(f"aracnaDemo{what}{motor}" for what in ("Load", "Dead", "Blocked") for motor in range(8)),
+    *("aracnaDemoCable", "aracnaDemoMute", "aracnaDemoNoise", "aracnaDemoLoss", "aracnaDemoLose"),
+    "aracnaDemoMend",
+}
+
+
+def test_every_control_has_name_and_is_reached_by_tab(panel: DemoRobotPanel) -> None:
+    found = [
+        widget
+        for widget in panel.find_all(QWidget)
+        if isinstance(widget, QAbstractButton | QAbstractSlider | QComboBox)
+        and widget.objectName().startswith("aracnaDemo")
+    ]
+    assert {widget.objectName() for widget in found} == NAMES
+    spoken = []
+    for widget in found:
+        interface = QAccessible.queryAccessibleInterface(widget)
+        assert interface is not None
+        spoken.append(interface.text(QAccessible.Text.Name))
+        assert widget.toolTip(), widget.objectName()
+    assert all(spoken)
+    assert len(set(spoken)) == len(spoken)
+    assert_named(panel.window.window)
+
+    first = panel.button("aracnaDemoPower")
+    panel.window.window.activateWindow()
+    first.setFocus()
+    panel.wait(first.hasFocus)
+    reached = reached_by_tab("aracnaDemoMend")
+    assert set(reached) == NAMES
+    assert len(reached) == len(set(reached))
+    assert stand_in_order(panel.dock, reached)
+
+
+def test_window_and_panel_fit_small_screen(panel: DemoRobotPanel) -> None:
+    window, area = panel.window.window, panel.scroll_area
+    view = area.widget()
+    assert view is not None
+    for page in range(window.pages.count()):
+        window.resize(1200, 640)
+        window.pages.setCurrentIndex(page)
+        window.resize(1054, 480)
+        panel.wait(lambda: (window.width(), window.height()) == (1054, 480))
+        panel.wait(lambda: view.width() <= area.viewport().width())
+        for widget in WidgetDriver(view, panel.qtbot).find_all(QWidget):
+            if not widget.isVisible() or not widget.objectName().startswith("aracnaDemo"):
+                continue
+            place = QRect(widget.mapTo(view, QPoint()), widget.size())
+            case = f"{widget.objectName()} on page {page}"
+            assert view.rect().contains(place), case
+            if isinstance(widget, QAbstractButton | QComboBox | QLabel):
+                assert widget.width() >= widget.minimumSizeHint().width(), case
+        stop = panel.window.button("aracnaStopButton")
+        assert window.rect().contains(QRect(stop.mapTo(window, QPoint()), stop.size())), page

@@ -1,0 +1,114 @@
+"""One window for a TReX and an Aracna: the workspace is that of the port."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from tests.support.pages.robot import RobotWindow
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
+ARACNA_MENUS = ["File", "Device", "Aracna", "Poses", "Window", "Help"]
+
+
+def assert_trex_workspace(window: RobotWindow) -> None:
+    assert window.robot.link is Link.NONE
+    assert window.has("tabs")
+    assert not window.has("aracnaTabs")
+    assert window.menus == TREX_MENUS
+    assert window.has("demoPanel")
+    assert window.program.connector.demo_in_use
+
+
+def assert_robot_workspace(window: RobotWindow) -> None:
+    assert window.device.link is Link.NONE, "one device at a time"
+    assert window.has("aracnaTabs")
+    assert not window.has("tabs")
+    assert window.menus == ARACNA_MENUS
+    assert not window.has("demoPanel")
+    assert not window.program.connector.demo_in_use
+    assert window.text("statusLabel") == "Connected to Aracna: firmware 1, 8 motors."
+    assert not window.is_enabled("lineButton")
+
+
+def press_control(window: RobotWindow, key: Qt.Key) -> None:
+    QTest.keyClick(window.window, key, Qt.KeyboardModifier.ControlModifier)
+
+
+def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
+    qtbot.waitActive(window.window)
+    desk, aracna = window.program.desk.pages, window.program.aracna.pages
+    window.choose_demo("trex")
+    assert_trex_workspace(window)
+    assert window.action("stop").text() == "&Stop motor"
+    press_control(window, Qt.Key.Key_2)
+    assert (desk.currentIndex(), aracna.currentIndex()) == (1, 0)
+
+    window.choose_demo()
+    assert_robot_workspace(window)
+    assert window.action("stop").text() == "&Stop sequence"
+    press_control(window, Qt.Key.Key_3)
+    assert (desk.currentIndex(), aracna.currentIndex()) == (1, 2)
+    press_control(window, Qt.Key.Key_1)
+    assert aracna.currentIndex() == 0
+
+    window.choose_demo("trex")
+    assert_trex_workspace(window)
+    assert window.action("stop").text() == "&Stop motor"
+
+
+def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> None:
+    window = connected_window
+    halts: list[bool] = []
+    window.robot.halted.connect(lambda: halts.append(True))
+    for page in range(window.program.aracna.pages.count()):
+        before = len(halts)
+        window.program.aracna.pages.setCurrentIndex(page)
+        window.press_escape()
+        assert len(halts) > before, f"page {page}"
+
+    window.press_disconnect()
+    assert window.has("aracnaTabs")
+    assert not window.is_enabled("aracnaMoveButton")
+    assert "No robot is connected" in window.text("aracnaReport")
+    window.choose_demo()
+
+
+def test_newest_device_choice_wins(
+    window: RobotWindow,
+    quick_simulator: SimulatedDevice,
+    start_simulator: StartSimulator,
+    virtual_time: VirtualRuntime,
+) -> None:
+    program = window.program
+    port = program.ports.add_typed(quick_simulator.url)
+    finder = program.connector.finder
+    finder.start([port])
+    program.switchboard.connect_to(port)  # waits for the end of the search
+    program.connect_to_demo("aracna")
+    window.wait_until_up()
+    window.wait(lambda: not finder.running)
+    assert window.device.link is Link.NONE
+    window.press_disconnect()
+
+    settings = LinkSettings(quick_simulator.url)
+    window.device.connect_to(settings)
+    window.wait_until_up("trex")
+    window.device.connect_to(settings)
+    window.device.disconnect_line()
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert program.connector.port is None
+    virtual_time.advance(0.5)
+    assert window.device.link is Link.NONE, "disconnecting drops the connection to come"
+
+    settings = LinkSettings(start_simulator("--aracna", "--unpaced").url)
+    window.robot.connect_to(settings)
+    window.wait_until_up()
+    window.robot.connect_to(settings)
+    window.robot.disconnect_line()
+    window.wait(lambda: window.robot.link is Link.NONE)
+    virtual_time.advance(0.5)
+    assert window.robot.link is Link.NONE, "disconnecting drops the connection to come"

@@ -1,0 +1,128 @@
+"""Files that are dropped on the window or named at the start: each goes where it belongs."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QMessageBox
+
+from tests.support.pages.robot import POSES_PAGE, RobotWindow
+from trex_gui.devices.trex.model.connection import Link
+
+POSES = "Test:8:1024:1024:1024:1024:1024:1024:1024:1024\nPose=low:100,100,100,100,100,100,100,100\n"
+OTHER_POSES = POSES.replace("low", "other")
+SETTINGS = "product: TReX\nserial_timeout: 5\n"
+
+Make = Callable[[str, str], Path]
+
+
+@pytest.fixture
+def make(tmp_path: Path) -> Make:
+    """Write a file."""
+
+    def make(name: str, text: str) -> Path:
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return make
+
+
+def shows_robot(window: RobotWindow) -> bool:
+    return window.program.aracna.isVisible()
+
+
+def poses(window: RobotWindow) -> list[str]:
+    return [pose.name for pose in window.program.library.poses]
+
+
+def banner(window: RobotWindow) -> str:
+    return window.text("bannerText")
+
+
+def test_dropped_files_open_in_their_workspace(
+    window: RobotWindow, make: Make, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+
+    def cancel(*words: object) -> QMessageBox.StandardButton:
+        asked.append(str(words[2]))
+        return QMessageBox.StandardButton.Cancel
+
+    for name in ("photo.png", "noname"):
+        assert window.drop(make(name, "what"))
+        reason = f"{name} was not opened: nothing here opens such files."
+        window.wait_for_text("bannerText", reason)
+        assert "a settings file of a TReX (.txt, .yaml, .yml)" in banner(window)
+        assert "a pose file of an Aracna (.ppr)" in banner(window)
+
+    assert window.drop(make("a.ppr", POSES), make("b.ppr", POSES))
+    reason = "2 files were dropped, and none was opened: drop one at a time."
+    window.wait_for_text("bannerText", reason)
+
+    monkeypatch.setattr(QMessageBox, "question", cancel)
+    window.program.library.add_pose([200] * 8, "mine")
+    window.drop(make("walk.ppr", POSES))
+    window.wait(lambda: asked)
+    assert "changes that are not saved" in asked[0]
+    assert "mine" in poses(window)
+    window.program.library.undo.undo()
+
+    assert window.drop(make("walk.ppr", POSES))
+    window.wait(lambda: poses(window) == ["low"])
+    assert len(asked) == 1
+    assert shows_robot(window)
+    assert window.program.aracna.pages.currentIndex() == POSES_PAGE
+    assert banner(window) == "walk.ppr was opened."
+
+    assert window.drop(make("rover.yaml", SETTINGS))
+    window.wait(lambda: len(window.program.desk.files.editors) == 1)
+    assert not shows_robot(window)
+    window.program.desk.files.close_all()
+
+
+def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Make) -> None:
+    window.choose_demo()
+    assert window.drop(make("walk.PPR", POSES))
+    window.wait(lambda: poses(window) == ["low"])
+    assert window.robot.link is Link.UP
+
+    assert window.drop(make("rover.txt", SETTINGS))
+    window.wait_for_text("bannerText", "rover.txt is a settings file of a TReX.")
+    assert window.robot.link is Link.UP
+    assert shows_robot(window)
+    assert window.program.desk.files.editors == []
+
+    window.choose_demo("trex")
+    assert window.drop(make("other.ppr", OTHER_POSES))
+    window.wait_for_text("bannerText", "other.ppr is a pose file of an Aracna.")
+    assert "connected to TReX: disconnect, then drop the file again" in banner(window)
+    assert window.device.link is Link.UP
+    assert not shows_robot(window)
+    assert poses(window) == ["low"]
+
+
+def test_file_arguments_open_while_robot_connects(window: RobotWindow, make: Make) -> None:
+    program = window.program
+    program.connect_to_demo("aracna")
+    program.open_named(make("walk.ppr", POSES), connecting=True)
+    program.open_named(make("rover.txt", SETTINGS), connecting=True)
+    assert len(program.desk.files.editors) == 1
+    window.wait_until_up()
+    assert poses(window) == ["low"]
+    program.desk.files.close_all()
+
+
+def test_pose_file_argument_opens_only_without_trex(window: RobotWindow, make: Make) -> None:
+    program, before = window.program, poses(window)
+    program.connect_to_demo("trex")
+    program.open_named(make("walk.ppr", POSES), connecting=True)
+    window.wait_until_up("trex")
+    window.wait_for_text("bannerText", "walk.ppr is a pose file of an Aracna.")
+    assert poses(window) == before
+
+    window.press_disconnect()
+    assert not shows_robot(window)
+    program.open_named(make("walk.ppr", POSES), connecting=False)
+    assert poses(window) == ["low"]
+    assert shows_robot(window)

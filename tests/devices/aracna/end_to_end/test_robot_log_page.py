@@ -1,0 +1,24 @@
+"""The Log page shows the quality of the line to the robot."""
+
+from tests.support.pages.robot import LOG_PAGE, RobotWindow
+from trex_gui.devices.trex.model.connection import Link
+
+
+def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindow) -> None:
+    window = connected_window
+    window.show_page(LOG_PAGE)
+    window.wait(lambda: window.text("aracnaTrafficValue").endswith("answered (100.00 %)"))
+    assert window.text("aracnaQualityValue").startswith("0 silent, 0 damaged, 0 strange lines")
+    assert window.is_enabled("aracnaTrafficValue")
+    assert window.robot.counters.answers > 0
+
+    window.control("line mute on")
+    window.wait(lambda: window.robot.link is Link.SILENT)
+    window.wait(lambda: not window.text("aracnaQualityValue").startswith("0 silent"))
+    window.control("line mute off")
+    window.wait_until_up()
+
+    window.press_disconnect()
+    assert window.text("aracnaTrafficValue") == "N/A"
+    assert not window.is_enabled("aracnaTrafficValue")
+    assert window.robot.counters.answers == 0, "the next line counts anew"

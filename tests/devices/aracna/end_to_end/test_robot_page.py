@@ -1,0 +1,167 @@
+"""The page of the robot, operated with mouse and keys at the Demo Aracna."""
+
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractSpinBox, QCheckBox, QSlider, QSpinBox, QWidget
+
+from tests.support.pages.robot import RobotWindow
+from tests.support.window import LEFT
+from trex_gui.devices.aracna.session.messages import Play, Step
+from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
+from trex_gui.devices.trex.model.connection import Link
+
+
+def spin_box(window: RobotWindow, name: str) -> QSpinBox:
+    return window.find(QSpinBox, name)
+
+
+def is_dragging(window: RobotWindow) -> bool:
+    return window.robot.dragging
+
+
+def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
+    window = connected_window
+    assert "not known before the first move" in window.text("aracnaReport")
+    assert "speed 100 (67 °/s)" in window.text("aracnaReport")
+    assert window.text("aracnaPresent0") == "–"
+    window.drag("aracnaSlider0", 300)
+    assert not window.goals, "a slider by itself moves nothing"
+    window.move()
+    assert window.goals == [(window.goal_box(0).value(), *(512,) * 7)]
+    assert abs(window.goals[0][0] - 300) < 8, "a pixel is some units"
+    assert window.text("aracnaPresent0").endswith("°")
+    assert "where it was sent" in window.text("aracnaReport")
+
+    spin_box(window, "aracnaSpeedAll").setValue(300)
+    one = spin_box(window, "aracnaSpeed7")
+    assert one.text() == "300 = 201 °/s"
+    one.setValue(0)
+    assert one.text() == "0 = fastest"
+    window.move()
+    speeds = window.robot.known.speeds
+    assert speeds is not None
+    assert speeds.held == (*(300,) * 7, 0)
+
+
+def test_goals_stay_within_limits(connected_window: RobotWindow) -> None:
+    window = connected_window
+    assert window.drag("aracnaSlider1", 1000).value() == 550
+    assert window.drag("aracnaSlider0", 0).value() == 50
+    window.type_into("aracnaGoal2", "1023")
+    assert window.goal_box(2).value() == 600
+    assert window.find(QSlider, "aracnaSlider2").value() == 600
+    degrees = window.find(QAbstractSpinBox, "aracnaDegrees4")
+    window.type_into("aracnaDegrees4", degrees.locale().toString(90.0, "f", 1))
+    assert window.goal_box(4).value() == 307
+
+    assert not window.has("aracnaLow3")
+    window.click("aracnaLimitsBox")
+    low, high = spin_box(window, "aracnaLow3"), spin_box(window, "aracnaHigh3")
+    high.setValue(450)
+    assert window.goal_box(3).value() == 450
+    low.setValue(500)
+    assert high.value() == 500, "one pushes the other"
+    window.click("aracnaFactoryLimitsButton")
+    assert (low.value(), high.value()) == (0, 550)
+
+
+def test_different_speeds_are_shown_as_differ(connected_window: RobotWindow) -> None:
+    window, speeds = connected_window, connected_window.robot.speeds
+    everyone, one = spin_box(window, "aracnaSpeedAll"), spin_box(window, "aracnaSpeed7")
+    one.setValue(0)
+    assert everyone.text() == "differ"
+    assert set(speeds.wanted) == {0, 100}, "to show it chooses nothing"
+    QTest.keyClick(everyone, Qt.Key.Key_Down)
+    assert everyone.text() == "differ"
+    QTest.keyClick(everyone, Qt.Key.Key_Up)
+    assert speeds.wanted == (10,) * 8
+    assert everyone.text() == "10 = 7 °/s"
+    one.setValue(20)
+    window.window.activateWindow()
+    everyone.setFocus()
+    window.wait(lambda: everyone.lineEdit().selectedText() == "differ")
+    QTest.keyClicks(everyone, "300")
+    QTest.keyClick(everyone, Qt.Key.Key_Return)
+    assert speeds.wanted == (300,) * 8
+    assert everyone.text() == "300 = 201 °/s"
+    everyone.setValue(-1)
+    assert everyone.value() == 0, "that they differ cannot be chosen"
+
+
+def test_drawing_and_rows_highlight_same_joint(connected_window: RobotWindow) -> None:
+    window = connected_window
+    drawing = window.find(RobotDrawing, "aracnaDrawing")
+    name = window.find(QWidget, "aracnaName5")
+    QTest.mouseMove(drawing, drawing.joint_place(5).toPoint())
+    assert name.autoFillBackground()
+    before = drawing.grab().toImage()
+    QTest.mouseMove(drawing, QPointF(2, 2).toPoint())
+    assert not name.autoFillBackground()
+    window.find(QSlider, "aracnaSlider5").setFocus()
+    assert name.autoFillBackground()
+    assert drawing.grab().toImage() == before
+    QTest.mouseClick(drawing, LEFT, pos=drawing.joint_place(2).toPoint())
+    assert window.find(QSlider, "aracnaSlider2").hasFocus()
+
+
+def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
+    window.move()
+    window.find(QCheckBox, "aracnaLiveBox").setChecked(True)
+    by_key = window.find(QSlider, "aracnaSlider0")
+    by_key.setFocus()
+    QTest.keyClick(by_key, Qt.Key.Key_Left)
+    window.wait(lambda: window.goals[-1][0] == 508)
+
+    slider = window.drag("aracnaSlider6", 400, release=False)
+    window.wait(lambda: window.goals[-1][6] == slider.value())
+    assert is_dragging(window)
+    for goal in (410, 405) * 25:  # after a pause of a second the rate is reckoned anew
+        count = len(window.goals)
+        window.move_handle(slider, goal)
+        window.move_handle(slider, goal + 20)
+        window.wait_for_motion(count)
+        if "commands a second" in window.text("aracnaRateLabel"):
+            break
+    assert "commands a second" in window.text("aracnaRateLabel")
+    window.release_handle(slider)
+    assert not is_dragging(window)
+
+    window.drag("aracnaSlider6", 300, release=False)
+    window.wait(lambda: window.goals[-1][6] == slider.value())
+    assert is_dragging(window)
+    window.press_escape()
+    window.wait(lambda: robot.known.moving is None)
+    count = len(window.goals)
+    window.move_handle(slider, 200)
+    assert not is_dragging(window)
+    window.release_handle(slider)
+    window.move()
+    assert len(window.goals) == count + 1
+    expected = pytest.approx(window.goals[-2][6], abs=8)
+    assert window.goals[-1][6] == expected, "it begins where the robot stands"
+
+
+def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
+    assert "This link has no stop" in window.text("aracnaHonestLabel")
+    window.move()
+    steps = (Step((400,) * 8, 0.6, "down"), Step((500,) * 8, 0.6, "up"))
+    robot.play(Play(0, steps, rounds=0))
+    window.wait_for_text("aracnaMotionLabel", "Playing step 2 of 2 “up”")
+    window.wait_for_text("aracnaMotionLabel", "ends by itself in about 0.")
+    assert not window.is_enabled("aracnaMoveButton")
+    stop = window.button("aracnaStopButton")
+    QTest.mousePress(stop, LEFT)  # at the press, not at its end
+    window.wait(lambda: robot.playing is None and robot.known.moving is None)
+    QTest.mouseRelease(stop, LEFT)
+    assert window.text("aracnaMotionLabel") == "At rest: nothing is sent."
+    assert window.is_enabled("aracnaMoveButton")
+    assert window.goals[-1][0] == pytest.approx(robot.targets.goals[0], abs=8)
+
+    robot.play(Play(0, steps, rounds=0))
+    window.wait_for_text("aracnaMotionLabel", "step 1")
+    window.click("aracnaEndButton")
+    window.wait(lambda: robot.playing is None)
+    assert robot.link is Link.UP

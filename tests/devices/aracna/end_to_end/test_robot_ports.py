@@ -1,0 +1,147 @@
+"""What the list of ports shows is what Connect connects to, whichever device it leads to."""
+
+import pytest
+from PySide6.QtCore import Qt
+from serial.tools.list_ports_common import ListPortInfo
+
+from tests.support.pages.robot import RobotWindow
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui import app
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.ui.devices.ports import Ports
+
+DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
+NONE = "Not connected"
+
+
+@pytest.fixture
+def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
+    """Serial ports of this computer; a test plugs adapters in. Ask for it before the window."""
+    ports: list[ListPortInfo] = []
+    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: ports)
+    return ports
+
+
+@pytest.fixture
+def robot(start_simulator: StartSimulator) -> SimulatedDevice:
+    return start_simulator("--aracna", "--unpaced")
+
+
+def choose(window: RobotWindow, label: str) -> None:
+    """Choose an entry of the list of ports."""
+    combo = window.combo("portCombo")
+    window.select("portCombo", combo.itemData(combo.findText(label, Qt.MatchFlag.MatchExactly)))
+
+
+def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotWindow) -> None:
+    computer.append(ListPortInfo("/dev/ttyNothing9"))  # the only port: what is offered first
+    window.program.ports.refresh()
+    assert window.port == "/dev/ttyNothing9"
+    window.choose_demo()
+    window.press_disconnect()
+    assert window.port == DEMO_ARACNA
+    window.press_connect()
+
+    window.choose_demo("trex")
+    assert window.port == DEMO_TREX
+    window.choose_demo()
+    assert window.port == DEMO_ARACNA
+    window.press_disconnect()
+    assert window.port == DEMO_ARACNA
+
+    window.choose_demo("trex")
+    window.press_disconnect()
+    assert window.port == DEMO_TREX
+    window.trigger("connect")
+    window.wait_until_up("trex")
+    assert window.robot.link is Link.NONE
+    window.press_disconnect()
+    window.press_connect("trex")
+
+
+def test_connect_uses_last_connected_robot(
+    window: RobotWindow, robot: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ports = window.program.ports
+    port = ports.lead_to(ports.add_typed(robot.url), "aracna")
+    ports.note_used(port)
+    ports.note_used(ports.demo)  # no port that a user would want next time
+    assert Ports(kinds=ports.kinds).preferred == port
+    ports.changed.emit()
+    assert window.port == f"Aracna: {robot.url}"
+    window.press_connect()
+    assert window.has("aracnaTabs")
+    window.press_disconnect()
+    window.press_connect()
+
+    command: tuple[str, list[str]] = ("/nothing/here", [])
+    monkeypatch.setattr("trex_gui.ui.devices.simulator_process.simulator_command", lambda: command)
+    window.select("portCombo", ports.demo_of("aracna"))
+    window.wait_for_text("bannerText", "does not start")
+    window.wait(window.is_idle)
+    assert window.robot.link is Link.NONE, "it was left for the simulator"
+    assert not window.robot.move((512,) * 8)
+
+
+def test_port_keeps_device_given_last(window: RobotWindow, robot: SimulatedDevice) -> None:
+    program = window.program
+    program.connect_to_port(robot.url, "aracna")
+    window.wait_until_up()
+    assert window.port == f"Aracna: {robot.url}"
+    window.press_disconnect()
+    window.press_connect()
+    window.press_disconnect()
+
+    url = "/dev/ttyNothing8"
+    program.ports.lead_to(program.ports.add_typed(url), "aracna")
+    program.connect_to_port(url)
+    assert program.switchboard.current.kind.key == "aracna"
+    program.connect_to_port(url, "trex")
+    window.wait(lambda: program.switchboard.current.kind.key == "trex")
+    found = program.ports.find(url)
+    assert found is not None
+    assert found.device == "trex"
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support")  # offscreen opens no list
+def test_port_list_keeps_selected_port(
+    computer: list[ListPortInfo], window: RobotWindow, quick_simulator: SimulatedDevice
+) -> None:
+    ports = window.program.ports
+    here, gone = ListPortInfo("/dev/ttyNothing8"), ListPortInfo("/dev/ttyNothing9")
+    computer += [here, gone]
+    ports.refresh()
+    assert window.port == NONE
+    choose(window, "/dev/ttyNothing9")
+    window.wait(window.is_idle)
+    assert window.port == "/dev/ttyNothing9"
+    assert "There is no port /dev/ttyNothing9" in window.text("bannerText")
+
+    computer.remove(gone)
+    ports.refresh()
+    assert window.port == NONE, "the other one was not chosen"
+    computer.append(gone)
+    ports.refresh()
+    assert window.port == "/dev/ttyNothing9"
+
+    window.connect(quick_simulator.url)
+    choose(window, NONE)
+    window.wait(window.is_idle)
+    assert window.port == NONE
+    combo = window.combo("portCombo")
+    window.click("connectButton")
+    window.wait(lambda: combo.view().isVisible())
+    assert window.is_idle()
+    combo.hidePopup()
+    choose(window, quick_simulator.url)
+    window.wait_until_up("trex")
+    window.press_disconnect()
+    assert window.port == quick_simulator.url
+
+
+def test_device_option_accepts_only_known_devices(capsys: pytest.CaptureFixture[str]) -> None:
+    assert app._arguments(["--demo"]).device is None
+    assert app._arguments(["--demo", "--device", "aracna"]).device == "aracna"
+    with pytest.raises(SystemExit):
+        app._arguments(["--demo", "--device", "toaster"])
+    assert "toaster" in capsys.readouterr().err

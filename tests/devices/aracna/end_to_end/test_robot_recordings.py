@@ -1,0 +1,144 @@
+"""The robot is recorded; recordings are opened from the menu or dropped, without the robot."""
+
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QFileDialog
+from shiboken6 import isValid
+
+from tests.devices.aracna import recordings
+from tests.devices.trex.recording import samples
+from tests.support.pages.robot import RobotWindow
+from tests.support.window import WidgetDriver
+from trex_gui.devices.aracna.views.playback.window import RobotPlaybackWindow
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+
+
+def opened(window: RobotWindow) -> list[RobotPlaybackWindow]:
+    return window.program.aracna.recordings.windows
+
+
+def close_recordings(window: RobotWindow) -> None:
+    for each in tuple(opened(window)):
+        each.close()
+    assert opened(window) == []
+
+
+def assert_of_another_device(window: RobotWindow, device: str) -> None:
+    assert opened(window) == []
+    assert window.program.desk.recordings.windows == []
+    assert window.has("banner")
+    message = window.text("bannerText")
+    assert f"a recording of another device: {device}. It opens where" in message
+    assert "choose its port or its demo in the list of ports" in message
+    window.click("bannerDismiss")
+
+
+def test_session_is_recorded_and_opened_from_menu(
+    connected_window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, path = connected_window, tmp_path / "walk.csv"
+    manager = window.program.aracna.recordings
+    assert window.action("aracna_record").isEnabled()
+    manager.record(path)
+    assert window.has("aracna_recordIndicator")
+    assert "Stop" in window.action("aracna_record").text()
+    window.drag("aracnaSlider0", 400)
+    window.move()
+    present = window.robot.present
+    window.trigger("aracna_record")
+    window.wait_for_text("bannerText", "Recorded in")
+    window.wait_for_text("bannerText", "Aracna, Open recording shows it.")
+    assert len(path.read_text(encoding="utf-8").splitlines()) > 3
+
+    window.press_disconnect()
+    assert not window.action("aracna_record").isEnabled()
+    manager.record(tmp_path / "other.csv")
+    assert "no robot is connected" in window.text("bannerText")
+    assert not (tmp_path / "other.csv").exists()
+
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    window.trigger("aracna_open_recording")
+    [playback] = opened(window)
+    window.wait(lambda: playback.playback.is_loaded)
+    assert playback.playback.problems == []
+    playback.playback.set_position(playback.playback.end)
+    shown = WidgetDriver(playback, window.qtbot)
+    assert shown.text("aracnaRecordedPresent0").startswith(f"{present[0]} = ")
+    window.trigger("aracna_open_recording")
+    assert opened(window) == [playback]
+    close_recordings(window)
+
+
+def test_open_recording_is_not_overwritten_and_can_stop_robot(
+    connected_window: RobotWindow, tmp_path: Path
+) -> None:
+    window, path = connected_window, tmp_path / "walk.csv"
+    manager = window.program.aracna.recordings
+    recordings.write(path, list(recordings.session(3)))
+    before = path.read_bytes()
+    manager.open_file(path)
+    [playback] = opened(window)
+    window.wait(lambda: playback.playback.is_loaded)
+    manager.record(path)
+    assert "close its window before recording over it" in window.text("bannerText")
+    assert path.read_bytes() == before
+
+    halted: list[bool] = []
+    window.robot.halted.connect(lambda: halted.append(True))
+    WidgetDriver(playback, window.qtbot).click("aracnaPlaybackStopButton")
+    assert halted == [True]
+
+    window.press_disconnect()
+    other = tmp_path / "other.csv"
+    recordings.write(other, list(recordings.session(3)))
+    manager.open_file(other)
+    assert len(opened(window)) == 2
+    assert not opened(window)[1].playback.is_loaded
+    window.window.close()
+    assert opened(window) == []
+
+
+def test_dropped_recording_opens_only_with_its_device(window: RobotWindow, tmp_path: Path) -> None:
+    walk = tmp_path / "walk.csv"
+    board_csv, board = tmp_path / "board.csv", tmp_path / "board.trexrec"
+    recordings.write(walk, list(recordings.session(3)))
+    samples.write_an_hour_of_csv(board_csv, 1)
+    samples.write(board, list(samples.an_hour(1)))
+    assert window.drop(walk)
+    assert_of_another_device(window, "Aracna")
+
+    window.choose_demo()
+    window.press_disconnect()
+    for path in (board_csv, board):
+        assert window.drop(path)
+        assert_of_another_device(window, "TReX 1.2")
+    assert window.drop(walk)
+    [playback] = opened(window)
+    window.wait(lambda: playback.playback.is_loaded)
+    assert window.program.desk.recordings.windows == []
+    close_recordings(window)
+
+    window.choose_demo("trex")
+    assert window.drop(board)
+    [of_board] = window.program.desk.recordings.windows
+    window.wait(lambda: of_board.playback.is_loaded)
+    of_board.close()
+
+
+@pytest.mark.realtime
+def test_program_exit_ends_recording_loader_thread(
+    window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    recordings.hang(monkeypatch)
+    path = tmp_path / "long.csv"
+    recordings.write(path, list(recordings.session(60)))
+    window.program.aracna.recordings.open_file(path)
+    [playback] = opened(window)
+    thread = recordings.loader_thread(playback.playback)
+    window.wait(lambda: playback.playback.progress > 0)
+    assert thread.isRunning()
+    window.wait(window.program.shut_down)
+    assert not isValid(thread) or thread.isFinished()

@@ -1,0 +1,179 @@
+"""The window says no more of the robot than is known, and refuses what could not be done."""
+
+from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
+from trex_gui.devices.trex.model.connection import Link
+
+UNSURE = "Not known: what was sent last goes on to its goal."
+AT_REST = "At rest: nothing is sent."
+UNSEEN = "Nothing is sent. Whether it moves is known after its first move."
+
+
+def begin_long_motion(window: RobotWindow, goal: int = 200) -> None:
+    """Let every motor go far and slowly: for about 90 s."""
+    window.robot.set_speeds((5,) * 8)
+    window.robot.move((goal,) * 8)
+    window.wait(lambda: window.robot.known.moving is not None and window.servos_turn())
+
+
+def test_positions_are_unknown_after_reset_or_silence(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
+    assert window.text("aracnaMotionLabel") == UNSEEN
+    robot.set_speeds((300,) * 8)
+    window.wait(lambda: robot.known.speeds is not None)
+    assert window.text("aracnaMotionLabel") == UNSEEN, "speeds say nothing of positions"
+    window.move()
+
+    texts: list[str] = []
+
+    def note() -> None:
+        texts.append(window.text("statusLabel"))
+
+    for cause, end in (("reset", ""), ("line mute on", "line mute off")):
+        assert window.is_enabled("aracnaCapture"), cause
+        assert window.text("aracnaMotionLabel") == AT_REST, cause
+        robot.changed.connect(note)
+        window.wait_for_silence(lambda: window.control(cause))  # noqa: B023
+        if end:
+            window.control(end)
+        window.wait_until_up()
+        robot.changed.disconnect(note)
+        assert robot.present == (None,) * 8, cause
+        assert window.text("aracnaPresent0") == "–", cause
+        assert window.text("aracnaMotionLabel") == UNSURE, cause
+        assert "not known any more" in window.text("aracnaReport"), cause
+        assert not window.is_enabled("aracnaCapture"), cause
+        assert not window.action("aracna_capture").isEnabled(), cause
+        assert "Connected to Aracna" in window.text("statusLabel"), cause
+        if cause == "reset":
+            assert any("restarted" in text for text in texts)
+        window.move()
+
+
+def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
+    window.move()
+    window.block_and_lose_motor(3)
+    window.wait_for_text("aracnaReport", "waits for motor 3")
+    assert "servo power" in window.text("aracnaReport")
+    assert "does not stop the servos" in window.text("aracnaReport")
+    assert "motor 3" in window.text("aracnaMotionLabel")
+    assert window.text("aracnaState3") == "stuck here"
+    window.show_page(POSES_PAGE)
+    for name in ("aracnaMoveButton", "aracnaPlay", "aracnaGoTo"):
+        assert not window.is_enabled(name), name
+    for name in ("aracnaMoveButton", "aracnaPlay"):
+        assert "waits for motor 3" in window.button(name).toolTip(), name
+    assert not window.action("aracna_move").isEnabled()
+    assert not window.action("aracna_play").isEnabled()
+    window.show_page(ROBOT_PAGE)
+    window.click("aracnaLiveBox")
+    slider = window.drag("aracnaSlider0", 300, release=False)
+    assert not robot.dragging
+    window.release_handle(slider)
+    window.click("aracnaLiveBox")
+    window.control("servo 3 alive")
+    window.wait(lambda: window.is_enabled("aracnaMoveButton"))
+    assert "limits" in window.button("aracnaMoveButton").toolTip()
+    window.wait_for_text("aracnaReport", "where it was sent")
+
+    window.block_and_lose_motor(3)
+    window.press_disconnect()
+    window.select("portCombo", window.program.ports.demo_of("aracna"))
+    window.wait_for_text("bannerText", "No Aracna answers")
+    message = window.text("bannerText")
+    assert "may still be moving and hears nothing meanwhile; wait until it stands" in message
+    assert "Find a board (Ctrl+Shift+F)" in message
+
+
+def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
+    window.move()
+    robot.set_speeds((25,) * 8)  # 7 s
+    window.drag("aracnaSlider0", 100)
+    window.click("aracnaMoveButton")
+    window.wait(lambda: robot.remaining() > 1)
+    window.press_disconnect()
+    assert "The motion goes on for about" in window.text("aracnaMotionLabel")
+    assert "by itself" in window.text("aracnaMotionLabel")
+    window.wait(lambda: window.text("aracnaMotionLabel") == "No robot is connected.")
+
+    window.press_connect()
+    begin_long_motion(window)
+    window.press_disconnect()
+    window.select("portCombo", window.program.ports.demo_of("aracna"))
+    window.control("reset")  # as boards do when their port is opened; their servos go on
+    window.wait_until_up()
+    assert window.servos_turn()
+    left_running = "Not known: what was left running may go on"
+    assert window.text("aracnaMotionLabel").startswith(left_running)
+
+
+def test_motion_is_shown_as_continuing_after_reset(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
+    begin_long_motion(window)
+    texts: list[tuple[Link, str]] = []
+
+    def note() -> None:
+        texts.append((robot.link, window.text("aracnaMotionLabel")))
+
+    robot.changed.connect(note)
+    window.wait_for_silence(lambda: window.control("reset"))
+    window.wait_until_up()
+    robot.changed.disconnect(note)
+    *_, last = [text for link, text in texts if link is Link.SILENT]
+    assert last.startswith("Not known: what was sent last may go on")
+    assert window.servos_turn()
+    assert window.text("aracnaMotionLabel").startswith("Not known: what was sent last may go on")
+    window.press_disconnect()
+    assert "The motion goes on for about" in window.text("aracnaMotionLabel")
+    assert robot.remaining() > 5
+
+
+def test_log_has_one_line_for_each_event(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
+    window.drag("aracnaSlider0", 400)
+    window.move()
+    goals = robot.known.goals
+    assert goals is not None
+    line = f"Move to {', '.join(map(str, goals))}."
+    assert window.logged().count(line) == 1
+    count = len(window.logged())
+    window.click("aracnaLiveBox")
+    window.drag("aracnaSlider0", 420)
+    window.wait(lambda: robot.known.goals != goals and robot.known.moving is None)
+    assert len(window.logged()) == count, "none of a drag"
+    window.click("aracnaLiveBox")
+
+    window.drag("aracnaSlider0", 500)
+    window.click("aracnaMoveButton")
+    window.wait(lambda: robot.known.moving is not None)
+    window.control("line mute on")
+    window.wait(lambda: any("answer was lost" in text for text in window.logged()))
+    lost = [text for text in window.logged() if "−1" in text or "answer was lost" in text]
+    assert lost == ["The answer was lost (or no motor answers): positions are not known."]
+    window.control("line mute off")
+    window.wait_until_up()
+
+
+def test_unpowered_servos_are_reported(connected_window: RobotWindow) -> None:
+    window = connected_window
+    window.control("servo power off")
+    window.robot.set_speeds((300,) * 8)
+    window.wait(lambda: window.robot.known.no_servo_answers)
+    message = "No motor answers (−1): is the servo power on?"
+    assert window.text("aracnaReport") == message
+    assert window.logged()[0] == message
+
+
+def test_stop_at_rest_keeps_goals(connected_window: RobotWindow) -> None:
+    window, robot = connected_window, connected_window.robot
+    window.move()
+    window.drag("aracnaSlider0", 300)
+    goals = robot.targets.goals
+    assert goals[0] != robot.present[0]
+    window.press_escape()
+    assert robot.targets.goals == goals
+    window.click("aracnaStopButton")
+    assert robot.targets.goals == goals
+    window.move()
+    assert robot.known.goals == goals

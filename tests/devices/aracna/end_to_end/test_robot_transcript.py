@@ -1,0 +1,54 @@
+"""The transcript of the line to a robot, apart from that of a board."""
+
+from tests.support.pages.robot import RobotWindow
+from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS
+from trex_gui.ui.traffic.table_view import TranscriptView
+
+
+def column(window: RobotWindow, column: int) -> list[str]:
+    model = window.find(TranscriptView, "aracnaTranscriptView").model()
+    return [str(model.index(row, column).data()) for row in range(model.rowCount())]
+
+
+def wait_for_row(window: RobotWindow, text: str) -> None:
+    window.wait(lambda: any(text in words for words in column(window, WORDS)))
+
+
+def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWindow) -> None:
+    window = connected_window
+    pages = window.program.aracna.pages
+    pages.setCurrentIndex(pages.count() - 1)
+    board = window.device.transcript
+    assert board.everything.count == 0
+    wait_for_row(window, "Opened the simulated robot")
+    assert window.robot.move((300,) * 8)
+    wait_for_row(window, "go to 300, 300, 300, 300, 300, 300, 300, 300 → at ")
+    row = column(window, SENT).index(".c300,300,300,300,300,300,300,300\\n")
+    assert column(window, RECEIVED)[row].startswith(".c")
+    assert any(text.startswith("set speeds") for text in column(window, WORDS)[:row])
+
+    assert "faults: 0" in window.text("aracnaTranscriptSummary")
+    window.control("servo 3 dead")
+    window.robot.set_speeds((50,) * 8)
+    wait_for_row(window, "no answer")
+    # It counts once it is over: with the next question.
+    window.wait(lambda: "faults: 0" not in window.text("aracnaTranscriptSummary"))
+    window.control("servo 3 alive")
+
+    assert window.robot.move((500,) * 8)
+    wait_for_row(window, "go to 500")
+    window.control("reset")
+    wait_for_row(window, "the robot has started, and is deaf for a second")
+    window.wait_until_up()
+
+
+def test_aracna_and_trex_traffic_logs_are_separate(connected_window: RobotWindow) -> None:
+    window = connected_window
+    window.choose_demo("trex")
+    board = window.device.transcript
+    board.pull()
+    assert any(row.sent == b"\x81" for row in board.everything.rows)
+    window.robot.transcript.pull()
+    rows = window.robot.transcript.everything.rows
+    assert rows[-1].note == "Closed."
+    assert {row.sent for row in rows} <= {b"", b".q\n", b"\n"}

@@ -1,0 +1,245 @@
+"""The toy robot: what hands do to it reaches the simulator, and what it is is seen."""
+
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.aracna import AracnaStage
+from tests.support.demo_panels import Overheard
+from trex_gui.devices.aracna.model.demo_robot import DemoRobot, Loss
+from trex_gui.devices.aracna.model.demo_snapshot import DemoServo, RobotSnapshot, read_snapshot
+from trex_gui.devices.aracna.simulator.control import control
+from trex_gui.devices.aracna.views.demo.words import power_text, servo_text, state_text
+
+GOALS = b".c300,300,300,300,300,300,300,300\n"
+
+
+def snapshot_of(stage: AracnaStage) -> RobotSnapshot:
+    return read_snapshot(control(stage.line, "show").removeprefix("ok "))
+
+
+# --- What is read -----------------------------------------------------------------------
+
+
+def test_new_robot_is_idle_limp_and_centred() -> None:
+    snapshot = snapshot_of(AracnaStage())
+    assert snapshot.power
+    assert snapshot.servo_power
+    assert snapshot.state == "idle"
+    assert snapshot.boots == 1
+    assert not snapshot.led
+    assert not snapshot.is_moving
+    assert snapshot.servos == (DemoServo(512, 512, 0, False, False, False, False, 0.0),) * 8
+    assert all(servo.is_whole for servo in snapshot.servos)
+    assert snapshot.line.plugged
+    assert not snapshot.line.mute
+
+
+def test_servo_faults_are_read_for_each_servo() -> None:
+    stage = AracnaStage()
+    for line in ("servo 1 dead", "servo 2 block", "servo 3 load 0.25", "line noise 0.5"):
+        stage.do(line)
+    snapshot = snapshot_of(stage)
+    assert [servo.dead for servo in snapshot.servos] == [False, True, *[False] * 6]
+    assert [servo.blocked for servo in snapshot.servos] == [False, False, True, *[False] * 5]
+    assert [servo.load for servo in snapshot.servos] == [0, 0, 0, 0.25, 0, 0, 0, 0]
+    assert [servo.is_whole for servo in snapshot.servos] == [True, *[False] * 3, *[True] * 4]
+    assert snapshot.line.noise == 0.5
+
+
+def test_unpowered_servo_is_not_reported_dead() -> None:
+    stage = AracnaStage()
+    stage.do("servo 6 dead")
+    stage.do("servo power off")
+    snapshot = snapshot_of(stage)
+    assert not snapshot.servo_power
+    assert snapshot.power
+    assert [servo.dead for servo in snapshot.servos] == [False] * 6 + [True, False]
+
+
+def test_blocked_or_unpowered_servos_do_not_count_as_moving() -> None:
+    stage = AracnaStage()
+    stage.line.send(GOALS)
+    stage.line.advance(0.1)
+    assert snapshot_of(stage).is_moving
+    for motor in range(8):
+        stage.do(f"servo {motor} block")
+    assert not snapshot_of(stage).is_moving
+    stage.do("servo 4 free")
+    assert snapshot_of(stage).is_moving
+    stage.do("servo power off")
+    assert not snapshot_of(stage).is_moving
+
+
+# --- What is said -----------------------------------------------------------------------
+
+
+def test_firmware_state_is_described_as_text() -> None:
+    stage = AracnaStage(booted=False)
+    assert "Booting" in state_text(snapshot_of(stage))
+    stage.line.advance(1.1)
+    assert state_text(snapshot_of(stage)) == "Idle: it listens."
+    stage.line.send(b".v90,90,90,90,90,90,90,90\n")
+    stage.line.advance(0.02)
+    assert "Setting speeds" in state_text(snapshot_of(stage))
+    stage.line.advance(1)
+    stage.line.send(GOALS)
+    stage.line.advance(0.2)
+    assert "every servo has arrived" in state_text(snapshot_of(stage))
+    stage.do("servo 5 block")
+    stage.line.advance(2)
+    assert "a servo that cannot arrive" in state_text(snapshot_of(stage))
+    stage.do("servo power off")
+    assert "servos that have no power" in state_text(snapshot_of(stage))
+    stage.do("reset")
+    stage.line.advance(1.1)
+    stage.line.send(b".c999999999,1,1,1,1,1,1,1\n")
+    stage.line.advance(1)
+    assert "Restart the board" in state_text(snapshot_of(stage))
+    stage.do("power off")
+    assert "power is off" in state_text(snapshot_of(stage))
+
+
+def test_servo_power_text_is_urgent_in_motion_and_when_off() -> None:
+    stage = AracnaStage()
+    text, urgent = power_text(snapshot_of(stage))
+    assert "only thing that stops a running motion" in text
+    assert not urgent
+    stage.line.send(GOALS)
+    stage.line.advance(0.1)
+    assert power_text(snapshot_of(stage)) == (text, True)
+    stage.do("servo power off")
+    assert power_text(snapshot_of(stage)) == ("Off: no servo moves, holds or answers.", True)
+    stage.do("power off")
+    assert "switch is off" in power_text(snapshot_of(stage))[0]
+
+
+WHOLE = DemoServo(512, 600, 0, True, True, False, False, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("servo", "powered", "words"),
+    [
+        (WHOLE, True, "512 = 150.1°, on its way to 600"),
+        (replace(WHOLE, moving=False), True, "512 = 150.1°, holds"),
+        (replace(WHOLE, blocked=True), True, "512 = 150.1°, cannot get to 600"),
+        (replace(WHOLE, load=1.0), True, "512 = 150.1°, cannot get to 600"),
+        (replace(WHOLE, load=0.5), True, "512 = 150.1°, on its way to 600"),
+        (replace(WHOLE, dead=True), True, "512 = 150.1°, dead"),
+        (replace(WHOLE, torque=False), True, "512 = 150.1°, limp until its first goal"),
+        (replace(WHOLE, dead=True), False, "512 = 150.1°, no power"),
+    ],
+)
+def test_servo_state_is_described_as_text(servo: DemoServo, powered: bool, words: str) -> None:
+    assert servo_text(servo, powered) == words
+
+
+# --- What hands do ----------------------------------------------------------------------
+
+
+pseudo_terminals = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+
+
+@pytest.fixture
+def simulator(qtbot: QtBot) -> Iterator[Overheard]:
+    simulator = Overheard("--aracna")
+    with qtbot.waitSignal(simulator.ready, timeout=15_000):
+        simulator.start()
+    yield simulator
+    simulator.stop()
+
+
+@pytest.fixture
+def robot(simulator: Overheard, qtbot: QtBot) -> Iterator[DemoRobot]:
+    robot = DemoRobot(simulator)
+    robot.watch(True)
+    qtbot.waitUntil(lambda: robot.snapshot is not None, timeout=15_000)
+    yield robot
+    robot.watch(False)
+
+
+def seen(robot: DemoRobot) -> RobotSnapshot:
+    assert robot.snapshot is not None
+    return robot.snapshot
+
+
+@pseudo_terminals
+def test_faults_appear_in_snapshot_and_mend_clears_them(robot: DemoRobot, qtbot: QtBot) -> None:
+    robot.set_dead(1, True)
+    robot.set_blocked(2, True)
+    robot.set_load(3, 0.5)
+    robot.set_servo_power(False)
+    robot.set_mute(True)
+    robot.set_noise(0.01)
+    qtbot.waitUntil(lambda: seen(robot).line.noise == 0.01, timeout=15_000)
+    assert seen(robot).servos[1].dead
+    assert seen(robot).servos[2].blocked
+    assert seen(robot).servos[3].load == 0.5
+    assert not seen(robot).servo_power
+    assert seen(robot).line.mute
+    robot.mend()
+    qtbot.waitUntil(lambda: seen(robot).servo_power, timeout=15_000)
+    assert all(servo.is_whole for servo in seen(robot).servos)
+    assert not seen(robot).line.mute
+    assert seen(robot).line.noise == 0
+
+
+@pseudo_terminals
+def test_dragged_load_sends_only_first_and_newest_value(
+    robot: DemoRobot, simulator: Overheard, qtbot: QtBot
+) -> None:
+    simulator.lines.clear()
+    for per_cent in range(1, 101):
+        robot.set_load(0, per_cent / 100)
+    qtbot.waitUntil(lambda: seen(robot).servos[0].load == 1, timeout=15_000)
+    assert simulator.orders() == ["servo 0 load 0.01", "servo 0 load 1.00"]
+
+
+@pseudo_terminals
+@pytest.mark.parametrize(
+    ("loss", "line"),
+    [
+        (Loss.ANSWER_BYTE, "line drop 1"),
+        (Loss.COMMAND_BYTE, "line drop 1 sent"),
+        (Loss.ANSWER_END, "line cut 6"),
+    ],
+)
+def test_each_loss_sends_its_control_line(
+    robot: DemoRobot, simulator: Overheard, qtbot: QtBot, loss: Loss, line: str
+) -> None:
+    simulator.lines.clear()
+    with qtbot.assertNotEmitted(robot.refused):
+        robot.lose(loss)
+        answers: list[str] = []
+        simulator.send("show", answers.append)
+        qtbot.waitUntil(lambda: bool(answers), timeout=15_000)
+    assert simulator.orders() == [line]
+
+
+@pseudo_terminals
+def test_restart_of_unpowered_board_is_rejected(robot: DemoRobot, qtbot: QtBot) -> None:
+    robot.set_power(False)
+    qtbot.waitUntil(lambda: not seen(robot).power, timeout=15_000)
+    with qtbot.waitSignal(robot.refused, timeout=15_000) as refusal:
+        robot.restart()
+    assert refusal.args == ["The board has no power; power on starts it."]
+    robot.set_power(True)
+    qtbot.waitUntil(lambda: seen(robot).state == "idle", timeout=15_000)
+    robot.restart()
+    qtbot.waitUntil(lambda: seen(robot).boots == 3, timeout=15_000)
+
+
+@pseudo_terminals
+def test_snapshot_is_cleared_while_simulator_is_stopped(
+    robot: DemoRobot, simulator: Overheard, qtbot: QtBot
+) -> None:
+    with qtbot.waitSignal(simulator.ended, timeout=15_000):
+        simulator.stop()
+    assert robot.snapshot is None
+    robot.mend()
+    with qtbot.waitSignal(simulator.ready, timeout=15_000):
+        simulator.start()
+    qtbot.waitUntil(lambda: robot.snapshot is not None, timeout=15_000)

@@ -1,0 +1,71 @@
+"""What is known of a robot's motions, from one report to the next."""
+
+import pytest
+
+from trex_gui.devices.aracna.model.robot_state import Known
+from trex_gui.devices.aracna.session.messages import (
+    Connected,
+    Moved,
+    Moving,
+    Restarted,
+    Silent,
+    Stuck,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+GOALS = (300, 400)
+BEGUN = Moving(10.0, GOALS, (None, None), 4.0)
+THERE = Moved(13.0, GOALS, GOALS, 3.0)
+CONNECTED = Connected(1, 2, LinkSettings(""))
+
+
+def known(*reports: object) -> Known:
+    found = Known(2)
+    for report in reports:
+        found.take(report)
+    return found
+
+
+def test_new_robot_may_be_moving_for_unknown_time() -> None:
+    found = known(CONNECTED)
+    assert found.may_move_unseen
+    assert found.goes_on_until is None
+    assert not found.unsure, "nothing was sent"
+
+
+def test_watched_motion_has_end_time_until_it_is_answered() -> None:
+    assert not known(CONNECTED, BEGUN).may_move_unseen
+    assert known(CONNECTED, BEGUN).goes_on_until == 14.0
+    found = known(CONNECTED, BEGUN, THERE)
+    assert not found.may_move_unseen
+    assert found.goes_on_until is None
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        (Restarted(11.0, voided=True),),
+        (Restarted(11.0, voided=True), CONNECTED),
+        (Silent("gone"), CONNECTED),
+        (CONNECTED,),
+        (Moved(11.0, GOALS, (-1, -1), 1.0),),
+        (Stuck(11.0, 1), Restarted(12.0, voided=True), Silent("gone")),
+    ],
+    ids=["restart", "answers again", "silence", "answers", "answer lost", "stuck"],
+)
+def test_interrupted_motion_keeps_its_expected_end(end: tuple[object, ...]) -> None:
+    found = known(CONNECTED, BEGUN, *end)
+    assert found.moving is None
+    assert found.stuck is None
+    assert found.goes_on_until == 14.0
+    assert found.may_move_unseen
+    assert found.unsure
+
+
+def test_next_motion_replaces_interrupted_one() -> None:
+    left = (CONNECTED, BEGUN, Restarted(11.0, voided=True), CONNECTED)
+    following = Moving(12.0, GOALS, (None, None), 7.0)
+    assert known(*left, following).goes_on_until == 19.0
+    found = known(*left, following, THERE)
+    assert found.goes_on_until is None
+    assert not found.may_move_unseen

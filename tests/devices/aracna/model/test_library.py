@@ -1,0 +1,271 @@
+"""The library: everything is one step to undo, and nothing of a file is lost."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.resource_files import resource
+from trex_gui.devices.aracna.model.library import Library
+from trex_gui.devices.aracna.poses.gaits import GAITS, STAND_UP
+from trex_gui.devices.aracna.poses.named_poses import KNOWN_POSES
+from trex_gui.devices.aracna.poses.ppr import write_ppr
+from trex_gui.devices.aracna.poses.sequence import SequenceStep
+
+EIGHT = (1, 2, 3, 4, 5, 6, 7, 8)
+
+
+@pytest.fixture
+def library() -> Library:
+    return Library()
+
+
+def names(library: Library) -> list[str]:
+    return [pose.name for pose in library.poses]
+
+
+def test_new_library_has_built_in_poses_and_is_unmodified(library: Library) -> None:
+    assert library.poses == KNOWN_POSES
+    assert not library.modified
+    assert library.path is None
+
+
+def test_captured_pose_is_appended(library: Library, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(library.changed):
+        name = library.capture(EIGHT)
+    assert library.poses[-1].name == name == "pose"
+    assert library.poses[-1].positions == EIGHT
+    assert library.capture(EIGHT) == "pose 2"
+    assert library.capture(EIGHT, " mine ") == "mine"
+    assert library.modified
+
+
+@pytest.mark.parametrize("lacking", [None, -1])
+def test_unknown_position_cannot_be_captured(library: Library, lacking: int | None) -> None:
+    with pytest.raises(BadRequest, match="motor 2"):
+        library.capture((1, 2, lacking, 4, 5, 6, 7, 8))
+    with pytest.raises(BadRequest, match="not known"):
+        library.capture((None,) * 8)
+    assert not library.modified
+
+
+def test_renamed_pose_is_renamed_in_sequences(library: Library) -> None:
+    library.add_sequence("up", [SequenceStep("flat", 100), SequenceStep("stand", 200)])
+    library.rename_pose("stand", "upright")
+    sequence = library.sequence("up")
+    assert sequence is not None
+    assert sequence.steps == (SequenceStep("flat", 100), SequenceStep("upright", 200))
+    library.undo.undo()
+    assert library.sequences[0].steps[1].pose_name == "stand"
+
+
+@pytest.mark.parametrize("name", ["flat", "", "   ", "a:b", "a,b", "a|b", "a\nb", "x" * 101])
+def test_invalid_pose_name_is_rejected(library: Library, name: str) -> None:
+    with pytest.raises(BadRequest):
+        library.rename_pose("stand", name)
+    assert library.poses == KNOWN_POSES
+    assert not library.undo.canUndo()
+
+
+def test_deleted_pose_stays_in_sequences_and_undo_restores_it(
+    library: Library,
+) -> None:
+    library.add_sequence("up", [SequenceStep("flat")])
+    library.delete_pose("flat")
+    assert library.pose("flat") is None
+    assert library.sequences[0].steps[0].pose_name == "flat"
+    library.undo.undo()
+    assert library.poses == KNOWN_POSES
+
+
+def test_pose_can_be_reordered(library: Library) -> None:
+    library.move_pose("flat", 2)
+    assert names(library)[:3] == ["half-stand", "stand", "flat"]
+    library.move_pose("flat", 99)
+    assert names(library)[-1] == "flat"
+    library.move_pose("flat", -1)
+    assert library.poses == KNOWN_POSES
+
+
+def test_copy_follows_its_original(library: Library) -> None:
+    assert library.duplicate_pose("flat") == "flat 2"
+    assert names(library)[:2] == ["flat", "flat 2"]
+    library.add_sequence("up", [SequenceStep("flat")])
+    assert library.duplicate_sequence("up") == "up 2"
+    assert library.sequences[1].steps == library.sequences[0].steps
+
+
+def test_successive_edits_of_pose_are_one_undo_step(library: Library) -> None:
+    for position in range(10):
+        library.set_positions("flat", (position,) * 8, run=("flat", 1))
+    assert library.undo.count() == 1
+    library.undo.undo()
+    assert library.poses == KNOWN_POSES
+    assert not library.modified
+
+
+def test_position_out_of_range_is_rejected(library: Library) -> None:
+    with pytest.raises(BadRequest, match="1024"):
+        library.set_positions("flat", (1024,) * 8)
+    assert library.poses == KNOWN_POSES
+
+
+def test_unknown_name_cannot_be_edited(library: Library) -> None:
+    for edit in (library.delete_pose, library.duplicate_pose, library.delete_sequence):
+        with pytest.raises(BadRequest, match="nothing called ghost"):
+            edit("ghost")
+
+
+def test_every_edit_can_be_undone_and_redone_in_one_step(library: Library) -> None:
+    edits: list[Callable[[], object]] = [
+        lambda: library.add_pose(EIGHT, "new"),
+        lambda: library.set_positions("new", (9,) * 8),
+        lambda: library.rename_pose("new", "newer"),
+        lambda: library.duplicate_pose("newer"),
+        lambda: library.move_pose("newer", 0),
+        lambda: library.delete_pose("newer 2"),
+        lambda: library.add_sequence("s"),
+        lambda: library.set_steps("s", [SequenceStep("newer", 20)]),
+        lambda: library.rename_sequence("s", "t"),
+        lambda: library.duplicate_sequence("t"),
+        lambda: library.move_sequence("t 2", 0),
+        lambda: library.delete_sequence("t"),
+    ]
+    states = [library.project]
+    for count, edit in enumerate(edits, 1):
+        edit()
+        assert library.undo.count() == count
+        assert library.project not in states
+        states.append(library.project)
+    for state in reversed(states[:-1]):
+        library.undo.undo()
+        assert library.project == state
+    assert not library.modified
+    for state in states[1:]:
+        library.undo.redo()
+        assert library.project == state
+
+
+def test_unchanged_edit_adds_no_undo_step(library: Library) -> None:
+    library.rename_pose("flat", "flat")
+    library.move_pose("flat", 0)
+    assert library.undo.count() == 0
+
+
+def test_saved_library_is_read_back_equal(library: Library, tmp_path: Path) -> None:
+    path = tmp_path / "mine.ppr"
+    library.add_pose(EIGHT, "mine")
+    library.add_sequence("s", [SequenceStep("mine", 700)])
+    library.save(path)
+    assert not library.modified
+    assert (library.path, library.name) == (path, "mine.ppr")
+    other = Library()
+    assert other.open(path) == ()
+    assert other.project == library.project
+    assert not other.undo.canUndo()
+
+
+def test_undo_after_save_marks_library_modified(library: Library, tmp_path: Path) -> None:
+    library.add_pose(EIGHT)
+    library.save(tmp_path / "mine.ppr")
+    library.undo.undo()
+    assert library.modified
+    library.undo.redo()
+    assert not library.modified
+
+
+def test_unreadable_lines_are_reported_and_saved_again(library: Library, tmp_path: Path) -> None:
+    path = tmp_path / "odd.ppr"
+    path.write_text("Aracna:8\nPose=a:1, x\nsomething else\n", encoding="utf-8")
+    assert [finding.line for finding in library.open(path)] == [1, 2, 3]
+    library.add_pose(EIGHT, "b")
+    library.save()
+    text = path.read_text(encoding="utf-8")
+    assert "Pose=a:1, x\nsomething else\n" in text
+    assert "Pose=b:1, 2, 3, 4, 5, 6, 7, 8\n" in text
+
+
+@pytest.mark.parametrize("data", [b"\0" * 100, b"\x7fELF\x01", b"a" * 2_000_000])
+def test_invalid_pose_file_is_rejected_and_library_kept(
+    library: Library, tmp_path: Path, data: bytes
+) -> None:
+    path = tmp_path / "binary.ppr"
+    path.write_bytes(data)
+    library.add_pose(EIGHT)
+    before = library.project
+    with pytest.raises(SettingsError):
+        library.open(path)
+    assert library.project == before
+    assert library.undo.canUndo()
+
+
+def test_latin_1_file_is_read_with_finding(library: Library, tmp_path: Path) -> None:
+    path = tmp_path / "old.ppr"
+    path.write_bytes("Aracna:8\nPose=Füße:1\n".encode("latin-1"))
+    findings = library.open(path)
+    assert library.poses[0].name == "Füße"
+    assert any("UTF-8" in finding.message for finding in findings)
+
+
+def test_failed_save_keeps_old_file_and_edits(library: Library, tmp_path: Path) -> None:
+    path = tmp_path / "mine.ppr"
+    library.save(path)
+    library.add_pose(EIGHT)
+    with pytest.raises(SettingsError, match="no folder"):
+        library.save(tmp_path / "gone" / "mine.ppr")
+    with pytest.raises(SettingsError, match="no place"):
+        Library().save()
+    assert library.path == path
+    assert library.modified
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_change_by_other_program_is_detected(library: Library, tmp_path: Path) -> None:
+    path = tmp_path / "mine.ppr"
+    library.save(path)
+    assert not library.changed_on_disk()
+    path.write_text("Aracna:8\n", encoding="utf-8")
+    assert library.changed_on_disk()
+
+
+def test_sample_file_opens_without_findings(library: Library) -> None:
+    path = resource("aracna/sample.ppr")
+    assert library.open(path) == ()
+    assert write_ppr(library.project).encode() == path.read_bytes()
+    assert [sequence.name for sequence in library.sequences] == ["stand up", "star 6", "push-ups"]
+
+
+def test_gait_becomes_sequence_and_adds_its_poses_once(library: Library) -> None:
+    star = next(gait for gait in GAITS if gait.name == "star 6")
+    assert library.add_gait(star) == "star 6"
+    assert library.add_gait(star) == "star 6 2"
+    assert library.undo.count() == 2
+    assert len(library.poses) == len(KNOWN_POSES) + len(star.stages)
+    first, second = library.sequences
+    assert first.steps == second.steps
+    for step, stage in zip(first.steps, star.stages, strict=True):
+        pose = library.pose(step.pose_name)
+        assert pose is not None
+        assert pose.positions == stage.pose.positions
+        assert step.milliseconds == stage.seconds * 1000
+
+
+def test_gait_of_built_in_poses_adds_no_poses(library: Library) -> None:
+    library.add_gait(STAND_UP)
+    assert library.poses == KNOWN_POSES
+    assert library.sequences[0].steps == (SequenceStep("flat", 3000), SequenceStep("stand", 3000))
+
+
+def test_gait_ignores_changed_pose_of_same_name(
+    library: Library,
+) -> None:
+    library.set_positions("flat", EIGHT)
+    library.add_gait(STAND_UP)
+    step = library.sequences[0].steps[0]
+    assert step.pose_name == "stand up flat"
+    pose = library.pose("stand up flat")
+    assert pose is not None
+    assert pose.positions == (770, 40) * 4

@@ -1,0 +1,201 @@
+"""Looking at the recording of a robot without one."""
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from random import Random
+
+import pytest
+from PySide6.QtCore import QCoreApplication
+from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
+
+from tests.devices.aracna.recordings import HEADER, MOTORS, T0, hang, loader_thread, session, write
+from trex_gui.core.recording.errors import RecordingError
+from trex_gui.devices.aracna.model.playback import RobotPlayback
+from trex_gui.devices.aracna.model.recorded import Moment
+from trex_gui.devices.aracna.model.robot_state import Known
+from trex_gui.devices.aracna.protocol.units import degrees
+from trex_gui.devices.aracna.recording import FellSilent, Row
+from trex_gui.devices.aracna.recording.csv_reader import open_recording
+from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, Restarted, Stuck
+from trex_gui.devices.trex.recording.recording import Marker
+from trex_gui.ui.devices.event_log import EventKind
+
+PATIENCE = 20_000
+
+
+def loaded(path: Path, qtbot: QtBot, *what: Row) -> RobotPlayback:
+    write(path, list(what))
+    playback = RobotPlayback.open(path)
+    assert not playback.is_loaded
+    with qtbot.waitSignal(playback.loaded, timeout=PATIENCE):
+        pass
+    return playback
+
+
+@pytest.fixture
+def long(tmp_path: Path, qtbot: QtBot) -> Iterator[RobotPlayback]:
+    playback = loaded(tmp_path / "long.csv", qtbot, *session(250))
+    yield playback
+    playback.close()
+
+
+def straight(what: list[Row], time: float) -> Moment:
+    """What is known when everything up to a time is taken in."""
+    moment = Moment(Known(MOTORS))
+    for record in what:
+        if record.time <= time:
+            moment.take(record)
+    return moment
+
+
+def rounded(moment: Moment) -> tuple[object, ...]:
+    """What is known, without times: a file has them to 1 µs."""
+    known = moment.known
+    step = moment.step
+    return (
+        *(known.present, known.goals, known.waited_for, known.unsure),
+        *(known.moving and known.moving.goals, known.moved and known.moved.present),
+        *(known.speeds and known.speeds.held, step and (step.part, step.index, step.round)),
+    )
+
+
+def test_seek_gives_same_state_as_reading_from_start(long: RobotPlayback) -> None:
+    what = list(session(250))
+    random = Random(3)
+    places = [random.uniform(0, long.end - T0) + 1e-4 for _ in range(40)]
+    for place in [*sorted(places, reverse=True), *places]:
+        long.set_position(T0 + place)
+        assert rounded(long.latest()) == rounded(straight(what, long.position))
+
+
+def test_seek_does_not_change_earlier_snapshot(long: RobotPlayback) -> None:
+    long.set_position(T0 + 10)
+    before = long.latest()
+    kept = list(before.known.present)
+    long.set_position(long.end)
+    long.latest()
+    assert before.known.present == kept
+
+
+def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot) -> None:
+    playback = loaded(
+        tmp_path / "a.csv",
+        qtbot,
+        Moved(T0, (100,) * 8, (100,) * 8, 1.0),
+        Moving(T0 + 10, (200,) * 8, (100,) * 8, 2.0),
+        Passed(T0 + 11, (200,)),
+        Passed(T0 + 11.5, (200, 200)),
+        Moved(T0 + 12, (200,) * 8, (200,) * 8, 2.0),
+    )
+    times, columns = playback.traces.samples(playback.start, playback.end)
+    assert [round(time - T0, 3) for time in times] == [0, 10, 11, 11.5, 12]
+    places = [[round(float(value) / degrees(1)) for value in column] for column in columns]
+    assert places[0] == [100, 100, 200, 200, 200]
+    assert places[1] == [100, 100, 167, 200, 200]
+    assert places[7] == [100, 100, 150, 175, 200]
+    playback.close()
+
+
+@pytest.mark.parametrize("lost", [Restarted(T0 + 3, voided=False), FellSilent(T0 + 3)])
+def test_curve_has_gap_while_position_is_unknown(tmp_path: Path, qtbot: QtBot, lost: Row) -> None:
+    playback = loaded(
+        tmp_path / "a.csv",
+        qtbot,
+        Moving(T0 + 1, (100,) * 8, (None,) * 8, 1.0),
+        Moved(T0 + 2, (100,) * 8, (100,) * 8, 1.0),
+        lost,
+        Moving(T0 + 5, (200,) * 8, (None,) * 8, 1.0),
+        Moved(T0 + 6, (200,) * 8, (200,) * 8, 1.0),
+    )
+    value_at = playback.traces.value_at
+    assert math.isnan(value_at("motor_0", T0 + 1.5))
+    assert value_at("motor_0", T0 + 2.5) == degrees(100)
+    assert math.isnan(value_at("motor_0", T0 + 4))
+    playback.set_position(T0 + 4)
+    known = playback.latest().known
+    assert known.present == [None] * 8
+    assert known.unsure
+    assert value_at("motor_7", T0 + 6) == degrees(200)
+    playback.close()
+
+
+def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> None:
+    playback = loaded(
+        tmp_path / "a.csv",
+        qtbot,
+        Moving(T0 + 1, (100,) * 8, (None,) * 8, 1.0),
+        Passed(T0 + 2, (100, 100, 100)),
+        Stuck(T0 + 5, 3),
+        Moved(T0 + 9, (100,) * 8, (100,) * 3 + (-1,) * 5, 8.0),
+    )
+    playback.set_position(T0 + 6)
+    known = playback.latest().known
+    assert known.stuck is not None
+    assert known.stuck.motor == known.waited_for == 3
+    playback.set_position(T0 + 9)
+    known = playback.latest().known
+    assert known.stuck is None
+    assert [each.motor for each in known.missed] == [3, 4, 5, 6, 7]
+    playback.close()
+
+
+def test_events_are_sorted_by_time_with_their_kinds(tmp_path: Path, qtbot: QtBot) -> None:
+    playback = loaded(
+        tmp_path / "a.csv",
+        qtbot,
+        Marker(T0 + 2, "word of a later program", "something"),
+        Marker(T0 + 1, "fault", "The board has restarted."),
+    )
+    assert [(round(event.time - T0), event.kind) for event in playback.events] == [
+        (1, EventKind.FAULT),
+        (2, EventKind.NOTE),
+    ]
+    playback.close()
+
+
+def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
+    playback = loaded(tmp_path / "a.csv", qtbot)
+    assert playback.position == playback.end == T0
+    assert playback.header == HEADER
+    assert playback.latest().known.present == [None] * MOTORS
+    playback.close()
+
+
+def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "long.csv"
+    write(path, list(session(600)))
+    playback = RobotPlayback(open_recording(path), path, most_rows=5000)
+    with qtbot.waitSignal(playback.loaded, timeout=PATIENCE):
+        playback.start_reading()
+    drawn, there = playback.drawn
+    assert drawn == 5000 < there
+    playback.close()
+
+
+def test_invalid_recording_is_rejected(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_bytes(b"something else")
+    with pytest.raises(RecordingError):
+        RobotPlayback.open(tmp_path / "a.csv")
+
+
+@pytest.mark.realtime
+def test_close_while_loading_ends_thread(
+    tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hang(monkeypatch)
+    path = tmp_path / "long.csv"
+    write(path, list(session(60)))
+    playback = RobotPlayback.open(path)
+    thread = loader_thread(playback)
+    told: list[str] = []
+    playback.loaded.connect(lambda: told.append("loaded"))
+    playback.failed.connect(told.append)
+    qtbot.waitUntil(lambda: playback.progress > 0, timeout=PATIENCE)
+    assert thread.isRunning()
+    qtbot.waitUntil(playback.close, timeout=PATIENCE)
+    assert not isValid(thread) or thread.isFinished()
+    QCoreApplication.sendPostedEvents()
+    assert told == []
+    assert not playback.is_loaded

@@ -1,0 +1,197 @@
+"""A session with the simulated robot is recorded and opened again: everything comes back equal."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.devices.aracna.recordings import assert_equal, read
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.aracna.model.playback import RobotPlayback
+from trex_gui.devices.aracna.model.recorder import AracnaRecorder
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.recording import FellSilent, Row
+from trex_gui.devices.aracna.recording.csv_reader import RobotCsvFile
+from trex_gui.devices.aracna.session.messages import (
+    Moved,
+    Moving,
+    Passed,
+    Play,
+    PlayEnded,
+    Restarted,
+    SpeedsHeld,
+    Step,
+    StepBegun,
+    Stuck,
+)
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.recording.recording import Marker
+from trex_gui.ui.devices.event_log import EventKind
+
+PATIENCE = 15_000
+RECORDED = (
+    *(Moving, Passed, Moved, SpeedsHeld, StepBegun, PlayEnded, Stuck, Restarted),
+    *(FellSilent, Marker),
+)
+
+
+class Session:
+    """A robot on a simulator, its recorder, and all that it has reported while it recorded."""
+
+    def __init__(self, qtbot: QtBot, path: Path, simulator: SimulatedDevice) -> None:
+        self.qtbot = qtbot
+        self.path = path
+        self.simulator = simulator
+        self.robot = Robot()
+        self.recorder = AracnaRecorder(self.robot)
+        self.reported: list[Row] = []
+        self.links: list[Link] = []
+        self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
+        self.robot.reported.connect(self._on_reported)
+        self.robot.connect_to(LinkSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
+        self.wait_for(Link.UP)
+
+    def _on_reported(self, report: object) -> None:
+        if self.recorder.recording and isinstance(report, RECORDED):
+            self.reported.append(report)
+
+    def wait_for(self, link: Link) -> None:
+        self.qtbot.waitUntil(lambda: self.robot.link is link, timeout=PATIENCE)
+
+    def move(self, *goals: int) -> None:
+        before = self.robot.known.moved
+        assert self.robot.move(goals)
+        self.qtbot.waitUntil(lambda: self.robot.known.moved not in {None, before}, timeout=PATIENCE)
+
+    def stop(self) -> list[Row]:
+        """End the recording and return what is in it."""
+        with self.qtbot.waitSignal(self.recorder.ended, timeout=PATIENCE):
+            self.recorder.stop()
+        file = RobotCsvFile(self.path)
+        found = read(file)
+        assert file.problems == []
+        file.close()
+        return found
+
+    def end(self) -> None:
+        assert self.recorder.shut_down()
+        self.robot.disconnect_line()
+        self.wait_for(Link.NONE)
+        assert self.robot.shut_down()
+
+
+@pytest.fixture
+def session(qtbot: QtBot, tmp_path: Path, start_simulator: StartSimulator) -> Iterator[Session]:
+    simulator = start_simulator("--aracna", "--unpaced")
+    session = Session(qtbot, tmp_path / "session.csv", simulator)
+    yield session
+    session.end()
+
+
+def without_markers(rows: list[Row]) -> list[Row]:
+    return [row for row in rows if not isinstance(row, Marker)]
+
+
+def test_every_report_is_read_back_equal(session: Session) -> None:
+    session.recorder.start(session.path)
+    session.move(*(500,) * 8)
+    session.move(*range(100, 500, 50))
+    steps = tuple(Step((goal,) * 8, 0.1) for goal in (300, 320, 340))
+    with session.qtbot.waitSignal(
+        session.robot.reported,
+        timeout=PATIENCE,
+        check_params_cb=lambda report: isinstance(report, PlayEnded),
+    ):
+        session.robot.play(Play(0, steps, rounds=2))
+    found = session.stop()
+    assert {type(row) for row in session.reported} >= {
+        *(Moving, Passed, Moved, SpeedsHeld, StepBegun, PlayEnded)
+    }
+    assert_equal(without_markers(found), session.reported)
+    texts = [row.text for row in found if isinstance(row, Marker)]
+    assert f"Move to {', '.join(['500'] * 8)}." in texts
+    assert "Played to the end." in texts
+    assert texts[-1] == "The recording ends here."
+
+
+def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
+    session.recorder.start(session.path)
+    session.move(*(500,) * 8)
+    session.simulator.do("servo 3 block")  # dead before it is on its way, it would take no speed
+    assert session.robot.move((400,) * 8)
+    session.qtbot.waitUntil(lambda: session.robot.known.moving is not None, timeout=PATIENCE)
+    session.simulator.do("servo 3 dead")
+    session.simulator.do("servo 3 free")
+    session.qtbot.waitUntil(lambda: session.robot.known.stuck is not None, timeout=PATIENCE)
+    assert not session.robot.move((300,) * 8)
+    session.simulator.do("servo 3 alive")
+    session.qtbot.waitUntil(lambda: session.robot.known.moving is None, timeout=PATIENCE)
+    session.links.clear()
+    session.simulator.do("reset")
+    session.qtbot.waitUntil(lambda: Link.SILENT in session.links, timeout=PATIENCE)  # for a second
+    session.wait_for(Link.UP)
+    session.simulator.do("line mute on")
+    session.wait_for(Link.SILENT)
+    session.simulator.do("line mute off")
+    session.wait_for(Link.UP)
+    found = session.stop()
+    kinds = {type(row) for row in found}
+    assert {Stuck, Restarted, FellSilent} <= kinds
+    silences = [row for row in found if isinstance(row, FellSilent)]
+    others = [row for row in without_markers(found) if not isinstance(row, FellSilent)]
+    assert silences
+    assert_equal(others, session.reported)
+    markers = [row for row in found if isinstance(row, Marker)]
+    assert any("stuck" in each.text for each in markers if each.kind == EventKind.NOTE)
+    assert any("waits for motor 3" in each.text for each in markers if each.kind == EventKind.FAULT)
+    assert any("restarted" in each.text for each in markers)
+    assert any(each.kind == EventKind.LINK for each in markers)
+
+
+def test_late_recording_starts_with_known_state(session: Session) -> None:
+    session.move(*(500,) * 8)
+    session.robot.set_speeds((40,) * 8)
+    assert session.robot.move((100,) * 8)  # 4.4 s, in which the recording has to begin
+    session.qtbot.waitUntil(lambda: session.robot.known.moving is not None, timeout=PATIENCE)
+    moving, speeds = session.robot.known.moving, session.robot.known.speeds
+    assert moving is not None
+    assert speeds is not None
+    session.recorder.start(session.path)
+    session.qtbot.waitUntil(lambda: session.robot.known.moved is not None, timeout=PATIENCE)
+    known = session.robot.known
+    first, second, third, *rest = without_markers(session.stop())
+    assert isinstance(first, Passed)
+    assert isinstance(second, SpeedsHeld)
+    assert second.held == speeds.held
+    assert isinstance(third, Moving)
+    assert replace(third, time=0, expected=0) == replace(moving, time=0, expected=0)
+    assert third.expected <= moving.expected
+    assert isinstance(rest[-1], Moved)
+    assert list(rest[-1].present) == known.present
+
+
+def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: QtBot) -> None:
+    session.recorder.start(session.path)
+    session.move(*(500,) * 8)
+    session.move(*range(100, 500, 50))
+    ending = session.stop()[-1]
+    assert ending.time > session.reported[-1].time
+    playback = RobotPlayback.open(session.path)
+    with qtbot.waitSignal(playback.loaded, timeout=PATIENCE):
+        pass
+    last = playback.traces.samples(playback.start, playback.end)[0][-1]
+    assert playback.end == last == pytest.approx(ending.time, abs=2e-6)
+    playback.set_position(playback.end)
+    known, now = playback.latest().known, session.robot.known
+    assert known.present == now.present
+    assert known.goals == now.goals
+    assert known.speeds is not None
+    assert now.speeds is not None
+    assert known.speeds.held == now.speeds.held
+    assert known.moving is None
+    assert known.missed == now.missed
+    playback.close()

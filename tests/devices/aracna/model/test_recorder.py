@@ -1,0 +1,102 @@
+"""Recording a session with the simulated robot while it runs."""
+
+import csv
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import StartSimulator
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.aracna.model.recorder import AracnaRecorder
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.fixture
+def robot(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[Robot]:
+    simulator = start_simulator("--aracna", "--unpaced")
+    robot = Robot()
+    robot.connect_to(LinkSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
+    qtbot.waitUntil(lambda: robot.link is Link.UP, timeout=15_000)
+    yield robot
+    robot.disconnect_line()
+    qtbot.waitUntil(lambda: robot.link is Link.NONE, timeout=15_000)
+    assert robot.shut_down()
+
+
+@pytest.fixture
+def recorder(robot: Robot) -> Iterator[AracnaRecorder]:
+    recorder = AracnaRecorder(robot)
+    yield recorder
+    assert recorder.shut_down()
+
+
+def test_move_is_recorded_with_goals_positions_and_speeds(
+    robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
+) -> None:
+    path = tmp_path / "session.csv"
+    assert recorder.start(path)
+    assert recorder.recording
+    assert not recorder.can_record
+    assert robot.move((500,) * 8)
+    qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
+    with qtbot.waitSignal(recorder.ended, timeout=15_000) as ended:
+        recorder.stop()
+    assert ended.args == [path]
+    assert recorder.size == path.stat().st_size
+    found = rows(path)
+    kinds = [row["record"] for row in found]
+    assert kinds[0] == "header"
+    assert kinds.index("speeds") < kinds.index("goals") < kinds.index("present")
+    last = [row for row in found if row["record"] == "present"][-1]
+    assert last["motor_3_goal_units"] == "500"
+    assert abs(int(last["motor_3_present_units"]) - 500) < 10
+    times = [float(row["time_s"]) for row in found]
+    assert times == sorted(times)
+
+
+def test_recording_starts_with_known_state(
+    robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
+) -> None:
+    robot.move((500,) * 8)
+    qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
+    recorder.start(tmp_path / "later.csv")
+    with qtbot.waitSignal(recorder.ended, timeout=15_000):
+        recorder.stop()
+    assert [row["record"] for row in rows(tmp_path / "later.csv")[:3]] == [
+        *("header", "present", "speeds")
+    ]
+
+
+def test_disconnect_ends_recording_with_message(
+    robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
+) -> None:
+    recorder.start(tmp_path / "cut.csv")
+    with qtbot.waitSignals([recorder.told, recorder.ended], timeout=15_000):
+        robot.disconnect_line()
+    assert not recorder.recording
+    assert rows(tmp_path / "cut.csv")[0]["record"] == "header"
+
+
+def test_unwritable_file_is_reported(
+    recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
+) -> None:
+    with qtbot.waitSignal(recorder.failed, timeout=15_000) as failed:
+        recorder.start(tmp_path / "gone" / "a.csv")
+    assert "cannot be written" in failed.args[0]
+    qtbot.waitUntil(lambda: recorder.can_record, timeout=15_000)
+
+
+def test_recording_needs_connected_robot(tmp_path: Path, qtbot: QtBot) -> None:
+    del qtbot
+    recorder = AracnaRecorder(Robot())
+    assert not recorder.start(tmp_path / "a.csv")
+    assert list(tmp_path.iterdir()) == []

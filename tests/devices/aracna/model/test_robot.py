@@ -1,0 +1,329 @@
+"""The robot as the window sees it, at the simulated one in a process of its own."""
+
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+from PySide6.QtCore import QSettings
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.model.speeds import FIRST_SPEED
+from trex_gui.devices.aracna.session.messages import Moved, Moving, Play, SpeedsHeld, Step
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.ui.runtime import now
+
+LOW = (300,) * 8
+HIGH = (400,) * 8
+
+
+class RobotHarness:
+    """A robot, its simulator, and all its reports and messages."""
+
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
+        self.simulator = simulator
+        self.qtbot = qtbot
+        self.robot = Robot()
+        self.reports: list[object] = []
+        self.messages: list[str] = []
+        self.robot.reported.connect(self.reports.append)
+        self.links: list[tuple[Link, str]] = []
+        for signal in (self.robot.told, self.robot.refused, self.robot.failed):
+            signal.connect(self.messages.append)
+        self.robot.link_changed.connect(self._note_link)
+
+    def _note_link(self) -> None:
+        self.links.append((self.robot.link, self.robot.status))
+
+    def connect(self) -> None:
+        self.robot.connect_to(LinkSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
+        self.wait(lambda: self.robot.link is Link.UP)
+
+    def wait(self, condition: Callable[[], bool]) -> None:
+        self.qtbot.waitUntil(condition, timeout=15_000)
+
+    def rest(self) -> None:
+        """Wait until an answer is complete and nothing is on its way."""
+        known = self.robot.known
+        self.wait(lambda: known.moved is not None and known.play is None)
+
+    def move(self, goals: tuple[int, ...]) -> None:
+        before = len(self.of(Moved))
+        assert self.robot.move(goals)
+        self.wait(lambda: len(self.of(Moved)) > before)
+
+    def lose_motor_3(self, goals: tuple[int, ...]) -> None:
+        """Let a motor die on its way: one that is dead before does not even take its speed."""
+        self.simulator.do("servo 3 block")  # it is on its way for as long as that
+        assert self.robot.move(goals)
+        self.wait(lambda: self.robot.known.moving is not None)
+        self.simulator.do("servo 3 dead")
+        self.simulator.do("servo 3 free")
+
+    def sent_after(self, moment: float) -> int:
+        """How many motions went out later; one that went out before may be told later."""
+        return sum(isinstance(each, Moving) and each.time > moment for each in self.reports)
+
+    def drag(self, goals: tuple[int, ...]) -> None:
+        before = len(self.of(Moved))
+        self.robot.drag(goals)
+        self.wait(lambda: len(self.of(Moved)) > before)
+
+    def end(self) -> None:
+        """Give the line back, which may take longer than a program waits that ends."""
+        self.robot.disconnect_line()
+        self.wait(lambda: self.robot.link is Link.NONE)
+        assert self.robot.shut_down()
+
+    def of(self, kind: type) -> list[object]:
+        return [report for report in self.reports if isinstance(report, kind)]
+
+    @property
+    def sent(self) -> list[tuple[int, ...]]:
+        """The goals of every motion that went out."""
+        return [report.goals for report in self.reports if isinstance(report, Moving)]
+
+    @property
+    def speeds(self) -> list[int]:
+        return [servo["speed"] for servo in self.simulator.show()["servos"]]
+
+
+@pytest.fixture
+def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
+    return start_simulator("--aracna", "--unpaced")
+
+
+@pytest.fixture
+def harness(simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RobotHarness]:
+    harness = RobotHarness(simulator, qtbot)
+    yield harness
+    harness.end()
+
+
+@pytest.fixture
+def robot(harness: RobotHarness) -> Robot:
+    harness.connect()
+    return harness.robot
+
+
+def test_positions_are_unknown_before_first_move(robot: Robot, harness: RobotHarness) -> None:
+    assert robot.version == 1
+    assert robot.motors == 8
+    assert robot.present == (None,) * 8
+    assert not harness.sent
+    harness.move((512,) * 8)
+    assert all(position is not None for position in robot.present)
+
+
+def test_first_move_is_slow(robot: Robot, harness: RobotHarness) -> None:
+    harness.move((480,) * 8)
+    assert harness.speeds == [FIRST_SPEED] * 8
+    order = [type(report) for report in harness.reports]
+    assert order.index(SpeedsHeld) < order.index(Moving)
+
+
+def test_first_move_uses_chosen_speeds(robot: Robot, harness: RobotHarness) -> None:
+    robot.set_speeds((0, 300, 300, 300, 300, 300, 300, 1023))
+    harness.move((480,) * 8)
+    assert harness.speeds == [0, 300, 300, 300, 300, 300, 300, 1023]
+
+
+def test_invalid_speeds_are_rejected(robot: Robot) -> None:
+    with pytest.raises(BadRequest, match="0 to 1023"):
+        robot.set_speeds((1024,) * 8)
+    with pytest.raises(BadRequest, match="8 speeds"):
+        robot.set_speeds((100,) * 7)
+    assert robot.speeds.wanted == (FIRST_SPEED,) * 8
+
+
+def test_goals_are_clamped_to_limits_with_message(robot: Robot, harness: RobotHarness) -> None:
+    robot.set_speeds((0,) * 8)
+    harness.move((0, 1023, 512, 512, 512, 512, 512, 512))
+    assert harness.sent == [(50, 550, 512, 512, 512, 512, 512, 512)]
+    assert "motor 0 to 50 instead of 0, motor 1 to 550 instead of 1023" in harness.messages[0]
+
+
+def test_limits_are_saved_and_can_be_reset(robot: Robot) -> None:
+    robot.limits.set(3, 200, 300)
+    assert robot.targets.goals[3] == 300
+    again = Robot()
+    assert (again.limits.of(3).low, again.limits.of(3).high) == (200, 300)
+    again.limits.reset()
+    assert Robot().limits.are_factory
+
+
+@pytest.mark.parametrize("kept", ["nonsense", "1-2", "900-100 " * 8, "0-2000 " * 8])
+def test_invalid_saved_limits_are_replaced_by_defaults(kept: str) -> None:
+    QSettings().setValue("aracna/limits", kept)
+    assert Robot().limits.are_factory
+
+
+def test_drag_sends_newest_goal_and_measures_rate(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    robot.set_speeds((0,) * 8)
+    robot.begin_drag()
+    for goal in range(300, 360):
+        robot.drag((goal,) * 8)
+    harness.wait(lambda: (359,) * 8 in harness.sent and robot.known.moving is None)
+    assert len(harness.sent) < 30, "the newest goal replaces those that wait"
+    for goal in (330, 340) * 25:  # after a pause of a second the rate is reckoned anew
+        harness.drag((goal,) * 8)
+        assert harness.sent[-1] == (goal,) * 8
+        if robot.rate is not None:
+            break
+    assert robot.rate is not None
+    assert 1 < robot.rate < 60
+    robot.end_drag()
+    count = len(harness.sent)
+    robot.drag((350,) * 8)
+    harness.move(LOW)
+    assert len(harness.sent) == count + 1, "nothing is dragged after it was let go"
+
+
+def test_unreadable_position_is_reported_as_missed_goal(
+    robot: Robot, harness: RobotHarness
+) -> None:
+    harness.move((512,) * 8)
+    assert not list(robot.known.missed)
+    harness.simulator.do("servo 2 lose position")
+    harness.move((480,) * 8)
+    assert [(each.motor, each.unreadable) for each in robot.known.missed] == [(2, True)]
+    assert robot.present[2] is None
+    assert "Motor 2 did not say where it is (−1)." in [event.text for event in robot.events.all]
+
+
+def test_rejected_servo_speed_is_reported(robot: Robot, harness: RobotHarness) -> None:
+    harness.simulator.do("servo 5 dead")
+    robot.set_speeds((200,) * 8)
+    harness.wait(lambda: bool(harness.of(SpeedsHeld)))
+    assert [(each.motor, each.held) for each in robot.known.speeds_refused] == [(5, -1)]
+
+
+def test_stuck_motor_is_named_until_it_answers(robot: Robot, harness: RobotHarness) -> None:
+    harness.move((512,) * 8)
+    harness.lose_motor_3((500,) * 8)
+    harness.wait(lambda: robot.known.stuck is not None)
+    stuck = robot.known.stuck
+    assert stuck is not None
+    assert stuck.motor == 3
+    assert any("waits for motor 3" in event.text for event in robot.events.all)
+    harness.simulator.do("servo 3 alive")
+    harness.wait(lambda: robot.known.moved is not None)
+    assert robot.known.stuck is None
+
+
+def test_remaining_motion_time_counts_down(robot: Robot, harness: RobotHarness) -> None:
+    harness.move((512,) * 8)
+    robot.set_speeds((25,) * 8)
+    robot.move((284,) * 8)
+    harness.wait(lambda: robot.known.moving is not None)
+    ends_at = robot.known.ends_at
+    assert ends_at is not None
+    before, left, after = now(), robot.remaining(), now()
+    assert ends_at - after <= left <= ends_at - before
+    moving = robot.known.moving
+    assert moving is not None
+    assert ends_at == moving.time + moving.expected
+    assert moving.expected == pytest.approx(4, abs=0.05), "228 units at a speed of 25: 4 s"
+    harness.wait(lambda: robot.known.moving is None)
+    assert robot.remaining() == 0
+
+
+def steps(*goals: tuple[int, ...]) -> tuple[Step, ...]:
+    return tuple(Step(goal, 0.2, f"step {index}") for index, goal in enumerate(goals))
+
+
+def test_playback_begins_slowly_from_unknown_positions(robot: Robot, harness: RobotHarness) -> None:
+    assert robot.play(Play(0, steps((500,) * 8, (520,) * 8)))
+    assert robot.playing is not None
+    harness.wait(lambda: bool(harness.of(SpeedsHeld)))
+    assert max(harness.speeds) <= FIRST_SPEED
+    harness.wait(lambda: robot.playing is None)
+    assert harness.sent == [(500,) * 8, (500,) * 8, (520,) * 8]
+
+
+def test_halt_ends_playback_and_holds_reported_positions(
+    robot: Robot, harness: RobotHarness
+) -> None:
+    harness.move(LOW)
+    robot.play(Play(0, steps(HIGH, LOW), rounds=0))
+    harness.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
+    robot.halt()
+    halted = now()
+    harness.wait(lambda: robot.playing is None and robot.known.moving is None)
+    assert harness.sent_after(halted) <= 1  # one may have been on its way
+    assert robot.targets.goals == robot.present
+    assert harness.messages == []
+
+
+def test_halt_now_ends_playback_from_other_thread(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    robot.play(Play(0, steps(HIGH, LOW), rounds=0))
+    harness.wait(lambda: robot.playing is not None and robot.playing.round >= 1)
+    thread = threading.Thread(target=robot.halt_now)
+    thread.start()
+    thread.join()
+    harness.wait(lambda: robot.playing is None)
+    assert robot.link is Link.UP
+
+
+def test_move_during_sequence_is_rejected(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    robot.play(Play(0, steps(HIGH, LOW), rounds=0))
+    assert not robot.move((500,) * 8)
+    assert harness.messages == ["A sequence is playing. Stop it first."]
+    robot.end_play()
+    harness.wait(lambda: robot.playing is None)
+    assert (500,) * 8 not in harness.sent
+
+
+def test_chosen_speeds_apply_again_after_sequence(robot: Robot, harness: RobotHarness) -> None:
+    robot.set_speeds((150,) * 8)
+    harness.move(LOW)
+    robot.play(Play(0, steps(HIGH, LOW)))
+    harness.wait(lambda: robot.playing is None)
+    harness.move((310,) * 8)
+    assert harness.speeds == [150] * 8
+
+
+def test_board_restart_is_reported_and_speeds_are_resent(
+    robot: Robot, harness: RobotHarness
+) -> None:
+    robot.set_speeds((150,) * 8)
+    harness.move(LOW)
+    harness.links.clear()
+    harness.simulator.do("power cycle")
+    harness.wait(lambda: bool(harness.links))
+    link, status = harness.links[0]
+    assert link is Link.SILENT
+    assert "restarted" in status
+    harness.wait(lambda: robot.link is Link.UP)
+    harness.move((310,) * 8)
+    assert harness.speeds == [150] * 8
+
+
+def test_unplugged_line_is_reported(robot: Robot, harness: RobotHarness) -> None:
+    harness.move(LOW)
+    harness.simulator.do("line unplug")
+    harness.wait(lambda: robot.link is Link.NONE)
+    assert len(harness.messages) == 1
+    assert robot.present == (None,) * 8
+    assert not robot.move(LOW)
+    assert "No robot is connected" in harness.messages[-1]
+
+
+def test_two_motor_robot_has_two_goals_and_speeds(
+    qtbot: QtBot, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--aracna", "--unpaced", "--motors", "2")
+    harness = RobotHarness(simulator, qtbot)
+    harness.connect()
+    robot = harness.robot
+    assert robot.motors == len(robot.targets.goals) == len(robot.speeds.wanted) == 2
+    harness.move((500, 500))
+    assert robot.present == (500, 500) or not robot.known.missed
+    harness.end()

@@ -1,0 +1,92 @@
+"""The built-in poses and gaits are those that the robot's authors describe."""
+
+import math
+
+import pytest
+
+from trex_gui.devices.aracna.poses.gaits import GAITS, STAND_UP, Gait, Stage
+from trex_gui.devices.aracna.poses.named_poses import KNOWN_POSES
+from trex_gui.devices.aracna.poses.pose import Pose
+
+
+def gait(name: str) -> Gait:
+    return next(one for one in GAITS if one.name == name)
+
+
+@pytest.mark.parametrize(
+    ("name", "inner", "outer"),
+    [
+        ("flat", 770, 40),
+        ("half-stand", 700, 100),
+        ("stand", 512, 680),
+        ("up-1", 0, 600),
+        ("up-2", 600, 600),
+        ("self-test a", 770, 200),
+        ("self-test b", 670, 300),
+    ],
+)
+def test_built_in_poses_repeat_joint_pair_for_four_legs(name: str, inner: int, outer: int) -> None:
+    pose = next(pose for pose in KNOWN_POSES if pose.name == name)
+    assert pose.positions == (inner, outer) * 4
+
+
+@pytest.mark.parametrize("number", [0, 2, 4, 6])
+def test_star_gait_lifts_diagonal_legs_and_swings_outer_joints(
+    number: int,
+) -> None:
+    star = gait(f"star {number}")
+    assert [stage.seconds for stage in star.stages] == [0.5, 0.2, 0.5, 0.2]
+    off = [[position - 300 for position in stage.pose.positions] for stage in star.stages]
+    swung, opposite = number + 1, (number + 5) % 8
+    ours, others = {number, (number + 4) % 8}, {(number + 2) % 8, (number + 6) % 8}
+    for changes, lifted, swing in zip(
+        off, [others, ours, ours, others], [300, 300, -300, 0], strict=True
+    ):
+        expected = [0] * 8
+        for motor in lifted:
+            expected[motor] = -200
+        expected[swung], expected[opposite] = -swing, swing
+        assert changes == expected
+
+
+def test_standing_up_takes_3_s_to_flat_and_3_s_to_stand() -> None:
+    assert [(stage.pose.name, stage.seconds) for stage in STAND_UP.stages] == [
+        ("flat", 3.0),
+        ("stand", 3.0),
+    ]
+    assert STAND_UP.start is None
+
+
+def test_gait_interpolates_linearly_and_wraps_around() -> None:
+    low, high = Pose("low", (0, 100)), Pose("high", (100, 300))
+    there_and_back = Gait("to and fro", (Stage(high, 2.0), Stage(low, 1.0)))
+    assert there_and_back.start == low
+    assert there_and_back.at(0.0) == (0, 100)
+    assert there_and_back.at(0.5) == (25, 150)
+    assert there_and_back.at(2.0) == (100, 300)
+    assert there_and_back.at(2.5) == (50, 200)
+    assert there_and_back.at(3.0 + 0.5) == (25, 150)
+    assert there_and_back.at(1.0, time_scale=2.0) == (25, 150)
+
+
+def test_finished_gait_stays_in_last_pose() -> None:
+    assert STAND_UP.at(100.0) == STAND_UP.stages[-1].pose.positions
+
+
+def test_sine_gait_follows_sine_function() -> None:
+    sine = gait("sine")
+    assert sine.seconds == pytest.approx(2 * math.pi)
+    for number in range(16):
+        time = 2 * math.pi * number / 16
+        assert sine.at(time + 1e-9)[0] == pytest.approx(512 + 100 * math.sin(time), abs=0.51)
+
+
+def test_every_gait_has_unique_name_text_and_eight_motors() -> None:
+    assert len({one.name for one in GAITS}) == len(GAITS)
+    for one in GAITS:
+        assert one.about.endswith(".")
+        assert all(len(stage.pose.positions) == 8 for stage in one.stages)
+
+
+def test_added_gaits_are_marked_as_ours() -> None:
+    assert {one.name for one in GAITS if one.ours} == {"push-ups", "lie down"}

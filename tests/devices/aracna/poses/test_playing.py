@@ -1,0 +1,137 @@
+"""What is played stays within the joints' limits, and it is told what cannot be made in time."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.aracna.poses.gaits import GAITS, STAND_UP
+from trex_gui.devices.aracna.poses.named_poses import FLAT, KNOWN_POSES, STAND, all_legs
+from trex_gui.devices.aracna.poses.playing import blend_in, blend_out, crops_of, steps_of
+from trex_gui.devices.aracna.poses.pose import Pose
+from trex_gui.devices.aracna.poses.sequence import Sequence, SequenceStep
+from trex_gui.devices.aracna.poses.travel import estimated_seconds, late_motors
+from trex_gui.devices.aracna.protocol.joints import factory_limits
+from trex_gui.devices.aracna.protocol.units import CEILING, UNITS_PER_SECOND
+from trex_gui.devices.aracna.session.messages import Step
+
+LIMITS = factory_limits()
+SEQUENCE = Sequence("up", (SequenceStep("flat", 3000), SequenceStep("stand", 500)))
+FLAT_GOALS, STAND_GOALS = (600, 40) * 4, (512, 550) * 4
+
+
+def test_sequence_becomes_steps_within_limits() -> None:
+    assert steps_of(SEQUENCE, KNOWN_POSES, LIMITS) == (
+        Step(FLAT_GOALS, 3.0, "flat"),
+        Step(STAND_GOALS, 0.5, "stand"),
+    )
+
+
+def test_every_clamped_position_is_reported() -> None:
+    crops = crops_of(SEQUENCE, KNOWN_POSES, LIMITS)
+    assert [(crop.step, crop.motor) for crop in crops] == [
+        *((0, motor) for motor in (0, 2, 4, 6)),
+        *((1, motor) for motor in (1, 3, 5, 7)),
+    ]
+    assert (crops[0].wanted, crops[0].sent) == (770, 600)
+    assert (crops[-1].wanted, crops[-1].sent) == (680, 550)
+
+
+def test_time_scale_of_two_doubles_step_times() -> None:
+    steps = steps_of(SEQUENCE, KNOWN_POSES, LIMITS, 2.0)
+    assert [step.seconds for step in steps] == [6.0, 1.0]
+
+
+def test_sequence_with_undefined_poses_is_rejected() -> None:
+    gait = Sequence("gait", (SequenceStep("p1"), SequenceStep("flat"), SequenceStep("p2")))
+    with pytest.raises(BadRequest, match="p1, p2"):
+        steps_of(gait, KNOWN_POSES, LIMITS)
+    assert steps_of(gait, [Pose("p1", FLAT_GOALS), Pose("p2", FLAT_GOALS), FLAT], LIMITS)
+
+
+def test_sequence_without_steps_is_rejected() -> None:
+    with pytest.raises(BadRequest, match="no steps"):
+        steps_of(Sequence("nothing"), KNOWN_POSES, LIMITS)
+
+
+@pytest.mark.parametrize("time_scale", [0.0, -1.0, float("nan")])
+def test_invalid_time_scale_is_rejected(time_scale: float) -> None:
+    with pytest.raises(BadRequest, match="more than 0"):
+        steps_of(SEQUENCE, KNOWN_POSES, LIMITS, time_scale)
+
+
+@pytest.mark.parametrize("gait", GAITS, ids=lambda gait: gait.name)
+def test_gaits_stay_within_limits(gait: object) -> None:
+    for step in steps_of(gait, (), LIMITS):  # type: ignore[arg-type]  # parametrize knows no type
+        assert all(limit.allow(goal) for limit, goal in zip(LIMITS, step.goals, strict=True))
+
+
+def test_step_goals_match_motor_count() -> None:
+    assert steps_of(SEQUENCE, KNOWN_POSES, factory_limits(2))[0].goals == (600, 40)
+
+
+def test_looping_gait_blends_in_slowly_unless_at_start() -> None:
+    star = next(gait for gait in GAITS if gait.name == "star 6")
+    [step] = blend_in(star, (), LIMITS, (None,) * 8)
+    assert step.seconds == 3.0
+    assert step.goals == steps_of(star, (), LIMITS)[-1].goals
+    assert blend_in(star, (), LIMITS, step.goals) == ()
+
+
+def test_sequence_blends_in_slowly_to_first_pose() -> None:
+    assert blend_in(SEQUENCE, KNOWN_POSES, LIMITS) == (Step(FLAT_GOALS, 3.0, "flat"),)
+
+
+def test_standing_up_needs_no_blend_in() -> None:
+    assert blend_in(STAND_UP, (), LIMITS) == ()
+
+
+def test_blend_out_ends_in_built_in_or_own_stand_pose() -> None:
+    assert blend_out(LIMITS) == (Step(STAND_GOALS, 3.0, "stand"),)
+    [own] = blend_out(LIMITS, [all_legs(STAND.name, 300, 300)])
+    assert own.goals == (300,) * 8
+
+
+def test_late_motors_are_reported_with_needed_time() -> None:
+    steps = (Step((0, 500), 1.0), Step((100, 0), 0.1))
+    [late] = late_motors(steps, (0, 500))
+    assert (late.step, late.motor, late.seconds) == (1, 1, 0.1)
+    assert late.needed == pytest.approx(500 / (UNITS_PER_SECOND * CEILING))
+    slow = late_motors(steps, (0, 500), ceiling=40)
+    assert [(late.step, late.motor) for late in slow] == [(1, 0), (1, 1)]
+    assert slow[0].needed == pytest.approx(100 / (2.28 * 40))
+
+
+def test_loop_includes_travel_from_last_to_first_step() -> None:
+    steps = (Step((1000,), 0.1), Step((0,), 1.0))
+    assert late_motors(steps, (1000,)) == ()
+    assert [late.step for late in late_motors(steps, (1000,), again=True)] == [0]
+
+
+def test_motor_at_unknown_position_is_not_late() -> None:
+    [late] = late_motors((Step((1000, 1000), 0.1),), (None, 0))
+    assert late.motor == 1
+
+
+def test_estimate_uses_step_times_or_slowest_motors() -> None:
+    steps = (Step((1000, 10), 2.0), Step((0, 0), 0.1))
+    assert estimated_seconds(steps, (0, 0)) == pytest.approx(2.0 + 1000 / (2.28 * 870))
+
+
+@given(
+    st.lists(
+        st.tuples(st.tuples(*[st.integers(0, 1023)] * 2), st.floats(0.01, 10)),
+        min_size=1,
+        max_size=5,
+    )
+)
+def test_estimate_exceeds_step_times_only_with_late_motors(
+    stages: list[tuple[tuple[int, ...], float]],
+) -> None:
+    steps = tuple(Step(goals, max(seconds, 0.1)) for goals, seconds in stages)
+    total = sum(step.seconds for step in steps)
+    estimate = estimated_seconds(steps, (512, 512))
+    assert estimate >= total - 1e-9
+    assert (estimate > total + 1e-9) == bool(
+        [late for late in late_motors(steps, (512, 512)) if late.needed > late.seconds + 1e-9]
+    )

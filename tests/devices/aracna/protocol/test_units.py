@@ -1,0 +1,77 @@
+"""Units and joints, against the figures of Robotis and of the robot's authors."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.devices.aracna.protocol import units
+from trex_gui.devices.aracna.protocol.joints import JOINTS, Kind, Limits, Side, factory_limits
+
+
+@given(position=st.integers(0, 1023))
+def test_position_survives_conversion_to_degrees_and_back(position: int) -> None:
+    assert units.position(units.degrees(position)) == position
+
+
+def test_range_is_300_degrees_centred_at_150() -> None:
+    assert units.degrees(1023) == pytest.approx(300)
+    assert units.degrees(512) == pytest.approx(150, abs=0.2)
+
+
+def test_speed_0_means_maximum_speed() -> None:
+    assert units.degrees_per_second(0) is None
+    assert units.travel_seconds(1023, 0) == units.travel_seconds(1023, 1023)
+    assert units.degrees_per_second(100) == pytest.approx(66.9)
+
+
+@pytest.mark.parametrize(
+    ("distance", "speed", "ceiling", "seconds"),
+    [(1023, 1023, 530, 0.85), (1023, 100, 870, 4.5), (1023, 1, 870, 450)],
+)
+def test_travel_takes_documented_time(
+    distance: int, speed: int, ceiling: int, seconds: float
+) -> None:
+    assert units.travel_seconds(distance, speed, ceiling) == pytest.approx(seconds, rel=0.01)
+
+
+@given(distance=st.integers(-1023, 1023), seconds=st.floats(0.05, 60))
+def test_speed_for_time_is_lowest_that_arrives_in_time(distance: int, seconds: float) -> None:
+    speed = units.speed_for(distance, seconds)
+    assert 1 <= speed <= 1023
+    unlimited = 10_000
+    if speed < 1023:
+        assert units.travel_seconds(distance, speed, unlimited) <= seconds * (1 + 1e-6)
+    if speed > 1:
+        assert units.travel_seconds(distance, speed - 1, unlimited) > seconds
+
+
+def test_speed_for_time_matches_authors_formula() -> None:
+    assert units.speed_for(512, 1.0) == pytest.approx(438.6 * 512 / 1000, abs=1)
+    assert units.speed_for(512, 1.0) == pytest.approx(435.4 * 512 / 1000, rel=0.01)
+
+
+def test_even_motors_are_inner_joints_and_legs_are_pairs() -> None:
+    assert [joint.kind for joint in JOINTS] == [Kind.INNER, Kind.OUTER] * 4
+    assert all(JOINTS[motor].side is JOINTS[motor + 1].side for motor in range(0, 8, 2))
+    front = {joint.motor for joint in JOINTS if joint.side in {Side.LEFT_FRONT, Side.RIGHT_FRONT}}
+    right = {joint.motor for joint in JOINTS if joint.side in {Side.RIGHT_FRONT, Side.RIGHT_BACK}}
+    assert front == {0, 1, 2, 3}
+    assert right == {2, 3, 4, 5}
+
+
+def test_factory_limits_equal_values_tuned_on_robot() -> None:
+    assert factory_limits() == (Limits(50, 600), Limits(0, 550)) * 4
+
+
+@given(st.integers(-2000, 3000), st.integers(0, 1023), st.integers(0, 1023))
+def test_crop_returns_allowed_value_and_keeps_allowed_ones(value: int, one: int, two: int) -> None:
+    limits = Limits(min(one, two), max(one, two))
+    cropped = limits.crop(value)
+    assert limits.allow(cropped)
+    assert (cropped == value) == limits.allow(value)
+
+
+@pytest.mark.parametrize(("low", "high"), [(-1, 5), (6, 5), (0, 1024)])
+def test_invalid_limits_are_rejected(low: int, high: int) -> None:
+    with pytest.raises(ValueError, match="in order"):
+        Limits(low, high)

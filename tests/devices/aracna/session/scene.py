@@ -1,0 +1,102 @@
+"""A session with a simulated robot that runs from a script in virtual time."""
+
+from collections import deque
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+from tests.support.aracna import AracnaStage
+from trex_gui.devices.aracna.session.messages import Counted, Report, Request
+from trex_gui.devices.aracna.session.session import AracnaSession
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import Close
+
+KindT = TypeVar("KindT")
+
+Action = Request | Callable[[], object]
+
+
+class ScriptedSession:
+    """Runs a session with a simulated robot, and actions at times since its start, then closes it.
+
+    An action is a request, or a function to call, such as one that causes a fault.
+    """
+
+    def __init__(self, *, booted: bool = True, **options: Any) -> None:
+        self.stage = AracnaStage(booted=booted, **options)
+        self.line = self.stage.line
+        self.begun = self.line.now
+        self.reports: list[Report] = []
+        self.times: list[float] = []
+        self._actions: deque[tuple[float, Action]] = deque()
+        self._when: deque[tuple[Callable[[Report], bool], Action]] = deque()
+        self._now: deque[Request] = deque()
+        self._end = 0.0
+        self._closed = False
+
+    def at(self, time: float, action: Action) -> "ScriptedSession":
+        """Add an action so many seconds after the start; times must not decrease."""
+        self._actions.append((self.begun + time, action))
+        return self.until(time)
+
+    def on(self, matches: Callable[[Report], bool], action: Action) -> "ScriptedSession":
+        """Add an action for the next report that matches; several are used in order."""
+        self._when.append((matches, action))
+        return self
+
+    def until(self, time: float) -> "ScriptedSession":
+        """Keep the session open at least until then."""
+        self._end = max(self._end, self.begun + time)
+        return self
+
+    def run(self) -> list[Report]:
+        """Run the script to its end; return all reports."""
+        AracnaSession(
+            LinkSettings("virtual"), self, self._record, lambda _settings: self.stage.transport
+        ).run()
+        return self.reports
+
+    def of(self, kind: type[KindT]) -> list[KindT]:
+        """Return the reports of a kind."""
+        return [report for report in self.reports if isinstance(report, kind)]
+
+    def when(self, kind: type) -> list[float]:
+        """Return when the reports of a kind came, in seconds since the session began."""
+        return [
+            time - self.begun
+            for time, report in zip(self.times, self.reports, strict=True)
+            if isinstance(report, kind)
+        ]
+
+    @property
+    def kinds(self) -> list[str]:
+        """Return the names of all reports, in order, except `Counted`."""
+        return [type(report).__name__ for report in self.reports if not isinstance(report, Counted)]
+
+    def get(self, seconds: float) -> Request | None:
+        end = self.line.now + seconds
+        while True:
+            if self._now:
+                return self._now.popleft()
+            time, action = self._actions[0] if self._actions else (self._end, None)
+            if self._closed or time > end:
+                self.line.advance(end - self.line.now)
+                return None
+            self.line.advance(max(0.0, time - self.line.now))
+            if action is None:
+                self._closed = True
+                return Close()
+            self._actions.popleft()
+            self._do(action)
+
+    def _do(self, action: Action) -> None:
+        if callable(action):
+            action()
+        else:
+            self._now.append(action)
+
+    def _record(self, report: Report) -> None:
+        self.reports.append(report)
+        self.times.append(self.line.now)
+        while self._when and self._when[0][0](report):
+            self._do(self._when.popleft()[1])
+            break

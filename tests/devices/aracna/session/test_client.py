@@ -1,0 +1,126 @@
+"""One command in flight, and what may follow one that is not answered."""
+
+import pytest
+
+from tests.support.aracna import AracnaStage
+from trex_gui.core.errors import BadRequest, NoReply
+from trex_gui.devices.aracna.protocol.replies import Positions, Version
+from trex_gui.devices.aracna.session.client import ASK_AGAIN, Client, shown
+from trex_gui.devices.aracna.session.command_events import (
+    Answered,
+    Late,
+    Lost,
+    News,
+    Passing,
+    Voided,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+THERE = (600,) * 8
+
+
+def client_of(stage: AracnaStage, motors: int = 8) -> Client:
+    client = Client(stage.transport, LinkSettings("virtual"))
+    client.motors = motors
+    return client
+
+
+def heard(client: Client, seconds: float) -> list[News]:
+    """Listen in small slices for so long."""
+    end = client.transport.clock() + seconds
+    news: list[News] = []
+    while client.transport.clock() < end:
+        news += client.listen(0.01)
+    return news
+
+
+def test_second_command_is_rejected_until_first_is_answered() -> None:
+    stage = AracnaStage()
+    client = client_of(stage)
+    client.query()
+    with pytest.raises(BadRequest, match="One command at a time"):
+        client.move(THERE, 5.0)
+    [answered] = heard(client, 0.1)
+    assert isinstance(answered, Answered)
+    assert answered.reply == Version(1, 8)
+    client.move(THERE, 5.0)
+    assert bytes(stage.transport.sent).count(b"\n") == 2
+
+
+def test_move_is_not_sent_before_motor_count_is_known() -> None:
+    stage = AracnaStage()
+    with pytest.raises(NoReply):
+        client_of(stage, 0).move(THERE, 5.0)
+    assert not stage.transport.sent
+
+
+def test_only_queries_follow_late_move_until_it_is_answered() -> None:
+    stage = AracnaStage()
+    stage.do("servo 1 block")
+    client = client_of(stage)
+    client.move(THERE, 1.0)
+    news = heard(client, 30.0)
+    assert [type(one) for one in news if not isinstance(one, Passing)] == [Late]
+    assert client.waits_for == 1
+    behind = bytes(stage.transport.sent).partition(b"600\n")[2]
+    assert behind == b".q\n" * behind.count(b".q\n")
+    assert 1 < behind.count(b".q\n") <= 2 + 29 / ASK_AGAIN
+    stage.do("servo 1 free")
+    first, second = [one for one in heard(client, 2.0) if not isinstance(one, Passing)]
+    assert isinstance(first, Answered)
+    assert isinstance(first.reply, Positions)
+    assert isinstance(second, Answered)
+    assert second.reply == Version(1, 8)
+    assert client.asked is None
+
+
+def test_line_is_busy_until_query_behind_late_move_is_answered() -> None:
+    stage = AracnaStage()
+    stage.do("servo 1 block")
+    client = client_of(stage)
+    client.move(THERE, 0.5)
+    heard(client, 2.0)
+    stage.do("servo 1 free")
+    while not any(isinstance(one, Answered) for one in client.listen(0.001)):
+        pass
+    with pytest.raises(BadRequest):
+        client.move(THERE, 5.0)
+
+
+def test_lost_move_ends_when_following_query_is_answered() -> None:
+    stage = AracnaStage()
+    stage.do("line drop 50 sent")
+    client = client_of(stage)
+    client.move(THERE, 0.5)
+    stage.line.advance(0.2)
+    stage.do("line drop 0 sent")
+    late, lost = heard(client, 2.0)
+    assert isinstance(late, Late)
+    assert late.motor is None
+    assert isinstance(lost, Lost)
+    assert lost.free
+
+
+@pytest.mark.parametrize("letter", ["q", "v", "c", "l"])
+def test_hello_voids_pending_command(letter: str) -> None:
+    stage = AracnaStage()
+    client = client_of(stage)
+    match letter:
+        case "q":
+            client.query()
+        case "v":
+            client.set_speeds(THERE)
+        case "c":
+            client.move(THERE, 5.0)
+        case _:
+            client.set_led(on=True)
+    stage.do("reset")
+    [voided] = [one for one in heard(client, 0.5) if isinstance(one, Voided)]
+    assert voided.asked is not None
+    assert voided.asked.letter == letter
+    assert client.asked is None
+
+
+def test_printable_bytes_are_shown_as_text_and_others_as_hex() -> None:
+    assert shown(b"\r\nERR 7\r\n") == "ERR 7"
+    assert shown(bytes(range(0x80, 0x90))) == "80 81 82 83 84 85 86 87 88 89 8A 8B …"

@@ -1,0 +1,245 @@
+"""Finding a robot, and moving nothing on the way: neither it nor a TReX that is there instead."""
+
+from collections import deque
+from collections.abc import Iterable
+
+import pytest
+
+from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
+from tests.devices.trex.simulator.ports import a_board
+from tests.support.aracna import AracnaStage
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.devices.aracna.discovery.prober import QUESTION, QUESTIONS, Search, find_aracna
+from trex_gui.devices.aracna.protocol.lines import QUERY
+from trex_gui.devices.aracna.session.client import LINE
+from trex_gui.devices.trex.discovery.probe import RINSE, RINSE_LINE
+from trex_gui.devices.trex.discovery.prober import Step, find
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.simulator.line import Line
+
+VIRTUAL = LinkSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
+
+__all__ = ["orders"]  # a fixture
+
+
+def search(stage: AracnaStage) -> Search:
+    return find_aracna(VIRTUAL, open_wire=lambda _settings: stage.transport)
+
+
+# --- Aracna ---------------------------------------------------------------------------------
+
+
+def test_robot_is_found_at_its_only_line_setting() -> None:
+    stage = AracnaStage()
+    begun = stage.now
+    result = search(stage)
+    [found] = result.found
+    assert found.settings == LinkSettings("virtual", LineSettings(38_400))
+    assert (found.name, found.motors, found.device_number, found.echo) == (
+        "Aracna 1",
+        8,
+        None,
+        False,
+    )
+    assert stage.now - begun < 0.6
+    assert stage.transport.closed
+
+
+@pytest.mark.parametrize("ago", [0.0, 0.2, 0.5, 0.9, 1.05])
+@pytest.mark.parametrize("keeps_last", [True, False])
+def test_robot_reset_by_opening_port_is_found_after_boot(ago: float, *, keeps_last: bool) -> None:
+    stage = AracnaStage(booted=False, keeps_last=keeps_last)
+    stage.line.advance(ago)
+    if ago:
+        stage.line.receive()  # opening a port commonly discards what came before
+    [found] = search(stage).found
+    assert ("has reset its board" in found.note) == (ago == 0.0)
+    assert stage.now < 2.0
+    assert stage.line.station.firmware.boots == 1
+
+
+def test_early_build_with_two_motors_is_found() -> None:
+    [found] = search(AracnaStage(motors=2, tells_motors=False)).found
+    assert (found.name, found.motors) == ("Aracna 0", 2)
+
+
+def test_search_does_not_move_robot() -> None:
+    stage = AracnaStage(positions=tuple(range(100, 900, 100)))
+    search(stage)
+    assert not any(servo.torque for servo in stage.line.servos)
+    assert stage.speeds == (0,) * 8
+
+
+@pytest.mark.parametrize("full", [False, True])
+@pytest.mark.parametrize("mute", [False, True])
+def test_trex_search_does_not_move_robot(*, full: bool, mute: bool) -> None:
+    stage = AracnaStage(positions=tuple(range(100, 900, 100)))
+    stage.line.faults.mute = mute
+    result = find(LinkSettings("virtual"), lambda _settings: stage.transport, full=full)
+    stage.line.advance(5.0)
+    assert not result.found
+    assert not any(servo.torque for servo in stage.line.servos)
+    assert stage.speeds == (0,) * 8
+    stage.line.faults.mute = False
+    stage.line.receive()
+    stage.transport.closed = False
+    assert len(search(stage).found) == 1
+
+
+# --- What else may be there -----------------------------------------------------------------
+
+
+def test_silent_port_is_reported_with_hint_within_3_s() -> None:
+    stage = AracnaStage()
+    stage.do("power off")
+    begun = stage.now
+    result = search(stage)
+    assert not result.found
+    assert stage.now - begun < 3.0
+    assert "No Aracna answers on virtual at 38400" in result.verdict()
+    assert "power" in result.verdict()
+
+
+def test_unknown_reply_is_shown_in_diagnosis() -> None:
+    stage = AracnaStage()
+    stage.do("power off")
+    stage.line.inject(b"\r\nERR 7\r\n")
+    assert "not as an Aracna does: ERR 7" in search(stage).verdict()
+
+
+def test_robot_that_boots_but_never_answers_is_reported() -> None:
+    stage = AracnaStage()
+    stage.do("power off")
+    stage.line.inject(b".h\r\n")
+    assert "starts again and again" in search(stage).verdict()
+
+
+def test_echo_is_reported() -> None:
+    board = a_board()
+    board.power_off()
+    line = Line([board], echo=True)
+    wire = Wire(line)
+    result = find_aracna(VIRTUAL, open_wire=lambda _settings: wire)
+    assert "comes back" in result.verdict()
+
+
+def test_network_port_of_fixed_rate_is_not_probed() -> None:
+    stage = AracnaStage()
+    stage.transport.can_be_tuned = False
+    result = search(stage)
+    assert not stage.transport.sent
+    assert "was asked for" in result.verdict()
+    assert "--device aracna --port virtual" in result.verdict()
+
+
+def test_noise_is_not_reported_as_echo() -> None:
+    stage = AracnaStage()
+    stage.do("power off")
+    stage.line.inject(b"\xff\x00\xff")
+    assert "not as an Aracna does: FF 00 FF" in search(stage).verdict()
+
+
+def test_search_reports_progress_and_can_be_cancelled() -> None:
+    stage = AracnaStage()
+    stage.do("line mute on")
+    steps: list[Step] = []
+    result = find_aracna(
+        VIRTUAL,
+        progress=steps.append,
+        cancelled=lambda: len(steps) == 2,
+        open_wire=lambda _settings: stage.transport,
+    )
+    assert result.cancelled
+    assert [(step.done, step.total, step.line) for step in steps] == [
+        (0, QUESTIONS, LINE),
+        (1, QUESTIONS, LINE),
+    ]
+    assert stage.transport.closed
+
+
+def test_lost_port_ends_search() -> None:
+    stage = AracnaStage()
+    stage.transport.fail = PortUnavailable("It is gone.")
+    with pytest.raises(PortUnavailable):
+        search(stage)
+    assert stage.transport.closed
+
+
+# --- A TReX ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("settings", BOARDS, ids=lambda settings: settings.text())
+def test_search_sends_no_command_that_trex_obeys(settings: LineSettings, orders: list[str]) -> None:
+    """Searches twice, for every rate, parity, number of stop bits, and with CRC."""
+    board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
+    for _ in range(2):
+        wire = Wire(Line([board]))
+        assert not find_aracna(VIRTUAL, open_wire=lambda _settings, wire=wire: wire).found  # type: ignore[misc]
+    assert not orders
+    assert not board.memory.writes
+
+
+def _orders_obeyed(
+    begun: Iterable[State],
+    questions: Iterable[bytes],
+    own: LineSettings,
+    *,
+    crc: bool,
+    rinsed: bool,
+) -> set[str]:
+    """Return every order that a board may obey, these being asked in any order and number.
+
+    Takes every device number for the board's own and every checksum for the right one, so that
+    it stands for all of both.
+    """
+    states = set(begun)
+    waiting = deque(states)
+    obeyed: set[str] = set()
+    while waiting:
+        before = {waiting.popleft()}
+        if rinsed:
+            before, first = hear(before, RINSE, RINSE_LINE, own, crc=crc)
+            obeyed |= first
+        for question in questions:
+            left, more = hear(before, question, LINE, own, crc=crc)
+            obeyed |= more
+            waiting.extend(left - states)
+            states |= left
+    return obeyed
+
+
+BEGUN: list[State] = [(first, *rest) for first in range(0x80, 0xF2) for rest in ((), (1,), (1, 2))]
+
+
+@pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
+def test_probe_cannot_form_trex_motor_command(
+    own: LineSettings,
+) -> None:
+    """For any device number, any polynomial, and whatever the board received before."""
+    for crc in (False, True) if own.detection is Detection.NONE else (False,):
+        assert not _orders_obeyed([(), *BEGUN], [QUESTION], own, crc=crc, rinsed=True)
+
+
+@pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
+def test_session_query_cannot_form_trex_motor_command(own: LineSettings) -> None:
+    for crc in (False, True) if own.detection is Detection.NONE else (False,):
+        assert not _orders_obeyed([()], [QUERY], own, crc=crc, rinsed=False)
+
+
+def test_probe_without_flush_byte_would_start_trex_motor() -> None:
+    """Shows that the tests above can fail."""
+    own = LineSettings(28800)
+    assert "c5 05" in _orders_obeyed([()], [QUESTION], own, crc=False, rinsed=False)
+
+
+def test_probe_at_fixed_rate_would_start_trex_motor() -> None:
+    """Why such ports are not probed: the flush byte has no effect at another rate."""
+    own, host = LineSettings(28800), LINE
+    begun: set[State] = {()}
+    obeyed: set[str] = set()
+    for question in (RINSE, QUESTION) * 2:
+        left, more = hear(begun, question, host, own, crc=False)
+        begun |= left
+        obeyed |= more
+    assert "c5 05" in obeyed

@@ -1,0 +1,360 @@
+"""What goes wrong in mid-command: restarts, servos that die, lines that are cut, silence."""
+
+import pytest
+
+from tests.devices.aracna.session.scene import ScriptedSession
+from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.devices.aracna.session.client import ASK_AGAIN
+from trex_gui.devices.aracna.session.liveness import BOOT
+from trex_gui.devices.aracna.session.messages import (
+    Connected,
+    Counted,
+    Drag,
+    DragDropped,
+    Ending,
+    Move,
+    Moved,
+    Moving,
+    Passed,
+    Play,
+    PlayEnded,
+    Restarted,
+    SetSpeeds,
+    Silent,
+    SpeedsHeld,
+    Step,
+    Stuck,
+)
+from trex_gui.devices.aracna.session.rejections import STUCK
+from trex_gui.devices.trex.session.messages import Closed, Outcome
+
+HERE = (512,) * 8
+THERE = (600,) * 8
+SLOW = (100,) * 8
+STEPS = (Step(THERE, 0.6), Step(HERE, 0.6))
+
+
+def moving_at(report: object) -> bool:
+    return isinstance(report, Moving)
+
+
+# --- Restarts -------------------------------------------------------------------------------
+
+
+def _assert_goes_on_after_a_restart(session: ScriptedSession, *, voided: bool) -> None:
+    [restarted] = session.of(Restarted)
+    assert restarted.voided is voided
+    again = session.of(Connected)[1]
+    assert again.restarted
+    wait = session.when(Connected)[1] - session.when(Restarted)[0]
+    assert BOOT <= wait < BOOT + 0.2
+    assert session.line.station.firmware.boots == 2  # no second one, of what was sent too early
+    assert not session.of(Silent)
+
+
+def test_restart_while_idle_is_reported_and_robot_reconnects() -> None:
+    session = ScriptedSession().at(1.0, lambda: session.stage.do("reset")).until(4.0)
+    session.run()
+    _assert_goes_on_after_a_restart(session, voided=False)
+
+
+@pytest.mark.parametrize("delay", [0.0005, 0.005, 0.02, 0.04])
+def test_restart_voids_speed_command(delay: float) -> None:
+    session = ScriptedSession().at(0.5, SetSpeeds(1, SLOW))
+    session.at(0.5 + delay, lambda: session.stage.do("reset")).at(4.0, SetSpeeds(2, SLOW)).until(
+        5.0
+    )
+    session.run()
+    _assert_goes_on_after_a_restart(session, voided=True)
+    outcomes = {outcome.id: outcome for outcome in session.of(Outcome)}
+    assert "restarted" in str(outcomes[1].error)
+    assert outcomes[2].error is None
+
+
+@pytest.mark.parametrize("delay", [0.0005, 0.012, 0.1, 0.38])
+def test_restart_voids_move_while_servos_keep_moving(delay: float) -> None:
+    session = (
+        ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(1, THERE)).at(0.5, Move(2, HERE))
+    )
+    session.at(0.5, Drag(HERE)).at(0.5 + delay, lambda: session.stage.do("reset")).until(5.0)
+    session.run()
+    _assert_goes_on_after_a_restart(session, voided=True)
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert "restarted" in str(outcomes[1])
+    assert "restarted" in str(outcomes[2])
+    assert not session.of(Moved)
+    assert len(session.of(Moving)) == 1  # nothing moves by itself afterwards
+    if delay > 0.01:
+        assert session.stage.positions == (598,) * 8
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.03, 0.3, 0.7, 1.0, 1.7])
+def test_restart_ends_playback(delay: float) -> None:
+    session = ScriptedSession().at(0.5, Play(1, STEPS, rounds=0))
+    session.at(0.52 + delay, lambda: session.stage.do("reset")).until(6.0)
+    session.run()
+    _assert_goes_on_after_a_restart(session, voided=True)
+    [ended] = session.of(PlayEnded)
+    assert ended.why is Ending.RESTARTED
+    [outcome] = session.of(Outcome)
+    assert "restarted" in str(outcome.error)
+    sent_last = max([0.0, *session.when(Moving)])
+    assert sent_last <= session.when(Restarted)[0]
+
+
+def test_restart_while_connecting_only_delays_connection() -> None:
+    session = ScriptedSession(booted=False).at(0.7, lambda: session.stage.do("reset")).until(5.0)
+    session.run()
+    assert session.kinds == ["Connected", "Closed"]
+    assert not session.of(Connected)[0].restarted
+
+
+def test_session_reconnects_once_after_repeated_restarts() -> None:
+    session = ScriptedSession()
+    for time in (1.0, 1.6, 2.2, 2.8):
+        session.at(time, lambda: session.stage.do("reset"))
+    session.until(6.0).run()
+    assert len(session.of(Restarted)) == 4
+    assert len(session.of(Connected)) == 2
+    assert session.line.station.firmware.boots == 5
+
+
+def test_session_waits_for_boot_loader_after_restart() -> None:
+    session = ScriptedSession(boot_loader=3.0).at(1.0, lambda: session.stage.do("reset")).until(9.0)
+    session.run()
+    assert [connected.restarted for connected in session.of(Connected)][1:] == [True]
+    assert session.line.station.firmware.boots == 2
+
+
+# --- Servos that fail -----------------------------------------------------------------------
+
+
+def _stuck_session() -> ScriptedSession:
+    session = (
+        ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
+    )
+    return session.at(0.8, lambda: session.stage.do("servo 3 dead"))
+
+
+def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
+    session = _stuck_session()
+    session.at(8.0, Move(4, HERE)).until(60.0)
+    session.run()
+    [stuck] = session.of(Stuck)
+    assert stuck.motor == 3
+    # 88 units at 100 a quarter longer, a second, and what the wire may take
+    assert session.when(Stuck)[0] - session.when(Moving)[1] == pytest.approx(
+        88 / 228 * 1.25 + 1.0, abs=0.06
+    )
+    assert session.of(Passed)[-1].present == (598,) * 3
+    assert not session.of(Silent)
+    behind = bytes(session.stage.transport.sent).split(b".c" + b"600," * 7 + b"600\n")[1]
+    assert behind == b".q\n" * behind.count(b".q\n")
+    assert 1 < behind.count(b".q\n") <= 2 + 60 / ASK_AGAIN
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert outcomes[3] is not None  # closed before this was done
+    assert outcomes[4] is not None
+
+
+def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
+    session = _stuck_session()
+    session.at(0.9, Move(4, HERE)).at(0.9, Drag((400,) * 8))  # both wait
+    session.at(3.0, Drag((410,) * 8)).at(3.1, Move(5, HERE)).at(3.2, Play(6, STEPS))
+    session.at(9.0, lambda: session.stage.do("servo 3 alive"))
+    session.at(10.5, Move(7, HERE)).until(14.0)
+    session.run()
+    assert len(session.of(Stuck)) == 1
+    assert [moved.present[3] for moved in session.of(Moved)] == [512, 598, 514]
+    assert session.when(Moving)[2] > 10.4, "only what was asked for after the robot had answered"
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert [number for number, error in outcomes.items() if error is None] == [1, 2, 3, 7]
+    assert {str(outcomes[number]) for number in (4, 5, 6)} == {STUCK}
+    assert [dropped.goals for dropped in session.of(DragDropped)] == [(410,) * 8]
+    assert not session.of(Silent)
+
+
+def test_dead_servo_is_reported_in_held_speeds() -> None:
+    session = (
+        ScriptedSession()
+        .at(0.1, lambda: session.stage.do("servo 5 dead"))
+        .at(0.2, SetSpeeds(1, SLOW))
+    )
+    session.until(1.0).run()
+    [held] = session.of(SpeedsHeld)
+    assert held.held == (100,) * 5 + (-1,) + (100,) * 2
+
+
+def test_unreadable_position_is_reported_as_unknown() -> None:
+    session = ScriptedSession().at(0.1, SetSpeeds(3, SLOW))
+    session.at(0.2, lambda: session.stage.do("servo 2 lose position"))
+    session.at(0.3, Move(1, THERE)).at(2.0, Move(2, HERE)).until(6.0)
+    session.run()
+    assert session.of(Moved)[0].present[2] == -1
+    assert session.of(Moving)[1].starts[2] is None
+    assert session.of(Moving)[1].expected == pytest.approx(512 / 228)
+
+
+@pytest.mark.parametrize("load", [0.1, 0.19])
+def test_slightly_slow_servo_is_not_reported_stuck(load: float) -> None:
+    session = (
+        ScriptedSession(positions=(0,) * 8).at(0.1, SetSpeeds(1, SLOW)).at(0.2, Move(2, (0,) * 8))
+    )
+    session.at(0.4, lambda: session.stage.do(f"servo 7 load {load}")).at(0.5, Move(3, (1000,) * 8))
+    session.until(10.0).run()
+    assert len(session.of(Moved)) == 2
+    assert not session.of(Stuck)
+
+
+def test_stuck_motor_ends_playback() -> None:
+    session = ScriptedSession().at(0.2, Play(1, STEPS, rounds=0))
+    session.at(4.0, lambda: session.stage.do("servo 6 block"))
+    session.at(12.0, lambda: session.stage.do("servo 6 free")).until(14.0)
+    session.run()
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.STUCK]
+    assert session.of(Stuck)[0].motor == 6
+    assert "motor 6" in str(session.of(Outcome)[0].error)
+    assert session.when(Moving)[-1] < session.when(Stuck)[0]
+    reports = [report for report in session.reports if not isinstance(report, Counted)]
+    assert isinstance(reports[-2], Moved)  # told after all
+
+
+# --- A line that damages --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("lost", [1, 2, 3, 20, 33, 34])
+def test_command_after_truncated_reply_succeeds(
+    lost: int,
+) -> None:
+    session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE))
+    session.at(0.7, lambda: session.stage.do(f"line drop {lost}")).at(7.0, Move(3, HERE)).until(
+        14.0
+    )
+    session.run()
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert outcomes[3] is None
+    if outcomes[2] is not None:
+        assert isinstance(outcomes[2], NoReply | BadReply)
+    assert session.of(Moved)[-1].goals == HERE
+    assert session.line.station.firmware.boots == 1
+
+
+def test_damaged_speed_reply_fails_in_1_s_and_robot_stays() -> None:
+    session = (
+        ScriptedSession()
+        .at(0.5, lambda: session.stage.do("line drop 5"))
+        .at(0.5, SetSpeeds(1, SLOW))
+    )
+    session.at(3.0, SetSpeeds(2, SLOW)).until(4.0)
+    session.run()
+    first, second = session.of(Outcome)
+    assert isinstance(first.error, BadReply)
+    assert second.error is None
+    assert session.when(Outcome)[0] == pytest.approx(1.5, abs=0.1)
+    assert not session.of(Silent)
+
+
+@pytest.mark.parametrize("dropped", [1, 2, 4, 11, 33, 34])
+def test_lost_sent_bytes_do_not_prevent_later_move(
+    dropped: int,
+) -> None:
+    session = ScriptedSession().at(0.2, SetSpeeds(9, SLOW)).at(0.5, Move(8, HERE))
+    session.at(0.7, lambda: session.stage.do(f"line drop {dropped} sent"))
+    session.at(0.7, Move(1, THERE)).at(12.0, Move(2, HERE)).until(16.0)
+    session.run()
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert set(outcomes) == {1, 2, 8, 9}
+    assert outcomes[2] is None
+    assert session.of(Moved)[-1].goals == HERE
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_session_survives_noise_and_every_request_has_outcome(seed: int) -> None:
+    session = ScriptedSession(seed=seed).at(0.2, SetSpeeds(99, SLOW))
+    session.at(0.4, lambda: session.stage.do("line noise 0.02"))
+    for number in range(20):
+        session.at(0.5 + number * 2, Move(number, THERE if number % 2 else HERE))
+    session.at(41.0, lambda: session.stage.do("line noise 0"))
+    for servo in session.line.servos:
+        servo.speed = 500
+    session.at(60.0, lambda: None).until(61.0)
+    session.run()
+    assert session.reports[-1].error is None  # type: ignore[union-attr]  # it is Closed
+    assert sorted(one.id for one in session.of(Outcome)) == [*range(20), 99]
+
+
+def test_robot_mute_since_mid_motion_is_reported_silent() -> None:
+    session = (
+        ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
+    )
+    session.at(0.6, lambda: session.stage.do("line mute on"))
+    session.at(12.0, lambda: session.stage.do("line mute off")).until(16.0)
+    session.run()
+    assert session.of(Stuck)[0].motor is None
+    assert len(session.of(Silent)) == 1
+    assert len(session.of(Connected)) == 2
+    assert isinstance({one.id: one.error for one in session.of(Outcome)}[3], NoReply)
+    assert session.line.station.firmware.boots == 1
+
+
+def test_second_failed_servo_is_reported_stuck_too() -> None:
+    session = _stuck_session()
+    session.at(6.0, lambda: session.stage.do("servo 5 dead"))
+    session.at(8.0, lambda: session.stage.do("servo 3 alive")).until(20.0)
+    session.run()
+    assert [stuck.motor for stuck in session.of(Stuck)] == [3, 5]
+
+
+def test_move_succeeds_after_line_was_mute_in_mid_reply() -> None:
+    session = ScriptedSession()
+    session.at(0.5, Move(1, (500, 300, *(400,) * 6), (30,) * 8))
+    session.at(2.0, lambda: session.stage.do("line mute on"))
+    session.at(30.0, lambda: session.stage.do("line mute off"))
+    session.at(40.0, Move(2, (450,) * 8, (30,) * 8)).until(50.0)
+    session.run()
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert outcomes[1] is not None
+    assert outcomes[2] is None
+
+
+def test_move_sent_right_after_lost_reply_succeeds() -> None:
+    """The move waits until the robot answers `.q` instead of being rejected."""
+    session = (
+        ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
+    )
+    session.at(0.7, lambda: session.stage.do("line cut 8"))
+    session.on(lambda report: isinstance(report, Moved) and -1 in report.present, Move(4, HERE))
+    session.until(10.0).run()
+    assert len(session.of(Stuck)) == 1
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert outcomes[3] is not None
+    assert outcomes[4] is None
+    assert not session.of(Silent)
+
+
+def test_speeds_requested_while_stuck_are_never_sent() -> None:
+    session = _stuck_session()
+    session.at(5.0, SetSpeeds(9, (0,) * 8))
+    session.at(30.0, lambda: session.stage.do("servo 3 alive")).until(40.0)
+    session.run()
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert str(outcomes[9]) == STUCK
+    assert (0,) * 8 not in [held.wanted for held in session.of(SpeedsHeld)]
+
+
+def test_requested_speeds_are_restored_after_sequence() -> None:
+    session = ScriptedSession()
+    session.at(0.5, Move(1, HERE, SLOW)).at(1.0, Move(2, (400,) * 8, SLOW))
+    session.at(1.1, SetSpeeds(3, (20,) * 8)).at(1.15, Play(4, (Step((420,) * 8, 1.0),))).until(10.0)
+    session.run()
+    assert session.stage.speeds == (20,) * 8
+
+
+def test_session_closes_when_board_only_sends_hello() -> None:
+    session = ScriptedSession()
+    session.stage.do("power off")
+    for turn in range(40):
+        session.at(3.0 * turn, lambda: session.line.inject(b".h\r\n"))
+    session.until(120.0).run()
+    [closed] = session.of(Closed)
+    assert "starts again and again" in str(closed.error)
+    assert session.when(Closed)[0] < 20.0

@@ -1,0 +1,277 @@
+"""What is played: steps on a clock, at speeds that make them arrive in time."""
+
+import itertools
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.devices.aracna.session.scene import ScriptedSession
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.aracna.protocol.units import travel_seconds
+from trex_gui.devices.aracna.session.messages import (
+    Ending,
+    EndPlay,
+    Halt,
+    Move,
+    Moved,
+    Moving,
+    Play,
+    PlayEnded,
+    SetSpeeds,
+    SetTimeScale,
+    SpeedsHeld,
+    Step,
+    StepBegun,
+)
+from trex_gui.devices.aracna.session.servos import TRUST
+from trex_gui.devices.aracna.session.step_clock import Playing, check
+from trex_gui.devices.trex.session.messages import Outcome
+
+HERE = (512,) * 8
+SLOW = (100,) * 8
+
+ROUND_TRIP = 0.04
+"""Seconds that a `.c` takes without motion: 33 to 37 ms, and a slice of ours."""
+
+
+def step(position: int, seconds: float, *others: int) -> Step:
+    return Step((position, *(others or (position,) * 7)), seconds)
+
+
+def placed(positions: tuple[int, ...] = HERE, **options: Any) -> ScriptedSession:
+    """A robot whose positions are known by half a second."""
+    session = ScriptedSession(positions=positions, **options)
+    return session.at(0.1, SetSpeeds(90, (1023,) * 8)).at(0.3, Move(91, positions))
+
+
+def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
+    return [(begun.part, begun.index, begun.round) for begun in session.of(StepBegun)]
+
+
+# --- Timing ---------------------------------------------------------------------------------
+
+
+@given(
+    seconds=st.lists(st.floats(0.3, 2.0), min_size=1, max_size=4),
+    positions=st.lists(st.integers(0, 1023), min_size=4, max_size=4),
+    factor=st.floats(0.5, 2.0),
+)
+def test_steps_arrive_in_time_and_begin_on_schedule(
+    seconds: list[float], positions: list[int], factor: float
+) -> None:
+    # What can be reached: at the ceiling 1984 units a second, half of a step's time at least
+    steps = tuple(step(place, time) for time, place in zip(seconds, positions, strict=False))
+    distances = [
+        abs(a - b) for a, b in zip([512, *positions], positions[: len(steps)], strict=False)
+    ]
+    reachable = all(
+        travel_seconds(distance, 870) < one.seconds * factor - 0.12
+        for distance, one in zip(distances, steps, strict=True)
+    )
+    session = placed().at(1.0, Play(1, steps, time_scale=factor)).until(20.0)
+    session.run()
+    begun = [report.time for report in session.of(StepBegun)]
+    moved = [report.time for report in session.of(Moved)][1:]
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
+    late = [report.late for report in session.of(StepBegun)]
+    if not reachable:
+        return
+    due = begun[0]
+    for one, start, end, lateness in zip(steps, begun, moved, late, strict=True):
+        assert start == pytest.approx(due, abs=0.03)
+        assert lateness == pytest.approx(start - due, abs=1e-6)
+        due += one.seconds * factor
+        assert end <= due + 0.03
+
+
+def test_arrival_times_match_travel_time_formula() -> None:
+    steps = (step(600, 1.0), step(300, 0.5), step(310, 2.0), step(900, 0.8))
+    session = placed(margin=0).at(1.0, Play(1, steps, rounds=3)).until(20.0)
+    session.run()
+    for moving, moved in zip(session.of(Moving)[1:], session.of(Moved)[1:], strict=True):
+        speeds = [held.held for held in session.of(SpeedsHeld) if held.time <= moving.time][-1]
+        formula = max(
+            travel_seconds(goal - (start or 0), speed)
+            for start, goal, speed in zip(moving.starts, moving.goals, speeds, strict=True)
+        )
+        assert moving.expected == pytest.approx(formula)
+        assert formula <= moved.time - moving.time <= formula + ROUND_TRIP
+    assert all(begun.late < 0.03 for begun in session.of(StepBegun))
+
+
+def test_all_motors_of_step_arrive_together() -> None:
+    far = step(900, 1.0, 562, 462, 612, 412, 512, 712, 100)
+    session = placed(margin=0).at(1.0, Play(1, (far,))).until(5.0)
+    session.run()
+    [_, held, *_] = session.of(SpeedsHeld)
+    moving = session.of(Moving)[1]
+    times = [
+        travel_seconds(goal - 512, speed)
+        for goal, speed in zip(moving.goals, held.held, strict=True)
+        if goal != 512
+    ]
+    assert max(times) <= 1.0 - 0.08
+    assert min(times) > 0.85
+
+
+def test_schedule_does_not_drift_over_100_rounds() -> None:
+    steps = (step(560, 0.4), step(460, 0.4))
+    session = placed().at(1.0, Play(1, steps, rounds=100)).until(90.0)
+    session.run()
+    begun = [report.time for report in session.of(StepBegun)]
+    assert len(begun) == 200
+    assert begun[-1] - begun[0] == pytest.approx(199 * 0.4, abs=0.03)
+    assert session.when(PlayEnded)[0] - session.when(StepBegun)[0] == pytest.approx(80.0, abs=0.2)
+
+
+def test_steps_rarely_resend_unchanged_speeds() -> None:
+    steps = (step(560, 0.5), step(460, 0.5))
+    session = placed(margin=0).at(1.0, Play(1, steps, rounds=20)).until(25.0)
+    session.run()
+    assert len(session.of(SpeedsHeld)) <= 5 + 20 / TRUST, "but to see that they are held"
+
+
+def test_late_steps_are_reported_and_none_is_skipped() -> None:
+    steps = (step(1000, 0.2), step(20, 0.2))
+    session = placed().at(1.0, Play(1, steps, rounds=5)).until(20.0)
+    session.run()
+    assert described(session) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
+    assert max(begun.late for begun in session.of(StepBegun)) > 0.3
+    # The clock is set anew: what is late does not add up for ever.
+    assert session.of(StepBegun)[-1].late < 1.0
+    starts, ends = session.when(Moving), session.when(Moved)
+    assert all(end <= start for end, start in zip(ends, starts[1:], strict=False))
+
+
+def test_first_step_from_unknown_position_is_slow() -> None:
+    session = ScriptedSession().at(0.5, Play(1, (step(600, 0.1),))).until(8.0)
+    session.run()
+    assert session.of(SpeedsHeld)[0].wanted == SLOW
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
+
+
+def test_previous_speeds_are_restored_after_playback() -> None:
+    session = placed().at(1.0, Play(1, (step(600, 1.0), step(602, 1.0)))).until(6.0)
+    session.run()
+    assert session.stage.speeds == (1023,) * 8
+
+
+# --- What is played -------------------------------------------------------------------------
+
+
+def test_parts_and_rounds_are_played_in_order() -> None:
+    play = Play(
+        1, (step(560, 0.3), step(460, 0.3)), 2, (step(500, 0.3),), (step(512, 0.3), step(520, 0.3))
+    )
+    session = placed().at(1.0, play).until(8.0)
+    session.run()
+    assert described(session) == [
+        ("in", 0, 0),
+        ("steps", 0, 0),
+        ("steps", 1, 0),
+        ("steps", 0, 1),
+        ("steps", 1, 1),
+        ("out", 0, 0),
+        ("out", 1, 0),
+    ]
+    [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
+    assert outcome.value is Ending.DONE
+    assert session.kinds.index("PlayEnded") < session.reports.index(outcome)
+
+
+def test_end_finishes_current_step_and_plays_blend_out() -> None:
+    play = Play(1, (step(560, 0.5), step(460, 0.5)), 0, (), (step(512, 0.4),))
+    session = placed().at(1.0, play).at(2.7, EndPlay()).until(8.0)
+    session.run()
+    assert described(session)[-2:] == [("steps", 1, 1), ("out", 0, 0)]
+    assert session.when(StepBegun)[-1] == pytest.approx(3.0, abs=0.1)
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.ENDED]
+    assert session.stage.goals == HERE
+
+
+@pytest.mark.parametrize("time", [1.0, 1.03, 1.2, 1.55, 1.99])
+def test_halt_sends_no_further_step_and_reports_motion_end(time: float) -> None:
+    session = placed().at(1.0, Play(1, (step(600, 0.5), step(400, 0.5)), 0)).at(time, Halt())
+    session.until(4.0).run()
+    [ended] = session.of(PlayEnded)
+    assert ended.why is Ending.HALTED
+    assert session.when(PlayEnded)[0] == pytest.approx(time, abs=0.03)
+    assert all(start <= session.when(PlayEnded)[0] for start in session.when(Moving))
+    assert len(session.of(Moved)) == len(session.of(Moving))
+    [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
+    assert (outcome.value, outcome.error) == (Ending.HALTED, None)
+
+
+def test_new_time_scale_applies_from_next_step() -> None:
+    session = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5)), 3))
+    session.at(1.7, SetTimeScale(2.0)).until(12.0)
+    session.run()
+    times = session.when(StepBegun)
+    gaps = [b - a for a, b in itertools.pairwise(times)]
+    assert gaps == pytest.approx([0.5, 0.5, 1.0, 1.0, 1.0], abs=0.04)
+
+
+def test_invalid_time_scale_is_ignored() -> None:
+    session = placed().at(1.0, Play(1, (step(560, 0.5),), 3))
+    session.at(1.1, SetTimeScale(0.0)).at(1.1, SetTimeScale(float("nan"))).until(5.0)
+    session.run()
+    assert session.when(StepBegun)[2] == pytest.approx(2.0, abs=0.04)
+
+
+def test_moves_and_speeds_are_rejected_during_playback() -> None:
+    session = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5))))
+    session.at(1.2, Move(2, HERE)).at(1.2, Play(3, (step(1, 1),))).at(1.2, SetSpeeds(4, SLOW))
+    session.until(5.0).run()
+    errors = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert errors[1] is None
+    assert all(isinstance(errors[number], BadRequest) for number in (2, 3, 4))
+
+
+@pytest.mark.parametrize(
+    ("play", "says"),
+    [
+        (Play(1, ()), "no step"),
+        (Play(1, (), 0, (step(5, 1),)), "for ever"),
+        (Play(1, (step(5, 1),), -1), "0 .for ever. or more"),
+        (Play(1, (Step((1, 2), 1.0),)), "2 positions"),
+        (Play(1, (step(1024, 1),)), "0 to 1023"),
+        (Play(1, (step(5, 0.0),)), "more than 0 s"),
+        (Play(1, (step(5, float("inf")),)), "more than 0 s"),
+        (Play(1, (step(5, 1),), time_scale=0), "time scale"),
+        (Play(1, (step(5, 1),), blend_out=(Step((1,), 1),)), "1 positions"),
+    ],
+)
+def test_invalid_play_request_is_rejected_with_explanation(play: Play, says: str) -> None:
+    with pytest.raises(BadRequest, match=says):
+        check(play, 8)
+    session = placed().at(1.0, play).until(2.0)
+    session.run()
+    [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
+    assert isinstance(outcome.error, BadRequest)
+    assert not session.of(PlayEnded)
+
+
+@given(
+    counts=st.tuples(st.integers(0, 3), st.integers(1, 3), st.integers(0, 3)),
+    rounds=st.integers(1, 4),
+    end_after=st.none() | st.integers(1, 10),
+)
+def test_blend_in_precedes_rounds_and_blend_out_follows(
+    counts: tuple[int, int, int], rounds: int, end_after: int | None
+) -> None:
+    before, many, after = counts
+    one = step(5, 1.0)
+    playing = Playing(Play(1, (one,) * many, rounds, (one,) * before, (one,) * after), 0.0)
+    whole = [("in", index, 0) for index in range(before)]
+    whole += [("steps", index, turn) for turn in range(rounds) for index in range(many)]
+    out = [("out", index, 0) for index in range(after)]
+    seen: list[tuple[str, int, int]] = []
+    while (turn := playing.next()) is not None:
+        playing.begin(turn, playing.due)
+        seen.append((turn.part, turn.index, turn.round))
+        if len(seen) == end_after:
+            playing.end()
+    cut = whole if end_after is None else whole[:end_after]
+    assert seen == [*cut, *out]

@@ -1,0 +1,112 @@
+"""Servo power is cut and given back, which is how people stop this robot: it stays as it was.
+
+A servo that was without power is as fast as it can be; nothing on the link tells of it.
+"""
+
+import pytest
+
+from tests.devices.aracna.session.scene import ScriptedSession
+from trex_gui.devices.aracna.session.messages import (
+    Drag,
+    Ending,
+    Move,
+    Moving,
+    Play,
+    PlayEnded,
+    SpeedsHeld,
+    Step,
+)
+from trex_gui.devices.aracna.session.servos import TRUST
+from trex_gui.devices.trex.session.messages import Outcome
+
+SLOW = (30,) * 8
+FASTEST = 2.28 * 30 * 1.1
+"""Units a second of a motor at that speed, and what an instant between two looks adds."""
+
+
+def watched(session: ScriptedSession, begin: float, seconds: float) -> list[float]:
+    """Return how fast motor 0 is in units a second, looked at every 20 ms from then on."""
+    seen: list[float] = []
+    places: list[float] = []
+
+    def look() -> None:
+        places.append(session.line.servos[0].position)
+        if len(places) > 1:
+            seen.append(abs(places[-1] - places[-2]) / 0.02)
+
+    for turn in range(round(seconds / 0.02)):
+        session.at(begin + turn * 0.02, look)
+    return seen
+
+
+@pytest.mark.parametrize("cut", [0.4, 0.8, 3.5], ids="{} s".format)
+def test_move_after_power_cut_in_motion_keeps_requested_speed(cut: float) -> None:
+    session = ScriptedSession(positions=[100] * 8)
+    session.at(0.5, Move(1, (110,) * 8, SLOW)).at(3.0, Move(2, (600,) * 8, SLOW))
+    session.at(4.0, lambda: session.stage.do("servo power off"))
+    session.at(4.0 + cut, lambda: session.stage.do("servo power on"))
+    session.at(4.7 + cut, Move(3, (600,) * 8, SLOW))
+    seen = watched(session, 4.72 + cut, 2.0)
+    session.until(16.0).run()
+    assert 0 < max(seen) < FASTEST
+    assert session.when(SpeedsHeld)[-1] > 4.0 + cut, "told anew"
+    assert session.stage.speeds == SLOW
+
+
+def test_speeds_are_resent_after_long_motion_but_not_short_one() -> None:
+    session = ScriptedSession(positions=[500] * 8)
+    session.at(0.5, Move(1, (520,) * 8, SLOW)).at(1.0, Drag((540,) * 8, SLOW))
+    session.at(1.5, Drag((800,) * 8, SLOW)).at(6.0, Drag((810,) * 8, SLOW)).until(8.0)
+    session.run()
+    assert len(session.of(Moving)) == 4
+    held = session.when(SpeedsHeld)
+    assert len(held) == 2
+    assert held[1] > session.when(Moving)[2]
+
+
+@pytest.mark.parametrize(("cut", "seconds"), [(5.75, 0.3), (5.85, 0.1), (5.9, 0.05)])
+def test_speed_is_limited_again_soon_after_power_cut_near_goal(cut: float, seconds: float) -> None:
+    session = ScriptedSession(positions=[300] * 8)
+    steps = (Step((300,) * 8, 1.5), Step((500,) * 8, 1.5))
+    session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
+    session.at(cut, lambda: session.stage.do("servo power off"))
+    session.at(cut + seconds, lambda: session.stage.do("servo power on"))
+    seen = watched(session, cut + seconds + TRUST, 5.0)
+    session.until(14.0).run()
+    assert 0 < max(seen) < 300, "200 units in 1.4 s"
+
+
+@pytest.mark.parametrize("cut", [1.5, 1.8, 2.3])
+def test_move_after_power_cut_near_goal_keeps_requested_speed(cut: float) -> None:
+    session = ScriptedSession(positions=[300] * 8)
+    session.at(0.5, Move(1, (390,) * 8, SLOW))
+    session.at(cut, lambda: session.stage.do("servo power off"))
+    session.at(cut + 0.3, lambda: session.stage.do("servo power on"))
+    session.at(cut + 0.8, Move(2, (900,) * 8, SLOW))
+    seen = watched(session, cut + 0.82, 1.5)
+    session.until(14.0).run()
+    assert 0 < max(seen) < FASTEST
+
+
+def test_sequence_does_not_resume_when_power_returns() -> None:
+    session = ScriptedSession(positions=[300] * 8)
+    steps = (Step((300,) * 8, 2.0, "A"), Step((500,) * 8, 2.0, "B"))
+    session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
+    session.at(5.8, lambda: session.stage.do("servo power off"))
+    session.at(7.3, lambda: session.stage.do("servo power on")).until(20.0)
+    session.run()
+    [ended] = session.of(PlayEnded)
+    assert ended.why is Ending.MISSED
+    assert not [when for when in session.when(Moving) if when > 7.3]
+    [error] = [one.error for one in session.of(Outcome) if one.id == 2]
+    assert "off its goal" in str(error)
+    assert "does not go on by itself" in str(error)
+
+
+def test_single_unreadable_position_does_not_end_sequence() -> None:
+    session = ScriptedSession(positions=[300] * 8)
+    steps = (Step((300,) * 8, 0.6), Step((400,) * 8, 0.6))
+    session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 3))
+    session.at(2.3, lambda: session.stage.do("servo 2 lose position 1")).until(12.0)
+    session.run()
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]

@@ -1,0 +1,216 @@
+"""One search for a TReX and an Aracna: in one order, and moving neither, in whatever order."""
+
+from collections import deque
+
+import pytest
+
+from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
+from tests.devices.trex.simulator.ports import a_board
+from tests.support.aracna import AracnaStage
+from trex_gui.core.discovery.prober import Step
+from trex_gui.core.discovery.scan import PortSearch, search_port
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.devices.aracna.discovery.prober import QUESTION, SEEK_ARACNA
+from trex_gui.devices.aracna.session.client import LINE
+from trex_gui.devices.trex.discovery.probe import RINSE, RINSE_LINE
+from trex_gui.devices.trex.discovery.prober import SEEK_TREX, attempts
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.simulator.line import Line
+
+VIRTUAL = LinkSettings("virtual")
+SEEKS = {"trex": SEEK_TREX, "aracna": SEEK_ARACNA}
+
+__all__ = ["orders"]  # a fixture
+
+
+def search(wire: Transport, first: str | None = None) -> PortSearch:
+    return search_port(VIRTUAL, SEEKS, first=first, open_wire=lambda _settings: wire)
+
+
+# --- What is found, and how soon ------------------------------------------------------------
+
+
+@pytest.mark.parametrize("baud", [19200, 115200, 9600, 38400, 57600])
+def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
+    wire = Wire(Line([a_board(settings=LineSettings(baud).to_wire())]))
+    result = search(wire)
+    assert (result.device, result.found[0].name) == ("trex", "TReX 1.2")
+    assert QUESTION not in bytes(wire.sent)
+    assert wire.line.now < 2.0
+
+
+def test_trex_at_unlikely_rate_is_found() -> None:
+    wire = Wire(Line([a_board(settings=LineSettings(4800, Detection.CRC7).to_wire())]))
+    result = search(wire)
+    assert result.found[0].settings.line == LineSettings(4800, Detection.CRC7)
+
+
+def test_aracna_is_found_before_long_trex_search() -> None:
+    stage = AracnaStage()
+    begun = stage.now
+    result = search(stage.transport)
+    assert (result.device, result.found[0].name) == ("aracna", "Aracna 1")
+    assert stage.now - begun < 3.0
+    assert stage.transport.closed
+
+
+def test_port_of_earlier_aracna_is_probed_for_aracna_first() -> None:
+    stage = AracnaStage()
+    begun = stage.now
+    assert search(stage.transport, "aracna").device == "aracna"
+    assert stage.now - begun < 0.7
+    assert b"\x81" not in bytes(stage.transport.sent)
+
+
+def test_trex_is_found_on_port_of_earlier_aracna() -> None:
+    wire = Wire(Line([a_board()]))
+    assert search(wire, "aracna").device == "trex"
+
+
+@pytest.mark.parametrize("ago", [0.0, 0.5, 0.9])
+@pytest.mark.parametrize("first", [None, "aracna"])
+def test_aracna_reset_by_opening_port_is_found(first: str | None, ago: float) -> None:
+    stage = AracnaStage(booted=False)
+    stage.line.advance(ago)
+    if ago:
+        stage.line.receive()
+    result = search(stage.transport, first)
+    assert result.device == "aracna"
+    assert ("has reset its board" in result.found[0].note) == (ago == 0.0)
+    assert stage.now < 3.0
+    assert stage.line.station.firmware.boots == 1, "the port was opened once"
+
+
+def test_found_aracna_answers_first_query() -> None:
+    """The probes leave nothing in its line buffer."""
+    stage = AracnaStage()
+    search(stage.transport)
+    stage.line.host = LINE
+    assert stage.ask(b".q\n") == b".q1,8\r\n"
+
+
+def test_progress_names_probed_device() -> None:
+    stage = AracnaStage()
+    stage.do("power off")
+    steps: list[Step] = []
+    search_port(VIRTUAL, SEEKS, progress=steps.append, open_wire=lambda _settings: stage.transport)
+    assert [step.kind for step in steps] == ["TReX"] * 5 + ["Aracna"] * 5 + ["TReX"] * 83
+    assert [step.done for step in steps] == list(range(93))
+    assert {step.total for step in steps} == {93}
+
+
+# --- What is told where nothing was found ---------------------------------------------------
+
+
+def test_silent_port_is_reported_for_both_devices() -> None:
+    stage = AracnaStage()
+    stage.do("power off")
+    trex, aracna = search(stage.transport).lines
+    assert trex.startswith("No TReX answers on virtual at any baud rate")
+    assert aracna.startswith("No Aracna answers on virtual at 38400 baud")
+    assert "may still be moving" in aracna
+
+
+def test_echo_is_reported_for_both_devices() -> None:
+    board = a_board()
+    board.power_off()
+    trex, aracna = search(Wire(Line([board], echo=True))).lines
+    assert trex.startswith("No TReX answers on virtual: everything sent comes back")
+    assert "RS-232 side" in trex
+    assert aracna.startswith("No Aracna answers on virtual at 38400 baud")
+    assert "everything sent comes back" in aracna
+
+
+def test_aracna_hello_is_reported_before_missing_trex() -> None:
+    stage = AracnaStage()
+    stage.do("power off")
+    stage.line.inject(b".h\r\n")
+    aracna, trex = search(stage.transport).lines
+    assert "has said that it starts, but does not answer" in aracna
+    assert "2E 68 0D 0A came at 38400 baud" in trex
+
+
+def test_reply_to_aracna_probe_is_reported_first() -> None:
+    """A moving robot answers once it stops, which may be among the probes for a TReX."""
+    stage = AracnaStage()
+    stage.do("power off")
+    sent = 0
+
+    def hear_something(settings: LinkSettings) -> Transport:
+        write = stage.transport.write
+
+        def writes(data: bytes) -> None:
+            nonlocal sent
+            write(data)
+            if data == QUESTION:
+                sent += 1
+                stage.line.inject(b"ERR 7\r\n")
+
+        stage.transport.write = writes  # type: ignore[method-assign]
+        return stage.transport
+
+    aracna, trex = search_port(VIRTUAL, SEEKS, open_wire=hear_something).lines
+    assert sent == 5
+    assert "not as an Aracna does" in aracna
+    assert trex.startswith("No TReX answers")
+
+
+def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
+    stage = AracnaStage()
+    stage.transport.can_be_tuned = False
+    stage.line.host = LINE
+    stage.transport.tune = lambda line: None  # type: ignore[method-assign]
+    trex, aracna = search(stage.transport).lines
+    assert "set at the other end" in trex
+    assert "No Aracna was asked for" in aracna
+    assert search(stage.transport, "aracna").device == "aracna"
+
+
+# --- What moves -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("first", ["trex", "aracna"])
+@pytest.mark.parametrize("mute", [False, True])
+def test_search_does_not_move_aracna(first: str, *, mute: bool) -> None:
+    stage = AracnaStage(positions=tuple(range(100, 900, 100)))
+    stage.line.faults.mute = mute
+    result = search(stage.transport, first)
+    assert bool(result.found) != mute
+    stage.line.advance(5.0)
+    assert not any(servo.torque for servo in stage.line.servos)
+    assert stage.speeds == (0,) * 8
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [each for each in BOARDS if each.stop_bits == 1],
+    ids=lambda settings: settings.text(),
+)
+@pytest.mark.parametrize("first", ["trex", "aracna"])
+def test_search_sends_no_command_that_trex_obeys(
+    settings: LineSettings, first: str, orders: list[str]
+) -> None:
+    board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
+    wire = Wire(Line([board]))
+    assert search(wire, first).device == "trex"
+    assert not orders
+    assert not board.memory.writes
+
+
+@pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
+def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
+    """For any order and number of probes, any device number and any polynomial."""
+    for crc in (False, True) if own.detection is Detection.NONE else (False,):
+        questions = [(each.question, each.line) for each in attempts() if each.line != own]
+        questions.append((QUESTION, LINE))
+        begun: set[State] = {()}
+        waiting = deque(begun)
+        while waiting:
+            rinsed, obeyed = hear({waiting.popleft()}, RINSE, RINSE_LINE, own, crc=crc)
+            for question, line in questions:
+                left, more = hear(rinsed, question, line, own, crc=crc)
+                obeyed |= more
+                waiting.extend(left - begun)
+                begun |= left
+            assert not obeyed

@@ -1,0 +1,236 @@
+"""A session with a simulated robot in virtual time: opening, asking, moving, halting, ending."""
+
+import pytest
+
+from tests.devices.aracna.session.scene import ScriptedSession
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.devices.aracna.session.liveness import BOOT, PATIENCE
+from trex_gui.devices.aracna.session.messages import (
+    Connected,
+    Drag,
+    Halt,
+    Move,
+    Moved,
+    Moving,
+    Passed,
+    Restarted,
+    SetLed,
+    SetSpeeds,
+    Silent,
+    SpeedsHeld,
+    Stuck,
+)
+from trex_gui.devices.trex.session.messages import Closed, Outcome
+
+HERE = (512,) * 8
+THERE = (600,) * 8
+SLOW = (100,) * 8
+
+
+def test_connecting_sends_only_version_query() -> None:
+    session = ScriptedSession().until(1.0)
+    session.run()
+    assert session.kinds == ["Connected", "Closed"]
+    [connected] = session.of(Connected)
+    assert (connected.version, connected.motors, connected.restarted) == (1, 8, False)
+    assert connected.settings.line.baud == 38_400
+    assert bytes(session.stage.transport.sent) == b".q\n"
+    assert session.when(Connected)[0] < 0.1
+    assert session.stage.transport.closed
+
+
+@pytest.mark.parametrize("boot_loader", [0.0, 1.0, 3.0])
+def test_robot_reset_by_opening_port_connects_after_boot(boot_loader: float) -> None:
+    session = ScriptedSession(booted=False, boot_loader=boot_loader).until(boot_loader + 3.0)
+    session.run()
+    assert session.kinds == ["Connected", "Closed"]
+    assert session.when(Connected)[0] == pytest.approx(boot_loader + BOOT, abs=0.6)
+    assert session.line.station.firmware.boots == 1
+
+
+@pytest.mark.parametrize("stump", [b".", b".c", b".c512,5", b".v1,2,3,4,5,6,7", b"x" * 58])
+def test_session_connects_behind_unfinished_command(stump: bytes) -> None:
+    session = ScriptedSession().until(5.0)
+    session.line.send(stump)
+    session.line.advance(0.5)
+    session.begun = session.line.now
+    session.until(6.0).run()
+    assert session.of(Connected)
+    assert session.stage.positions == HERE
+
+
+@pytest.mark.parametrize("tail", [b"h\r\n", b",8\r\n", b"\xff\x00\n", b"20,512,512\r\n", b"\r\n"])
+def test_truncated_first_line_is_ignored(tail: bytes) -> None:
+    session = ScriptedSession().until(3.0)
+    session.line.inject(tail)
+    session.run()
+    assert session.kinds == ["Connected", "Closed"]
+
+
+@pytest.mark.parametrize(
+    ("motors", "tells", "version"), [(2, True, 0), (2, False, 0), (8, True, 1), (8, False, 1)]
+)
+def test_motor_count_is_reported_or_derived_from_version(
+    *, motors: int, tells: bool, version: int
+) -> None:
+    session = ScriptedSession(motors=motors, tells_motors=tells, version=version).until(1.0)
+    session.run()
+    assert [connected.motors for connected in session.of(Connected)] == [motors]
+
+
+def test_silent_line_closes_session_after_boot_loader_time() -> None:
+    session = ScriptedSession().until(30.0)
+    session.stage.do("line mute on")
+    session.at(0.1, Move(1, THERE))
+    session.run()
+    closed = session.reports[-1]
+    assert isinstance(closed, Closed)
+    assert isinstance(closed.error, NoReply)
+    assert "No Aracna answers on virtual at 38400" in str(closed.error)
+    assert session.when(Closed)[0] == pytest.approx(PATIENCE, abs=0.6)
+    [outcome] = session.of(Outcome)
+    assert outcome.id == 1
+    assert isinstance(outcome.error, NoReply)
+
+
+def test_reply_of_other_device_is_shown_in_error() -> None:
+    session = ScriptedSession().until(30.0)
+    session.stage.do("power off")
+    session.at(0.2, lambda: session.line.inject(b"\r\nTReX2\r\n"))
+    session.run()
+    [closed] = session.of(Closed)
+    assert isinstance(closed.error, BadReply)
+    assert "not as an Aracna does" in str(closed.error)
+    assert "TReX" in str(closed.error)
+
+
+def test_move_reports_each_arrival_and_then_completion() -> None:
+    session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE)).until(3.0)
+    session.run()
+    [held] = session.of(SpeedsHeld)
+    assert held.wanted == held.held == SLOW
+    [moving] = session.of(Moving)
+    assert moving.starts == (None,) * 8
+    assert moving.expected == pytest.approx(600 / 228)  # as far as it may have to go
+    assert [len(passed.present) for passed in session.of(Passed)] == list(range(8))
+    [moved] = session.of(Moved)
+    assert moved.present == (598,) * 8
+    assert moved.seconds == pytest.approx(86 / 228, abs=0.06)
+    assert [(one.id, one.error) for one in session.of(Outcome)] == [(1, None), (2, None)]
+    assert session.of(Outcome)[1].value == moved
+
+
+def test_second_move_starts_from_known_positions() -> None:
+    session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, THERE))
+    session.at(2.0, Move(3, HERE)).until(4.0)
+    session.run()
+    assert session.of(Moving)[1].starts == (598,) * 8
+    assert session.of(Moving)[1].expected == pytest.approx(86 / 228)
+
+
+def test_next_move_is_sent_only_after_reply() -> None:
+    session = ScriptedSession()
+    for number in range(1, 6):
+        session.at(0.2, Move(number, THERE if number % 2 else HERE))
+    session.until(5.0).run()
+    starts, ends = session.when(Moving), session.when(Moved)
+    assert len(starts) == len(ends) == 5
+    assert all(end <= start for end, start in zip(ends, starts[1:], strict=False))
+    assert session.line.station.holding.lost == 0
+
+
+@pytest.mark.parametrize("request_", [Move(1, (5,)), Move(1, (1024,) * 8), SetSpeeds(1, (-1,) * 8)])
+def test_invalid_positions_and_speeds_are_rejected(request_: Move | SetSpeeds) -> None:
+    session = ScriptedSession().at(0.2, request_).at(0.2, Drag((1, 2))).until(1.0)
+    session.run()
+    [outcome] = session.of(Outcome)
+    assert isinstance(outcome.error, BadRequest)
+    assert not session.of(Moving)
+    assert b"c" not in session.stage.transport.sent
+
+
+def test_drag_sends_only_newest_goal_when_line_is_free() -> None:
+    session = ScriptedSession().at(0.2, SetSpeeds(1, (1023,) * 8))
+    for number in range(100):
+        session.at(0.3 + number / 100, Drag((500 + number,) * 8))
+    session.until(3.0).run()
+    sent = [moving.goals[0] for moving in session.of(Moving)]
+    assert sent == sorted(set(sent))
+    assert sent[-1] == 599
+    assert 20 < len(sent) < 40  # 27 to 30 a second at best
+
+
+def test_led_command_returns_led_state() -> None:
+    session = ScriptedSession().at(0.2, SetLed(1, on=True)).at(0.3, SetLed(2, on=False)).until(1.0)
+    session.run()
+    assert [outcome.value for outcome in session.of(Outcome)] == [True, False]
+
+
+def test_halt_drops_queued_moves_and_reports_motion_end() -> None:
+    session = (
+        ScriptedSession().at(0.1, SetSpeeds(9, SLOW)).at(0.4, Move(1, THERE)).at(0.5, Move(2, HERE))
+    )
+    session.at(0.5, Drag(HERE)).at(0.5, SetSpeeds(3, SLOW)).at(0.6, Halt()).until(4.0)
+    session.run()
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert outcomes[1] is None
+    assert "Halted" in str(outcomes[2])
+    assert "Halted" in str(outcomes[3])
+    assert len(session.of(Moving)) == 1
+    assert session.stage.positions == (598,) * 8
+    assert session.of(Moved)[0].present == (598,) * 8
+
+
+def test_close_in_motion_ends_every_request_with_outcome() -> None:
+    session = (
+        ScriptedSession().at(0.1, SetSpeeds(9, SLOW)).at(0.4, Move(1, THERE)).at(0.5, Move(2, HERE))
+    )
+    session.until(0.6).run()
+    assert {one.id for one in session.of(Outcome) if one.error} == {1, 2}
+    assert isinstance(session.reports[-1], Closed)
+    assert session.reports[-1].error is None
+
+
+@pytest.mark.parametrize("time", [0.001, 0.3, 0.55, 2.5])
+def test_unplugged_line_ends_session_in_any_state(time: float) -> None:
+    session = ScriptedSession()
+    gone = PortUnavailable("The line to virtual is gone. Plug it in, then connect again.")
+
+    def pull() -> None:
+        session.stage.transport.fail = gone
+
+    asked = min(time, 0.2)
+    session.at(asked, SetSpeeds(1, SLOW)).at(asked, Move(2, THERE)).at(asked, Move(3, HERE))
+    session.at(time, pull).until(10.0).run()
+    assert session.reports[-1] == Closed(gone)
+    assert {outcome.id for outcome in session.of(Outcome)} == {1, 2, 3}
+    assert session.stage.transport.closed
+
+
+@pytest.mark.parametrize("size", [1, 2, 3])
+@pytest.mark.parametrize("stump", [b".c\n", b".v\n", b".q\n"])
+def test_move_succeeds_after_truncated_command(stump: bytes, size: int) -> None:
+    """Only the first bytes of a command reach the robot."""
+    session = (
+        ScriptedSession().at(0.3, lambda: session.line.send(stump[:size])).at(0.4, Move(1, THERE))
+    )
+    session.at(8.0, Move(2, THERE)).until(12.0)
+    session.run()
+    outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert set(outcomes) == {1, 2}
+    assert outcomes[2] is None
+    assert session.stage.positions == (598,) * 8
+
+
+def test_silent_robot_is_polled_until_it_answers() -> None:
+    session = ScriptedSession().at(1.0, lambda: session.stage.do("line mute on"))
+    session.at(6.0, Move(1, THERE)).at(10.0, lambda: session.stage.do("line mute off")).until(13.0)
+    session.run()
+    assert session.kinds == ["Connected", "Silent", "Outcome", "Connected", "Closed"]
+    assert session.when(Silent)[0] < 5.0
+    assert session.when(Connected)[1] < 12.0
+    assert not session.of(Connected)[1].restarted
+    assert isinstance(session.of(Outcome)[0].error, NoReply)
+    assert set(bytes(session.stage.transport.sent).split(b"\n")) == {b"", b".q"}
+    assert not session.of(Stuck)
+    assert not session.of(Restarted)

@@ -1,0 +1,113 @@
+"""Anything asked and anything broken, in any order: the session keeps its word."""
+
+from collections.abc import Callable
+from functools import partial
+
+from hypothesis import Phase, given
+from hypothesis import strategies as st
+
+from tests.devices.aracna.session.scene import ScriptedSession
+from tests.support.matrix import examples
+from trex_gui.devices.aracna.session.messages import (
+    Connected,
+    Drag,
+    EndPlay,
+    Halt,
+    Move,
+    Moved,
+    Moving,
+    Play,
+    PlayEnded,
+    Request,
+    Restarted,
+    SetLed,
+    SetSpeeds,
+    SetTimeScale,
+    Silent,
+    Step,
+    StepBegun,
+)
+from trex_gui.devices.trex.session.messages import Closed, Outcome
+
+PLACES = st.sampled_from([(400,) * 8, (512,) * 8, (600,) * 8, (5, 6)])
+STEPS = st.lists(st.builds(Step, PLACES, st.sampled_from([0.05, 0.4, 1.0])), max_size=3).map(tuple)
+REQUESTS: st.SearchStrategy[Callable[[int], Request]] = st.one_of(
+    st.builds(lambda goals: lambda number: Move(number, goals), PLACES),
+    st.builds(lambda goals: lambda _number: Drag(goals), PLACES),
+    st.builds(lambda speed: lambda number: SetSpeeds(number, (speed,) * 8), st.integers(50, 1100)),
+    st.builds(lambda on: lambda number: SetLed(number, on), st.booleans()),
+    st.builds(
+        lambda steps, rounds, out: lambda number: Play(number, steps, rounds, (), out),
+        STEPS,
+        st.integers(0, 3),
+        STEPS,
+    ),
+    st.sampled_from([lambda _n: Halt(), lambda _n: EndPlay(), lambda _n: SetTimeScale(0.5)]),
+)
+FAULTS = st.sampled_from(
+    [
+        *("reset", "power cycle", "line mute on", "line mute off", "servo 3 dead", "servo 3 alive"),
+        *("servo 5 block", "servo 5 free", "line drop 3", "line drop 3 sent", "line drop 20 sent"),
+        *("line garbage 0d0a", "line garbage ff002e680d0a", "servo 2 lose position"),
+    ]
+)
+MENDING = ("line mute off", "line drop 0", "line drop 0 sent", "servo 3 alive", "servo 5 free")
+
+
+@given(
+    acts=st.lists(st.tuples(st.floats(0, 1.5), REQUESTS | FAULTS), max_size=25),
+    keeps_last=st.booleans(),
+)
+# Shrinking takes longer than a test may.
+@examples(60, phases=(Phase.explicit, Phase.generate))
+def test_every_request_has_one_outcome_and_robot_recovers(
+    acts: list[tuple[float, Callable[[int], Request] | str]], *, keeps_last: bool
+) -> None:
+    session = ScriptedSession(keeps_last=keeps_last)
+    time, asked = 0.2, set()
+    for number, (pause, act) in enumerate(acts):
+        time += pause
+        if isinstance(act, str):
+            session.at(time, partial(session.stage.do, act))
+        else:
+            request = act(number)
+            asked |= {number} if hasattr(request, "id") else set()
+            session.at(time, request)
+    for line in MENDING:
+        session.at(time, partial(session.stage.do, line))
+    session.at(time + 1.0, Halt()).at(time + 60.0, SetSpeeds(98, (500,) * 8))
+    session.at(time + 61.0, Move(99, (444,) * 8)).until(time + 70.0)
+    session.run()
+    assert session.reports[-1] == Closed(None)
+    assert sorted(outcome.id for outcome in session.of(Outcome)) == [*sorted(asked), 98, 99]
+    last = {outcome.id: outcome.error for outcome in session.of(Outcome)}
+    assert last[98] is None
+    assert last[99] is None
+    assert session.of(Moved)[-1].goals == session.stage.goals == (444,) * 8
+    assert all(abs(position - 444) <= 2 for position in session.stage.positions)
+    _assert_it_makes_sense(session)
+
+
+def _assert_it_makes_sense(session: ScriptedSession) -> None:
+    """Nothing is sent to a robot that is not there, nor while it moves; what is played ends."""
+    is_there, moves = False, False
+    begun = ended = 0
+    for report in session.reports:
+        match report:
+            case Connected():
+                is_there = True
+            case Moving():
+                assert is_there
+                assert not moves
+                moves = True
+            case Moved():
+                moves = False
+            case StepBegun(part="steps", index=0, round=0):
+                begun += 1
+            case PlayEnded():
+                ended += 1
+            case Restarted() | Silent():
+                is_there, moves = False, False
+            case _:
+                pass
+    assert ended >= begun

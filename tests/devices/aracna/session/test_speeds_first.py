@@ -1,0 +1,196 @@
+"""No motion goes out at a speed, or to a place, that nobody wants: the session sees to it."""
+
+import re
+
+import pytest
+
+from tests.devices.aracna.session.scene import ScriptedSession
+from trex_gui.devices.aracna.session.messages import (
+    Drag,
+    DragDropped,
+    Ending,
+    Halt,
+    Move,
+    Moved,
+    Moving,
+    Play,
+    PlayEnded,
+    SetLimits,
+    SetSpeeds,
+    SpeedsHeld,
+    Step,
+    StepBegun,
+    Stuck,
+)
+from trex_gui.devices.trex.session.messages import Outcome
+
+HERE = (512,) * 8
+THERE = (600,) * 8
+SLOW = (30,) * 8
+FAST = (700,) * 8
+
+
+def lines(session: ScriptedSession, letter: str) -> list[str]:
+    """Return the commands of a letter that were sent, values that are all the same as one."""
+    sent = bytes(session.stage.transport.sent).decode().splitlines()
+    return [re.sub(r"^(\d+)(,\1)+$", r"\1", line[2:]) for line in sent if line[1:2] == letter]
+
+
+def errors(session: ScriptedSession) -> dict[int, str]:
+    return {one.id: "" if one.error is None else str(one.error) for one in session.of(Outcome)}
+
+
+# --- Speeds before every motion -------------------------------------------------------------
+
+
+def test_move_needs_servo_power_and_keeps_requested_speed() -> None:
+    session = ScriptedSession().at(0.1, lambda: session.stage.do("servo power off"))
+    session.at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE, SLOW))
+    session.at(2.0, lambda: session.stage.do("servo power on")).at(2.1, Move(3, THERE, SLOW))
+    session.until(8.0).run()
+    assert "servos have power" in errors(session)[2]
+    assert errors(session)[3] == ""
+    [moved] = session.of(Moved)
+    assert moved.seconds > 1.2, "88 units at 30 are 1.29 s"
+    assert [held.held for held in session.of(SpeedsHeld)] == [(-1,) * 8, (-1,) * 8, SLOW]
+
+
+def test_motor_rejecting_its_speed_is_named_and_none_moves() -> None:
+    session = ScriptedSession().at(0.1, lambda: session.stage.do("servo 3 dead"))
+    session.at(0.2, Move(1, THERE, SLOW)).at(1.0, Drag(THERE, SLOW)).until(3.0)
+    session.run()
+    assert errors(session)[1] == "Motor 3 did not take its speed of 30, it does not answer."
+    [dropped] = session.of(DragDropped)
+    assert str(dropped.error) == errors(session)[1]
+    assert not lines(session, "c")
+
+
+@pytest.mark.parametrize("lost", ["line drop 5", "line drop 5 sent"])
+def test_lost_speed_reply_prevents_motion(lost: str) -> None:
+    session = (
+        ScriptedSession().at(0.2, lambda: session.stage.do(lost)).at(0.2, Move(1, THERE, SLOW))
+    )
+    session.at(6.0, Move(2, THERE, SLOW)).until(10.0)
+    session.run()
+    assert errors(session)[1]
+    assert errors(session)[2] == ""
+    assert len(session.of(Moving)) == 1
+    assert session.when(Moving)[0] > 6.0
+
+
+def test_drag_does_not_resend_confirmed_speeds() -> None:
+    session = ScriptedSession().at(0.2, Move(1, THERE, FAST)).at(1.5, Move(2, HERE, FAST))
+    session.at(3.0, Drag(THERE, FAST)).until(5.0)
+    session.run()
+    assert lines(session, "v") == ["700", "700"], (
+        "before a move, and not again for a drag behind it"
+    )
+    assert lines(session, "c") == ["600", "512", "600"]
+
+
+@pytest.mark.parametrize(
+    "fault", ["servo 2 lose position", "line drop 11", "reset", "power cycle", "line mute on"]
+)
+def test_speeds_are_resent_after_fault(fault: str) -> None:
+    session = (
+        ScriptedSession().at(0.2, Move(1, THERE, FAST)).at(4.0, lambda: session.stage.do(fault))
+    )
+    session.at(4.0, Move(2, HERE, FAST)).at(13.0, lambda: session.stage.do("line mute off"))
+    session.at(17.0, Move(3, THERE, FAST)).until(20.0)
+    session.run()
+    assert lines(session, "v")[-1] == "700"
+    assert len(lines(session, "v")) >= 2
+    assert session.when(SpeedsHeld)[-1] > 17.0
+    assert session.of(Moved)[-1].goals == THERE
+
+
+def test_speeds_are_resent_after_stuck_servo() -> None:
+    session = ScriptedSession().at(0.2, Move(1, HERE, FAST)).at(1.1, Move(2, THERE, FAST))
+    session.at(1.18, lambda: session.stage.do("servo 3 dead"))
+    session.at(8.0, lambda: session.stage.do("servo 3 alive"))
+    session.at(9.0, Move(3, HERE, FAST)).until(11.0)
+    session.run()
+    assert len(session.of(Stuck)) == 1
+    assert session.when(SpeedsHeld)[-1] > 9.0
+    assert session.of(Moved)[-1].goals == HERE
+
+
+def test_halt_during_speed_command_prevents_motion() -> None:
+    session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.21, Halt())
+    session.at(1.0, Drag(THERE, FAST)).at(1.01, Halt()).until(3.0)
+    session.run()
+    assert lines(session, "v") == ["30", "700"]
+    assert not lines(session, "c")
+    assert "Halted" in errors(session)[1]
+
+
+def test_rejected_step_speed_ends_playback() -> None:
+    session = ScriptedSession().at(0.1, Move(1, HERE, FAST))
+    session.at(2.0, lambda: session.stage.do("servo 5 dead")).at(
+        2.0, Play(2, (Step(THERE, 1.0),), 0)
+    )
+    session.until(5.0).run()
+    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.SPEEDS]
+    assert "Motor 5 did not take its speed" in errors(session)[2]
+    assert lines(session, "c") == ["512"]
+
+
+def test_speeds_are_resent_after_servo_power_cycle() -> None:
+    session = ScriptedSession().at(0.2, Move(1, HERE, SLOW))
+    session.at(4.0, lambda: session.stage.do("servo power off"))
+    session.at(5.0, lambda: session.stage.do("servo power on"))
+    session.at(6.5, Move(2, THERE, SLOW)).until(9.5).run()
+    assert lines(session, "v") == ["30", "30"]
+    assert errors(session) == {1: "", 2: ""}
+    assert session.of(Moved)[-1].seconds > 1.2, "88 units at 30 are 1.29 s"
+
+
+# --- The newest wish ------------------------------------------------------------------------
+
+
+def test_latest_speed_applies_to_next_motion() -> None:
+    session = ScriptedSession().at(0.2, Move(1, HERE, FAST)).at(3.0, Move(2, THERE, (100,) * 8))
+    session.at(3.15, Drag(HERE, (100,) * 8))
+    session.at(3.2, SetSpeeds(3, FAST)).at(3.2, SetSpeeds(4, (20,) * 8)).until(8.0)
+    session.run()
+    assert lines(session, "v") == ["700", "100", "20"]
+    assert lines(session, "c") == ["512", "600", "512"]
+    assert session.of(Moved)[-1].seconds > 1.8, "86 units at 20 are 1.89 s"
+    assert "chosen since" in errors(session)[3]
+    assert errors(session)[4] == ""
+
+
+def test_newer_move_replaces_older_drag() -> None:
+    session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.5, Drag((300,) * 8, SLOW))
+    session.at(0.6, Move(2, HERE, SLOW)).until(6.0)
+    session.run()
+    assert lines(session, "c") == ["600", "512"]
+
+
+# --- Limits ---------------------------------------------------------------------------------
+
+
+def test_newest_limits_apply_to_moves_drags_and_playback() -> None:
+    session = ScriptedSession().at(0.1, Move(1, HERE, FAST)).at(3.0, SetLimits(((520, 550),) * 8))
+    session.at(3.1, Move(2, THERE, FAST)).at(5.0, Drag(HERE, FAST))
+    session.at(7.0, Play(3, (Step((530,) * 8, 0.5), Step((545,) * 8, 0.5)), rounds=0))
+    session.on(
+        lambda report: isinstance(report, StepBegun) and report.round == 2,
+        SetLimits(((535, 540),) * 8),
+    )
+    session.until(12.0).run()
+    sent = lines(session, "c")
+    assert sent[:3] == ["512", "550", "520"]
+    assert sent[3:7] == ["530", "545"] * 2
+    assert sent[8:12] == ["540", "535"] * 2
+
+
+def test_inverted_limits_are_ignored() -> None:
+    session = (
+        ScriptedSession()
+        .at(0.1, SetLimits(((400, 500),) * 8))
+        .at(0.2, SetLimits(((500, 400),) * 8))
+    )
+    session.at(0.3, Move(1, THERE, FAST)).until(4.0)
+    session.run()
+    assert lines(session, "c") == ["500"]

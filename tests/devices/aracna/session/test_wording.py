@@ -1,0 +1,91 @@
+"""What goes over the line to a robot, in words."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, told
+from trex_gui.core.transport.traffic_log import Piece, Way
+from trex_gui.devices.aracna.session.traffic_decoder import AracnaWording
+
+ARACNA: list[tuple[Said, str, bool]] = [
+    ((b".q\n", b".q1,8\r\n"), "ask for version and motors → firmware 1, 8 motors", False),
+    ((b".q\n", b".q1\n"), "ask for version and motors → firmware 1", False),
+    ((b".q\n", b""), "ask for version and motors → no answer", True),
+    (
+        (b".q\n", b".h\r\n"),
+        "ask for version and motors → the robot has started, and is deaf for a second",
+        False,
+    ),
+    ((b".l1\n", b".l1\r\n"), "switch the debug LED on → the LED is on", False),
+    ((b".v1,2\n", b".v1,2\r\n"), "set speeds 1, 2 → speeds 1, 2", False),
+    ((b".v1,2\n", b".v1,-1\r\n"), "set speeds 1, 2 → speeds 1, no answer", True),
+    ((b".c5,6\n", b".c5,6\r\n"), "go to 5, 6 → at 5, 6", False),
+    ((b".c5,6\n", b".c5,"), "go to 5, 6 → the answer broke off", True),
+    (
+        (b".c5,6\n", b".c5,.h\r\n"),
+        "go to 5, 6 → no reply of an Aracna: .c5,; the robot has started, and is deaf for a second",
+        True,
+    ),
+    ((b".c5,6\n", b".h\r\n"), "go to 5, 6 → the robot has started, and is deaf for a second", True),
+    ((b".c5,6\n", b"%!\r\n.c5,6\r\n"), "go to 5, 6 → no reply of an Aracna: %!; at 5, 6", True),
+    ((b"\n", b""), "end what may stand in the robot's line buffer", False),
+    ((b"", b".h\r\n"), "unasked: the robot has started, and is deaf for a second", False),
+    ((b"", b".h"), "unasked: a line that broke off: .h", True),
+]
+
+
+@pytest.mark.parametrize(("said", "text", "is_fault"), ARACNA, ids=lambda value: str(value)[:40])
+def test_exchange_is_decoded_as_text(said: Said, text: str, is_fault: bool) -> None:
+    assert told(AracnaWording(), pieces_of([said])) == [(text, is_fault)]
+
+
+@given(st.lists(st.sampled_from(ARACNA), max_size=8), st.integers(1, 5))
+def test_chunk_size_does_not_change_decoded_rows(
+    talk: list[tuple[Said, str, bool]], cut: int
+) -> None:
+    said = [one[0] for one in talk if one[0][0]]
+    whole = told(AracnaWording(), pieces_of(said))
+    assert told(AracnaWording(), pieces_of(said, cut)) == whole
+
+
+def test_only_version_query_is_routine() -> None:
+    wording = AracnaWording()
+    assert wording.is_routine(b".q\n")
+    assert not any(map(wording.is_routine, [b".c1,2\n", b".v1,2\n", b"\n", b".l1\n"]))
+
+
+@given(STRANGE_TALK, st.integers(1, 24))
+def test_any_bytes_can_be_decoded_as_text(talk: list[Said], cut: int) -> None:
+    assert_sayable(AracnaWording(), pieces_of(talk, cut))
+
+
+def test_late_reply_is_shown_with_its_command() -> None:
+    wording = AracnaWording()
+    pieces = [
+        Piece(1.0, Way.SENT, b".c5,6\n"),
+        Piece(2.0, Way.RECEIVED, b".c5,"),
+        Piece(4.0, Way.SENT, b".q\n"),
+        Piece(9.0, Way.SENT, b".q\n"),
+        Piece(9.5, Way.RECEIVED, b"6\r\n"),
+        Piece(9.6, Way.RECEIVED, b".q1,2\r\n"),
+        Piece(11.0, Way.SENT, b".q\n"),
+    ]
+    first, second = told(wording, pieces)
+    assert first == (
+        "go to 5, 6, then ask whether it is free → at 5, 6; firmware 1, 2 motors",
+        False,
+    )
+    assert second[0].startswith("ask for version")
+
+
+def test_command_ended_only_by_next_query_is_a_fault() -> None:
+    pieces = [
+        Piece(1.0, Way.SENT, b".c5,6\n"),
+        Piece(4.0, Way.SENT, b".q\n"),
+        Piece(4.1, Way.RECEIVED, b".q1,2\r\n"),
+        Piece(5.0, Way.LINE, text="Closed."),
+    ]
+    ((text, is_fault),) = told(AracnaWording(), pieces)
+    assert is_fault
+    assert text.endswith("firmware 1, 2 motors; no answer to the command itself")

@@ -1,0 +1,208 @@
+"""The control lines: what they answer, what they do, what they refuse."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.aracna import AracnaStage
+from trex_gui.core.simulator.server import GOODBYE
+from trex_gui.devices.aracna.simulator.control import control, state
+from trex_gui.devices.aracna.simulator.line import AracnaLine
+
+
+@pytest.fixture
+def stage() -> AracnaStage:
+    return AracnaStage()
+
+
+OBEYED = [
+    ("reset", "the board starts anew; the servos go on"),
+    ("power on", "power on"),
+    ("power off", "power off"),
+    ("power cycle", "power on"),
+    ("  POWER   Cycle ", "power on"),
+    ("servo 0 dead", "servo 0 dead"),
+    ("servo 7 alive", "servo 7 alive"),
+    ("servo 1 block", "servo 1 blocked"),
+    ("servo 1 free", "servo 1 free"),
+    ("servo 1 load 0.25", "servo 1 loses 0.25 of its speed"),
+    ("servo 1 lose position", "servo 1 does not answer the next 1 readings of position"),
+    ("servo 1 lose speed 3", "servo 1 does not answer the next 3 readings of speed"),
+    ("servo power off", "servo power off"),
+    ("servo power on", "servo power on"),
+    ("line mute on", "line mute on"),
+    ("line drop 3", "the next 3 bytes to the host get lost"),
+    ("line drop 3 sent", "the next 3 bytes from the host get lost"),
+    ("line cut 4", "of what comes after the next 4 bytes the rest of a line gets lost"),
+    ("line cut off", "no answer is cut"),
+    ("line garbage FF 80", "2 bytes on their way to the host"),
+    ("line garbage ff80", "2 bytes on their way to the host"),
+    ("line noise 0.5", "noise 0.5"),
+    ("line unplug", "unplugged"),
+    ("line plug", "plugged"),
+    ("quit", "bye"),
+]
+
+
+@pytest.mark.parametrize(("text", "answer"), OBEYED, ids=[text for text, _ in OBEYED])
+def test_valid_control_line_is_confirmed(stage: AracnaStage, text: str, answer: str) -> None:
+    assert control(stage.line, text) == f"ok {answer}"
+
+
+KNOWN = "known are reset, power, servo, line, show, quit"
+SERVO = "servo N dead|alive|block|free, servo N load F"
+LINE = "line mute on|off, line drop N [sent]"
+
+REFUSED = [
+    ("", f"nothing to do; {KNOWN}"),
+    ("warp 9", f"'warp' is unknown; {KNOWN}"),
+    ("reset now", "reset takes nothing more"),
+    ("show all", "show takes nothing more"),
+    ("quit now", "quit takes nothing more"),
+    ("power", "power on, power off or power cycle"),
+    ("power maybe", "power on, power off or power cycle"),
+    ("servo", SERVO),
+    ("servo 3", SERVO),
+    ("servo power", SERVO),
+    ("servo power maybe", SERVO),
+    ("servo 3 jump", SERVO),
+    ("servo 3 lose faith", SERVO),
+    ("servo 8 dead", "a servo is 0 to 7, not '8'"),
+    ("servo -1 dead", "a servo is 0 to 7, not '-1'"),
+    ("servo x dead", "a servo is 0 to 7, not 'x'"),
+    ("servo 3 load 2", "a load is 0 to 1, not '2'"),
+    ("servo 3 load nan", "a load is 0 to 1, not 'nan'"),
+    ("servo 3 lose speed -1", "a number of readings is 0 to 999999999, not '-1'"),
+    ("line", LINE),
+    ("line warp", LINE),
+    ("line mute", LINE),
+    ("line garbage", LINE),
+    ("line garbage xy", "'xy' is not a row of bytes such as FF80"),
+    (f"line garbage {'00' * 10_001}", "garbage is at most 10000 bytes, not 10001"),
+    ("line noise 1.1", "a probability is 0 to 1, not '1.1'"),
+    ("line drop many", "a number of bytes is 0 to 999999999, not 'many'"),
+    ("line drop 1 received", LINE),
+    ("line cut", LINE),
+    ("line cut -1", "a number of bytes is 0 to 999999999, not '-1'"),
+]
+
+
+@pytest.mark.parametrize(("text", "why"), REFUSED, ids=[text[:30] for text, _ in REFUSED])
+def test_invalid_control_line_is_explained_and_ignored(
+    stage: AracnaStage, text: str, why: str
+) -> None:
+    before = state(stage.line)
+    assert control(stage.line, text).startswith(f"error {why}")
+    assert state(stage.line) == before
+
+
+def test_unpowered_board_rejects_reset(stage: AracnaStage) -> None:
+    stage.do("power off")
+    assert control(stage.line, "reset") == "error the board has no power; power on starts it"
+
+
+def test_quit_returns_goodbye(stage: AracnaStage) -> None:
+    assert control(stage.line, "QUIT") == GOODBYE
+
+
+def test_show_reports_board_servos_and_wire(stage: AracnaStage) -> None:
+    shown = state(stage.line)
+    assert {name: shown[name] for name in ("aracna", "version", "motors", "state", "boots")} == {
+        "aracna": True,
+        "version": 1,
+        "motors": 8,
+        "state": "idle",
+        "boots": 1,
+    }
+    assert shown["led"] is False
+    assert (
+        shown["servos"]
+        == [
+            {
+                "position": 512,
+                "goal": 512,
+                "speed": 0,
+                "moving": False,
+                "torque": False,
+                "alive": True,
+                "blocked": False,
+                "load": 0.0,
+            }
+        ]
+        * 8
+    )
+    assert shown["line"] == {"plugged": True, "mute": False, "noise": 0.0}
+    assert shown["counters"]["board"]["restarts"] == 0
+
+
+def test_show_distinguishes_dead_from_unpowered_servos(stage: AracnaStage) -> None:
+    assert (state(stage.line)["servo_power"], state(stage.line)["dead"]) == (True, [])
+    stage.do("servo 5 dead")
+    stage.do("servo power off")
+    shown = state(stage.line)
+    assert (shown["servo_power"], shown["dead"]) == (False, [5])
+    assert not any(servo["alive"] for servo in shown["servos"])
+
+
+def test_show_reports_current_led_and_servo_states(stage: AracnaStage) -> None:
+    stage.ask(b".v50,50,50,50,50,50,50,50\n.l1\n.c\n", 3)
+    stage.ask(b".l1\n")
+    stage.do("servo 2 dead")
+    stage.line.send(b".c740,740,740,740,740,740,740,740\n")
+    stage.line.advance(0.5)
+    shown = state(stage.line)
+    assert shown["state"] == "moving"
+    assert shown["led"] is True
+    first, dead = shown["servos"][0], shown["servos"][2]
+    assert (first["goal"], first["speed"], first["moving"], first["torque"]) == (
+        740,
+        50,
+        True,
+        True,
+    )
+    assert 520 < first["position"] < 740
+    assert (dead["goal"], dead["moving"], dead["alive"]) == (512, False, False)
+
+
+def test_show_names_each_firmware_state() -> None:
+    line = AracnaLine()
+    seen = [state(line)["state"]]
+    line.advance(1.1)
+    seen.append(state(line)["state"])
+    line.send(b".v1,1,1,1,1,1,1,1\n")
+    line.advance(0.01)
+    seen.append(state(line)["state"])
+    line.advance(1)
+    line.send(b".c999999999,1,1,1,1,1,1,1\n")
+    line.advance(1)
+    seen.append(state(line)["state"])
+    control(line, "power off")
+    seen.append(state(line)["state"])
+    assert seen == ["booting", "idle", "speeds", "hung", "off"]
+
+
+@given(
+    text=st.text(max_size=40)
+    | st.lists(
+        st.sampled_from(
+            [
+                "servo",
+                "line",
+                "power",
+                "reset",
+                "show",
+                "3",
+                "load",
+                "lose",
+                "drop",
+                "on",
+                "off",
+                "nan",
+            ]
+        )
+    ).map(" ".join)
+)
+def test_no_control_line_raises(text: str) -> None:
+    answer = control(AracnaLine(), text)
+    assert answer.startswith(("ok", "error "))
+    assert "\n" not in answer

@@ -1,0 +1,226 @@
+"""The wire: its pace, hosts that are set otherwise, faults, the cable."""
+
+from itertools import pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.aracna import BOOT, AracnaStage
+from tests.support.matrix import examples
+from trex_gui.devices.aracna.simulator.line import AracnaLine
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+
+VERSION = b".q1,8\r\n"
+GOALS = b".c512,512,512,512,512,512,512,512\n"
+
+
+@pytest.fixture
+def stage() -> AracnaStage:
+    return AracnaStage()
+
+
+def test_query_takes_about_three_milliseconds(stage: AracnaStage) -> None:
+    begun = stage.now
+    stage.line.send(b".q\n")
+    assert stage.line.read(7, 1) == VERSION
+    assert (stage.now - begun) * 1000 == pytest.approx(2.6, abs=0.1)
+
+
+def test_reply_bytes_arrive_one_byte_time_apart(stage: AracnaStage) -> None:
+    stage.line.send(b".q\n")
+    times = []
+    for _ in VERSION:
+        stage.line.read(1, 1)
+        times.append(stage.now)
+    assert [later - sooner for sooner, later in pairwise(times)] == (pytest.approx([0.00026] * 6))
+
+
+def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
+    stage = AracnaStage(paced=False, margin=0)
+    begun = stage.now
+    stage.line.send(b".q\n")
+    assert stage.line.read(7, 1) == VERSION
+    assert stage.now == begun
+    stage.line.send(b".v100,100,100,100,100,100,100,100\n.c740,512,512,512,512,512,512,512\n")
+    assert stage.line.read(35, 1).startswith(b".v100,")
+    stage.do("reset")
+    stage.line.send(b".q\n")
+    assert stage.line.read(11, 2) == b".h\r\n" + VERSION
+    assert stage.now - begun == pytest.approx(1.033, abs=0.001)
+
+
+@pytest.mark.parametrize("baud", [300, 9600, 19200, 57600, 115200])
+@pytest.mark.parametrize("paced", [True, False])
+def test_host_at_other_baud_rate_gets_no_valid_reply(baud: int, paced: bool) -> None:
+    stage = AracnaStage(paced=paced)
+    stage.line.host = LineSettings(baud)
+    assert VERSION not in stage.ask(b".q\n")
+    stage.do("reset")
+    assert stage.ask(b"") != b".h\r\n"
+    stage.line.host = None
+    stage.do("reset")
+    stage.line.advance(BOOT)
+    stage.line.receive()
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_host_at_other_baud_rate_receives_garbage(stage: AracnaStage) -> None:
+    stage.line.host = LineSettings(19200)
+    stage.do("reset")
+    garbage = stage.ask(b"", 2)
+    assert garbage
+    assert garbage != b".h\r\n"
+
+
+def test_board_receives_garbage_from_host_at_other_baud_rate(stage: AracnaStage) -> None:
+    stage.line.host = LineSettings(9600)
+    stage.ask(b".l1\n" * 4)
+    assert stage.line.station.firmware.led is False
+    assert stage.line.faults.counters["garbled"] > 4
+
+
+@pytest.mark.parametrize("detection", [Detection.EVEN, Detection.ODD])
+def test_host_with_parity_gets_no_valid_reply(stage: AracnaStage, detection: Detection) -> None:
+    stage.line.host = LineSettings(38400, detection)
+    assert VERSION not in stage.ask(b".q\n" * 3)
+
+
+def test_second_stop_bit_is_accepted(stage: AracnaStage) -> None:
+    stage.line.host = LineSettings(38400, stop_bits=2)
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_mute_line_drops_replies_but_not_commands(stage: AracnaStage) -> None:
+    stage.do("line mute on")
+    assert stage.ask(b".l1\n") == b""
+    stage.do("line mute off")
+    assert stage.ask(b".l\n") == b".l1\r\n"
+
+
+def test_dropped_bytes_are_missing_from_reply(stage: AracnaStage) -> None:
+    stage.do("line drop 2")
+    assert stage.ask(b".q\n") == VERSION[2:]
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_dropped_sent_bytes_leave_query_unanswered(stage: AracnaStage) -> None:
+    stage.do("line drop 1 sent")
+    assert stage.ask(b".q\n") == b""  # "q" and the newline
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_garbage_arrives_at_line_speed(stage: AracnaStage) -> None:
+    stage.do("line garbage 00 FF 2E 68")
+    assert stage.line.read(4, 1) == b"\x00\xff.h"
+    assert stage.now == pytest.approx(BOOT + 4 * stage.line.byte_time)
+
+
+def test_noise_of_probability_1_corrupts_reply(stage: AracnaStage) -> None:
+    stage.do("line noise 1")
+    assert stage.ask(b".q\n") != VERSION
+    stage.do("line noise 0")
+    stage.ask(b"\n")
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_same_seed_gives_same_noise() -> None:
+    def heard(seed: int) -> bytes:
+        stage = AracnaStage(seed=seed)
+        stage.do("line noise 0.2")
+        return b"".join(stage.ask(b".q\n", 1) for _ in range(10))
+
+    assert heard(4) == heard(4)
+    assert heard(4) != heard(5)
+
+
+def test_unplugged_cable_passes_nothing(stage: AracnaStage) -> None:
+    stage.do("line unplug")
+    assert stage.ask(b".l1\n") == b""
+    assert not stage.line.station.firmware.led
+    stage.do("line plug")
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_replugged_cable_passes_rest_of_reply(
+    stage: AracnaStage,
+) -> None:
+    stage.line.send(b".q\n")
+    stage.line.read(2, 1)
+    stage.do("line unplug")
+    stage.line.advance(0.0004)
+    stage.do("line plug")
+    assert stage.ask(b"", 1) == VERSION[4:]
+
+
+def test_drop_unsent_discards_queued_bytes(stage: AracnaStage) -> None:
+    stage.line.send(b".l1\n" * 10)
+    assert stage.line.backlog == pytest.approx(40 * stage.line.byte_time)
+    stage.line.advance(2.5 * stage.line.byte_time)
+    stage.line.drop_unsent()
+    assert stage.line.backlog == 0
+    assert stage.ask(b"") == b""
+    assert stage.ask(b"\n.q\n").endswith(VERSION)
+
+
+def test_robot_requires_motors_and_one_position_for_each() -> None:
+    with pytest.raises(ValueError, match="0 motors"):
+        AracnaLine(motors=0)
+    with pytest.raises(ValueError, match="8 motors and 2 positions"):
+        AracnaLine(positions=[1, 2])
+
+
+PIECES = st.one_of(
+    st.binary(max_size=70),
+    st.text(".cvql0123456789,- \r\n", max_size=70).map(str.encode),
+    st.sampled_from([GOALS, GOALS[:20], b".v" + GOALS[2:], b".q\n", b".c\n", b".l1\n"]),
+)
+
+
+@examples(150)
+@given(
+    pieces=st.lists(st.tuples(PIECES, st.floats(0, 1.5)), max_size=8),
+    paced=st.booleans(),
+    keeps_last=st.booleans(),
+)
+def test_board_answers_after_any_input_and_reset(
+    pieces: list[tuple[bytes, float]], paced: bool, keeps_last: bool
+) -> None:
+    stage = AracnaStage(booted=False, paced=paced, keeps_last=keeps_last)
+    for data, pause in pieces:
+        stage.line.send(data)
+        stage.line.advance(pause)
+    stage.line.drop_unsent()
+    stage.do("reset")
+    stage.line.advance(BOOT)
+    stage.line.receive()
+    assert stage.ask(b".q\n", 0.1) == VERSION
+    for servo in stage.line.servos:
+        assert 0 <= servo.goal <= 1023
+        assert 0 <= servo.speed <= 1023
+        assert -1 < servo.position < 1024
+
+
+# --- An answer that is cut ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("passing", [0, 1, 6, 7])
+def test_cut_reply_ends_early_and_next_reply_is_complete(stage: AracnaStage, passing: int) -> None:
+    stage.do(f"line cut {passing}")
+    answer = stage.ask(GOALS)
+    assert answer == b".c512,512,"[:passing]
+    assert stage.ask(b".q\n") == VERSION
+    assert stage.line.faults.counters["dropped"] == 35 - passing
+
+
+def test_cut_beyond_short_reply_applies_to_next_reply(stage: AracnaStage) -> None:
+    stage.do("line cut 9")
+    assert stage.ask(b".q\n") == VERSION
+    assert stage.ask(b".q\n") == VERSION[:2]
+    assert stage.ask(b".q\n") == VERSION
+
+
+def test_cut_can_be_cancelled(stage: AracnaStage) -> None:
+    stage.do("line cut 2")
+    stage.do("line cut off")
+    assert stage.ask(b".q\n") == VERSION

@@ -1,0 +1,86 @@
+"""Files that are damaged, long, empty or of other robots, in the window of a recording."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QCheckBox, QLabel, QListView, QProgressBar
+from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
+
+from tests.devices.aracna.recordings import HEADER, MOTORS, T0, hang, loader_thread, session, write
+from tests.devices.aracna.views.recording_stage import STORY, RecordingWindowDriver, open_recording
+from trex_gui.devices.aracna.recording import Header
+from trex_gui.devices.aracna.session.messages import Moved
+
+
+def test_damaged_recording_reports_lines_and_shows_rest(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "cut.csv"
+    write(path, STORY)
+    path.write_bytes(path.read_bytes()[:-10].replace(b",goals,200,", b",goals,2oo,"))
+    window = RecordingWindowDriver(path, qtbot)
+    window.show()
+    window.wait_until_loaded()
+    text = window.text("bannerText")
+    assert "This recording is not whole." in text
+    assert "Line 5 cannot be understood: '2oo' is no number of the robot." in text
+    assert "Line 9, the last one, is cut off." in text
+    window.playback.set_position(window.playback.end)
+    assert window.text("aracnaRecordedPresent0") == "201 = 58.9°"
+    window.close()
+
+
+def test_loading_shows_progress_and_can_be_cancelled(
+    tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hang(monkeypatch)
+    path = tmp_path / "long.csv"
+    write(path, list(session(60)))
+    window = RecordingWindowDriver(path, qtbot)
+    window.show()
+    bar = window.find(QProgressBar, "recordingProgress")
+    window.wait(lambda: bar.value() > 0)
+    assert bar.isVisible()
+    assert bar.text().startswith("Reading, ")
+    assert not window.playback.is_loaded
+    thread = loader_thread(window.playback)
+    with qtbot.waitSignal(window.window.closed):
+        window.click("cancelRecordingButton")
+    window.wait(lambda: not isValid(thread) or thread.isFinished())
+    assert not window.playback.is_loaded
+
+
+def test_curve_hidden_while_loading_stays_hidden(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "walk.csv"
+    write(path, STORY)
+    window = RecordingWindowDriver(path, qtbot)
+    window.find(QCheckBox, "aracnaCurveBox2").setChecked(False)
+    window.wait_until_loaded()
+    plot = window.plot
+    window.wait(lambda: plot.source is window.playback.traces)
+    assert "motor_2" not in plot.shown
+    assert len(plot.shown) == MOTORS - 1
+    window.close()
+
+
+@pytest.mark.parametrize("motors", [2, 18])
+def test_recording_with_other_motor_count_is_shown(
+    tmp_path: Path, qtbot: QtBot, motors: int
+) -> None:
+    header = Header(HEADER.started, T0, version=0, motors=motors)
+    goals = (300,) * motors
+    moved = Moved(T0 + 1, goals, goals, 1.0)
+    window = open_recording(tmp_path / "a.csv", qtbot, [moved], header)
+    window.playback.set_position(T0 + 1)
+    assert window.text(f"aracnaRecordedPresent{motors - 1}") == "300 = 88.0°"
+    names = [label.objectName() for label in window.find_all(QLabel)]
+    assert f"aracnaRecordedPresent{motors}" not in names
+    assert window.window.height() < 1000
+    window.close()
+
+
+def test_empty_recording_shows_that_nothing_happened(tmp_path: Path, qtbot: QtBot) -> None:
+    window = open_recording(tmp_path / "a.csv", qtbot, [])
+    events = window.find(QListView, "eventList")
+    window.wait(lambda: "Nothing happened" in events.accessibleDescription())
+    assert not window.is_enabled("playButton")
+    window.close()

@@ -1,0 +1,36 @@
+"""Bench tests as they could have been run."""
+
+from collections.abc import Sequence
+from datetime import UTC, datetime
+
+from trex_gui.devices.trex.bench.profile import Profile
+from trex_gui.devices.trex.bench.run import End, Run
+
+BEGAN = datetime(2026, 11, 21, 12, 30, tzinfo=UTC)
+
+
+def run_of(
+    currents: Sequence[tuple[float, float]],
+    profile: Profile | None = None,
+    *,
+    ended: float = 2.0,
+    end: End = End.COMPLETE,
+    reason: str = "",
+    motor: int = 1,
+) -> Run:
+    """Return a test with these readings (s, A)."""
+    profile = profile or Profile(duration=2.0)
+    return Run(
+        motor=motor,
+        profile=profile,
+        accelerate=True,
+        abort_current=10.0,
+        ampere=0.15,
+        began=BEGAN,
+        end=end,
+        reason=reason,
+        ended=ended,
+        wishes=((0.0, profile.speed),),
+        currents=tuple(currents),
+        settings=(("Motor 1 Acceleration", "20 per 100 ms"),),
+    )

@@ -1,0 +1,111 @@
+"""The numbers that a bench test comes to."""
+
+import pytest
+
+from tests.devices.trex.bench.runs import run_of
+from trex_gui.devices.trex.bench.figures import LONGEST_GAP, Figures, figures
+from trex_gui.devices.trex.bench.profile import Profile, Shape
+from trex_gui.devices.trex.bench.run import End
+
+RATE = 80
+
+
+def readings(*parts: tuple[float, float]) -> list[tuple[float, float]]:
+    """Return 80 readings a second: so many seconds of so many ampere, one after the other."""
+    found: list[tuple[float, float]] = []
+    for seconds, amps in parts:
+        begin = len(found)
+        found += [((begin + index) / RATE, amps) for index in range(round(seconds * RATE))]
+    return found
+
+
+def test_inrush_and_settling_are_measured() -> None:
+    run = run_of(readings((0.05, 0.0), (0.1, 12.0), (0.15, 6.0), (1.8, 4.0)))
+    found = figures(run)
+    assert found.peak == 12.0
+    assert found.peak_at == pytest.approx(0.05)
+    assert found.delay == pytest.approx(0.05)
+    assert found.steady == pytest.approx(4.0)
+    assert found.settled == pytest.approx(0.3)
+
+
+def test_inrush_crossing_steady_current_has_not_settled() -> None:
+    """It is within a tenth of 4 A on its way up, and once more on its way down."""
+    parts = (0.1, 4.0), (0.1, 9.0), (0.1, 4.0), (0.1, 3.0), (1.6, 4.0)
+    found = figures(run_of(readings(*parts)))
+    assert found.delay == pytest.approx(0)
+    assert found.settled == pytest.approx(0.4)
+
+
+def test_wider_band_settles_earlier() -> None:
+    run = run_of(readings((0.5, 1.0), (0.5, 3.0), (1.2, 4.0)))
+    assert figures(run).settled == pytest.approx(1.0)
+    assert figures(run, band=0.3).settled == pytest.approx(0.5)
+
+
+def test_mean_and_charge_cover_only_driven_time() -> None:
+    run = run_of([(index / 100, 3.6) for index in range(301)], ended=2.0)
+    found = figures(run)
+    assert found.mean == pytest.approx(3.6)
+    assert found.charge == pytest.approx(2.0)  # 3.6 A for 2 s are 7.2 A s, 2 mAh
+
+
+def test_gap_in_readings_adds_no_charge() -> None:
+    gap = LONGEST_GAP + 0.1
+    found = figures(run_of([(0.0, 3.6), (0.5, 3.6), (0.5 + gap, 3.6), (1.0 + gap, 3.6)]))
+    assert found.charge == pytest.approx(1.0)
+    assert found.mean == pytest.approx(3.6)
+
+
+def test_peak_excludes_current_after_end() -> None:
+    run = run_of([(0.1, 1.0), (0.5, 1.0), (1.2, 50.0)], ended=1.0, end=End.LET_GO)
+    assert figures(run).peak == 1.0
+
+
+def test_run_without_readings_has_empty_figures() -> None:
+    assert figures(run_of([])) == Figures()
+
+
+def test_delay_ignores_noise_of_one_count() -> None:
+    found = figures(run_of(readings((0.5, 0.15), (1.5, 0.3))))
+    assert found.delay == pytest.approx(0.5)
+
+
+def test_motor_drawing_no_current_never_settles() -> None:
+    found = figures(run_of(readings((2.0, 0.0))))
+    assert found.peak == 0
+    assert found.steady == 0
+    assert found.settled is None
+    assert found.delay is None
+
+
+def test_sine_has_no_steady_current() -> None:
+    profile = Profile(shape=Shape.SINE, duration=2.0)
+    found = figures(run_of(readings((2.0, 3.0)), profile))
+    assert found.steady is None
+    assert found.peak == 3.0
+
+
+def test_reversal_takes_steady_current_before_first_turn() -> None:
+    profile = Profile(shape=Shape.REVERSE, duration=2.0, period=2.0)
+    found = figures(run_of(readings((0.2, 9.0), (0.8, 3.0), (1.0, 20.0)), profile))
+    assert found.steady == pytest.approx(3.0)
+    assert found.settled == pytest.approx(0.2)
+    assert found.peak == 20.0
+
+
+def test_ramp_takes_steady_current_after_its_rise() -> None:
+    profile = Profile(shape=Shape.RAMP, duration=2.0, period=1.0)
+    found = figures(run_of(readings((1.0, 1.0), (1.0, 5.0)), profile))
+    assert found.steady == pytest.approx(5.0)
+
+
+def test_run_released_early_has_no_steady_current() -> None:
+    found = figures(run_of(readings((0.3, 5.0)), ended=0.3, end=End.LET_GO))
+    assert found.steady is None
+    assert found.mean == pytest.approx(5.0)
+
+
+def test_oscillating_current_never_settles() -> None:
+    waves = [(index / RATE, 8.0 if index % 2 else 0.0) for index in range(2 * RATE)]
+    assert figures(run_of(waves)).settled is None

@@ -1,0 +1,92 @@
+"""Bench tests saved and read back."""
+
+import contextlib
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.devices.trex.bench.runs import run_of
+from tests.devices.trex.bench.test_profile import PROFILES
+from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
+from trex_gui.devices.trex.bench.profile import Profile
+from trex_gui.devices.trex.bench.run import End, Run
+
+SAVED = run_of([(0.0125, 0.0), (0.025, 4.5)])
+
+
+def ticks(unit: int, most: int) -> st.SearchStrategy[float]:
+    """Return numbers as exact as the file keeps them."""
+    return st.integers(0, most).map(lambda count: count / unit)
+
+
+@st.composite
+def runs(draw: st.DrawFn) -> Run:
+    times = sorted(draw(st.sets(ticks(10_000, 1_200_000), max_size=30)))
+    amps = draw(st.lists(ticks(10_000, 400_000), min_size=len(times), max_size=len(times)))
+    profile = draw(PROFILES)
+    plain = Profile(
+        shape=profile.shape,
+        speed=profile.speed,
+        duration=round(profile.duration, 2),
+        period=round(profile.period, 2),
+    )
+    return run_of(
+        list(zip(times, amps, strict=True)),
+        plain,
+        ended=draw(ticks(10_000, 1_200_000)),
+        end=draw(st.sampled_from(End)),
+        reason=draw(st.sampled_from(["", "Motor 1 drew 12.00 A: more, than allowed."])),
+        motor=draw(st.sampled_from([1, 2])),
+    )
+
+
+@given(run=runs())
+def test_saved_run_is_read_back_equal(run: Run) -> None:
+    assert from_csv(to_csv(run)) == run
+
+
+def test_csv_has_heading_with_units_and_row_per_reading() -> None:
+    lines = [line for line in to_csv(SAVED).splitlines() if not line.startswith("#")]
+    assert lines == [
+        "time_s,wish_speed,current_a",
+        "0.0000,40,",
+        "0.0125,40,0.0000",
+        "0.0250,40,4.5000",
+    ]
+
+
+def test_file_header_lists_motor_shape_and_settings() -> None:
+    text = to_csv(SAVED)
+    assert "# motor: 1" in text
+    assert "# shape: step" in text
+    assert "# stored Motor 1 Acceleration: 20 per 100 ms" in text
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("# TReX Studio bench test", "product: TReX", "line 1: a bench test begins with"),
+        ("# motor: 1", "# motor 1", "line 3: a name and a value belong here"),
+        ("# motor: 1\n", "", "the line “# motor: …” is missing"),
+        ("# motor: 1", "# motor: 7", "1 or 2 belongs here, not 7"),
+        ("# shape: step", "# shape: square", "shape: “square” is no value for it"),
+        ("# speed: 40", "# speed: 400", "not 400"),
+        ("time_s,", "seconds,", "the columns time_s, wish_speed, current_a belong here"),
+        ("0.0250,40,4.5000", "0.0250,40", "line 17: “0.0250,40” is no row of it"),
+        ("0.0250,40,4.5000", "0.0250,40,many", "line 17: “0.0250,40,many” is no row of it"),
+    ],
+)
+def test_damaged_file_is_rejected_with_reason(old: str, new: str, words: str) -> None:
+    text = to_csv(SAVED)
+    assert old in text
+    with pytest.raises(BenchFileError) as refused:
+        from_csv(text.replace(old, new, 1))
+    assert words in str(refused.value)
+
+
+@given(text=st.text(max_size=300), cut=st.integers(0, 600))
+def test_arbitrary_text_raises_only_bench_file_error(text: str, cut: int) -> None:
+    for given_text in (text, to_csv(SAVED)[:cut], to_csv(SAVED)[:cut] + text):
+        with contextlib.suppress(BenchFileError):
+            from_csv(given_text)

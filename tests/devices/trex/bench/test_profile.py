@@ -1,0 +1,102 @@
+"""What a bench test asks of a motor, moment by moment."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.devices.trex.bench.profile import LONGEST, SHORTEST, Profile, Shape
+
+SECONDS = st.floats(SHORTEST, LONGEST)
+PROFILES = st.builds(
+    Profile,
+    shape=st.sampled_from(Shape),
+    speed=st.integers(-127, 127).filter(bool),
+    duration=SECONDS,
+    period=SECONDS,
+)
+
+
+@given(profile=PROFILES, share=st.floats(-1, 2))
+def test_profile_never_exceeds_its_speed(profile: Profile, share: float) -> None:
+    assert abs(profile.speed_at(profile.duration * share)) <= abs(profile.speed)
+
+
+@given(profile=PROFILES)
+def test_profile_is_zero_before_start_and_after_end(profile: Profile) -> None:
+    assert profile.speed_at(-0.001) == 0
+    assert profile.speed_at(profile.duration) == 0
+    assert profile.speed_at(profile.duration + 1) == 0
+
+
+@given(profile=PROFILES, share=st.floats(0, 0.999))
+def test_negative_speed_mirrors_profile(profile: Profile, share: float) -> None:
+    turned = Profile(
+        shape=profile.shape,
+        speed=-profile.speed,
+        duration=profile.duration,
+        period=profile.period,
+    )
+    moment = profile.duration * share
+    assert turned.speed_at(moment) == -profile.speed_at(moment)
+
+
+def test_step_has_full_speed_from_start_to_end() -> None:
+    profile = Profile(shape=Shape.STEP, speed=90, duration=2)
+    assert [profile.speed_at(at) for at in (0, 0.01, 1, 1.99)] == [90] * 4
+
+
+def test_ramp_rises_for_its_period_then_holds() -> None:
+    profile = Profile(shape=Shape.RAMP, speed=-100, duration=4, period=2)
+    assert [profile.speed_at(at) for at in (0, 0.5, 1, 2, 3.9)] == [0, -25, -50, -100, -100]
+
+
+def test_reversal_changes_direction_every_half_period() -> None:
+    profile = Profile(shape=Shape.REVERSE, speed=50, duration=3, period=2)
+    assert [profile.speed_at(at) for at in (0, 0.99, 1, 1.99, 2.5)] == [50, 50, -50, -50, 50]
+
+
+def test_sine_starts_forward_and_passes_through_zero() -> None:
+    profile = Profile(shape=Shape.SINE, speed=100, duration=4, period=4)
+    assert [profile.speed_at(at) for at in (0, 1, 2, 3)] == [0, 100, 0, -100]
+    assert profile.speed_at(0.5) == round(100 * math.sin(math.pi / 4))
+
+
+@given(profile=PROFILES, ceiling=st.integers(1, 127))
+def test_ceiling_limits_speed_and_keeps_direction_and_shape(profile: Profile, ceiling: int) -> None:
+    limited = profile.limited(ceiling)
+    assert abs(limited.speed) == min(abs(profile.speed), ceiling)
+    assert (limited.speed > 0) is (profile.speed > 0)
+    assert (limited.shape, limited.duration) == (profile.shape, profile.duration)
+
+
+@given(profile=PROFILES)
+def test_drawn_course_matches_profile_speeds(profile: Profile) -> None:
+    course = profile.course(100)
+    times = [time for time, _ in course]
+    assert times == sorted(times)
+    assert course[0] == (0.0, 0)
+    assert course[-1] == (profile.duration, 0)
+    assert all(speed == profile.speed_at(time) for time, speed in course[1:-2])
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"speed": 0}, "not 0"),
+        ({"speed": 128}, "127"),
+        ({"speed": -128}, "127"),
+        ({"duration": 0.1}, "lasts 0.2 to 120 s, not 0.1 s"),
+        ({"duration": 121}, "not 121 s"),
+        ({"duration": math.nan}, "not nan s"),
+        ({"shape": Shape.SINE, "period": 0.1}, "period of a bench test is 0.2 to 120 s"),
+    ],
+)
+def test_invalid_profile_is_rejected_with_limits(values: dict[str, float], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        Profile(**values)  # type: ignore[arg-type]  # one of them is wrong on purpose
+
+
+def test_step_ignores_period() -> None:
+    assert Profile(shape=Shape.STEP, period=0).speed_at(0) == 40

@@ -1,0 +1,430 @@
+"""From the ends that a stick reached to the calibration that fits it."""
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from tests.devices.trex.calibration.measure import check, learn, neutral_of, travel_of
+from tests.support.transmitter import HOLD, Stick
+from trex_gui.devices.trex.calibration.problems import Kind
+from trex_gui.devices.trex.calibration.proposal import Proposal, propose
+from trex_gui.devices.trex.calibration.samples import Sample
+from trex_gui.devices.trex.calibration.travel import Task, Travel, TravelWatch, Way, least_travel
+from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
+from trex_gui.devices.trex.model.learning.checks import Check
+from trex_gui.devices.trex.protocol.calibration import Calibration, remap
+from trex_gui.devices.trex.protocol.flags import InputSource
+
+unhurried = settings(deadline=None)
+
+# A wild pulse is not told from an end that is held where the pulses behind it are lost: the board
+# repeats the last value. So a stick has one of both.
+sticks = st.builds(
+    lambda traits, lost, spikes: replace(
+        traits, **({"lost": lost} if lost else {"spikes": spikes})
+    ),
+    st.builds(
+        Stick,
+        rest=st.floats(1380, 1620),
+        low=st.floats(850, 1200),
+        high=st.floats(1800, 2150),
+        noise=st.floats(0, 1.0),
+        forward_is_down=st.booleans(),
+    ),
+    lost=st.sampled_from([0.0, 0.01, 0.05]),
+    spikes=st.floats(0, 0.004),
+)
+
+
+def learned(stick: Stick, channel: int = 1, *, seed: int, reversed_now: bool = False) -> Proposal:
+    """Learn a channel, unless its signal at rest is refused; test_neutral.py shows when it is."""
+    assume(not any(problem.fatal for problem in neutral_of(stick, seed).problems))
+    return learn(stick, seed=seed, reversed_now=reversed_now)
+
+
+def bound(stick: Stick) -> float:
+    """One percent of the travel, and what the noise makes uncertain, in counts."""
+    low, _, high = stick.truth()
+    return 0.01 * (high - low) + 5 * max(1.0, stick.noise * stick.source.counts_per_unit)
+
+
+@unhurried
+@given(stick=sticks, seed=st.integers(0, 2**32))
+def test_ends_are_found_within_one_percent_of_travel(stick: Stick, seed: int) -> None:
+    found = learned(stick, seed=seed).calibration
+    assert found is not None
+    assert found.problem() is None
+    low, neutral, high = stick.truth()
+    assert 0 < found.minimum - low <= bound(stick)
+    assert 0 < high - found.maximum <= bound(stick)
+    assert abs(found.neutral - neutral) <= max(1.0, 2.5 * stick.noise)
+
+
+@unhurried
+@given(stick=sticks, seed=st.integers(0, 2**32))
+def test_calibration_gives_full_output_at_ends_and_zero_at_rest(stick: Stick, seed: int) -> None:
+    proposal = learned(stick, seed=seed)
+    assert proposal.calibration is not None
+    low, neutral, high = stick.truth()
+    noise = 2 * stick.noise * 2.5
+    assert remap(round(high - noise), proposal.calibration) == 127
+    assert remap(round(low + noise), proposal.calibration) == -127
+    assert remap(round(neutral + noise), proposal.calibration) == 0
+    assert remap(round(neutral - noise), proposal.calibration) == 0
+
+
+@unhurried
+@given(stick=sticks, now=st.booleans(), seed=st.integers(0, 2**32))
+def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, seed: int) -> None:
+    proposal = learned(stick, seed=seed, reversed_now=now)
+    assert proposal.reversed_ is stick.forward_is_down
+    suggested = (
+        ": reversed is suggested." if stick.forward_is_down else ": not reversed is suggested."
+    )
+    assert proposal.reversed_reason.endswith(suggested if stick.forward_is_down != now else "")
+    assert bool(proposal.reversed_reason) is (stick.forward_is_down != now)
+
+
+@unhurried
+@given(low=st.floats(0.2, 1.5), high=st.floats(3.5, 4.8), seed=st.integers(0, 2**32))
+def test_analog_ends_are_found_within_one_percent_of_travel(
+    low: float, high: float, seed: int
+) -> None:
+    stick = Stick(rest=2.5, low=low, high=high, noise=0.004, source=InputSource.ANALOG)
+    found = learn(stick, seed=seed).calibration
+    assert found is not None
+    minimum, _, maximum = stick.truth()
+    assert 0 < found.minimum - minimum <= bound(stick)
+    assert 0 < maximum - found.maximum <= bound(stick)
+
+
+@unhurried
+@given(
+    stick=st.builds(
+        Stick,
+        rest=st.floats(700, 2300),
+        low=st.floats(600, 2400),
+        high=st.floats(600, 2400),
+        noise=st.floats(0, 80),
+        drift=st.floats(-30, 30),
+        lost=st.floats(0, 1),
+        spikes=st.floats(0, 0.3),
+        twitches=st.floats(-100, 100),
+        connected=st.booleans(),
+    ),
+    channel=st.integers(1, 5),
+    seed=st.integers(0, 2**32),
+)
+def test_any_signal_gives_valid_calibration_or_fatal_problem(
+    stick: Stick, channel: int, seed: int
+) -> None:
+    proposal = learn(stick, channel, seed=seed)
+    if proposal.calibration is None:
+        assert any(problem.fatal for problem in proposal.problems)
+    else:
+        assert proposal.calibration.problem() is None
+    assert all(problem.text.endswith((".", "?")) for problem in proposal.problems)
+
+
+def kinds(
+    stick: Stick, channel: int = 1, moves: tuple[tuple[float, float], ...] = HOLD
+) -> list[Kind]:
+    return [problem.kind for problem in learn(stick, channel, moves).problems]
+
+
+ONLY_UP = ((0.3, 1.0), (0.3, 1.0), (0.3, 0.0), (0.3, 0.0))
+
+
+def test_stick_that_never_moves_is_reported() -> None:
+    assert kinds(Stick(noise=1), moves=((2.0, 0.0),)) == [Kind.NEVER_MOVED]
+
+
+def test_too_little_travel_is_reported_with_required_travel() -> None:
+    (problem,) = learn(Stick(low=1450, high=1550)).problems
+    assert problem.kind is Kind.TOO_LITTLE
+    assert "81 µs are needed" in problem.text
+    assert "127 speeds" in problem.text
+
+
+def test_travel_in_one_direction_is_reported() -> None:
+    assert kinds(Stick(), moves=ONLY_UP) == [Kind.ONE_DIRECTION]
+
+
+def test_end_too_near_neutral_is_reported() -> None:
+    assert kinds(Stick(low=1440)) == [Kind.END_TOO_NEAR]
+
+
+def test_neutral_outside_travel_is_reported() -> None:
+    neutral = neutral_of(Stick())
+    moved = Stick(rest=1700, low=1650, high=2000)
+    travel = travel_of(moved, neutral)
+    assert [problem.kind for problem in travel.problems] == [Kind.NEUTRAL_OUTSIDE]
+
+
+def test_uneven_travel_is_reported_and_still_proposed() -> None:
+    proposal = learn(Stick(low=1300))
+    assert [problem.kind for problem in proposal.problems] == [Kind.UNEVEN]
+    assert proposal.calibration is not None
+
+
+def test_outlier_pulses_do_not_extend_travel() -> None:
+    stick = Stick(spikes=0.02)
+    travel = travel_of(stick, neutral_of(Stick()), seed=5)
+    assert abs((travel.high or 0) - 5000) <= 2
+    assert abs((travel.low or 0) - 2500) <= 2
+
+
+def test_signal_lost_during_travel_is_reported() -> None:
+    travel = travel_of(Stick(lost=0.7), neutral_of(Stick()), moves=HOLD * 3)
+    assert Kind.JITTER in [problem.kind for problem in travel.problems]
+
+
+def travel_of_counts(counts: list[int | None]) -> Travel:
+    """Feed these counts, 50 a second, from a stick that rests at 3750."""
+    watch = TravelWatch(neutral_of(Stick()), Task.STICK)
+    for step, count in enumerate(counts):
+        watch.feed(Sample(step / 50, count))
+    return watch.travel
+
+
+def problems_with_lost_samples(lost: int) -> list[tuple[Kind, str]]:
+    """Push a stick to both ends; `lost` of the 50 samples have no signal."""
+    travel = travel_of_counts([*[None] * lost, *[5000] * 10, *[2500] * (40 - lost)])
+    return [(problem.kind, problem.text) for problem in travel.problems]
+
+
+def test_lost_samples_are_reported_only_beyond_one_tenth() -> None:
+    assert problems_with_lost_samples(5) == []
+    ((kind, text),) = problems_with_lost_samples(6)
+    assert kind is Kind.JITTER
+    assert "12% of the samples had no valid pulse" in text
+
+
+def test_no_signal_is_reported_beyond_half_of_samples() -> None:
+    assert [kind for kind, _ in problems_with_lost_samples(25)] == [Kind.JITTER]
+    assert [kind for kind, _ in problems_with_lost_samples(26)] == [Kind.NO_SIGNAL]
+
+
+def test_first_end_is_known_once_travel_is_enough() -> None:
+    least = least_travel(neutral_of(Stick()).deadband)
+    assert travel_of_counts([3750 - least + 1] * 5).first is None
+    assert travel_of_counts([3750 - least] * 5).first is Way.DOWN
+
+
+def test_only_travelled_direction_counts_as_reached() -> None:
+    travel = travel_of(Stick(), neutral_of(Stick()), moves=ONLY_UP)
+    assert travel.reached(Way.UP)
+    assert not travel.reached(Way.DOWN)
+    assert travel.first is Way.UP
+    assert not travel.is_enough
+
+
+def test_two_way_switch_resting_high_needs_no_middle() -> None:
+    switch = Stick(rest=1900, low=1100, high=1900, forward_is_down=True)
+    proposal = learn(switch, channel=4)
+    assert proposal.problems == ()
+    found = proposal.calibration
+    assert found is not None
+    assert found.neutral == 4750
+    assert (found.minimum + found.neutral) / 2 == 3760 + (found.minimum - 2770) / 2
+    assert not proposal.reversed_
+
+
+def test_switch_resting_low_is_reversed_to_be_off_at_rest() -> None:
+    proposal = learn(Stick(rest=1100, low=1100, high=1900), channel=5)
+    assert proposal.problems == ()
+    assert proposal.reversed_
+    assert "at rest" in proposal.reversed_reason
+    assert proposal.calibration is not None
+    assert proposal.calibration.problem() is None
+
+
+def test_three_way_switch_keeps_its_direction() -> None:
+    proposal = learn(Stick(rest=1500, low=1100, high=1900), channel=4, reversed_now=True)
+    assert proposal.problems == ()
+    assert proposal.reversed_
+    assert not proposal.reversed_reason
+
+
+def test_throttle_on_channel_3_may_rest_at_its_end() -> None:
+    proposal = learn(Stick(rest=1000, low=1000, high=2000), channel=3)
+    assert proposal.problems == ()
+    assert proposal.calibration is not None
+    assert remap(5000 - 12, proposal.calibration) == 127
+    assert remap(2500, proposal.calibration) == 0
+
+
+THROTTLE = Stick(rest=1100, low=1100, high=1900)
+
+
+@pytest.mark.parametrize("stick", [THROTTLE, Stick(rest=1900, low=1100, high=1900)])
+def test_trim_beyond_throttle_rest_gives_low_auxiliary_speed(
+    stick: Stick,
+) -> None:
+    found = learn(stick, channel=3, moves=HOLD).calibration
+    assert found is not None
+    beyond = -250 if stick.rest < 1500 else 250
+    assert abs(remap(round(stick.rest * 2.5) + beyond, found)) <= 25
+    assert abs(remap(round(stick.rest * 2.5) + beyond * 6 // 10, found)) <= 10
+
+
+def test_throttle_idle_end_is_put_at_input_limit() -> None:
+    low = learn(THROTTLE, channel=3).calibration
+    high = learn(Stick(rest=1900, low=1100, high=1900), channel=3).calibration
+    assert low is not None
+    assert high is not None
+    assert (low.minimum, high.maximum) == (1250, 6250), "0.5 and 2.5 ms"
+
+
+def test_analog_throttle_calibration_extends_beyond_its_rest() -> None:
+    stick = Stick(rest=1.0, low=1.0, high=4.5, source=InputSource.ANALOG)
+    found = learn(stick, channel=3).calibration
+    assert found is not None
+    assert found.minimum == 0
+    stick = Stick(rest=4.0, low=0.5, high=4.0, source=InputSource.ANALOG, forward_is_down=True)
+    found = learn(stick, channel=3).calibration
+    assert found is not None
+    assert remap(1023, found) < 127
+
+
+@unhurried
+@given(rest=st.floats(600, 2400), seed=st.integers(0, 2**32))
+def test_throttle_output_stays_low_just_beyond_its_rest(rest: float, seed: int) -> None:
+    far = 2400.0 if rest < 1500 else 600.0
+    stick = Stick(rest=rest, low=min(rest, far), high=max(rest, far), forward_is_down=rest > far)
+    found = learn(stick, channel=3, seed=seed).calibration
+    assert found is not None
+    assert abs(remap(round(rest * 2.5) + (-150 if rest < far else 150), found)) <= 20
+
+
+def texts(check_: Check) -> list[str]:
+    return [problem.text for problem in check_.problems]
+
+
+def test_remark_describes_throttle_beyond_its_rest() -> None:
+    found = check(THROTTLE, 3)
+    assert found.problems == ()
+    (text,) = found.remarks
+    assert text.startswith("Below its rest the motor speeds up again, whatever the sign: at 1000")
+
+
+def test_full_speed_beyond_throttle_rest_is_reported() -> None:
+    (problem,) = check(THROTTLE, 3, Calibration(2600, 2750, 4700, 75)).problems
+    assert problem.kind is Kind.SPEEDS_UP
+    assert "to 127 of 127" in problem.text
+    stick = Stick(rest=0.3, low=0.3, high=4.5, source=InputSource.ANALOG)
+    (problem,) = check(stick, 3).problems
+    assert "at 0.00 V to 127 of 127" in problem.text
+    assert "broken wire" in problem.text
+
+
+def test_deadband_below_noise_is_reported() -> None:
+    (problem,) = check(Stick(noise=10), 1, Calibration(2550, 3750, 4950, 5)).problems
+    assert problem.kind is Kind.NOISE
+    assert not problem.fatal
+    assert check(Stick(noise=10), 1, Calibration(2550, 3750, 4950, 75)).problems == ()
+
+
+@pytest.mark.parametrize(
+    ("wanted", "words"),
+    [
+        (Calibration(2550, 3750, 4950, 3000), "reaches minimum and maximum: there is nothing"),
+        (Calibration(3700, 3750, 4950, 75), "reaches minimum: there is nothing between 0 and"),
+        (Calibration(1000, 3750, 4950, 75), "Minimum (400 µs) is beyond what the input can be"),
+        (Calibration(2550, 3750, 5050, 75), "Maximum is beyond the 2000 µs that was reached"),
+        (Calibration(2450, 3750, 4950, 75), "Minimum is beyond the 1000 µs that was reached"),
+        (Calibration(2550, 3500, 4950, 75), "It rests at 1500 µs: with this neutral it would"),
+    ],
+)
+def test_unsuitable_calibration_is_reported(wanted: Calibration, words: str) -> None:
+    assert words in " ".join(texts(check(Stick(), 1, wanted)))
+
+
+def test_deadband_wider_than_throttle_travel_is_reported() -> None:
+    (text, *_) = texts(check(THROTTLE, 3, Calibration(1250, 2750, 4700, 3000)))
+    assert "reaches maximum: there is nothing between 0 and full output" in text
+
+
+@pytest.mark.parametrize("channel", [1, 3, 4])
+def test_proposed_calibration_has_no_problems(channel: int) -> None:
+    stick = Stick() if channel == 1 else THROTTLE
+    assert check(stick, channel).problems == ()
+
+
+# --- Switches ---------------------------------------------------------------------------
+
+
+def test_switching_point_is_reported_as_inferred() -> None:
+    (text,) = check(THROTTLE, 5).remarks
+    assert "Active above 1495 µs, off at rest (inferred" in text
+
+
+def test_unreversed_switch_resting_low_is_reported() -> None:
+    (problem,) = check(THROTTLE, 5, reversed_=False).problems
+    assert problem.kind is Kind.NEVER_SWITCHES
+    assert "It is inactive in all its positions" in problem.text
+    assert "Should it be reversed" in problem.text
+
+
+def test_switch_resting_at_its_switching_point_is_reported() -> None:
+    kinds_ = [
+        p.kind
+        for p in check(THROTTLE, 5, Calibration(2700, 2750, 4700, 75), reversed_=False).problems
+    ]
+    assert Kind.SWITCHES_AT_REST in kinds_
+
+
+# --- A hand on the stick, a trim that moves ---------------------------------------------
+
+
+@unhurried
+@given(off=st.floats(0.1, 0.3), up=st.booleans(), seed=st.integers(0, 2**32))
+def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, seed: int) -> None:
+    stick = Stick(noise=0.5)
+    held = stick.value(off if up else -off)
+    neutral = neutral_of(replace(stick, rest=held), seed)
+    travel = travel_of(stick, neutral, moves=(*HOLD, (0.5, 0.0)), seed=seed)
+    assert abs(travel.rest - 3750) <= 3
+    wanted = propose(1, neutral, travel, reversed_now=False).calibration
+    assert wanted is not None
+    (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
+    assert problem.kind is Kind.RESTS_ELSEWHERE
+    assert problem.text.startswith("After letting go it rests at 1500 µs, not at ")
+    assert "sample it again, or take the new rest" in problem.text
+    taken = replace(wanted, neutral=travel.rest)
+    assert Check(1, ChannelCurve(taken), neutral, travel).problems == ()
+
+
+@pytest.mark.parametrize("last", [(0.5, 1.0), (0.5, -1.0), (0.5, 0.7)])
+def test_stick_held_off_rest_after_travel_keeps_neutral(last: tuple[float, float]) -> None:
+    neutral = neutral_of(Stick())
+    travel = travel_of(Stick(), neutral, moves=(*HOLD, last, (0.5, last[1])))
+    assert travel.settled is not None
+    assert travel.rest == neutral.value
+
+
+def test_noisy_stick_settles_when_let_go() -> None:
+    stick = Stick(noise=12)
+    travel = travel_of(stick, neutral_of(stick), moves=(*HOLD, (0.5, 0.0)))
+    assert travel.settled == pytest.approx(3750, abs=15)
+
+
+def test_moving_stick_has_not_settled() -> None:
+    travel = travel_of(Stick(), neutral_of(Stick()), moves=(*HOLD, (1.0, 0.4)))
+    assert travel.settled is None
+
+
+# --- Sticks of two axes -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("share", [0.2, 0.35, 0.5])
+@pytest.mark.parametrize("forward_is_down", [False, True])
+def test_crosstalk_of_other_axis_does_not_change_reversal(
+    share: float, forward_is_down: bool
+) -> None:
+    stick = Stick(forward_is_down=forward_is_down)
+    other = ((0.2, -share), (0.3, -share), (0.3, share), (0.3, share), (0.2, 0.0))
+    found = learn(stick, moves=(*other, *HOLD))
+    assert found.reversed_ is forward_is_down

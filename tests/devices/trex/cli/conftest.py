@@ -1,0 +1,100 @@
+"""trexcmd against a simulated board, in virtual time and as a process of its own."""
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+
+import pytest
+from click.testing import Result
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.ui.runtime import runtime
+
+StartProcess = Callable[..., "subprocess.Popen[str]"]
+
+PATIENCE = 1.0
+"""Seconds for which a process waits for an answer: a simulator may be slow on a busy computer."""
+
+
+@pytest.fixture
+def start(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> StartCommand:
+    """Start the program, on a simulated board as it comes from the factory."""
+
+    def begin(
+        *words: str, url: str | None = None, stdin: str | None = None, **environment: str
+    ) -> VirtualCommand:
+        variables: dict[str, str | None] = {"TREX_PORT": url or quick_simulator.url, **environment}
+        return VirtualCommand(virtual_time, words, variables, stdin)
+
+    return begin
+
+
+@pytest.fixture
+def trexcmd(start: StartCommand) -> RunCommand:
+    """Run the program to its end."""
+
+    def run(*words: str, stdin: str | None = None, **environment: str) -> Result:
+        command = start(*words, stdin=stdin, **environment)
+        command.wait()
+        return command.result
+
+    return run
+
+
+@pytest.fixture
+def start_process(quick_simulator: SimulatedDevice) -> Iterator[StartProcess]:
+    """Start the program as a process; whatever still runs in the end is killed."""
+    running: list[subprocess.Popen[str]] = []
+
+    def begin(*words: str) -> subprocess.Popen[str]:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "trex_gui.cli", *words, f"--timeout={PATIENCE:g}"],
+            env={**os.environ, "TREX_PORT": quick_simulator.url},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        running.append(process)
+        return process
+
+    yield begin
+    for process in running:
+        process.kill()
+        process.communicate()
+
+
+def becomes(look: Callable[[], object], wanted: object, seconds: float = 30) -> bool:
+    """Let virtual time pass until something is as wanted; return whether that was in time."""
+    virtual = runtime()
+    assert isinstance(virtual, VirtualRuntime)
+    return virtual.run_until(lambda: look() == wanted, seconds)
+
+
+def comes_true(look: Callable[[], object], seconds: float = 30) -> bool:
+    """Look again and again, in real time; return whether it came true in time.
+
+    Looks with pauses: a simulator that is asked all the time has none left for the program.
+    """
+    end = time.monotonic() + seconds
+    while not look():
+        if time.monotonic() > end:
+            return False
+        time.sleep(0.02)
+    return True
+
+
+def measured(simulator: SimulatedDevice) -> list[int | None]:
+    """Return what the board has measured on each channel; `None` where there was no signal yet."""
+    return [channel["raw"] for channel in simulator.show()["channels"]]
+
+
+def outputs(simulator: SimulatedDevice) -> list[int]:
+    """Return the signed speeds of both motors and the auxiliary one; braking is 0."""
+    state = simulator.show()
+    signs = {"forward": 1, "reverse": -1, "brake": 0}
+    speeds = [signs[motor["direction"]] * motor["speed"] for motor in state["motors"]]
+    return [*speeds, state["aux"]["speed"]]

@@ -1,0 +1,150 @@
+"""trexcmd against a simulated board in a process of its own."""
+
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from tests.devices.trex.cli.conftest import becomes
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand
+from trex_gui.cli import main
+
+
+def test_list_prints_port_and_board(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+    result = trexcmd("list")
+    assert result.exit_code == 0
+    assert result.stdout == f"{quick_simulator.url}\tTReX 1.2\n"
+
+
+def test_list_moves_no_motor(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+    before = quick_simulator.show()["motors"]
+    trexcmd("list")
+    assert quick_simulator.show()["motors"] == before
+
+
+def test_status_json_contains_product_and_parameters(trexcmd: RunCommand) -> None:
+    report = json.loads(trexcmd("status", "--json").stdout)
+    assert report["product"] == "TReX"
+    assert report["firmware"] == "1.2"
+    assert report["channels"][0] == {
+        "channel": 1,
+        "raw": 3750,
+        "physical": "1500 µs",
+        "remapped": 0,
+    }
+    assert len(report["parameters"]) == 28
+    assert report["parameters"]["uart_settings"]["value"] == 5
+
+
+def test_status_text_shows_latched_errors(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("fault 1 on")
+    result = trexcmd("status")
+    assert "Errors: Motor 1 fault" in result.stdout
+
+
+def test_get_shows_wire_value_and_meaning(trexcmd: RunCommand) -> None:
+    assert trexcmd("get", "device_number").stdout == "7\t7\n"
+    assert trexcmd("get", "Motor Mode").stdout == "0\tindependent\n"
+
+
+@pytest.mark.parametrize(
+    ("typed", "wire"), [("15", 15), ("1.5 s", 15), ("1500 ms", 15), ("off", 0)]
+)
+def test_set_accepts_wire_and_physical_values(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, typed: str, wire: int
+) -> None:
+    result = trexcmd("set", "serial_timeout", typed)
+    assert result.exit_code == 0
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == wire
+
+
+def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
+    result = trexcmd("set", "motor_mode", "joint")
+    assert result.exit_code == 0
+    assert "switched off and on" in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("set", "serial_timeout", "200"), "off to 12.7 s"),
+        (("set", "serial_timeot", "2"), "did you mean serial_timeout"),
+        (("get", "factory_reset"), "can only be written"),
+    ],
+)
+def test_invalid_parameter_or_value_is_rejected_with_message(
+    trexcmd: RunCommand, words: tuple[str, ...], sentence: str
+) -> None:
+    result = trexcmd(*words)
+    assert result.exit_code == 1
+    assert sentence in result.stderr
+    assert "Traceback" not in result.stderr
+
+
+def test_set_in_rc_mode_explains_the_rejection(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    result = trexcmd("set", "serial_timeout", "5")
+    assert result.exit_code == 1
+    assert "not in serial mode" in result.stderr
+
+
+def test_stop_brakes_running_motors(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+    trexcmd("raw", "C2 50")
+    assert becomes(lambda: quick_simulator.show()["motors"][0]["speed"], 0x50)
+    assert trexcmd("stop").exit_code == 0
+    motor = quick_simulator.show()["motors"][0]
+    assert (motor["direction"], motor["speed"]) == ("brake", 127)
+
+
+def test_stop_without_a_reply_fails(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+    quick_simulator.do("power off")
+    result = trexcmd("stop", "--timeout=0")
+    assert result.exit_code == 1
+    assert "No TReX answers" in result.stderr
+
+
+def test_raw_prints_the_reply(trexcmd: RunCommand) -> None:
+    assert trexcmd("raw", "81").stdout.strip() == b"TReX1.2".hex(" ").upper()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("raw", "8G"),
+        ("get", "device_number", "--crc", "--parity", "even"),
+        ("get", "device_number", "--baud", "1234"),
+        ("get", "device_number", "--polynomial", "11"),
+        ("get",),
+        ("fly",),
+    ],
+)
+def test_usage_error_exits_with_2(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
+    assert trexcmd(*words).exit_code == 2
+
+
+def test_missing_port_is_usage_error_naming_trex_port() -> None:
+    result = CliRunner().invoke(main, ["status"], env={"TREX_PORT": ""})
+    assert result.exit_code == 2
+    assert "TREX_PORT" in result.stderr
+
+
+def test_wrong_baud_rate_fails_and_is_named(trexcmd: RunCommand) -> None:
+    result = trexcmd("get", "device_number", "--baud", "9600", "--timeout=0")
+    assert result.exit_code == 1
+    assert "9600 baud" in result.stderr
+
+
+def test_device_option_selects_the_addressed_board(
+    trexcmd: RunCommand, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--device", "9", "--device", "12")
+    words = ["--protocol", "expanded", "--port", simulator.url]
+    for number in ("9", "12"):
+        result = trexcmd("get", "device_number", "--device", number, *words)
+        assert result.stdout == f"{number}\t{number}\n"

@@ -1,0 +1,285 @@
+"""Messages and snapshots of every command that changes a board."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand
+from tests.support.virtual_devices import VirtualSimulator, VirtualTransport
+from trex_gui.devices.trex.settings.history import History
+
+CALIBRATION = ("calibration", "set", "2", "2400", "3700", "5100", "60")
+
+one_setting = pytest.mark.parametrize(
+    ("words", "shown", "reason"),
+    [
+        (("set", "Serial Timeout", "1.5 s"), "0 → 15  off → 1.5 s", "trexcmd set serial_timeout"),
+        (CALIBRATION, "2500 → 2400  1000 µs → 960 µs", "trexcmd calibration set 2"),
+    ],
+    ids=["set", "calibration set"],
+)
+
+
+def memory(trexcmd: RunCommand) -> str:
+    """Return all that the board stores."""
+    result = trexcmd("get-settings", "-")
+    assert result.exit_code == 0, result.stderr
+    return result.stdout
+
+
+# --- One setting ------------------------------------------------------------------------
+
+
+@one_setting
+def test_changing_one_setting_shows_and_snapshots_old_value(
+    trexcmd: RunCommand, words: tuple[str, ...], shown: str, reason: str
+) -> None:
+    result = trexcmd(*words)
+    assert result.exit_code == 0, result.stderr
+    assert shown in " ".join(result.stderr.split("\n")).replace("   ", "  ")
+    assert "→" not in result.stdout
+    (snapshot,) = History().snapshots()
+    assert snapshot.reason == reason
+    assert str(snapshot.path) in result.stderr
+    kept = History().load(snapshot)
+    assert kept.parameters["serial_timeout"] == 0
+    assert len(kept.parameters) == 28
+    assert {found.minimum for found in kept.calibrations.values()} == {2500}
+
+
+@one_setting
+def test_snapshot_restores_one_changed_setting(
+    trexcmd: RunCommand,
+    words: tuple[str, ...],
+    shown: str,
+    reason: str,
+) -> None:
+    del shown, reason
+    before = memory(trexcmd)
+    assert trexcmd(*words).exit_code == 0
+    assert memory(trexcmd) != before
+    (snapshot,) = History().snapshots()
+    assert trexcmd("set-settings", str(snapshot.path)).exit_code == 0
+    assert memory(trexcmd) == before
+
+
+@one_setting
+def test_setting_is_not_stored_if_snapshot_fails(
+    trexcmd: RunCommand,
+    tmp_path: Path,
+    words: tuple[str, ...],
+    shown: str,
+    reason: str,
+) -> None:
+    del shown, reason
+    before = memory(trexcmd)
+    place = tmp_path / "file"
+    place.write_text("", encoding="utf-8")
+    result = trexcmd(*words, TREX_STUDIO_DATA=str(place))
+    assert result.exit_code == 1
+    assert "snapshots cannot be made" in result.stderr
+    assert result.stdout == ""
+    assert memory(trexcmd) == before
+
+
+@one_setting
+def test_unchanged_setting_is_not_written_again(
+    trexcmd: RunCommand,
+    monkeypatch: pytest.MonkeyPatch,
+    words: tuple[str, ...],
+    shown: str,
+    reason: str,
+) -> None:
+    del shown, reason
+    first = trexcmd(*words)
+    for module in ("set_parameter.write_parameter", "calibration.write_calibration"):
+        monkeypatch.setattr(f"trex_gui.devices.trex.cli.{module}", None)  # whoever calls it fails
+    again = trexcmd(*words)
+    assert again.exit_code == 0, again.stderr
+    assert again.stdout == first.stdout
+    assert "has this value already; nothing is written" in again.stderr
+    assert len(History().snapshots()) == 1
+
+
+@pytest.mark.parametrize(
+    "words", [("set", "serial_timeout", "200"), ("calibration", "set", "1", "3", "2", "1", "0")]
+)
+def test_invalid_value_leaves_no_snapshot(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
+    assert trexcmd(*words).exit_code == 1
+    assert not History().snapshots()
+
+
+@one_setting
+def test_setting_rejected_in_rc_mode_leaves_no_snapshot(
+    trexcmd: RunCommand,
+    quick_simulator: SimulatedDevice,
+    words: tuple[str, ...],
+    shown: str,
+    reason: str,
+) -> None:
+    del shown, reason
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    result = trexcmd(*words)
+    assert result.exit_code == 1
+    assert "not in serial mode" in result.stderr
+    assert not History().snapshots()
+
+
+def test_set_warns_of_conflicting_settings(trexcmd: RunCommand) -> None:
+    assert trexcmd("set", "motor1_current_limit", "20").exit_code == 0
+    result = trexcmd("set", "motor_mode", "joint")
+    assert result.exit_code == 0
+    assert "Warning: Motor 1 Current Limit" in result.stderr
+    assert "nothing in joint mode" in result.stderr
+
+
+def test_calibration_with_excessive_deadband_prints_warning(trexcmd: RunCommand) -> None:
+    result = trexcmd("calibration", "set", "1", "2400", "3700", "5100", "1400")
+    assert result.exit_code == 0
+    assert "Warning: The deadband of RC channel 1 reaches" in result.stderr
+
+
+def test_set_prints_options_that_reach_board_after_restart(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    result = trexcmd("set", "uart_settings", "0x48")
+    assert result.exit_code == 0, result.stderr
+    url = quick_simulator.url
+    assert "UART Settings: in force when the board is switched off and on." in result.stderr
+    later = f"Switched off and on, it is reached with --port {url} --baud 57600 --parity even\n"
+    assert later in result.stderr
+
+
+def test_set_prints_option_for_new_device_number(trexcmd: RunCommand) -> None:
+    result = trexcmd("set", "device_number", "9", "--protocol", "expanded")
+    assert result.exit_code == 0, result.stderr
+    assert "--protocol expanded --device 9 from now on" in result.stderr
+
+
+def test_set_rejects_factory_reset(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+    assert trexcmd("set", "serial_timeout", "15").exit_code == 0
+    before = memory(trexcmd)
+    for value in ("127", "0", "restore"):
+        result = trexcmd("set", "factory_reset", value)
+        assert result.exit_code == 1
+        assert "`trexcmd restore-defaults`" in result.stderr
+    quick_simulator.do("power cycle")
+    assert memory(trexcmd) == before
+    assert len(History().snapshots()) == 1
+
+
+# --- A file -----------------------------------------------------------------------------
+
+
+def test_set_settings_prints_old_and_new_values(trexcmd: RunCommand, tmp_path: Path) -> None:
+    file = tmp_path / "wanted.txt"
+    file.write_text("product: TReX\nmotor_mode: 0\nserial_timeout: 15\n", encoding="utf-8")
+    result = trexcmd("set-settings", str(file))
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout == ""
+    lines = result.stderr.splitlines()
+    (row,) = [number for number, line in enumerate(lines) if "→" in line]
+    assert lines[row].split() == ["serial_timeout", "0", "→", "15", "off", "→", "1.5", "s"]
+    assert "is kept in" in lines[row + 1]
+
+
+def test_diff_reports_settings_for_different_models(trexcmd: RunCommand, tmp_path: Path) -> None:
+    files = [tmp_path / "first.txt", tmp_path / "second.txt"]
+    for file, product in zip(files, ("TReX", "TReX Jr"), strict=True):
+        file.write_text(f"product: {product}\nserial_timeout: 15\n", encoding="utf-8")
+    first, second = map(str, files)
+    sentence = f"for different models: {first} (TReX) and {second} (TReX Jr)."
+    assert sentence in trexcmd("diff", first, second, TREX_PORT="").stderr
+    assert "different models" not in trexcmd("diff", first, first, TREX_PORT="").stderr
+    sentence = f"for different models: the board (TReX) and {second} (TReX Jr)."
+    assert sentence in trexcmd("diff", second).stderr
+    assert "different models" not in trexcmd("diff", first).stderr
+
+
+# --- What the port can do ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize("command", ["set", "set-settings", "set-settings --dry-run"])
+@pytest.mark.parametrize("rates", [frozenset({9600, 19200}), None])
+def test_baud_rate_that_port_lacks_prints_warning(
+    trexcmd: RunCommand,
+    quick_simulator: SimulatedDevice,
+    tmp_path: Path,
+    command: str,
+    rates: frozenset[int] | None,
+) -> None:
+    assert isinstance(quick_simulator, VirtualSimulator)
+    quick_simulator.rates = rates
+    file = tmp_path / "line.txt"
+    file.write_text("product: TReX\nuart_settings: 10\n", encoding="utf-8")
+    words = ("uart_settings", "10") if command == "set" else (str(file),)
+    result = trexcmd(*command.split(), *words)
+    assert result.exit_code == 0, result.stderr
+    told = "This computer's serial port cannot do 115200 baud" in result.stderr
+    assert told is (rates is not None)
+
+
+def test_port_rates_are_queried_before_anything_is_sent(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    happened: list[str] = []
+
+    def rates(_: VirtualTransport) -> None:
+        happened.append("asked")
+
+    assert isinstance(quick_simulator, VirtualSimulator)
+    monkeypatch.setattr(VirtualTransport, "rates", rates)
+    quick_simulator.on_write = lambda _: happened.append("sent")
+    assert trexcmd("set", "serial_timeout", "15").exit_code == 0
+    assert happened.count("asked") == 1
+    assert happened[0] == "asked"
+    assert "sent" in happened
+
+
+# --- The factory's values ---------------------------------------------------------------
+
+
+def test_restore_defaults_lists_changes_before_prompt(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("eeprom serial_timeout 15")
+    quick_simulator.do("eeprom motor1_acceleration 9")
+    quick_simulator.do("eeprom device_number 9")
+    before = memory(trexcmd)
+    result = trexcmd("restore-defaults", stdin="n\n")
+    assert result.exit_code == 1
+    said, question, _ = result.stderr.partition("Put every parameter")
+    assert question
+    assert "What will change, 3 of 28 parameters:\n" in said
+    rows = {line.split()[0]: line.split()[1:4] for line in said.splitlines() if "→" in line}
+    assert rows == {
+        "device_number": ["9", "→", "7"],
+        "motor1_acceleration": ["9", "→", "0"],
+        "serial_timeout": ["15", "→", "0"],
+    }
+    assert result.stdout == ""
+    assert memory(trexcmd) == before
+    assert not History().snapshots()
+
+
+def test_restore_defaults_names_inferred_defaults(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("eeprom device_number 9")
+    assert "Inferred" not in trexcmd("restore-defaults", stdin="n\n").stderr
+    quick_simulator.do("eeprom motor1_acceleration 9")
+    said = trexcmd("restore-defaults", stdin="n\n").stderr
+    assert "Inferred, no source confirms the default of: Motor 1 Acceleration.\n" in said
+
+
+def test_restore_defaults_without_changes_still_prompts(
+    trexcmd: RunCommand, start_simulator: StartSimulator
+) -> None:
+    junior = start_simulator("--model", "trexjr", "--unpaced")
+    for url in (None, junior.url):
+        words = ("--port", url) if url else ()
+        result = trexcmd("restore-defaults", *words, stdin="n\n")
+        assert "Every parameter has the factory's value already" in result.stderr
+        assert "Put every parameter" in result.stderr

@@ -1,0 +1,241 @@
+"""get-settings, set-settings, check-settings, diff."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.cli.conftest import becomes
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand, StartCommand
+
+
+@pytest.fixture
+def saved(trexcmd: RunCommand, tmp_path: Path) -> Path:
+    """The settings of the simulated board as a file."""
+    path = tmp_path / "board.txt"
+    assert trexcmd("get-settings", str(path)).exit_code == 0
+    return path
+
+
+def changed(path: Path, **values: object) -> Path:
+    """Return a file with other values for some keys; `None` takes the line away."""
+    lines = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        key = line.partition(":")[0]
+        if key not in values:
+            lines.append(line)
+        elif values[key] is not None:
+            lines.append(f"{key}: {values[key]}")
+    other = path.with_name("changed.txt")
+    other.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return other
+
+
+def stored(simulator: SimulatedDevice, key: str) -> int:
+    value = simulator.show()["parameters"][key]
+    assert isinstance(value, int)
+    return value
+
+
+def test_get_settings_saves_complete_settings_file(saved: Path) -> None:
+    text = saved.read_text(encoding="utf-8")
+    assert text.startswith("product: TReX\n")
+    assert "rc_channel_5: {minimum: 2500" in text
+    assert sum(":" in line and not line.startswith("#") for line in text.splitlines()) == 35
+
+
+def test_dash_writes_to_standard_output(trexcmd: RunCommand, saved: Path) -> None:
+    assert trexcmd("get-settings", "-").stdout == saved.read_text(encoding="utf-8")
+
+
+def test_get_settings_replaces_existing_file(trexcmd: RunCommand, saved: Path) -> None:
+    saved.write_text("old", encoding="utf-8")
+    assert trexcmd("get-settings", str(saved)).exit_code == 0
+    assert saved.read_text(encoding="utf-8").startswith("product: TReX\n")
+
+
+def test_get_settings_to_missing_folder_fails(trexcmd: RunCommand, tmp_path: Path) -> None:
+    result = trexcmd("get-settings", str(tmp_path / "missing" / "board.txt"))
+    assert result.exit_code == 1
+    assert "there is no folder" in result.stderr
+
+
+def test_set_settings_writes_only_differences(
+    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
+) -> None:
+    file = changed(
+        saved,
+        serial_timeout=15,
+        motor1_acceleration=9,
+        rc_channel_2="{minimum: 2400, neutral: 3700, maximum: 5100, deadband: 60}",
+    )
+    result = trexcmd("set-settings", str(file))
+    assert result.exit_code == 0, result.stderr
+    assert "28 parameters: 2 will change, 26 match" in result.stderr
+    assert "3 of 3 changes are stored" in result.stderr
+    assert stored(quick_simulator, "serial_timeout") == 15
+    assert stored(quick_simulator, "motor1_acceleration") == 9
+    assert trexcmd("diff", str(file)).stdout == ""
+
+
+def test_dry_run_prints_old_and_new_and_writes_nothing(
+    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
+) -> None:
+    result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)), "--dry-run")
+    assert result.exit_code == 0
+    assert result.stdout.split() == ["serial_timeout", "0", "→", "15", "off", "→", "1.5", "s"]
+    assert stored(quick_simulator, "serial_timeout") == 0
+
+
+def test_set_settings_reads_standard_input(
+    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
+) -> None:
+    text = changed(saved, serial_timeout=15).read_text(encoding="utf-8")
+    assert trexcmd("set-settings", "-", stdin=text).exit_code == 0
+    assert stored(quick_simulator, "serial_timeout") == 15
+
+
+def test_set_settings_reports_pending_power_cycle(trexcmd: RunCommand, saved: Path) -> None:
+    result = trexcmd("set-settings", str(changed(saved, uart_settings=10)))
+    assert result.exit_code == 0
+    assert "UART Settings: in force when the board is switched off and on" in result.stderr
+    assert "115200 baud" in result.stderr  # the advice
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"product": "TReX Jr"}, "settings of a TReX Jr, the board is a TReX 1.2"),
+        ({"serial_timeout": 200}, "line 7: serial_timeout: 0 to 127"),
+        ({"motor_mode": "joint"}, "motor_mode: 0 (independent) or 1"),
+    ],
+)
+def test_unsuitable_file_is_rejected_and_nothing_is_written(
+    trexcmd: RunCommand,
+    saved: Path,
+    quick_simulator: SimulatedDevice,
+    changes: dict[str, object],
+    sentence: str,
+) -> None:
+    before = quick_simulator.show()["parameters"]
+    result = trexcmd("set-settings", str(changed(saved, motor1_acceleration=9, **changes)))
+    assert result.exit_code == 1
+    assert sentence in result.stderr
+    assert quick_simulator.show()["parameters"] == before
+
+
+def test_file_for_newer_firmware_is_rejected_naming_the_key(
+    trexcmd: RunCommand, saved: Path, start_simulator: StartSimulator
+) -> None:
+    old = start_simulator("--firmware", "1.0", "--unpaced")
+    result = trexcmd("set-settings", str(saved), "--port", old.url)
+    assert result.exit_code == 1
+    assert "uart_response_delay: TReX 1.0 does not have it" in result.stderr
+
+
+def test_set_settings_writes_nothing_outside_serial_mode(
+    trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)))
+    assert result.exit_code == 1
+    assert "not in serial mode" in result.stderr
+    assert quick_simulator.show()["counters"]["eeprom_writes"] == 0
+
+
+def test_calibrations_of_inactive_source_are_skipped_and_named(
+    trexcmd: RunCommand, saved: Path
+) -> None:
+    line = "analog_channel_1: {minimum: 1, neutral: 500, maximum: 1000, deadband: 5}\n"
+    saved.write_text(saved.read_text(encoding="utf-8") + line, encoding="utf-8")
+    result = trexcmd("set-settings", str(saved))
+    assert result.exit_code == 0
+    assert "analog_channel_1 left out" in result.stderr
+
+
+def test_conflicting_settings_print_a_warning(trexcmd: RunCommand, saved: Path) -> None:
+    file = changed(saved, motor_mode=1, motor1_current_limit=20)
+    assert "does nothing in joint mode" in trexcmd("check-settings", str(file)).stderr
+    assert "does nothing in joint mode" in trexcmd("set-settings", str(file)).stderr
+
+
+def test_unplugging_during_set_settings_fails_without_traceback(
+    start: StartCommand, trexcmd: RunCommand, saved: Path, start_simulator: StartSimulator
+) -> None:
+    motors = {f"motor{n}_{what}": 7 for n in (1, 2) for what in ("acceleration", "current_limit")}
+    channels = {
+        f"rc_channel_{n}": "{minimum: 2400, neutral: 3700, maximum: 5100, deadband: 60}"
+        for n in range(1, 6)
+    }
+    file = changed(saved, **motors, **channels)
+    slow = start_simulator()
+    command = start("set-settings", str(file), url=slow.url)
+    assert becomes(lambda: slow.show()["counters"]["bytes_received"] > 100, True)
+    slow.do("line unplug")
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "gone" in errors
+    assert "Traceback" not in errors
+
+
+def test_check_settings_of_valid_file_prints_nothing(trexcmd: RunCommand, saved: Path) -> None:
+    result = trexcmd("check-settings", str(saved), TREX_PORT="")
+    assert (result.exit_code, result.stdout, result.stderr) == (0, "", "")
+
+
+def test_check_settings_names_each_error_with_its_line(trexcmd: RunCommand, saved: Path) -> None:
+    file = changed(saved, serial_timeout=200, motor_mode=7)
+    result = trexcmd("check-settings", str(file))
+    assert result.exit_code == 1
+    assert f"{file}: line 7: serial_timeout: 0 to 127" in result.stderr
+    assert "motor_mode" in result.stderr
+    assert "2 errors" in result.stderr
+
+
+def test_check_settings_prints_findings_as_json(trexcmd: RunCommand, saved: Path) -> None:
+    result = trexcmd("check-settings", str(changed(saved, serial_timeout=200)), "--json")
+    assert result.exit_code == 1
+    report = json.loads(result.stdout)
+    (finding,) = report["findings"]
+    assert not report["usable"]
+    assert (finding["key"], finding["severity"]) == ("serial_timeout", "error")
+    assert isinstance(finding["line"], int)
+
+
+def test_check_settings_writes_checked_file(
+    trexcmd: RunCommand, saved: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out.txt"
+    file = changed(saved, serial_timeout="0x0F")
+    assert trexcmd("check-settings", str(file), str(out)).exit_code == 0
+    assert out.read_bytes() == file.read_bytes()
+    assert trexcmd("check-settings", str(file), "-").stdout == out.read_text(encoding="utf-8")
+
+
+def test_check_settings_rejects_two_outputs_to_stdout(trexcmd: RunCommand, saved: Path) -> None:
+    assert trexcmd("check-settings", str(saved), "-", "--json").exit_code == 2
+
+
+@pytest.mark.parametrize("command", ["check-settings", "set-settings", "diff"])
+def test_missing_file_is_rejected(trexcmd: RunCommand, command: str, tmp_path: Path) -> None:
+    result = trexcmd(command, str(tmp_path / "none.txt"))
+    assert result.exit_code == 1
+    assert "there is no such file" in result.stderr
+
+
+def test_diff_compares_two_files_without_a_board(trexcmd: RunCommand, saved: Path) -> None:
+    other = changed(saved, serial_timeout=15)
+    result = trexcmd("diff", str(saved), str(other), TREX_PORT="")
+    assert result.exit_code == 0
+    assert "0 → 15" in result.stdout
+    report = json.loads(trexcmd("diff", str(saved), str(other), "--json").stdout)
+    assert [(row["key"], row["before"], row["after"]) for row in report["differing"]] == [
+        ("serial_timeout", 0, 15)
+    ]
+
+
+def test_diff_of_equal_settings_is_empty(trexcmd: RunCommand, saved: Path) -> None:
+    result = trexcmd("diff", str(saved))
+    assert (result.exit_code, result.stdout) == (0, "")

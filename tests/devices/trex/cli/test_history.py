@@ -1,0 +1,203 @@
+"""history: snapshots of boards are listed, shown, compared and restored."""
+
+import json
+import re
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+from click.shell_completion import ShellComplete
+
+from tests.devices.trex.settings.samples import factory
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_command import RunCommand
+from trex_gui.cli import main
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, History
+
+NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
+
+
+def take(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) -> Path:
+    there = factory()
+    settings = Settings(
+        there.product, there.firmware, {**there.parameters, **values}, there.calibrations
+    )
+    now = NOON + timedelta(minutes=minutes)
+    return History().take(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
+
+
+def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) -> None:
+    result = trexcmd("history")
+    assert result.exit_code == 0
+    assert result.stdout == ""
+    assert "Before each Apply" in result.stderr
+    assert json.loads(trexcmd("history", "--json").stdout) == []
+
+
+def test_history_lists_newest_snapshot_first(trexcmd: RunCommand) -> None:
+    take(0)
+    take(1, reason="trexcmd restore-defaults", device_number=9)
+    lines = trexcmd("history").stdout.splitlines()
+    local = (NOON + timedelta(minutes=1)).astimezone().strftime("%Y-%m-%d %H:%M:%S")
+    assert lines[0].split() == ["Time", "Board", "No.", "Adapter", "Before"]
+    cells = [local, "TReX 1.2", "9", "FT232R (ttyUSB0)", "trexcmd restore-defaults"]
+    assert re.split(r"  +", lines[1].strip()) == ["1", *cells]
+    assert lines[2].endswith("Apply of 1 setting")
+
+
+def test_history_prints_json(trexcmd: RunCommand) -> None:
+    path = take(0, device_number=9)
+    (row,) = json.loads(trexcmd("history", "--json").stdout)
+    assert row["number"] == 1
+    assert row["taken"] == "2026-11-21T12:00:00+00:00"
+    assert (row["device_number"], row["adapter"]) == (9, "FT232R (ttyUSB0)")
+    assert row["problem"] is None
+    assert row["path"] == str(path)
+
+
+def test_damaged_snapshot_is_listed_as_damaged(trexcmd: RunCommand) -> None:
+    take().write_text("", encoding="utf-8")
+    assert "damaged" in trexcmd("history").stdout
+    assert "It is empty." in trexcmd("history").stdout
+    result = trexcmd("history", "show", "1")
+    assert result.exit_code == 1
+
+
+def test_snapshot_is_shown_by_number_and_by_path(trexcmd: RunCommand) -> None:
+    path = take(0, serial_timeout=5)
+    take(1)
+    shown = trexcmd("history", "show", "2")
+    assert shown.stdout == path.read_text(encoding="utf-8")
+    assert trexcmd("history", "show", str(path)).stdout == shown.stdout
+    report = json.loads(trexcmd("history", "show", "2", "--json").stdout)
+    assert report["parameters"]["serial_timeout"] == 5
+
+
+@pytest.mark.parametrize("number", ["0", "3", "99999999999"])
+def test_unknown_snapshot_number_fails_without_traceback(trexcmd: RunCommand, number: str) -> None:
+    take()
+    result = trexcmd("history", "show", number)
+    assert result.exit_code == 1
+    assert result.stdout == ""
+    assert "Traceback" not in result.stderr
+
+
+def test_snapshot_number_in_empty_history_fails(trexcmd: RunCommand) -> None:
+    result = trexcmd("history", "path", "1")
+    assert result.exit_code == 1
+    assert "no snapshots" in result.stderr
+
+
+def test_history_diff_compares_first_snapshot_with_second(trexcmd: RunCommand) -> None:
+    take(0, serial_timeout=5)
+    take(1, serial_timeout=7)
+    result = trexcmd("history", "diff", "2", "1")
+    assert result.exit_code == 0, result.stderr
+    assert "5 → 7" in result.stdout
+
+
+def test_history_diff_compares_snapshot_with_board(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("eeprom serial_timeout 7")
+    take(0, serial_timeout=5)
+    result = trexcmd("history", "diff", "1", "--json")
+    assert result.exit_code == 0, result.stderr
+    rows = {row["key"]: row for row in json.loads(result.stdout)["differing"]}
+    assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
+
+
+def test_set_settings_change_is_reverted_from_history(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    def stored() -> int:
+        return int(quick_simulator.show()["parameters"]["serial_timeout"])
+
+    before = stored()
+    wanted = tmp_path / "wanted.txt"
+    wanted.write_text("product: TReX\nserial_timeout: 9\n", encoding="utf-8")
+    assert trexcmd("set-settings", str(wanted)).exit_code == 0
+    assert stored() == 9
+    path = trexcmd("history", "path", "1").stdout.strip()
+    assert trexcmd("set-settings", path).exit_code == 0
+    assert stored() == before
+    assert len(History().snapshots()) == 2
+
+
+@pytest.mark.parametrize("word", ["first", "-1", "1.5", "./1"])
+def test_history_path_accepts_only_numbers(trexcmd: RunCommand, word: str) -> None:
+    assert trexcmd("history", "path", "--", word).exit_code == 2
+
+
+# --- How many are kept ------------------------------------------------------------------
+
+
+def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
+    assert trexcmd("history", "keep").stdout == "500\n"
+    assert trexcmd("history", "keep", "all").exit_code == 0
+    assert trexcmd("history", "keep").stdout == "all\n"
+    assert trexcmd("history", "keep", "20").exit_code == 0
+    assert History().bound() == Bound(20)
+
+
+@pytest.mark.parametrize("word", ["0", "-1", "many", "1.5", "10000000", "9" * 5000])
+def test_history_keep_rejects_invalid_limits(trexcmd: RunCommand, word: str) -> None:
+    assert trexcmd("history", "keep", "--", word).exit_code == 2
+    assert History().bound() == Bound()
+
+
+def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> None:
+    for minutes in range(5):
+        take(minutes)
+    result = trexcmd("history", "keep", "2", stdin="n\n")
+    assert "Remove the oldest 3 of 5 snapshots for good?" in result.stderr
+    assert result.exit_code == 1
+    assert len(History().snapshots()) == 5
+    assert History().bound() == Bound()
+    result = trexcmd("history", "keep", "2", stdin="y\n")
+    assert result.exit_code == 0
+    assert "3 snapshots removed" in result.stderr
+    assert len(History().snapshots()) == 2
+    assert trexcmd("history", "keep", "1", "--yes").exit_code == 0
+    assert len(History().snapshots()) == 1
+
+
+def test_damaged_history_limit_is_reported(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    take()
+    (History().folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
+    assert "none is removed" in trexcmd("history").stderr
+    result = trexcmd("history", "keep")
+    assert result.exit_code == 1
+    assert "none is removed" in result.stderr
+    wanted = tmp_path / "wanted.txt"
+    wanted.write_text("product: TReX\nserial_timeout: 9\n", encoding="utf-8")
+    result = trexcmd("set-settings", str(wanted))
+    assert result.exit_code == 0
+    assert "Warning: " in result.stderr
+    assert "none is removed" in result.stderr
+    assert trexcmd("history", "keep", "10").exit_code == 0
+    assert History().bound() == Bound(10)
+
+
+def test_history_lists_snapshots_without_a_port(trexcmd: RunCommand) -> None:
+    take()
+    assert trexcmd("history", TREX_PORT="").exit_code == 0
+
+
+def test_json_option_before_subcommand_is_usage_error(trexcmd: RunCommand) -> None:
+    take()
+    result = trexcmd("history", "--json", "show", "1")
+    assert result.exit_code == 2
+    assert "behind show" in result.stderr
+
+
+def test_completion_describes_snapshot_numbers() -> None:
+    take()
+    complete = ShellComplete(main, {}, "trexcmd", "_TREXCMD_COMPLETE")
+    (found,) = complete.get_completions(["history", "show"], "")
+    assert found.value == "1"
+    assert found.help is not None
+    assert "Apply of 1 setting" in found.help

@@ -1,0 +1,324 @@
+"""Interrupted set-settings and restore-defaults, and how the board is reached afterwards."""
+
+import re
+import signal
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.cli.conftest import becomes
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
+from trex_gui.core.files.errors import Finding, SettingsError
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.history import History
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
+
+SPECS = parameters_of("trex", "1.2")
+NAMES = {spec.name: spec.key for spec in SPECS.readable}
+
+when_some_are_stored = pytest.mark.parametrize(
+    "key", ["required_channels", "motor1_pwm_maximum", "serial_timeout"]
+)
+
+
+@dataclass
+class SettingsWrite:
+    """A run of set-settings that has just stored a certain parameter."""
+
+    process: VirtualCommand
+    board: SimulatedDevice
+    file: Path
+    before: Settings
+    wanted: Settings
+
+    def end(self) -> str:
+        """Wait for the end; return what was said."""
+        _, said = self.process.communicate()
+        assert "Traceback" not in said
+        return said
+
+    def assert_reported(self, said: str) -> None:
+        """Fail unless the messages name what was stored and what was not."""
+        stored = self.board.show()["parameters"]
+        given = {key for key in self.wanted.parameters if self.differs(key)}
+        named_stored = named(said, "Stored: ")
+        untried = named(said, "Not tried: ") | named(said, "Not tried after that: ")
+        assert "Stored: " in said  # the calibrations at least, which go first
+        assert untried
+        assert all(stored[key] == self.wanted.parameters[key] for key in named_stored)
+        assert all(stored[key] == self.before.parameters[key] for key in untried)
+        assert len(given - named_stored - untried) <= 1
+        assert re.search(r"\d+ of \d+ changes are stored and read back", said)
+        assert "not everything was stored" in said.lower()
+
+    def differs(self, key: str) -> bool:
+        return self.wanted.parameters[key] != self.before.parameters[key]
+
+    def assert_snapshot_complete(self) -> None:
+        """Fail unless the snapshot holds everything the board stored before."""
+        (snapshot,) = History().snapshots()
+        assert History().load(snapshot) == self.before
+
+
+def named(said: str, beginning: str) -> set[str]:
+    """Return the keys of the parameters in a sentence that lists them."""
+    lines = [line for line in said.splitlines() if line.startswith(beginning)]
+    names = lines[0].removeprefix(beginning).removesuffix(".").split(", ") if lines else []
+    return {NAMES[name] for name in names if name in NAMES}
+
+
+def other(before: Settings) -> Settings:
+    """Return settings that differ in all but how the board is reached."""
+    values = {
+        spec.key: max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid)
+        for spec in SPECS.readable
+        if spec.key not in {"uart_settings", "crc7_polynomial", "device_number"}
+    }
+    places = {(InputSource.RC, channel) for channel in CHANNELS[:2]}
+    return replace(
+        before,
+        parameters={**before.parameters, **values},
+        calibrations={
+            **before.calibrations,
+            **dict.fromkeys(places, Calibration(2400, 3700, 5100, 60)),
+        },
+    )
+
+
+Disturb = Callable[[str, Callable[[SettingsWrite], object]], tuple[SettingsWrite, str]]
+
+
+@pytest.fixture
+def disturb(
+    start: StartCommand,
+    trexcmd: RunCommand,
+    start_simulator: StartSimulator,
+    tmp_path: Path,
+) -> Disturb:
+    """Disturb the writing of other settings into a board whose bytes take their time.
+
+    Return what was written, and what was said of it.
+    """
+
+    def until(key: str) -> SettingsWrite:
+        board = start_simulator()
+        file = tmp_path / "wanted.txt"
+        text = trexcmd("get-settings", "-", "--port", board.url).stdout
+        before = read_settings(text)[0]
+        wanted = other(before)
+        file.write_text(write_settings(wanted), encoding="utf-8")
+        process = start("set-settings", str(file), url=board.url)
+        value = wanted.parameters[key]
+        assert becomes(lambda: board.show()["parameters"][key], value)
+        return SettingsWrite(process, board, file, before, wanted)
+
+    def disturbed(key: str, how: Callable[[SettingsWrite], object]) -> tuple[SettingsWrite, str]:
+        writing = until(key)
+        how(writing)
+        said = writing.end()
+        assert writing.process.returncode == 1
+        return writing, said
+
+    return disturbed
+
+
+@when_some_are_stored
+def test_ctrl_c_ends_writing_between_two_settings(
+    disturb: Disturb, trexcmd: RunCommand, key: str
+) -> None:
+    writing, said = disturb(key, lambda writing: writing.process.send_signal(signal.SIGINT))
+    assert "Interrupted: not everything was stored; what was not tried is as it was." in said
+    writing.assert_reported(said)
+    writing.assert_snapshot_complete()
+    again = trexcmd("set-settings", str(writing.file), "--port", writing.board.url)
+    assert again.exit_code == 0, again.stderr
+    assert writing.board.show()["parameters"] == writing.wanted.parameters
+
+
+@when_some_are_stored
+def test_unplugging_while_writing_reports_every_setting(
+    disturb: Disturb, trexcmd: RunCommand, key: str
+) -> None:
+    writing, said = disturb(key, lambda writing: writing.board.do("line unplug"))
+    assert "gone" in said
+    writing.assert_reported(said)
+    writing.assert_snapshot_complete()
+    url = writing.board.do("line plug").split()[-1]
+    again = trexcmd("set-settings", str(writing.file), "--port", url)
+    assert again.exit_code == 0, again.stderr
+    assert writing.board.show()["parameters"] == writing.wanted.parameters
+
+
+# --- How the board is reached after its next start --------------------------------------
+
+
+def given(trexcmd: RunCommand, path: Path, **values: int) -> str:
+    """Give the simulated board a file with these values; return what is said."""
+    lines = "".join(f"{key}: {wire}\n" for key, wire in values.items())
+    path.write_text(f"product: TReX\n{lines}", encoding="utf-8")
+    result = trexcmd("set-settings", str(path))
+    assert result.exit_code == 0, result.stderr
+    return result.stderr
+
+
+@pytest.mark.parametrize(
+    ("values", "options"),
+    [
+        ({"uart_settings": 0x48}, "--baud 57600 --parity even"),
+        ({"uart_settings": 0x7A}, "--baud 115200 --parity odd --stop-bits 2"),
+        ({"uart_settings": 0x21}, "--baud 2400 --crc"),
+        ({"uart_settings": 0x2A, "crc7_polynomial": 0x15}, "--baud 115200 --crc --polynomial 95"),
+    ],
+)
+def test_changed_line_settings_print_new_options(
+    trexcmd: RunCommand,
+    quick_simulator: SimulatedDevice,
+    tmp_path: Path,
+    values: dict[str, int],
+    options: str,
+) -> None:
+    said = given(trexcmd, tmp_path / "line.txt", **values)
+    sentence = f"Switched off and on, it is reached with --port {quick_simulator.url} {options}\n"
+    assert sentence in said
+
+
+def test_printed_options_reach_the_board(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
+    (told,) = re.findall("is reached with (.*)", said)
+    quick_simulator.do("power cycle")
+    assert trexcmd("get", "crc7_polynomial", *told.split()).exit_code == 0
+    restored = trexcmd("restore-defaults", "--yes", *told.split())
+    (told,) = re.findall("is reached with (.*)", restored.stderr)
+    quick_simulator.do("power cycle")
+    assert trexcmd("get", "crc7_polynomial", *told.split()).exit_code == 0
+
+
+def test_baud_rate_halved_by_old_firmware_is_printed_halved(
+    trexcmd: RunCommand, start_simulator: StartSimulator, tmp_path: Path
+) -> None:
+    old = start_simulator("--firmware", "1.0", "--unpaced")
+    file = tmp_path / "line.txt"
+    file.write_text("product: TReX\nuart_settings: 6\n", encoding="utf-8")  # 28800 baud
+    said = trexcmd("set-settings", str(file), "--port", old.url).stderr
+    assert f"is reached with --port {old.url} --baud 14400\n" in said
+
+
+def test_new_device_number_is_printed_for_expanded_protocol(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    file = tmp_path / "number.txt"
+    file.write_text("product: TReX\ndevice_number: 9\nuart_settings: 8\n", encoding="utf-8")
+    result = trexcmd("set-settings", str(file), "--protocol", "expanded")
+    url = quick_simulator.url
+    now = f"Reach the board with --port {url} --baud 19200 --protocol expanded --device 9 from"
+    later = f"it is reached with --port {url} --baud 57600 --protocol expanded --device 9\n"
+    assert now in result.stderr
+    assert later in result.stderr
+
+
+@pytest.mark.parametrize("values", [{"serial_timeout": 5}, {"device_number": 9}])
+def test_unchanged_line_settings_print_no_options(
+    trexcmd: RunCommand, tmp_path: Path, values: dict[str, int]
+) -> None:
+    said = given(trexcmd, tmp_path / "same.txt", **values)
+    assert "each the board" not in said
+    assert "is reached" not in said
+
+
+def test_restore_defaults_prints_options_that_reach_board(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("eeprom device_number 9")
+    quick_simulator.do("power cycle")
+    words = ("--protocol", "expanded", "--device", "9")
+    result = trexcmd("restore-defaults", "--yes", *words)
+    assert result.exit_code == 0, result.stderr
+    url = quick_simulator.url
+    assert (
+        f"Switched off and on, it is reached with --port {url} --baud 19200 --protocol expanded "
+        "--device 7\n"
+    ) in result.stderr
+
+
+def test_restore_defaults_without_line_change_prints_no_options(trexcmd: RunCommand) -> None:
+    assert "is reached with" not in trexcmd("restore-defaults", "--yes").stderr
+
+
+# --- check-settings IN OUT --------------------------------------------------------------
+
+COMMENTED = """\
+# The rover of the school, front axle.
+product: TReX
+motor_mode: 0        # two motors
+
+serial_timeout: 0x0F # so that it stops when the cable breaks
+# Do not change without asking:
+motor1_acceleration: 12
+"""
+
+
+@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
+@pytest.mark.parametrize("mark", ["", "\ufeff"])
+def test_check_settings_keeps_comments_order_and_spelling(
+    trexcmd: RunCommand, tmp_path: Path, line_end: str, mark: str
+) -> None:
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    data = (mark + COMMENTED.replace("\n", line_end)).encode()
+    file.write_bytes(data)
+    assert trexcmd("check-settings", str(file), str(out)).exit_code == 0
+    assert out.read_bytes() == data
+
+
+@pytest.mark.parametrize("line_end", ["\n", "\r\n"])
+def test_missing_final_line_end_is_added(
+    trexcmd: RunCommand, tmp_path: Path, line_end: str
+) -> None:
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    whole = COMMENTED.replace("\n", line_end).encode()
+    file.write_bytes(whole.rstrip())
+    result = trexcmd("check-settings", str(file), str(out))
+    assert result.exit_code == 0
+    assert "the last line has no end" in result.stderr
+    assert out.read_bytes() == whole
+    assert "no end" not in trexcmd("check-settings", str(out)).stderr
+
+
+def test_file_that_cannot_be_edited_in_place_is_rewritten(
+    trexcmd: RunCommand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No such file is known, but `amend` may reject one."""
+
+    def refuse(text: str, settings: Settings) -> str:
+        del text, settings
+        raise SettingsError("settings", [Finding(None, None, "it cannot be changed in place")])
+
+    monkeypatch.setattr("trex_gui.devices.trex.cli.files.amend", refuse)
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    file.write_text(COMMENTED, encoding="utf-8")
+    result = trexcmd("check-settings", str(file), str(out))
+    assert result.exit_code == 0
+    assert "Comments and order could not be kept: " in result.stderr
+    assert out.read_text(encoding="utf-8") == write_settings(read_settings(COMMENTED)[0])
+
+
+def test_check_settings_can_write_to_its_input_file(trexcmd: RunCommand, tmp_path: Path) -> None:
+    file = tmp_path / "in.txt"
+    file.write_bytes(COMMENTED.encode())
+    assert trexcmd("check-settings", str(file), str(file)).exit_code == 0
+    assert file.read_bytes() == COMMENTED.encode()
+
+
+def test_check_settings_of_invalid_file_writes_nothing(trexcmd: RunCommand, tmp_path: Path) -> None:
+    file, out = tmp_path / "in.txt", tmp_path / "out.txt"
+    file.write_text(COMMENTED.replace("0x0F", "200"), encoding="utf-8")
+    assert trexcmd("check-settings", str(file), str(out)).exit_code == 1
+    assert not out.exists()

@@ -1,0 +1,263 @@
+"""motor: a motor runs and stops in every situation."""
+
+import signal
+import sys
+from collections.abc import Sequence
+
+import pytest
+
+from tests.devices.trex.cli.conftest import StartProcess, becomes, comes_true, outputs
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
+
+
+def run_motor(
+    start: StartCommand, simulator: SimulatedDevice, *words: str, speeds: Sequence[int]
+) -> VirtualCommand:
+    """Run a motor until both motors and the auxiliary one have these speeds."""
+    command = start("motor", *words, url=simulator.url)
+    assert becomes(lambda: outputs(simulator) == list(speeds) or command.returncode, True)
+    return command
+
+
+def run_motor_1(start: StartCommand, simulator: SimulatedDevice) -> VirtualCommand:
+    return run_motor(start, simulator, "1", "60", speeds=(60, 0, 0))
+
+
+def braked(simulator: SimulatedDevice) -> bool:
+    motors = simulator.show()["motors"]
+    return all((m["direction"], m["speed"]) == ("brake", 127) for m in motors)
+
+
+@pytest.mark.parametrize(
+    ("words", "speeds"),
+    [
+        (("1", "50"), (50, 0, 0)),
+        (("2", "-127"), (0, -127, 0)),
+        (("aux", "30"), (0, 0, 30)),
+        (("2", "40", "--accelerate"), (0, 40, 0)),
+    ],
+)
+def test_motor_runs_until_interrupted(
+    words: tuple[str, ...],
+    speeds: tuple[int, ...],
+    start: StartCommand,
+    quick_simulator: SimulatedDevice,
+) -> None:
+    command = run_motor(start, quick_simulator, *words, speeds=speeds)
+    command.send_signal(signal.SIGINT)
+    _, errors = command.communicate()
+    assert (command.returncode, "Stopped." in errors) == (0, True)
+    assert outputs(quick_simulator) == [0, 0, 0]
+    assert braked(quick_simulator)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGQUIT", "SIGTSTP"])
+def test_every_terminating_signal_stops_motor(
+    name: str, start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    command = run_motor_1(start, quick_simulator)
+    command.send_signal(getattr(signal, name))
+    _, errors = command.communicate()
+    assert (command.returncode, "Stopped." in errors) == (0, True)
+    assert braked(quick_simulator)
+
+
+@pytest.mark.realtime
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_signal_to_process_stops_motor(
+    name: str, start_process: StartProcess, quick_simulator: SimulatedDevice
+) -> None:
+    process = start_process("motor", "1", "60")
+    assert comes_true(lambda: outputs(quick_simulator) == [60, 0, 0])
+    process.send_signal(getattr(signal, name))
+    _, errors = process.communicate(timeout=60)
+    assert (process.returncode, "Stopped." in errors) == (0, True)
+    assert "Traceback" not in errors
+    assert braked(quick_simulator)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
+def test_sighup_behind_nohup_does_not_stop_motor(
+    start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        command = run_motor_1(start, quick_simulator)
+        command.send_signal(signal.SIGHUP)
+        assert not becomes(lambda: command.returncode is None, False, seconds=5)
+        assert outputs(quick_simulator) == [60, 0, 0]
+        command.terminate()
+        command.communicate()
+    finally:
+        signal.signal(signal.SIGHUP, before)
+    assert braked(quick_simulator)
+
+
+def test_repeated_ctrl_c_still_stops_motor(
+    start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    command = run_motor_1(start, quick_simulator)
+    for _ in range(5):
+        command.send_signal(signal.SIGINT)
+    command.communicate()
+    assert braked(quick_simulator)
+
+
+def test_motor_stops_after_given_seconds(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    result = trexcmd("motor", "1", "50", "--seconds", "0.2")
+    assert result.exit_code == 0, result.stderr
+    assert "Stopped." in result.stderr
+    assert braked(quick_simulator)
+
+
+def test_motor_command_warns_if_serial_timeout_is_off(trexcmd: RunCommand) -> None:
+    assert "Serial Timeout is off" in trexcmd("motor", "1", "5", "--seconds", "0.01").stderr
+
+
+def test_motor_command_feeds_short_serial_timeout(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    assert trexcmd("set", "serial_timeout", "0.2 s").exit_code == 0
+    result = trexcmd("motor", "1", "50", "--seconds", "1")
+    assert result.exit_code == 0, result.stderr
+    assert "Serial Timeout" not in result.stderr
+    assert "Serial timeout" not in result.stderr
+
+
+def test_brake_option_brakes_motor(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
+    command = start("motor", "1", "33", "--brake")
+    assert becomes(
+        lambda: [quick_simulator.show()["motors"][0][key] for key in ("direction", "speed")],
+        ["brake", 33],
+    )
+    command.terminate()
+    command.communicate()
+
+
+def test_motor_command_fails_in_rc_mode(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    result = trexcmd("motor", "1", "50", "--seconds", "0.1")
+    assert result.exit_code == 1
+    assert "RC channels control the motors" in result.stderr
+    assert "Running" not in result.stderr
+
+
+def test_motor_2_in_joint_mode_prints_a_warning(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    trexcmd("set", "motor_mode", "joint")
+    quick_simulator.do("power cycle")
+    assert "motor 2 is ignored" in trexcmd("motor", "2", "5", "--seconds", "0.01").stderr
+
+
+def test_motor_fault_ends_the_run(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
+    command = run_motor_1(start, quick_simulator)
+    quick_simulator.do("fault 1 on")
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "Motor 1 fault" in errors
+    assert braked(quick_simulator)
+
+
+def test_lost_data_on_the_line_does_not_end_the_run(
+    start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    def counted(what: str) -> int:
+        return int(quick_simulator.show()["counters"]["line"][what])
+
+    command = run_motor_1(start, quick_simulator)
+    lost = counted("dropped")
+    quick_simulator.do("line drop 1")
+    assert becomes(lambda: counted("dropped"), lost + 1)
+    came = counted("received")
+    assert becomes(lambda: counted("received") > came + 20, True)
+    assert outputs(quick_simulator) == [60, 0, 0]
+    command.send_signal(signal.SIGINT)
+    _, errors = command.communicate()
+    assert command.returncode == 0, errors
+    assert braked(quick_simulator)
+
+
+def test_missing_replies_end_the_run_with_a_message(
+    start: StartCommand, quick_simulator: SimulatedDevice
+) -> None:
+    command = run_motor_1(start, quick_simulator)
+    quick_simulator.do("line mute on")
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "does not confirm" in errors
+    assert "cut its power" in errors
+    assert braked(quick_simulator)  # it has heard what it could not confirm
+
+
+def test_unplugging_ends_the_run_with_a_message(
+    start: StartCommand, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--unpaced")
+    command = run_motor_1(start, simulator)
+    simulator.do("line unplug")
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "is gone" in errors
+    assert "cut its power" in errors
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("1", "128"),
+        ("1", "-128"),
+        ("3", "10"),
+        ("aux", "-1"),
+        ("aux", "128"),
+        ("aux", "5", "--brake"),
+        ("1", "-5", "--brake"),
+        ("1", "fast"),
+        ("1",),
+        ("1", "5", "--seconds", "0"),
+        ("1", "5", "--secnds", "1"),
+    ],
+)
+def test_invalid_motor_arguments_are_usage_errors(
+    trexcmd: RunCommand, words: tuple[str, ...]
+) -> None:
+    assert trexcmd("motor", *words).exit_code == 2
+
+
+def test_stop_fails_while_rc_channels_drive(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    for line in ("jumper mode rc", "power cycle"):
+        quick_simulator.do(line)
+    assert becomes(lambda: trexcmd("status").exit_code, 0)
+    quick_simulator.do("channel 1 1900us")
+    assert becomes(lambda: quick_simulator.show()["motors"][0]["speed"] > 50, True)
+    result = trexcmd("stop")
+    assert result.exit_code == 1
+    assert "Stopped." not in result.stderr
+    assert "Let go of the sticks, or cut the power." in result.stderr
+    assert quick_simulator.show()["motors"][0]["speed"] > 50
+
+
+@pytest.mark.realtime
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+def test_stop_names_the_process_that_holds_the_port(
+    start_process: StartProcess, quick_simulator: SimulatedDevice
+) -> None:
+    holder = start_process("motor", "1", "40")
+    assert comes_true(lambda: outputs(quick_simulator) == [40, 0, 0])
+    stop = start_process("stop")
+    _, errors = stop.communicate(timeout=60)
+    assert stop.returncode == 1
+    assert f"(process {holder.pid})" in errors
+    assert "Esc in its window stops the motors" in errors
+    holder.terminate()
+    holder.communicate(timeout=60)

@@ -1,0 +1,107 @@
+"""The program as a whole: its table of commands, what it loads, completion."""
+
+import subprocess
+import sys
+
+import pytest
+from click.testing import CliRunner
+
+from trex_gui.cli import main
+from trex_gui.cli.program import COMMANDS
+
+_LOADED = """
+import sys
+from click.testing import CliRunner
+from trex_gui.cli import main
+assert CliRunner().invoke(main, {words!r}).exit_code == 0
+print(*sys.modules)
+"""
+
+
+def loaded_by(*words: str) -> set[str]:
+    """Return the modules that a fresh interpreter has after these words."""
+    code = _LOADED.format(words=list(words))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return {name for line in done.stdout.splitlines()[-1:] for name in line.split()}
+
+
+def test_help_loads_neither_link_nor_commands() -> None:
+    modules = loaded_by("--help")
+    assert not modules & {
+        "serial",
+        "yaml",
+        "trex_gui.core.transport",
+        "trex_gui.devices.trex.protocol",
+    }
+    assert not {name for name in modules if name.startswith("trex_gui.cli.")} - {
+        "trex_gui.cli.program"
+    }
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_command_help_loads_only_needed_modules(command: str) -> None:
+    modules = loaded_by(command, "--help")
+    assert not {name for name in modules if name.startswith(("PySide6", "pyqtgraph", "numpy"))}
+    # and keep them
+    reads_files = {"calibration", "diff", "export", "history", "restore-defaults", "set"}
+    if "settings" not in command and command not in reads_files:
+        assert "yaml" not in modules
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_command_table_matches_each_command(command: str) -> None:
+    loaded = main.get_command(
+        main.make_context("trexcmd", ["--help"], resilient_parsing=True), command
+    )
+    assert loaded is not None
+    assert loaded.name == command
+    assert loaded.help
+    result = CliRunner().invoke(main, ["--help"])
+    assert f"  {command} " in result.stdout
+    assert COMMANDS[command].help.replace("\n", " ") in " ".join(result.stdout.split())
+
+
+def test_misspelled_command_gets_a_suggestion() -> None:
+    result = CliRunner().invoke(main, ["get-setings"])
+    assert result.exit_code == 2
+    assert "Did you mean get-settings?" in result.stderr
+
+
+def test_version_option_prints_version() -> None:
+    result = CliRunner().invoke(main, ["--version"])
+    assert result.exit_code == 0
+    assert result.stdout.startswith("trexcmd, version ")
+
+
+@pytest.mark.parametrize(
+    ("words", "offered"),
+    [
+        ("get-s", "get-settings"),
+        ("get serial_", "serial_timeout"),
+        ("set motor1_a", "motor1_acceleration"),
+        ("status --baud 115", "115200"),
+        ("status --par", "--parity"),
+        ("calibration s", "set"),
+        ("completion z", "zsh"),
+    ],
+)
+def test_completion_offers_commands_options_and_parameters(words: str, offered: str) -> None:
+    line = f"trexcmd {words}"
+    environment = {
+        "_TREXCMD_COMPLETE": "bash_complete",
+        "COMP_WORDS": line,
+        "COMP_CWORD": str(len(line.split()) - 1),
+    }
+    result = CliRunner().invoke(main, [], prog_name="trexcmd", env=environment)
+    assert f"plain,{offered}" in result.stdout.splitlines()
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_script_is_printed_for_each_shell(shell: str) -> None:
+    result = CliRunner().invoke(main, ["completion", shell])
+    assert result.exit_code == 0
+    assert f"_TREXCMD_COMPLETE={shell}_complete" in result.stdout
+
+
+def test_completion_for_unknown_shell_is_usage_error() -> None:
+    assert CliRunner().invoke(main, ["completion", "tcsh"]).exit_code == 2

@@ -1,0 +1,170 @@
+"""stream: what the board measures, as rows."""
+
+import csv
+import io
+import json
+import signal
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.cli.conftest import StartProcess, becomes, measured
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
+
+
+def rows_of(text: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def begin_to_stream(start: StartCommand, file: Path, simulator: SimulatedDevice) -> VirtualCommand:
+    """Let a stream write some rows into a file."""
+    command = start("stream", "--csv", str(file), url=simulator.url)
+    assert becomes(lambda: file.exists() and file.stat().st_size > 2000, True)
+    return command
+
+
+def streamed(trexcmd: RunCommand, *words: str) -> str:
+    """Stream for a moment."""
+    text = trexcmd("stream", "--seconds", "0.6", *words).stdout
+    assert text.count("\n") > 10
+    return text
+
+
+def test_rows_have_units_in_header_and_complete_values(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    def current() -> str:
+        return str(json.loads(trexcmd("status", "--json").stdout)["motor_1_current"])
+
+    quick_simulator.do("channel 2 1250us")
+    quick_simulator.do("current 1 3.0")
+    assert becomes(lambda: measured(quick_simulator)[1], 3125)
+    assert becomes(current, "3.00 A")
+    result = trexcmd("stream", "--seconds", "0.5")
+    assert result.exit_code == 0, result.stderr
+    rows = rows_of(result.stdout)
+    assert len(rows) > 10
+    for row in rows:
+        assert (row["channel_2_raw"], row["channel_2_us"]) == ("3125", "1250.0")
+        assert int(row["channel_2_remapped"]) < -50
+        assert row["motor_1_current_A"] == "3.0"
+        assert row["serial_controls"] == "1"
+    times = [float(row["time_s"]) for row in rows]
+    assert times == sorted(times)
+    assert times[-1] < 0.6
+    assert f"{len(rows)} rows." in result.stderr
+
+
+def test_channel_without_signal_has_empty_cells(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("channel 3 invalid")
+    assert becomes(lambda: quick_simulator.show()["channels"][2]["raw"], None)
+    row = rows_of(streamed(trexcmd))[-1]
+    assert (row["channel_3_raw"], row["channel_3_us"]) == ("", "")
+
+
+def test_analog_board_is_streamed_in_volts(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("jumper mode analog")
+    quick_simulator.do("power cycle")
+    quick_simulator.do("channel 1 2.5V")
+    row = rows_of(streamed(trexcmd))[-1]
+    assert float(row["channel_1_V"]) == pytest.approx(2.5, abs=0.01)
+
+
+def test_error_is_reported_in_one_row_only(
+    trexcmd: RunCommand, quick_simulator: SimulatedDevice
+) -> None:
+    trexcmd("raw", "41")
+    rows = rows_of(streamed(trexcmd))
+    assert [row["uart_format"] for row in rows].count("1") == 1
+    assert [row["status_uart_error"] for row in rows].count("1") == 1
+
+
+def test_json_stream_has_one_object_per_line(trexcmd: RunCommand) -> None:
+    rows = [json.loads(line) for line in streamed(trexcmd, "--json").splitlines()]
+    assert rows[0]["channel_1_us"] == 1500.0
+
+
+def test_interrupted_stream_has_complete_rows(
+    start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    file = tmp_path / "log.csv"
+    command = begin_to_stream(start, file, quick_simulator)
+    command.send_signal(signal.SIGINT)
+    _, errors = command.communicate()
+    assert command.returncode == 0, errors
+    text = file.read_text(encoding="utf-8")
+    assert text.endswith("\n")
+    assert f"{len(rows_of(text))} rows." in errors
+    assert all(None not in row.values() for row in rows_of(text))
+
+
+@pytest.mark.realtime
+@pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
+def test_closed_output_ends_stream_without_traceback(start_process: StartProcess) -> None:
+    process = start_process("stream")
+    assert process.stdout is not None
+    assert process.stderr is not None
+    assert process.stdout.readline().startswith("time_s,")
+    process.stdout.close()
+    errors = process.stderr.read()
+    process.stderr.close()
+    assert process.wait(20) == 1
+    assert "Traceback" not in errors
+    assert "Exception" not in errors
+
+
+def test_unplugging_keeps_rows_streamed_so_far(
+    start: StartCommand, start_simulator: StartSimulator, tmp_path: Path
+) -> None:
+    simulator = start_simulator("--unpaced")
+    file = tmp_path / "log.csv"
+    command = begin_to_stream(start, file, simulator)
+    simulator.do("line unplug")
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "is gone" in errors
+    assert len(rows_of(file.read_text(encoding="utf-8"))) > 5
+
+
+def test_unpowered_board_ends_the_stream(
+    start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    file = tmp_path / "log.csv"
+    command = begin_to_stream(start, file, quick_simulator)
+    quick_simulator.do("power off")
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "stopped answering" in errors
+
+
+def test_mode_change_ends_the_stream(
+    start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    file = tmp_path / "log.csv"
+    command = begin_to_stream(start, file, quick_simulator)
+    quick_simulator.do("jumper mode analog")
+    quick_simulator.do("power cycle")
+    _, errors = command.communicate()
+    assert command.returncode == 1
+    assert "mode has changed" in errors
+
+
+def test_unwritable_csv_file_is_rejected(trexcmd: RunCommand, tmp_path: Path) -> None:
+    result = trexcmd("stream", "--seconds", "1", "--csv", str(tmp_path / "missing" / "log.csv"))
+    assert result.exit_code == 1
+    assert "cannot be written" in result.stderr
+
+
+@pytest.mark.parametrize(
+    "words", [("--seconds", "0"), ("--seconds", "x"), ("--json", "--csv", "-")]
+)
+def test_invalid_stream_arguments_are_usage_errors(
+    trexcmd: RunCommand, words: tuple[str, ...]
+) -> None:
+    assert trexcmd("stream", *words).exit_code == 2

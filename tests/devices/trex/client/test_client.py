@@ -1,0 +1,467 @@
+"""One transaction after the other, on a wire in virtual time."""
+
+import contextlib
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.devices.trex.session.helpers import staged
+from tests.support.matrix import examples
+from tests.support.virtual import Stage
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, ResultCode
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    Direction,
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+    GetCalibration,
+    GetCurrents,
+    GetMode,
+    GetParameter,
+    GetRawChannels,
+    GetSerialControl,
+    GetSignature,
+    SetCalibration,
+    SetParameter,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import Mode
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+
+modest = examples(40)
+
+
+CRC = LinkSettings("virtual", LineSettings(detection=Detection.CRC7))
+
+REAL_TIME = 0.06
+"""What a local port is allowed to be late; the virtual one is faster."""
+
+
+# --- Replies ----------------------------------------------------------------------------
+
+
+def test_request_returns_decoded_reply(stage: Stage) -> None:
+    client = stage.client()
+    assert str(client.request(GetSignature())) == "TReX 1.2"
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+    assert client.request(GetParameter(0)) == 7
+
+
+def test_request_waits_for_eeprom_write(stage: Stage) -> None:
+    wanted = Calibration(2400, 3700, 5100, 80)
+    assert stage.client().request(SetCalibration(2, wanted)) is ResultCode.OK
+    assert stage.board.calibration(2) == wanted
+
+
+def test_rejected_write_returns_its_result_code(stage: Stage) -> None:
+    assert stage.client().request(SetParameter(0x7E, 0x0F)) is ResultCode.BAD_VALUE
+
+
+def test_out_of_range_value_is_rejected_before_sending(stage: Stage) -> None:
+    with pytest.raises(BadRequest, match="0 to 127, not 300"):
+        stage.client().request(DriveAuxiliary(300))
+    assert stage.transport.sent == b""
+
+
+@pytest.mark.parametrize("number", [None, 7])
+@pytest.mark.parametrize("detection", list(Detection))
+def test_every_packet_format_is_understood(number: int | None, detection: Detection) -> None:
+    stage, settings = staged(detection=detection)
+    client = stage.client(LinkSettings("virtual", settings.line, device_number=number))
+    assert client.request(GetParameter(0x7E)) == settings.line.to_wire()
+
+
+def test_wrong_device_number_gets_no_reply(stage: Stage) -> None:
+    client = stage.client(LinkSettings("virtual", device_number=8))
+    with pytest.raises(NoReply):
+        client.request(GetMode())
+
+
+# --- Deadlines --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("baud", [1200, 115200])
+@pytest.mark.parametrize(
+    ("command", "size", "board_needs"),
+    [
+        (GetMode(), 2, 0.0),
+        (GetRawChannels(), 12, 0.0),
+        (SetParameter(7, 5), 6, 0.05),
+        (SetCalibration(1, Calibration(2500, 3750, 5000, 75)), 12, 0.1),
+    ],
+    ids=str,
+)
+def test_timeout_is_wire_time_plus_allowance(
+    baud: int, command: Command[object], size: int, board_needs: float
+) -> None:
+    stage, settings = staged(baud)
+    stage.board.power_off()
+    client = stage.client(settings)
+    begun = stage.line.now
+    with pytest.raises(NoReply, match="No answer to"):
+        client.request(command)
+    took = stage.line.now - begun
+    wire = settings.line.seconds(size)
+    assert wire + board_needs <= took <= wire + board_needs + stage.transport.latency + 0.01
+
+
+def test_request_on_local_port_times_out_within_100_ms() -> None:
+    stage, settings = staged(115200)
+    stage.board.power_off()
+    stage.transport.latency = REAL_TIME
+    with pytest.raises(NoReply):
+        stage.client(settings).request(GetMode())
+    assert stage.line.now < 0.1
+
+
+def test_extra_timeout_is_added_to_deadline(stage: Stage) -> None:
+    stage.board.power_off()
+    client = stage.client(LinkSettings("virtual", timeouts=Timeouts(extra=2.0)))
+    with pytest.raises(NoReply):
+        client.request(GetMode())
+    assert 2.0 < stage.line.now < 2.1
+
+
+@pytest.mark.parametrize("baud", [1200, 2400, 9600, 115200])
+def test_longest_reply_arrives_before_timeout(baud: int) -> None:
+    stage, settings = staged(baud)
+    stage.transport.latency = 0.0
+    assert len(stage.client(settings).request(GetRawChannels())) == 5
+
+
+def test_delayed_reply_within_allowance_is_accepted() -> None:
+    stage, settings = staged()
+    stage.board.eeprom.write("uart_response_delay", 1)
+    stage.board.power_cycle()
+    stage.transport.latency = 0.0
+    assert stage.client(settings).request(GetMode()) is Mode.SERIAL_RC
+
+
+# --- What must not be taken for a reply -------------------------------------------------
+
+
+def test_bytes_before_request_are_discarded_as_stale(stage: Stage) -> None:
+    client = stage.client()
+    stage.line.inject(b"A\x2a\x55")
+    stage.line.advance(0.1)
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+    assert client.counters.stale == 3
+
+
+def test_late_reply_before_next_request_is_discarded(stage: Stage) -> None:
+    client = stage.client()
+    stage.line.mute = True
+    with pytest.raises(NoReply):
+        client.request(GetParameter(0x7E))
+    stage.line.mute = False
+    stage.line.inject(b"\x05")  # the adapter held it back
+    stage.line.advance(0.1)
+    assert client.request(GetParameter(0)) == 7
+
+
+def test_late_reply_during_next_request_is_discarded(
+    stage: Stage,
+) -> None:
+    stage.transport.latency = REAL_TIME
+    client = stage.client()
+    stage.line.mute = True
+    with pytest.raises(NoReply):
+        client.request(GetParameter(0x7E))
+    stage.line.mute = False
+    stage.line.at(stage.line.now + 0.03, lambda: stage.line.inject(b"\x05"))
+    assert client.request(GetParameter(0)) == 7
+    assert client.counters.stale == 1
+
+
+def silenced(stage: Stage, questions: int) -> Client:
+    """A client that has asked so many questions in vain."""
+    stage.transport.latency = REAL_TIME
+    client = stage.client()
+    stage.line.mute = True
+    for _ in range(questions):
+        with pytest.raises(NoReply):
+            client.request(GetParameter(0x7E))
+    stage.line.mute = False
+    return client
+
+
+def test_burst_of_late_replies_is_rejected(
+    stage: Stage,
+) -> None:
+    client = silenced(stage, 3)
+    # An adapter that stood still gives all of it back while the next question waits.
+    stage.line.at(stage.line.now + REAL_TIME + 0.0005, lambda: stage.line.inject(b"\x05\x05\x05"))
+    with pytest.raises(BadReply, match="held up"):
+        client.request(GetParameter(0))
+    assert client.request(GetParameter(0)) == 7
+    assert client.counters.stale >= 3
+
+
+def test_reply_after_lost_replies_is_accepted(stage: Stage) -> None:
+    client = silenced(stage, 3)
+    assert client.request(GetParameter(0)) == 7
+    begun = stage.line.now
+    assert client.request(GetParameter(0)) == 7
+    assert stage.line.now - begun < REAL_TIME, "whose the answers are is known again"
+
+
+def test_motor_command_does_not_wait_for_late_reply(stage: Stage) -> None:
+    stage.transport.latency = REAL_TIME
+    client = stage.client()
+    stage.line.mute = True
+    with pytest.raises(NoReply):
+        client.request(GetMode())
+    begun = stage.line.now
+    client.send(DriveMotor(1, Drive.brake(127)))
+    assert stage.line.now == begun
+
+
+def test_incomplete_reply_is_reported_with_its_bytes(stage: Stage) -> None:
+    stage.line.to_drop = 3
+    with pytest.raises(NoReply, match=r"Only 58 31 2E 32 came in answer to 81\."):
+        stage.client().request(GetSignature())
+
+
+def test_undecodable_reply_raises_bad_reply(stage: Stage) -> None:
+    stage.board.power_off()
+    stage.line.inject(b"?")
+    with pytest.raises(BadReply, match="3F"):
+        stage.client().request(GetMode())
+
+
+def test_reply_with_wrong_crc_raises_bad_reply() -> None:
+    stage, settings = staged(detection=Detection.CRC7)
+    client = stage.client(settings)
+    stage.board.power_off()
+    stage.line.inject(b"\x07\x00")
+    with pytest.raises(BadReply, match="CRC is 00"):
+        client.request(GetParameter(0))
+
+
+def test_remaining_bytes_of_bad_reply_are_discarded(stage: Stage) -> None:
+    client = stage.client()
+    stage.board.power_off()
+    stage.line.inject(b"Hello there")
+    with pytest.raises(BadReply):
+        client.request(GetMode())
+    stage.board.power_on()
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+
+
+# --- Motor commands ---------------------------------------------------------------------
+
+
+def test_motor_command_returns_immediately(stage: Stage) -> None:
+    stage.client().request(DriveMotor(1, Drive.at(50)))
+    assert stage.line.now == 0.0
+    stage.line.advance(0.01)
+    assert stage.board.motors[0].speed == 50
+
+
+@pytest.mark.parametrize("baud", [1200, 115200])
+def test_request_waits_until_motor_command_is_sent(baud: int) -> None:
+    stage, settings = staged(baud)
+    client = stage.client(settings)
+    client.request(DriveBoth(Drive.at(50), Drive.at(-50)))
+    client.request(GetMode())
+    assert stage.line.now == pytest.approx(settings.line.seconds(3 + 2))
+
+
+def test_motor_commands_do_not_queue_up_in_port(stage: Stage) -> None:
+    client = stage.client()
+    for speed in range(100):
+        client.request(DriveMotor(1, Drive.at(speed)))
+        assert stage.line.backlog <= 0.0011
+
+
+def test_drain_waits_for_last_bit(stage: Stage) -> None:
+    client = stage.client()
+    client.request(DriveMotor(2, Drive(Direction.REVERSE, 100)))
+    client.drain()
+    assert stage.board.motors[1].speed == 100
+
+
+# --- Echo -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("echo", [True, False])
+def test_rs232_side_is_detected_by_its_echo(board: Board, *, echo: bool) -> None:
+    stage = Stage(board, echo=echo)
+    client = stage.client()
+    client.echo = not echo
+    assert client.detect_echo() is echo
+    assert client.echo is echo
+    assert set(stage.transport.sent) == {0xFF}
+
+
+def test_echo_detection_ignores_old_bytes(stage: Stage) -> None:
+    stage.line.inject(b"\xff\xff")
+    stage.line.advance(0.1)
+    assert stage.client().detect_echo() is False
+
+
+def test_echo_is_removed_from_replies(board: Board) -> None:
+    client = Stage(board, echo=True).client()
+    assert client.request(GetMode()) is Mode.SERIAL_RC
+    assert client.request(SetParameter(7, 5)) is ResultCode.OK
+    assert client.request(GetParameter(7)) == 5
+
+
+def test_echo_of_motor_command_is_consumed(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    client = stage.client()
+    client.request(DriveBoth(Drive.at(1), Drive.at(2)))
+    assert client.request(GetSerialControl()) is True
+    assert client.counters.stale == 0
+
+
+def test_corrupted_echo_raises_bad_reply(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    stage.line.to_drop = 1
+    with pytest.raises(BadReply, match="echo should be 9F 07"):
+        stage.client().request(GetParameter(7))
+
+
+# --- Device numbers ---------------------------------------------------------------------
+
+
+def test_client_follows_new_device_number(stage: Stage) -> None:
+    client = stage.client(LinkSettings("virtual", device_number=7))
+    assert client.request(SetParameter(0, 42)) is ResultCode.OK
+    assert client.settings.device_number == 42
+    assert client.request(GetParameter(0)) == 42
+
+
+def test_client_ignores_rejected_device_number() -> None:
+    stage, _ = staged(mode="rc")
+    client = stage.client(LinkSettings("virtual", device_number=7))
+    assert client.request(SetParameter(0, 42)) is ResultCode.NOT_SERIAL_MODE
+    assert client.request(GetParameter(0)) == 7
+
+
+def test_compact_protocol_is_kept_after_number_change(stage: Stage) -> None:
+    client = stage.client()
+    client.request(SetParameter(0, 42))
+    assert client.settings.device_number is None
+    assert client.request(GetParameter(0)) == 42
+
+
+# --- Counters ---------------------------------------------------------------------------
+
+
+def test_counters_count_requests_timeouts_and_bad_replies(stage: Stage) -> None:
+    client = stage.client()
+    client.request(GetMode())
+    stage.line.inject(b"\x00")
+    stage.line.advance(0.1)
+    client.request(GetMode())
+    stage.board.power_off()
+    stage.line.inject(b"\x00")
+    with pytest.raises(BadReply):
+        client.request(GetMode())
+    with pytest.raises(NoReply):
+        client.request(GetMode())
+    counters = client.counters
+    assert (counters.requests, counters.silences, counters.damaged) == (4, 1, 1)
+    assert counters.stale == 1
+
+
+def test_slowest_round_trip_ignores_timeouts(stage: Stage) -> None:
+    client = stage.client()
+    client.request(GetMode())
+    quick = client.counters.slowest
+    assert quick == pytest.approx(client.settings.line.seconds(2))
+    client.request(SetParameter(7, 5))
+    slow = client.counters.slowest
+    assert slow == pytest.approx(client.settings.line.seconds(6) + 0.004, abs=1e-4)
+    stage.board.power_off()
+    with pytest.raises(NoReply):
+        client.request(SetParameter(7, 5))
+    assert client.counters.slowest == slow
+
+
+# --- The end of a line ------------------------------------------------------------------
+
+
+def test_request_on_lost_port_raises_port_unavailable(stage: Stage) -> None:
+    stage.transport.fail = PortUnavailable("The line is gone.")
+    with pytest.raises(PortUnavailable, match="is gone"):
+        stage.client().request(GetMode())
+
+
+def test_close_closes_port(stage: Stage) -> None:
+    stage.client().close()
+    assert stage.transport.closed
+
+
+# --- Any noise --------------------------------------------------------------------------
+
+QUESTIONS: list[Command[object]] = [
+    GetSignature(),
+    GetMode(),
+    GetSerialControl(),
+    GetCurrents(),
+    GetRawChannels(),
+    GetCalibration(3),
+    *(GetParameter(number) for number in (0, 1, 7, 0x0B, 0x7E)),
+]
+
+
+@modest
+@given(
+    seed=st.integers(0, 2**32 - 1),
+    noise=st.sampled_from([0.0, 0.01, 0.1, 0.5]),
+    questions=st.lists(st.sampled_from(QUESTIONS), min_size=1, max_size=8),
+    drops=st.lists(st.integers(0, 4), min_size=8, max_size=8),
+    lost=st.lists(st.integers(0, 3), min_size=8, max_size=8),
+    echo=st.booleans(),
+    number=st.sampled_from([None, 7]),
+)
+def test_crc_rejects_replies_with_few_corrupted_bytes(
+    *,
+    seed: int,
+    noise: float,
+    questions: list[Command[object]],
+    drops: list[int],
+    lost: list[int],
+    echo: bool,
+    number: int | None,
+) -> None:
+    quiet, settings = staged(detection=Detection.CRC7)
+    quiet.line.advance(0.1)  # until every channel has had its first pulse
+    expected = [quiet.client(settings).request(question) for question in questions]
+
+    stage, _ = staged(detection=Detection.CRC7, echo=echo)
+    stage.line.advance(0.1)
+    stage.line._random.seed(seed)
+    stage.line.noise = noise
+    client = stage.client(LinkSettings("virtual", settings.line, device_number=number))
+    for question, right, drop, miss in zip(questions, expected, drops, lost, strict=False):
+        stage.line.to_drop, stage.line.to_drop_sent = drop, miss
+        spoilt = stage.line.counters["spoilt"]
+        try:
+            answer = client.request(question)
+        except (NoReply, BadReply):
+            continue
+        # Seven bits tell of every one or two wrong bits; of more, of all but one in 128.
+        assert answer == right or stage.line.counters["spoilt"] - spoilt > 2
+
+
+@modest
+@given(garbage=st.binary(max_size=40), question=st.sampled_from(QUESTIONS))
+def test_client_recovers_from_unsolicited_bytes(garbage: bytes, question: Command[object]) -> None:
+    stage = Stage(Board(eeprom=Eeprom()))
+    client = stage.client()
+    stage.line.inject(garbage)
+    with contextlib.suppress(NoReply, BadReply):
+        client.request(question)
+    stage.line.advance(0.1)
+    assert client.request(GetMode()) is Mode.SERIAL_RC

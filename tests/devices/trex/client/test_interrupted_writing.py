@@ -1,0 +1,520 @@
+"""Power cut and cable pulled at every byte of what is written: what the board is left with.
+
+A first run without a disturbance finds the moments: after every byte on the wire, and several
+within each write to the EEPROM. Then the same is written again, once for each of them.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+
+import pytest
+
+from tests.devices.trex.session.helpers import commands
+from tests.support.virtual import Stage
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.writing import NotTried, Written, write_all
+from trex_gui.devices.trex.discovery.prober import find
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.commands import GetSignature, SetParameter
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
+from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS, Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+
+Values = Mapping[str, int]
+"""Everything that an EEPROM holds: parameters by key, calibrations as `RC 1 minimum`."""
+
+_PROBE = 0.0001
+_WITHIN_A_WRITE = 0.0013
+
+CALIBRATIONS = tuple(
+    (channel, Calibration(2400 + channel, 3700 + channel, 5100 + channel, 60 + channel))
+    for channel in CHANNELS
+)
+
+
+def calibration_values(source: InputSource, channel: int, one: Calibration) -> dict[str, int]:
+    return {f"{source.value} {channel} {name}": getattr(one, name) for name in CALIBRATION_FIELDS}
+
+
+def contents(eeprom: Eeprom, specs: ParameterSet) -> dict[str, int]:
+    values = {spec.key: eeprom[spec.key] for spec in specs.readable}
+    for source in InputSource:
+        for channel in CHANNELS:
+            values |= calibration_values(source, channel, eeprom.calibration(source, channel))
+    return values
+
+
+def factory_value(name: str, specs: ParameterSet) -> int:
+    if " " not in name:
+        return specs[name].default
+    source, _, part = name.split()
+    value: int = getattr(DEFAULT_CALIBRATION[InputSource(source)], part)
+    return value
+
+
+@dataclass(frozen=True)
+class Case:
+    """What is stored, and what is to be."""
+
+    parameters: tuple[tuple[str, int], ...]
+    calibrations: tuple[tuple[int, Calibration], ...] = ()
+    stored: tuple[tuple[str, int], ...] = ()
+    firmware: str = "1.2"
+    expanded: bool = False
+
+    @property
+    def specs(self) -> ParameterSet:
+        return parameters_of("trex", self.firmware)
+
+    @property
+    def before(self) -> Values:
+        return contents(self.eeprom(), self.specs)
+
+    @property
+    def after(self) -> Values:
+        values = {**self.before, **dict(self.parameters)}
+        for channel, wanted in self.calibrations:
+            values |= calibration_values(InputSource.RC, channel, wanted)
+        return values
+
+    def eeprom(self) -> Eeprom:
+        eeprom = Eeprom("trex")
+        for key, wire in self.stored:
+            eeprom.write(key, wire)
+        return eeprom
+
+    def link(self, values: Values) -> LinkSettings:
+        """Return how to reach a board that stores these values and was switched on with them."""
+        line = LineSettings.from_wire(values["uart_settings"])
+        line = replace(line, baud=line.real_baud(self.firmware))
+        number = values["device_number"] if self.expanded else None
+        return LinkSettings("virtual", line, number, 0x80 | values["crc7_polynomial"])
+
+
+def wire(baud: int, detection: Detection = Detection.NONE, stop_bits: int = 1) -> int:
+    return LineSettings(baud, detection, stop_bits).to_wire()
+
+
+def everything(firmware: str) -> tuple[tuple[str, int], ...]:
+    """Return another value for every parameter; those of the line are given by the case."""
+    specs = parameters_of("trex", firmware).readable
+    others = [
+        (spec.key, max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid))
+        for spec in specs
+        if spec.group != "serial" or spec.key not in {"uart_settings", "crc7_polynomial"}
+    ]
+    return (*others, ("crc7_polynomial", 0x21), ("uart_settings", wire(57600, Detection.CRC7)))
+
+
+CRC = Detection.CRC7
+SLOW, FAST = wire(9600, CRC), wire(115200, CRC, 2)
+
+
+def line_and_polynomial(
+    old: int, old_polynomial: int, new: int, new_polynomial: int, firmware: str = "1.2"
+) -> Case:
+    return Case(
+        (("crc7_polynomial", new_polynomial), ("uart_settings", new)),
+        stored=(("crc7_polynomial", old_polynomial), ("uart_settings", old)),
+        firmware=firmware,
+    )
+
+
+SERIAL = {
+    "the line": Case((("uart_settings", wire(57600, Detection.EVEN)),)),
+    "two stop bits": Case((("uart_settings", wire(19200, stop_bits=2)),)),
+    "CRC on": line_and_polynomial(wire(38400), 0x09, FAST, 0x33),
+    "CRC on with the polynomial that is there": Case(
+        (("uart_settings", FAST),), stored=(("crc7_polynomial", 0x33),)
+    ),
+    "CRC off": line_and_polynomial(SLOW, 0x33, wire(57600, Detection.ODD), 0x09),
+    "CRC off, the polynomial stays": Case(
+        (("uart_settings", wire(57600)),),
+        stored=(("crc7_polynomial", 0x33), ("uart_settings", FAST)),
+    ),
+    "CRC stays on": line_and_polynomial(FAST, 0x33, SLOW, 0x44),
+    "CRC stays on, from the factory's polynomial": line_and_polynomial(FAST, 0x09, SLOW, 0x44),
+    "CRC stays on, to the factory's polynomial": line_and_polynomial(FAST, 0x33, SLOW, 0x09),
+    "number and line": Case(
+        (
+            ("device_number", 9),
+            ("serial_timeout", 1),
+            ("uart_response_delay", 1),
+            ("crc7_polynomial", 0x44),
+            ("uart_settings", SLOW),
+        ),
+        stored=(("device_number", 21), ("crc7_polynomial", 0x33), ("uart_settings", FAST)),
+        expanded=True,
+    ),
+    "half the rate": line_and_polynomial(wire(28800), 0x09, wire(38400, CRC), 0x33, firmware="1.1"),
+    "half the rate, CRC stays on": line_and_polynomial(
+        wire(28800, CRC), 0x33, wire(38400, CRC), 0x44, firmware="1.0"
+    ),
+}
+
+MANY = {
+    "everything": Case(everything("1.2"), CALIBRATIONS),
+    "calibrations": Case((), CALIBRATIONS),
+    "many, at half the rate": Case(
+        everything("1.1")[-8:],
+        CALIBRATIONS[:1],
+        stored=(("uart_settings", wire(28800)),),
+        firmware="1.1",
+    ),
+}
+
+POLYNOMIAL_ALONE = Case(
+    (("crc7_polynomial", 0x44),), stored=(("crc7_polynomial", 0x33), ("uart_settings", FAST))
+)
+
+CASES = {**SERIAL, **MANY, "the polynomial alone": POLYNOMIAL_ALONE}
+
+_OFTEN = {"CRC on", "number and line", "half the rate, CRC stays on", "many, at half the rate"}
+every_case = pytest.mark.parametrize(
+    "name",
+    [name if name in _OFTEN else pytest.param(name, marks=pytest.mark.slow) for name in CASES],
+)
+
+
+# --- Writing, and what comes between ----------------------------------------------------
+
+
+@dataclass
+class Attempt:
+    """A board, and one writing to it that something may disturb."""
+
+    case: Case
+    results: tuple[Written, ...] = ()
+    board: Board = field(init=False)
+    stage: Stage = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.board = Board("trex", self.case.firmware, eeprom=self.case.eeprom())
+        self.stage = Stage(self.board)
+        self.stage.transport.latency = 0.0
+
+    def run(self, device_number: int | None = None) -> "Attempt":
+        case = self.case
+        settings = case.link(case.before)
+        if case.expanded and device_number is not None:
+            settings = replace(settings, device_number=device_number)
+        self.stage.line.host = settings.line
+        client = self.stage.client(settings)
+        self.results = write_all(
+            client.request,
+            case.specs,
+            case.parameters,
+            case.calibrations,
+            source=InputSource.RC,
+        )
+        return self
+
+    def at(self, moment: float, action: Callable[[], None]) -> "Attempt":
+        self.stage.line.at(moment, action)
+        return self
+
+    @property
+    def stored(self) -> Values:
+        return contents(self.board.eeprom, self.case.specs)
+
+    @property
+    def claimed(self) -> dict[str, int]:
+        """What the results say is stored."""
+        values: dict[str, int] = {}
+        for result in self.results:
+            if isinstance(result.stored, int):
+                values[result.what] = result.stored
+            elif result.stored is not None:
+                channel = int(result.what.removeprefix("channel "))
+                values |= calibration_values(InputSource.RC, channel, result.stored)
+        return values
+
+    @property
+    def wanted(self) -> set[str]:
+        keys = {key for key, _ in self.case.parameters}
+        return keys | {f"channel {channel}" for channel, _ in self.case.calibrations}
+
+
+@cache
+def moments(name: str) -> tuple[float, ...]:
+    """Return when each byte has just passed, and moments within the writes to the EEPROM."""
+    attempt = Attempt(CASES[name])
+    line, memory = attempt.stage.line, attempt.board.memory
+    found: list[float] = []
+    seen = 0
+
+    def probe() -> None:
+        nonlocal seen
+        passed = line.counters["sent"] + line.counters["received"]
+        is_writing = bool(memory.busy_for)
+        if passed != seen or (is_writing and line.now - found[-1] > _WITHIN_A_WRITE):
+            found.append(line.now)
+        seen = passed
+
+    for number in range(int(2 / _PROBE)):
+        line.at(number * _PROBE, probe)
+    attempt.run()
+    assert [result.error for result in attempt.results] == [None] * len(attempt.results)
+    assert line.now < 2
+    assert attempt.stored == attempt.case.after
+    return (0.0, *(moment for moment in found if moment <= line.now))
+
+
+def some(found: tuple[float, ...]) -> tuple[float, ...]:
+    """Return all moments of a short writing, and a share of those of a long one."""
+    return found if len(found) < 200 else found[::7]
+
+
+def answers(stage: Stage, settings: LinkSettings) -> bool:
+    """Whether the board answers at these settings."""
+    stage.line.host = settings.line
+    stage.line.advance(1.0)
+    client = Client(stage.transport, settings)
+    for _ in range(2):  # what a board at another rate has heard may stand before the first
+        try:
+            client.request(GetSignature())
+        except (NoReply, BadReply):
+            continue
+        return True
+    return False
+
+
+def places(case: Case) -> Iterator[LinkSettings]:
+    """Yield where somebody looks for a board: as it was, as it was to be, as it came."""
+    numbers = {case.before["device_number"], case.after["device_number"], 7}
+    links = [case.link(case.before), case.link(case.after), LinkSettings("virtual")]
+    if case == POLYNOMIAL_ALONE:
+        links.append(LinkSettings("virtual", links[0].line))
+    for link in links:
+        for number in numbers if case.expanded else {None}:
+            yield replace(link, device_number=number)
+
+
+_reached: set[object] = set()
+
+
+def require_reachable(attempt: Attempt) -> None:
+    """Look for the board as somebody would, once for each state that it was left in."""
+    case, stage, memory = attempt.case, attempt.stage, attempt.board.memory
+    polynomial, number = memory.crc_polynomial, memory.active["device_number"]
+    state = (case, memory.line_settings, polynomial, number)
+    if state in _reached:
+        return
+    assert attempt.board.powered
+    if polynomial in {None, DEFAULT_POLYNOMIAL}:  # others need the full search
+        stage.line.advance(1.0)
+        (found,) = find(LinkSettings("virtual"), lambda _settings: stage.transport).found
+        assert found.device_number == number
+        assert answers(stage, found.settings)
+    assert any(answers(stage, place) for place in places(case)), state
+    _reached.add(state)
+
+
+def require_order(attempt: Attempt, *, lost: int) -> None:
+    """Every value is the old or the new one; at most so many are the factory's instead."""
+    case, stored = attempt.case, attempt.stored
+    before, after = case.before, case.after
+    odd = {name for name in stored if stored[name] not in {before[name], after[name]}}
+    assert len(odd) <= lost, odd
+    assert all(stored[name] == factory_value(name, case.specs) for name in odd)
+    untouched = {name for name in before if before[name] == after[name]}
+    assert {name: stored[name] for name in untouched} == {name: before[name] for name in untouched}
+    assert attempt.claimed.items() <= stored.items()
+    assert {result.what for result in attempt.results} == attempt.wanted
+    assert all(str(result.error) for result in attempt.results if result.error is not None)
+
+
+def passes_the_factory_line(case: Case) -> bool:
+    """Whether CRC stays on while line and polynomial change."""
+    lines = [LineSettings.from_wire(one["uart_settings"]) for one in (case.before, case.after)]
+    changes = case.before["crc7_polynomial"] != case.after["crc7_polynomial"]
+    return all(line.detection is CRC for line in lines) and lines[0] != lines[1] and changes
+
+
+# --- Power ------------------------------------------------------------------------------
+
+
+@every_case
+def test_power_cut_loses_only_values_being_written(name: str) -> None:
+    for moment in moments(name):
+        attempt = Attempt(CASES[name])
+        attempt.at(moment, attempt.board.power_off).run()
+        require_order(attempt, lost=2 if passes_the_factory_line(attempt.case) else 1)
+        attempt.board.power_on()
+        require_reachable(attempt)
+
+
+@every_case
+def test_brief_power_cut_loses_only_values_being_written(name: str) -> None:
+    """The writing may still go on when the board is back."""
+    for moment in some(moments(name)):
+        attempt = Attempt(CASES[name])
+        attempt.at(moment, attempt.board.power_off)
+        attempt.at(moment + 0.01, attempt.board.power_on).run()
+        require_order(attempt, lost=2 if passes_the_factory_line(attempt.case) else 1)
+        attempt.stage.line.advance(0.01)
+        require_reachable(attempt)
+        attempt.board.power_cycle()
+        require_reachable(attempt)
+
+
+# --- Cable ------------------------------------------------------------------------------
+
+
+@every_case
+def test_unplugged_cable_leaves_every_value_valid(name: str) -> None:
+    for moment in some(moments(name)):
+        attempt = Attempt(CASES[name])
+        attempt.at(moment, attempt.stage.line.unplug).run()
+        attempt.stage.line.advance(0.1)
+        require_order(attempt, lost=int(passes_the_factory_line(attempt.case)))
+        attempt.stage.line.plug()
+        if attempt.case.expanded:
+            require_reachable(attempt)
+        else:
+            assert answers(attempt.stage, attempt.case.link(attempt.case.before))
+        attempt.board.power_cycle()
+        require_reachable(attempt)
+
+
+@every_case
+def test_interrupted_write_completes_after_replugging(name: str) -> None:
+    for moment in some(moments(name))[::5]:
+        attempt = Attempt(CASES[name])
+        attempt.at(moment, attempt.stage.line.unplug).run()
+        attempt.stage.line.advance(0.1)
+        attempt.stage.line.plug()
+        attempt.run(device_number=attempt.stored["device_number"])
+        assert [result.error for result in attempt.results] == [None] * len(attempt.results)
+        assert attempt.stored == attempt.case.after
+
+
+@every_case
+def test_port_loss_is_reported_for_all_remaining_settings(name: str) -> None:
+    for moment in some(moments(name)):
+        attempt = Attempt(CASES[name])
+
+        def pull(attempt: Attempt = attempt) -> None:
+            attempt.stage.line.unplug()
+            attempt.stage.transport.fail = PortUnavailable("The port is gone.")
+
+        attempt.at(moment, pull).run()
+        attempt.stage.line.advance(0.1)
+        require_order(attempt, lost=int(passes_the_factory_line(attempt.case)))
+        failed = [result for result in attempt.results if result.error is not None]
+        assert all(isinstance(result.error, PortUnavailable) for result in failed)
+        assert attempt.results[len(attempt.results) - len(failed) :] == tuple(failed)
+
+
+# --- Another board than before ----------------------------------------------------------
+
+
+def test_changed_input_source_keeps_its_calibrations() -> None:
+    """What is stored for the next power-up may be other inputs than those that are read now."""
+    refused = 0
+    for moment in some(moments("calibrations")):
+        attempt = Attempt(CASES["calibrations"])
+        attempt.board.eeprom.write("channel_input_source", 1)
+        attempt.at(moment, attempt.board.power_off)
+        attempt.at(moment + 0.01, attempt.board.power_on).run()
+        for channel in CHANNELS:
+            analog = attempt.board.eeprom.calibration(InputSource.ANALOG, channel)
+            assert analog == DEFAULT_CALIBRATION[InputSource.ANALOG]
+        failed = [str(result.error) for result in attempt.results if result.error is not None]
+        assert failed
+        refused += "is for RC inputs, but the board reads analog now" in failed[0]
+    assert refused > 0
+
+
+def test_write_ends_when_board_returns_in_rc_mode() -> None:
+    attempt = Attempt(CASES["everything"])
+    attempt.board.mode_jumper = "rc"
+    attempt.at(0.2, attempt.board.power_off).at(0.21, attempt.board.power_on).run()
+    assert "not in serial mode" in str(attempt.results[-1].error)
+    require_order(attempt, lost=1)
+
+
+# --- Ended on purpose -------------------------------------------------------------------
+
+
+def ended_after(case: Case, count: int) -> tuple[Stage, tuple[Written, ...]]:
+    """Write until so many settings were tried, then be asked to end."""
+    attempt = Attempt(case)
+    stage, settings = attempt.stage, case.link(case.before)
+    tried: list[int] = []
+    results = write_all(
+        stage.client(settings).request,
+        case.specs,
+        case.parameters,
+        case.calibrations,
+        lambda done, _total, _what: tried.append(done),
+        cancelled=lambda: len(tried) >= count,
+    )
+    return stage, results
+
+
+@pytest.mark.parametrize("count", [0, 1, 4, 5, 6, 20])
+def test_cancelled_write_ends_between_settings(count: int) -> None:
+    case = CASES["everything"]
+    stage, results = ended_after(case, count)
+    assert [result.error is None for result in results] == [
+        number < count for number in range(len(results))
+    ]
+    assert {str(one.error) for one in results if one.error is not None} == {
+        "The writing was ended before this was tried."
+    }
+    assert all(isinstance(one.error, NotTried) for one in results[count:])
+    stored = contents(stage.board.eeprom, case.specs)
+    changed = {name for name in stored if stored[name] != case.before[name]}
+    assert len({name.rsplit(" ", 1)[0] for name in changed}) == count
+
+
+@pytest.mark.parametrize("name", ["CRC on", "CRC off", "CRC stays on"])
+def test_line_settings_and_polynomial_stay_together(name: str) -> None:
+    case = CASES[name]
+    stage, results = ended_after(case, 1)
+    assert [result.error for result in results] == [None, None]
+    assert contents(stage.board.eeprom, case.specs) == case.after
+
+
+# --- By way of the factory's settings ---------------------------------------------------
+
+
+def test_line_change_with_crc_goes_via_factory_settings() -> None:
+    case = CASES["CRC stays on"]
+    attempt = Attempt(case).run()
+    sent = commands(attempt.stage.transport.sent, 0x80 | case.before["crc7_polynomial"])
+    assert [one for one in sent if isinstance(one, SetParameter)] == [
+        SetParameter(0x7E, 0x05),
+        SetParameter(0x7D, 0x44),
+        SetParameter(0x7E, SLOW),
+    ]
+
+
+def test_possible_factory_line_settings_are_reported() -> None:
+    attempt = Attempt(CASES["CRC stays on"])
+    writes = moments("CRC stays on")
+    attempt.at(writes[len(writes) // 2], attempt.stage.line.unplug).run()
+    assert attempt.board.eeprom["uart_settings"] == 0x05
+    last = attempt.results[-1]
+    assert last.what == "uart_settings"
+    assert isinstance(last.error, NoReply)
+    assert str(last.error).endswith(
+        "UART Settings may be the factory's meanwhile: the board, switched off and on, then runs "
+        "at 19200 baud, no error detection, 1 stop bit"
+    )
+
+
+def test_unwritable_line_settings_skip_factory_detour() -> None:
+    case = line_and_polynomial(FAST, 0x33, 0x0F, 0x44)
+    attempt = Attempt(case).run()
+    errors = {result.what: result.error for result in attempt.results}
+    assert errors["crc7_polynomial"] is None
+    assert isinstance(errors["uart_settings"], BadRequest)
+    assert attempt.board.eeprom["uart_settings"] == FAST

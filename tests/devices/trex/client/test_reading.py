@@ -1,0 +1,116 @@
+"""Everything that a board tells of itself."""
+
+import pytest
+
+from tests.devices.trex.session.helpers import staged
+from tests.support.virtual import Stage
+from trex_gui.core.errors import NoReply, PortUnavailable
+from trex_gui.devices.trex.client.reading import ask, read_everything
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import Command, GetMode, GetParameter, ReplyT_co
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.protocol.line_settings import Detection
+
+
+@pytest.mark.parametrize(
+    ("model", "firmware"), [("trex", "1.0"), ("trex", "1.2"), ("trexjr", "1.0"), ("trexjr", "1.2")]
+)
+@pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
+def test_every_board_is_read_completely(model: str, firmware: str, mode: str) -> None:
+    stage, settings = staged(model=model, firmware=firmware, mode=mode)
+    state = read_everything(stage.client(settings).request)
+    board = stage.board
+    assert state.signature.model.key == model
+    assert state.signature.firmware == firmware
+    assert state.mode is board.mode
+    assert state.serial_controls is (mode == "serial")
+    assert state.parameters == board.memory.stored()
+    assert set(state.parameters) == {spec.key for spec in state.specs.readable}
+    assert state.unread == {}
+    assert state.calibrations == {channel: board.calibration(channel) for channel in CHANNELS}
+    assert state.source is board.mode.source
+
+
+def test_parameters_unknown_to_old_firmware_are_not_read() -> None:
+    stage, settings = staged(firmware="1.0")
+    state = read_everything(stage.client(settings).request)
+    assert "uart_response_delay" not in state.parameters
+    assert stage.board.serial.errors == 0
+
+
+def test_learned_channels_are_reported(stage: Stage) -> None:
+    wanted = Calibration(2400, 3750, 5000, 75)
+    stage.board.eeprom.write_calibration(InputSource.RC, 3, wanted)
+    state = read_everything(stage.client().request)
+    assert state.calibrated == 0b00100
+    assert state.calibrations[3] == wanted
+
+
+def test_progress_increases_to_total(stage: Stage) -> None:
+    steps: list[tuple[int, int, str]] = []
+    read_everything(stage.client().request, lambda *step: steps.append(step))
+    done = [step[0] for step in steps]
+    assert done == sorted(set(done))
+    assert steps[-1][0] == steps[-1][1]
+    assert {total for _, total, _ in steps[1:]} == {steps[-1][1]}
+    assert "Serial Timeout" in [what for _, _, what in steps]
+
+
+def test_lost_reply_costs_one_retry(stage: Stage) -> None:
+    stage.line.to_drop = 1
+    client = stage.client()
+    state = read_everything(client.request)
+    assert state.parameters == stage.board.memory.stored()
+    assert client.counters.silences == 1
+
+
+def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
+    for seed in range(10):
+        stage, settings = staged(detection=Detection.CRC7)
+        stage.line._random.seed(seed)
+        stage.line.noise = 0.01
+        try:
+            state = read_everything(stage.client(settings).request)
+        except NoReply:
+            continue
+        for key, value in state.parameters.items():
+            assert value == stage.board.memory.stored()[key]
+
+
+def test_unreadable_parameter_does_not_block_remaining_ones(stage: Stage) -> None:
+    client = stage.client()
+
+    def deaf_to_one(command: Command[ReplyT_co]) -> ReplyT_co:
+        stage.line.mute = command == GetParameter(0x07)
+        return client.request(command)
+
+    state = read_everything(deaf_to_one)
+    assert set(state.unread) == {"serial_timeout"}
+    assert "No answer to 9F 07" in state.unread["serial_timeout"]
+    assert "serial_timeout" not in state.parameters
+    assert len(state.parameters) == len(state.specs.readable) - 1
+
+
+def test_power_loss_while_reading_raises_no_reply(stage: Stage) -> None:
+    def switch_off(done: int, _total: int, _what: str) -> None:
+        if done == 10:
+            stage.board.power_off()
+
+    with pytest.raises(NoReply):
+        read_everything(stage.client().request, switch_off)
+
+
+def test_request_without_reply_is_sent_three_times(stage: Stage) -> None:
+    stage.board.power_off()
+    client = stage.client()
+    with pytest.raises(NoReply):
+        ask(client.request, GetMode())
+    assert client.counters.requests == 3
+
+
+def test_request_on_lost_port_is_not_retried(stage: Stage) -> None:
+    client = stage.client()
+    stage.transport.fail = PortUnavailable("gone")
+    with pytest.raises(PortUnavailable):
+        ask(client.request, GetMode())
+    assert client.counters.requests == 1

@@ -1,0 +1,186 @@
+"""What is asked next: pure arithmetic over given times."""
+
+from collections import Counter
+from collections.abc import Mapping
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.matrix import examples
+from trex_gui.devices.trex.client.schedule import Schedule, Topic, rates
+from trex_gui.devices.trex.protocol.flags import InputSource
+
+modest = examples(40)
+
+
+BYTES = {
+    Topic.CURRENTS: 3,
+    Topic.RAW: 12,
+    Topic.REMAPPED: 7,
+    Topic.STATUS: 2,
+    Topic.CONTROL: 2,
+    Topic.MODE: 2,
+}
+
+
+def simulate(
+    wanted: Mapping[Topic, float], cost: Mapping[Topic, float], seconds: float
+) -> Counter[Topic]:
+    """Ask what the schedule says, each taking its time; count."""
+    schedule = Schedule()
+    schedule.start(wanted, 0.0)
+    now, asked = 0.0, Counter[Topic]()
+    while now < seconds:
+        topic = schedule.next(now)
+        if topic is None:
+            wait = schedule.seconds_to_next(now)
+            assert wait is not None
+            now += max(wait, 1e-6)
+            continue
+        schedule.asked(topic, now)
+        asked[topic] += 1
+        now += cost[topic]
+    return asked
+
+
+def on_line(baud: int) -> dict[Topic, float]:
+    return {topic: size * 10 / baud for topic, size in BYTES.items()}
+
+
+def test_unstarted_schedule_has_no_next_topic() -> None:
+    schedule = Schedule()
+    assert schedule.next(5.0) is None
+    assert schedule.seconds_to_next(5.0) is None
+
+
+def test_cleared_schedule_has_no_next_topic() -> None:
+    schedule = Schedule()
+    schedule.start(rates(InputSource.RC), 0.0)
+    schedule.clear()
+    assert schedule.next(5.0) is None
+    assert schedule.seconds_to_next(5.0) is None
+
+
+def test_every_topic_is_due_at_start() -> None:
+    schedule = Schedule()
+    schedule.start(rates(InputSource.RC), 10.0)
+    asked = set()
+    while topic := schedule.next(10.0):
+        asked.add(topic)
+        schedule.asked(topic, 10.0)
+    assert asked == set(Topic)
+
+
+def test_topic_is_not_due_before_its_period() -> None:
+    schedule = Schedule()
+    schedule.start({Topic.MODE: 2.0}, 0.0)
+    schedule.asked(Topic.MODE, 0.0)
+    assert schedule.next(0.49) is None
+    assert schedule.seconds_to_next(0.1) == pytest.approx(0.4)
+    assert schedule.next(0.5) is Topic.MODE
+    assert schedule.seconds_to_next(0.7) == 0.0
+
+
+def test_restart_discards_earlier_topics() -> None:
+    schedule = Schedule()
+    schedule.start({Topic.MODE: 1.0, Topic.RAW: 50.0}, 0.0)
+    schedule.start({Topic.STATUS: 10.0}, 1.0)
+    assert schedule.next(1.0) is Topic.STATUS
+    schedule.asked(Topic.STATUS, 1.0)
+    assert schedule.next(1.05) is None
+
+
+def test_unscheduled_topic_is_ignored() -> None:
+    schedule = Schedule()
+    schedule.start({Topic.MODE: 1.0}, 0.0)
+    schedule.asked(Topic.RAW, 0.0)
+    assert schedule.next(0.0) is Topic.MODE
+
+
+def test_poll_rates_match_update_rates_of_source() -> None:
+    assert rates(InputSource.RC)[Topic.CURRENTS] == 80
+    assert rates(InputSource.ANALOG)[Topic.CURRENTS] == 50
+    for source in InputSource:
+        assert rates(source)[Topic.RAW] == rates(source)[Topic.REMAPPED] == 50
+
+
+@pytest.mark.parametrize("source", list(InputSource))
+@pytest.mark.parametrize("baud", [19200, 57600, 115200])
+def test_fast_line_meets_every_poll_rate(source: InputSource, baud: int) -> None:
+    wanted = rates(source)
+    asked = simulate(wanted, on_line(baud), 20.0)
+    for topic, rate in wanted.items():
+        assert asked[topic] / 20.0 == pytest.approx(rate, rel=0.01, abs=0.05)
+
+
+def test_late_polls_do_not_lower_rate() -> None:
+    schedule = Schedule()
+    schedule.start({Topic.STATUS: 10.0}, 0.0)
+    asked = 0
+    for step in range(1000):
+        now = step * 0.013  # never at the right moment
+        if schedule.next(now):
+            schedule.asked(Topic.STATUS, now)
+            asked += 1
+    assert asked == pytest.approx(130, abs=2)
+
+
+def test_polls_missed_in_pause_are_not_caught_up() -> None:
+    schedule = Schedule()
+    schedule.start({Topic.CURRENTS: 80.0}, 0.0)
+    schedule.asked(Topic.CURRENTS, 0.0)
+    asked, now = 0, 100.0
+    while now < 101.0:
+        if schedule.next(now):
+            schedule.asked(Topic.CURRENTS, now)
+            asked += 1
+        now += 0.001
+    assert asked < 95
+
+
+@modest
+@given(
+    wanted=st.dictionaries(
+        st.sampled_from(list(Topic)), st.floats(1.0, 100.0), min_size=1, max_size=6
+    ),
+    cost=st.floats(0.0005, 0.1),
+)
+def test_no_topic_starves(*, wanted: dict[Topic, float], cost: float) -> None:
+    load = max(1.0, cost * sum(wanted.values()))
+    asked = simulate(wanted, dict.fromkeys(Topic, cost), 3 * load / min(wanted.values()) + 1.0)
+    assert all(asked[topic] >= 2 for topic in wanted)
+
+
+@modest
+@given(
+    wanted=st.dictionaries(
+        st.sampled_from(list(Topic)), st.floats(1.0, 100.0), min_size=1, max_size=6
+    ),
+    share=st.floats(0.01, 0.7),
+)
+def test_poll_rates_are_met_and_not_exceeded(*, wanted: dict[Topic, float], share: float) -> None:
+    cost = share / sum(wanted.values())
+    seconds = 10 / min(wanted.values())
+    asked = simulate(wanted, dict.fromkeys(Topic, cost), seconds)
+    for topic, rate in wanted.items():
+        assert asked[topic] == pytest.approx(rate * seconds, rel=0.02, abs=2)
+
+
+@modest
+@given(
+    times=st.lists(st.floats(0, 10), min_size=1, max_size=30).map(sorted),
+)
+def test_wait_ends_when_topic_is_due(*, times: list[float]) -> None:
+    schedule = Schedule()
+    schedule.start(rates(InputSource.RC), 0.0)
+    for now in times:
+        wait = schedule.seconds_to_next(now)
+        assert wait is not None
+        assert wait >= 0
+        topic = schedule.next(now)
+        assert (topic is None) <= (wait > 0)
+        if topic is None:
+            assert schedule.next(now + wait + 1e-9) is not None
+        else:
+            schedule.asked(topic, now)

@@ -1,0 +1,397 @@
+"""Writes count when they were read back equal."""
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.devices.trex.session.helpers import commands, staged
+from tests.support.matrix import examples
+from tests.support.virtual import Stage
+from trex_gui.core.errors import (
+    BadReply,
+    BadRequest,
+    NoReply,
+    PortUnavailable,
+    Rejected,
+    ResultCode,
+)
+from trex_gui.devices.trex.client.writing import (
+    Written,
+    write_all,
+    write_calibration,
+    write_parameter,
+)
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    GetParameter,
+    ReplyT_co,
+    SetCalibration,
+    SetParameter,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.line_settings import Detection
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
+from trex_gui.devices.trex.simulator.firmware import Board
+
+modest = examples(40)
+
+
+SPECS = parameters_of("trex", "1.2")
+TIMEOUT = SPECS["serial_timeout"]
+LEARNED = Calibration(2400, 3700, 5100, 80)
+
+
+# --- One parameter ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("spec", SPECS.readable, ids=lambda spec: spec.key)
+def test_every_parameter_accepts_its_limits(spec: ParameterSpec) -> None:
+    stage = Stage(Board())
+    client = stage.client()
+    for wire in (min(spec.valid), max(spec.valid)):
+        assert write_parameter(client.request, spec, wire) == wire
+        assert stage.board.eeprom[spec.key] == wire
+
+
+def test_write_is_confirmed_by_read_back(stage: Stage) -> None:
+    write_parameter(stage.client().request, TIMEOUT, 20)
+    assert commands(stage.transport.sent) == [
+        SetParameter(TIMEOUT.number, 20),
+        GetParameter(TIMEOUT.number),
+    ]
+
+
+def test_invalid_value_is_not_sent(stage: Stage) -> None:
+    with pytest.raises(BadRequest, match="Motor Mode"):
+        write_parameter(stage.client().request, SPECS["motor_mode"], 2)
+    assert stage.transport.sent == b""
+
+
+def test_factory_reset_is_not_read_back(stage: Stage) -> None:
+    assert write_parameter(stage.client().request, SPECS["factory_reset"], 0x7F) == 0x7F
+    assert stage.board.eeprom.reset_pending
+    assert commands(stage.transport.sent) == [SetParameter(0x7F, 0x7F)]
+
+
+def test_unanswered_factory_reset_fails(stage: Stage) -> None:
+    stage.line.mute = True
+    with pytest.raises(NoReply):
+        write_parameter(stage.client().request, SPECS["factory_reset"], 0x7F)
+
+
+# --- Refusals ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mode", ["rc", "analog"])
+def test_write_outside_serial_mode_explains_what_to_do(mode: str) -> None:
+    stage, settings = staged(mode=mode)
+    with pytest.raises(Rejected) as caught:
+        write_parameter(stage.client(settings).request, TIMEOUT, 5)
+    assert caught.value.code is ResultCode.NOT_SERIAL_MODE
+    for words in ("Serial Timeout", "serial mode", "code 3", "remove the mode jumper"):
+        assert words in str(caught.value)
+
+
+def test_rejected_value_is_reported_with_result_code(stage: Stage) -> None:
+    generous = replace(SPECS["motor_mode"], valid=frozenset(range(128)))
+    with pytest.raises(Rejected) as caught:
+        write_parameter(stage.client().request, generous, 99)
+    assert caught.value.code is ResultCode.BAD_VALUE
+    assert "Motor Mode: the board refuses this value (code 2)" in str(caught.value)
+
+
+def test_unknown_parameter_error_mentions_firmware() -> None:
+    stage, settings = staged(firmware="1.0")
+    with pytest.raises(Rejected, match=r"code 1.*firmware") as caught:
+        write_parameter(stage.client(settings).request, SPECS["uart_response_delay"], 1)
+    assert caught.value.code is ResultCode.BAD_PARAMETER
+
+
+def test_rejected_write_is_not_retried() -> None:
+    stage, settings = staged(mode="rc")
+    client = stage.client(settings)
+    with pytest.raises(Rejected):
+        write_parameter(client.request, TIMEOUT, 5)
+    assert client.counters.requests == 1
+
+
+# --- A bad line -------------------------------------------------------------------------
+
+
+def test_write_with_lost_reply_succeeds(stage: Stage) -> None:
+    stage.line.to_drop = 1
+    assert write_parameter(stage.client().request, TIMEOUT, 33) == 33
+    assert stage.board.eeprom["serial_timeout"] == 33
+
+
+def test_write_without_replies_is_confirmed_by_read_back(stage: Stage) -> None:
+    stage.line.to_drop = 3
+    client = stage.client()
+    assert write_parameter(client.request, TIMEOUT, 33) == 33
+    assert client.counters.silences == 3
+
+
+def test_lost_write_is_resent(stage: Stage) -> None:
+    stage.line.to_drop_sent = 5
+    assert write_parameter(stage.client().request, TIMEOUT, 33) == 33
+    assert stage.board.memory.writes == 1
+
+
+def test_wrong_read_back_of_value_is_reported(stage: Stage) -> None:
+    client = stage.client()
+
+    def forgetful(command: Command[ReplyT_co]) -> ReplyT_co:
+        reply = client.request(command)
+        stage.board.eeprom.write("serial_timeout", 7)
+        return reply
+
+    with pytest.raises(BadReply, match=r"did not stick: wrote 1\.5 s.*reads back 0\.7 s"):
+        write_parameter(forgetful, TIMEOUT, 15)
+
+
+def test_wrong_read_back_of_calibration_is_reported(stage: Stage) -> None:
+    client = stage.client()
+
+    def forgetful(command: Command[ReplyT_co]) -> ReplyT_co:
+        reply = client.request(command)
+        stage.board.eeprom.write_calibration(InputSource.RC, 2, Calibration(1, 2, 3, 0))
+        return reply
+
+    with pytest.raises(BadReply, match="Calibration of channel 2 did not stick"):
+        write_calibration(forgetful, 2, LEARNED)
+
+
+def test_write_to_unpowered_board_fails(stage: Stage) -> None:
+    stage.board.power_off()
+    with pytest.raises(NoReply):
+        write_parameter(stage.client().request, TIMEOUT, 5)
+
+
+@modest
+@given(
+    seed=st.integers(0, 2**32 - 1),
+    noise=st.sampled_from([0.0, 0.02, 0.1, 0.3]),
+    drop=st.integers(0, 4),
+    lost=st.integers(0, 8),
+    wire=st.integers(0, 127),
+)
+def test_successful_write_with_crc_is_stored(
+    *, seed: int, noise: float, drop: int, lost: int, wire: int
+) -> None:
+    stage, settings = staged(detection=Detection.CRC7)
+    stage.line._random.seed(seed)
+    stage.line.noise, stage.line.to_drop, stage.line.to_drop_sent = noise, drop, lost
+    try:
+        assert write_parameter(stage.client(settings).request, TIMEOUT, wire) == wire
+    except (NoReply, BadReply, Rejected):
+        return
+    assert stage.board.eeprom["serial_timeout"] == wire or stage.line.counters["spoilt"] > 2
+
+
+# --- Calibrations -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("channel", [1, 2, 3, 4, 5])
+def test_calibration_is_stored_and_read_back(stage: Stage, channel: int) -> None:
+    assert write_calibration(stage.client().request, channel, LEARNED) == LEARNED
+    assert stage.board.calibration(channel) == LEARNED
+
+
+def test_invalid_calibration_is_not_sent(stage: Stage) -> None:
+    with pytest.raises(BadRequest, match="minimum 5000 is above neutral"):
+        write_calibration(stage.client().request, 1, Calibration(5000, 3750, 2500, 75))
+    assert stage.transport.sent == b""
+
+
+def test_calibration_write_with_lost_reply_succeeds(stage: Stage) -> None:
+    stage.line.to_drop = 1
+    assert write_calibration(stage.client().request, 1, LEARNED) == LEARNED
+
+
+def test_calibration_write_needs_serial_mode() -> None:
+    stage, settings = staged(mode="rc")
+    with pytest.raises(Rejected, match="Calibration of channel 1"):
+        write_calibration(stage.client(settings).request, 1, LEARNED)
+
+
+# --- Several at once --------------------------------------------------------------------
+
+
+def written_keys(sent: bytes | bytearray) -> list[str]:
+    """Return the keys of the parameters that were written, in order."""
+    numbers = [one.number for one in commands(sent) if isinstance(one, SetParameter)]
+    specs = [SPECS.number(number) for number in numbers]
+    return [spec.key for spec in specs if spec is not None]
+
+
+def test_settings_needing_power_cycle_are_written_last(
+    stage: Stage,
+) -> None:
+    wanted = [(spec.key, stage.board.eeprom[spec.key]) for spec in SPECS.readable]
+    wanted.reverse()
+    results = write_all(stage.client().request, SPECS, wanted, [(1, LEARNED)])
+    order = written_keys(stage.transport.sent)
+    assert order[-4:] == ["motor_mode", "channel_input_source", "crc7_polynomial", "uart_settings"]
+    at_once = [SPECS[key] for key in order[:-4]]
+    assert not any(spec.needs_power_cycle for spec in at_once)
+    sent = commands(stage.transport.sent)
+    writes = [one for one in sent if isinstance(one, (SetCalibration, SetParameter))]
+    assert isinstance(writes[0], SetCalibration)
+    assert [result.error for result in results] == [None] * len(results)
+
+
+def test_serial_settings_are_written_after_motor_settings(stage: Stage) -> None:
+    wanted = [("device_number", 9), ("serial_timeout", 1), ("motor1_acceleration", 1)]
+    write_all(stage.client().request, SPECS, wanted)
+    assert written_keys(stage.transport.sent)[0] == "motor1_acceleration"
+
+
+def test_unknown_setting_is_reported_first(stage: Stage) -> None:
+    wanted = [("motor1_acceleration", 1), ("serial_timeout", 1), ("colour", 1)]
+    results = write_all(stage.client().request, SPECS, wanted)
+    assert [result.what for result in results if result.error] == ["colour"]
+    assert results[0].what == "colour"
+
+
+def test_results_contain_read_back_values(stage: Stage) -> None:
+    results = write_all(
+        stage.client().request, SPECS, [("serial_timeout", 5)], [(2, LEARNED), (3, LEARNED)]
+    )
+    assert results == (
+        Written("channel 2", LEARNED),
+        Written("channel 3", LEARNED),
+        Written("serial_timeout", 5),
+    )
+
+
+def test_invalid_values_do_not_block_valid_ones(stage: Stage) -> None:
+    results = write_all(
+        stage.client().request,
+        SPECS,
+        [("motor_mode", 9), ("serial_timeout", 5), ("serial_timout", 5)],
+        [(1, Calibration(9, 5, 1, 0)), (9, LEARNED), (2, LEARNED)],
+    )
+    errors = {result.what: type(result.error) for result in results}
+    assert errors == {
+        "channel 1": BadRequest,
+        "channel 9": BadRequest,
+        "channel 2": type(None),
+        "motor_mode": BadRequest,
+        "serial_timeout": type(None),
+        "serial_timout": BadRequest,
+    }
+    (misspelt,) = [one.error for one in results if one.what == "serial_timout"]
+    assert "did you mean serial_timeout?" in str(misspelt)
+
+
+def test_write_ends_when_board_is_not_in_serial_mode() -> None:
+    stage, settings = staged(mode="analog")
+    client = stage.client(settings)
+    wanted = [(spec.key, spec.default) for spec in SPECS.readable]
+    results = write_all(client.request, SPECS, wanted, [(1, LEARNED)])
+    assert len(results) == len(wanted) + 1
+    assert all(isinstance(result.error, Rejected) for result in results)
+    assert client.counters.requests == 1
+
+
+def test_write_ends_when_board_stops_responding(stage: Stage) -> None:
+    client = stage.client()
+    wanted = [(spec.key, spec.default) for spec in SPECS.readable]
+
+    def switch_off(done: int, _total: int, _what: str) -> None:
+        if done == 5:
+            stage.board.power_off()
+
+    results = write_all(client.request, SPECS, wanted, [], switch_off)
+    assert [result.error is None for result in results[:5]] == [True] * 5
+    assert all(isinstance(result.error, NoReply) for result in results[5:])
+    assert len(results) == len(wanted)
+    assert client.counters.silences <= 6
+
+
+def test_rejected_value_does_not_end_write(stage: Stage) -> None:
+    specs = replace(
+        SPECS,
+        specs=tuple(
+            replace(spec, valid=frozenset(range(128))) if spec.key == "motor_mode" else spec
+            for spec in SPECS
+        ),
+    )
+    wanted = [("motor_mode", 99), ("uart_settings", 0x0A)]
+    first, second = write_all(stage.client().request, specs, wanted)
+    assert isinstance(first.error, Rejected)
+    assert second == Written("uart_settings", 0x0A)
+
+
+def test_progress_counts_each_write(stage: Stage) -> None:
+    steps: list[tuple[int, int, str]] = []
+    write_all(
+        stage.client().request,
+        SPECS,
+        [("serial_timeout", 5), ("motor_mode", 1)],
+        [(4, LEARNED)],
+        lambda *step: steps.append(step),
+    )
+    assert steps == [
+        (0, 3, "calibration of channel 4"),
+        (1, 3, "Serial Timeout"),
+        (2, 3, "Motor Mode"),
+        (3, 3, "done"),
+    ]
+
+
+def test_port_loss_keeps_results_of_earlier_writes(
+    stage: Stage,
+) -> None:
+    def unplug(done: int, _total: int, _what: str) -> None:
+        if done == 1:
+            stage.transport.fail = PortUnavailable("gone")
+
+    wanted = [("serial_timeout", 5), ("motor_mode", 1), ("uart_settings", 1)]
+    first, *others = write_all(stage.client().request, SPECS, wanted, [], unplug)
+    assert first == Written("serial_timeout", 5)
+    assert [type(one.error) for one in others] == [PortUnavailable, PortUnavailable]
+
+
+def test_write_continues_with_new_device_number(stage: Stage) -> None:
+    client = stage.client(LinkSettings("virtual", device_number=7))
+    results = write_all(client.request, SPECS, [("device_number", 9), ("motor_mode", 1)])
+    assert [result.error for result in results] == [None, None]
+    assert stage.board.eeprom["device_number"] == 9
+    assert stage.board.eeprom["motor_mode"] == 1
+
+
+def test_empty_write_sends_nothing(stage: Stage) -> None:
+    assert write_all(stage.client().request, SPECS, []) == ()
+    assert stage.transport.sent == b""
+
+
+@modest
+@given(
+    keys=st.lists(st.sampled_from([*(spec.key for spec in SPECS), "nonsense"]), max_size=12),
+    channels=st.lists(st.integers(0, 6), max_size=4),
+    wire=st.integers(0, 127),
+    off_after=st.integers(0, 20),
+    mode=st.sampled_from(["serial", "rc"]),
+)
+def test_each_requested_setting_gets_one_result(
+    *, keys: list[str], channels: list[int], wire: int, off_after: int, mode: str
+) -> None:
+    stage, settings = staged(mode=mode)
+    client = stage.client(settings)
+
+    def failing(command: Command[ReplyT_co]) -> ReplyT_co:
+        if client.counters.requests >= off_after:
+            stage.board.power_off()
+        return client.request(command)
+
+    parameters = [(key, wire) for key in keys]
+    calibrations = [(channel, LEARNED) for channel in channels]
+    results = write_all(failing, SPECS, parameters, calibrations)
+    expected = [*keys, *(f"channel {channel}" for channel in channels)]
+    assert sorted(result.what for result in results) == sorted(expected)
+    assert all((result.stored is None) is (result.error is not None) for result in results)

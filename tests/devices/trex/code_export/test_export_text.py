@@ -1,0 +1,321 @@
+"""What is exported as text: the templates, the tables, and what may not stand in code."""
+
+import ast
+import difflib
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.devices.trex.code_export.programs import (
+    HERE,
+    LANGUAGE_NAMES,
+    LANGUAGES,
+    C,
+    compile_,
+    link,
+    settings_for,
+)
+from tests.devices.trex.settings.samples import TREX, TREX_JR, any_settings, factory
+from tests.support.matrix import examples
+from trex_gui import __version__
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.code_export.code import export_code, file_name
+from trex_gui.devices.trex.code_export.language import Language
+from trex_gui.devices.trex.code_export.template import TemplateError, fill
+from trex_gui.devices.trex.code_export.text import plain
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.device_table import Model
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.settings.document import Settings
+
+every_language = pytest.mark.parametrize("language", LANGUAGES, ids=LANGUAGE_NAMES)
+
+LONGEST_LINE = 100
+
+
+@st.composite
+def any_link(draw: st.DrawFn) -> LinkSettings:
+    detection = draw(st.sampled_from(list(Detection)))
+    line = LineSettings(draw(st.sampled_from(baud_rates())), detection, draw(st.integers(1, 2)))
+    device = draw(st.none() | st.integers(0, 127))
+    return LinkSettings("unused", line, device, draw(st.integers(0x80, 0xFF)))
+
+
+def without_version(text: str) -> str:
+    return text.replace(f"TReX Studio {__version__}", "TReX Studio VERSION")
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        (
+            "trex_board.ino",
+            export_code(settings_for(link()), link(), Language.ARDUINO),
+        ),
+        (
+            "trexjr_board.c",
+            export_code(
+                settings_for(link(expanded=True, crc=True), "trexjr"),
+                link(expanded=True, crc=True),
+                Language.C,
+            ),
+        ),
+        (
+            "trexjr_board.py",
+            export_code(
+                settings_for(link(expanded=True, crc=True), "trexjr", device_number=42),
+                link(expanded=True, crc=True),
+                Language.PYTHON,
+            ),
+        ),
+    ],
+    ids=["arduino", "c", "python"],
+)
+def test_exported_text_matches_golden_file(name: str, text: str, tmp_path: Path) -> None:
+    known = HERE / "golden" / f"{name}.txt"
+    new = tmp_path / name
+    new.write_text(without_version(text), encoding="ascii")
+    old = known.read_text(encoding="ascii") if known.exists() else ""
+    difference = list(
+        difflib.unified_diff(old.splitlines(), without_version(text).splitlines(), lineterm="")
+    )
+    hint = f"If this is wanted: cp {new} {known}"
+    assert not difference, "\n".join([*difference, hint])
+
+
+@examples(30)
+@given(settings=any_settings(), line=any_link())
+def test_exported_text_is_short_ascii_lines_without_gaps(
+    settings: Settings, line: LinkSettings
+) -> None:
+    for language in Language:
+        text = export_code(settings, line, language)
+        assert text == export_code(settings, line, language)
+        assert text.isascii()
+        assert text.endswith("\n")
+        assert "\n\n\n\n" not in text
+        assert not re.search(r"@[a-z_ ]+@|[ \t]\n|\r", text)
+        assert max(map(len, text.splitlines())) <= LONGEST_LINE
+
+
+@examples(30)
+@given(settings=any_settings(), line=any_link())
+def test_exported_python_parses_in_3_8_and_has_all_values(
+    settings: Settings, line: LinkSettings
+) -> None:
+    text = export_code(settings, line, Language.PYTHON)
+    ast.parse(text, feature_version=(3, 8))
+    table = {}
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+            table[node.targets[0].id] = node.value
+    specs = parameters_of(settings.product.key, settings.firmware or "1.3")
+    exported = {
+        specs.number(number).key: wire  # type: ignore[union-attr]  # all of them are known
+        for number, wire, _ in ast.literal_eval(table.get("PARAMETERS", ast.List([])))
+    }
+    assert exported == settings.parameters
+    sources = {"r": InputSource.RC, "a": InputSource.ANALOG}
+    calibrations = {
+        (sources[letter], channel): Calibration(*values)
+        for letter, channel, values in ast.literal_eval(table.get("CALIBRATIONS", ast.List([])))
+    }
+    assert calibrations == settings.calibrations
+
+
+@pytest.mark.parametrize("expanded", [False, True])
+@pytest.mark.parametrize("crc", [False, True])
+@pytest.mark.parametrize("number", [11, 12])
+def test_exported_python_passes_ruff(
+    expanded: bool, crc: bool, number: int, tmp_path: Path
+) -> None:
+    line = link(expanded=expanded, crc=crc)
+    settings = settings_for(line, device_number=number)
+    path = tmp_path / file_name(settings, Language.PYTHON)
+    path.write_text(export_code(settings, line, Language.PYTHON), encoding="ascii")
+    ruff = [sys.executable, "-m", "ruff"]
+    style = ["--isolated", "--no-cache", "--line-length", "100", "--target-version", "py38"]
+    for command in (
+        [*ruff, "check", "--select", "A,B,C4,E,F,I,N,PIE,RET,RUF,SIM,UP,W", *style, str(path)],
+        [*ruff, "format", "--diff", *style, str(path)],
+    ):
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout
+
+
+# --- What stands in it
+
+
+@every_language
+def test_export_contains_only_what_framing_needs(language: Language) -> None:
+    settings = settings_for(link())
+    compact = export_code(settings, link(), language)
+    assert "crc7" not in compact
+    assert "DEVICE " not in compact
+    crc = export_code(settings, link(crc=True), language)
+    assert "crc7" in crc
+    assert "CRC_POLYNOMIAL" in crc
+    assert "0x91" in crc
+    expanded = export_code(settings, link(expanded=True), language)
+    assert re.search(r"DEVICE (= )?11\b", expanded)
+    assert "CRC_POLYNOMIAL" not in expanded
+
+
+@every_language
+def test_export_contains_only_given_parameters(language: Language) -> None:
+    settings = Settings(TREX, "1.2", {"serial_timeout": 15})
+    text = export_code(settings, link(), language)
+    assert re.search(r"0x07, 15\b", text)
+    assert "1.5 s" in text
+    assert "0x08," not in text
+    assert "CALIBRATIONS" not in text
+
+
+@every_language
+def test_communication_parameters_are_exported_last(language: Language) -> None:
+    text = export_code(factory(), link(), language)
+    rows = [int(number, 16) for number in re.findall(r"[({](0x[0-9A-F]{2}), \d+", text)]
+    assert len(rows) == len(factory().parameters)
+    assert rows[-8:] == [0x00, 0x07, 0x08, 0x17, 0x7B, 0x7C, 0x7D, 0x7E]
+
+
+@every_language
+def test_header_names_board_and_warns_of_running_motors(language: Language) -> None:
+    def head(**parameters: int) -> str:
+        text = export_code(Settings(TREX_JR, "1.2", parameters), link(), language)
+        words = re.sub(r"^[ *]+", "", text[:2200], flags=re.MULTILINE)
+        return re.sub(r"\s+", " ", words)
+
+    assert f"Written by TReX Studio {__version__} for a TReX Jr with firmware 1.2" in head()
+    assert "mode jumper" in head()
+    assert "keep running" in head()
+    assert "unless Serial Timeout is set on the board" in head()
+    assert "switch Serial Timeout (parameter 0x07) off" in head(serial_timeout=0)
+    assert "heard nothing for 1.5 s" in head(serial_timeout=15)
+
+
+@every_language
+def test_changed_line_settings_are_announced(language: Language) -> None:
+    def announced(line: LinkSettings, **parameters: int) -> str:
+        text = export_code(Settings(TREX, "1.2", parameters), line, language)
+        found = re.search(r"speaks at (.*)\.", text)
+        return found[1] if found else ""
+
+    fast = LineSettings(115200, Detection.CRC7)
+    assert not announced(link(), uart_settings=5)
+    assert not announced(link(), crc7_polynomial=0x33)  # without CRC nobody minds
+    assert not announced(link(crc=True), uart_settings=0x25, crc7_polynomial=0x11)
+    assert announced(link(), uart_settings=0x0A) == "115200 baud, no error detection, 1 stop bit"
+    assert announced(link(crc=True), crc7_polynomial=0x09).endswith("polynomial 0x89")
+    assert "CRC-7, 1 stop bit" in announced(link(), uart_settings=fast.to_wire())
+
+
+@every_language
+def test_invalid_values_are_reported_and_left_out(language: Language) -> None:
+    settings = Settings(
+        TREX,
+        "1.2",
+        {"uart_settings": 0x0F, "serial_timeout": 3},
+        {(InputSource.RC, 2): Calibration(9, 8, 7, 0)},
+    )
+    text = export_code(settings, link(), language)
+    assert "0x7E," not in text
+    assert "UART Settings is" in text
+    assert "rc_channel_2: minimum 9 is above neutral 8" in text
+    assert "CALIBRATIONS" not in text
+
+
+def test_unknown_parameter_and_baud_rate_are_rejected() -> None:
+    with pytest.raises(BadRequest, match="serial_timeoot"):
+        export_code(Settings(TREX, "1.2", {"serial_timeoot": 1}), link(), Language.C)
+    with pytest.raises(BadRequest, match="12345"):
+        export_code(factory(), link(baud=12345), Language.C)
+
+
+def test_file_is_named_after_board_and_language() -> None:
+    names = [file_name(factory("trexjr"), language) for language in Language]
+    assert names == ["trexjr_board.ino", "trexjr_board.py", "trexjr_board.c"]
+    assert file_name(factory(), Language.C) == "trex_board.c"
+
+
+@pytest.mark.parametrize("model", [TREX, TREX_JR], ids=["trex", "trexjr"])
+def test_power_cycle_parameters_have_highest_numbers(model: Model) -> None:
+    waiting = [spec.needs_power_cycle for spec in Settings(model).specs]
+    assert waiting == sorted(waiting)
+
+
+# --- Odd characters
+
+ODD = '*/ "??/ \\ µΩ\n# /* %d {x} """ \' \x00 \u202e @baud@ \\'
+
+
+@pytest.mark.parametrize("odd", ["*/", "/*", "a*/*b", "??/", "????=", "\\", '"', "\n", "\r", "\0"])
+def test_plain_removes_characters_unsafe_in_code(odd: str) -> None:
+    shown = plain(f"before{odd}after")
+    assert shown.isascii()
+    assert shown.isprintable()
+    assert not re.search(r'\*/|/\*|\?\?|"|\\', shown)
+    assert shown.startswith("before")
+    assert shown.endswith("after")
+
+
+@given(st.text())
+def test_plain_is_safe_and_idempotent_for_any_text(text: str) -> None:
+    shown = plain(text)
+    assert not re.search(r'[^ -~]|\*/|/\*|\?\?|"|\\', shown)
+    assert plain(shown) == shown
+
+
+def test_plain_keeps_units_readable() -> None:
+    assert plain("1500 µs − 5 … é") == "1500 us - 5 ... e"
+
+
+@every_language
+def test_code_compiles_with_special_characters_in_names(language: Language, tmp_path: Path) -> None:
+    product = replace(TREX, name=ODD)
+    settings = replace(factory(), product=product, firmware=f"1.2.{ODD}")
+    text = export_code(settings, link(), language)
+    path = tmp_path / file_name(settings, language)
+    path.write_text(text, encoding="ascii")
+    match language:
+        case Language.PYTHON:
+            compile(text, "odd", "exec")
+        case Language.C:
+            compile_([*C, "-fsyntax-only", str(path)])
+        case Language.ARDUINO:
+            includes = ["-I", str(HERE / "arduino"), "-include", "Arduino.h"]
+            warnings = ["-Wall", "-Wextra", "-Werror"]
+            compile_(["g++", *warnings, *includes, "-fsyntax-only", "-x", "c++", str(path)])
+
+
+# --- Templates
+
+
+def test_template_fills_values_conditions_and_repeated_lines() -> None:
+    template = (
+        "a @x@ b @x@\n@if yes@\n  // @rows@;\n@if not yes@\nno\n@else@\nboth\n@end@\n@end@\nend\n"
+    )
+    values = {"x": "1", "rows": "p\nq"}
+    assert fill(template, values, {"yes": True}) == "a 1 b 1\n  // p\n  // q;\nboth\nend\n"
+    assert fill(template, values, {"yes": False}) == "a 1 b 1\nend\n"
+
+
+def test_placeholder_inside_value_is_not_filled() -> None:
+    assert fill("@a@\n", {"a": "@b@", "b": "x"}, {}) == "@b@\n"
+
+
+@pytest.mark.parametrize(
+    "template", ["@missing@", "@if missing@\n@end@", "@end@", "@else@", "@if yes@\n"]
+)
+def test_invalid_template_is_rejected(template: str) -> None:
+    with pytest.raises(TemplateError):
+        fill(template, {}, {"yes": True})

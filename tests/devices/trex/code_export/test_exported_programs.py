@@ -1,0 +1,438 @@
+"""Exported programs, compiled where they have to be, at work on a simulated board.
+
+The gate runs each language once through all that it does; the rest takes long.
+"""
+
+import itertools
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.code_export.programs import (
+    CALIBRATIONS,
+    CPP,
+    HERE,
+    LANGUAGE_NAMES,
+    LANGUAGES,
+    WANTED,
+    Board,
+    Boards,
+    C,
+    Program,
+    compile_,
+    exported,
+    link,
+    made_ready,
+    need,
+    obedient,
+    settings_for,
+)
+from tests.devices.trex.simulator.patience import becomes
+from tests.support.matrix import sampled
+from trex_gui.devices.trex.code_export.language import Language
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.settings.document import Settings
+
+pytestmark = pytest.mark.realtime
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+every_language = pytest.mark.parametrize("language", LANGUAGES, ids=LANGUAGE_NAMES)
+on_a_computer = pytest.mark.parametrize(
+    "language", [Language.PYTHON, Language.C], ids=["python", "c"]
+)
+
+
+@pytest.fixture(scope="module")
+def boards(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Boards]:
+    boards = Boards(tmp_path_factory.mktemp("boards"))
+    yield boards
+    boards.end()
+
+
+def watched(program: Program, board: Board) -> tuple[set[tuple[int, int]], str]:
+    """Let a program drive; return the speeds that the motors had meanwhile, and what it said.
+
+    A busy computer may look away while a motor turns for half a second: it looks again then.
+    """
+    seen = set()
+    for _ in range(10):
+        with program.start(board.url) as process:
+            while process.poll() is None:
+                seen.add(board.motors)
+                time.sleep(0.03)
+            assert process.stdout is not None
+            said = process.stdout.read()
+        assert process.returncode == 0, said
+        if {(20, 0), (0, 20)} <= seen:
+            break
+    return seen, said
+
+
+@pytest.mark.parametrize(
+    ("expanded", "crc", "model"),
+    sampled(itertools.product((True, False), (True, False), ("trex", "trexjr")), every=8),
+)
+@every_language
+def test_program_applies_settings_once_and_drives(
+    language: Language, expanded: bool, crc: bool, model: str, boards: Boards, tmp_path: Path
+) -> None:
+    line = link(expanded=expanded, crc=crc)
+    settings = settings_for(line, model)
+    program = made_ready(tmp_path, settings, line, language)
+    board = boards.board(line, model)
+
+    process = program.run(board.url)
+    assert process.returncode == 0, process.stdout
+    assert board.has(settings)
+    assert process.stdout.count("->") == len(WANTED)
+    assert process.stdout.count("stored") == len(CALIBRATIONS)
+    assert process.stdout.count("switch the board off and on") == 1  # for the motor mode
+
+    written = board.writes
+    with obedient(program, board.url) as trex:
+        said = trex.do("apply")
+        assert len(said) == 2, said  # the board is found, and has it all
+        assert board.writes == written
+        trex.do("both", 30, -40)
+        assert trex.do("status") == ["0"]  # an answer: what was sent before has been obeyed
+        assert board.motors == (30, -40)
+        trex.do("stop")
+        trex.do("status")
+        assert board.braking == (127, 127)
+    assert board.errors == 0
+
+
+@every_language
+def test_demonstration_turns_motors_slowly_and_ends_with_stop(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    line = link(expanded=True, crc=True)
+    board = boards.board(line)
+    settings = settings_for(line)
+    seen, said = watched(made_ready(tmp_path, settings, line, language, drive=True), board)
+    assert board.has(settings)
+    assert {(20, 0), (0, 20)} <= seen
+    assert all(abs(speed) <= 20 for both in seen for speed in both)
+    assert becomes(lambda: board.braking, (127, 127))
+    assert board.show()["aux"]["speed"] == 0
+    assert board.errors == 0
+    assert "status is 0" in said
+
+
+@pytest.mark.slow
+@every_language
+def test_program_moves_no_motor_by_default(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    board = boards.board(link())
+    settings = settings_for(link())
+    program = made_ready(tmp_path, settings, link(), language)
+    before = board.show()["motors"]
+    process = program.run(board.url)
+    assert process.returncode == 0, process.stdout
+    assert "checked" in process.stdout
+    assert "Running" not in process.stdout
+    assert "runs" not in process.stdout
+    assert board.show()["motors"] == before
+    assert board.has(settings)
+
+
+@every_language
+def test_every_drive_command_has_its_effect(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    line = link(expanded=True, crc=True)
+    board = boards.board(line, "trexjr")
+    program = made_ready(tmp_path, settings_for(line, "trexjr"), line, language)
+    with obedient(program, board.url) as trex:
+        trex.do("set", 1, 127)
+        trex.do("set", 2, -127)
+        assert trex.do("status") == ["0"]
+        assert board.motors == (127, -127)
+        trex.do("both", -3, 4)
+        trex.do("aux", 90)
+        trex.do("status")
+        assert board.motors == (-3, 4)
+        assert board.show()["aux"]["speed"] == 90
+        trex.do("both", 200, -200)  # more than there is
+        trex.do("status")
+        assert board.motors == (127, -127)
+        trex.do("brake", 2, 64)
+        trex.do("status")
+        assert board.braking == (-1, 64)
+        trex.do("accelerate", 1, 101)
+        trex.do("accelerate", 2, -102)
+        trex.do("status")
+        targets = [(m["target_direction"], m["target_speed"]) for m in board.show()["motors"]]
+        assert targets == [("forward", 101), ("reverse", 102)]
+        trex.do("stop")
+        trex.do("status")
+        assert board.braking == (127, 127)
+        assert board.show()["aux"]["speed"] == 0
+    assert board.errors == 0
+
+
+@pytest.mark.slow
+@every_language
+def test_currents_and_faults_can_be_read(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    board = boards.board(link(), "trexjr")
+    program = made_ready(tmp_path, settings_for(link(), "trexjr"), link(), language)
+    board.do("current 1 2.4")
+    board.do("current 2 9.92")
+    board.do("fault 1 on")
+    with obedient(program, board.url) as trex:
+        deadline = time.monotonic() + 30
+        while trex.do("currents") != ["2400 9920"]:  # they are an average
+            assert time.monotonic() < deadline
+        assert trex.do("status") == ["16"]
+        assert trex.do("status") in (["0"], ["16"])  # reading clears, while it lasts it returns
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("ours", "theirs"), [("trex", "trexjr"), ("trexjr", "trex")])
+@every_language
+def test_settings_for_other_board_model_are_not_written(
+    language: Language, ours: str, theirs: str, boards: Boards, tmp_path: Path
+) -> None:
+    line = link(crc=True)
+    board = boards.board(line, theirs)
+    settings = settings_for(line, ours)
+    program = made_ready(tmp_path, settings, line, language, drive=True)
+    process = program.run(board.url, drive=True)
+    assert process.returncode == 1
+    assert f"settings are for a {settings.product.name}" in process.stdout
+    assert "Traceback" not in process.stdout
+    assert board.writes == 0
+    assert board.motors == (0, 0)
+
+
+@pytest.mark.slow
+@every_language
+def test_board_outside_serial_mode_is_left_unchanged(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    board = boards.board(link())
+    board.do("jumper mode rc")
+    board.do("power cycle")
+    program = made_ready(tmp_path, settings_for(link()), link(), language, drive=True)
+    process = program.run(board.url, drive=True)
+    assert process.returncode == 1
+    assert "not in serial mode" in process.stdout
+    assert "mode jumper" in process.stdout
+    assert board.writes == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("why", ["silent", "other framing", "other number"])
+@every_language
+def test_missing_reply_is_reported_with_line_settings(
+    language: Language, why: str, boards: Boards, tmp_path: Path
+) -> None:
+    line = link(expanded=True, crc=True)
+    board = boards.board(
+        {
+            "silent": line,
+            "other framing": link(expanded=True),
+            "other number": link(expanded=True, crc=True, device=12),
+        }[why]
+    )
+    if why == "silent":
+        board.do("line mute on")
+    program = made_ready(tmp_path, settings_for(line), line, language, drive=True, patience=1)
+    process = program.run(board.url, drive=True)
+    assert process.returncode == 1
+    assert "No board answers" in process.stdout
+    assert "19200 baud, CRC-7, 1 stop bit, device number 11" in process.stdout
+    assert "Traceback" not in process.stdout
+
+
+@pytest.mark.slow
+@every_language
+def test_unsupported_parameter_is_named(language: Language, boards: Boards, tmp_path: Path) -> None:
+    board = boards.board(link(), "trex", "--unpaced", "--firmware", "1.0")
+    settings = settings_for(link())
+    program = made_ready(tmp_path, settings, link(), language, drive=True, patience=3)
+    process = program.run(board.url, drive=True)
+    assert process.returncode == 1
+    named = "0x17" if language is Language.ARDUINO else "Enable UART Response Delay"
+    assert named in process.stdout
+    assert "firmware" in process.stdout
+    assert board.motors == (0, 0)
+
+
+@pytest.mark.slow
+@every_language
+def test_program_follows_new_device_number(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    line = link(expanded=True)
+    settings = settings_for(line, device_number=42)
+    program = made_ready(tmp_path, settings, line, language, patience=3)
+    board = boards.board(line)
+    for writes in (True, False):
+        process = program.run(board.url)
+        assert process.returncode == 0, process.stdout
+        assert ("->" in process.stdout) is writes
+        assert board.has(settings)
+
+
+@pytest.mark.slow
+@every_language
+def test_calibration_for_other_input_is_reported_as_skipped(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    as_new = settings_for(link())
+    analog = {(InputSource.ANALOG, 3): CALIBRATIONS[InputSource.RC, 2]}
+    settings = Settings(as_new.product, as_new.firmware, calibrations=analog)
+    board = boards.board(link())
+    program = made_ready(tmp_path, settings, link(), language)
+    process = program.run(board.url)
+    assert process.returncode == 0, process.stdout
+    assert "channel 3: skipped" in process.stdout
+    assert board.writes == 0
+
+
+@pytest.mark.slow
+@every_language
+def test_board_that_stops_replying_is_reported(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    board = boards.board(link())
+    program = made_ready(tmp_path, settings_for(link()), link(), language, patience=3)
+    with obedient(program, board.url) as trex:
+        assert "serial mode" in trex.do("check")[0]
+        board.do("line mute on")
+        said = trex.do("calibrate")
+        assert "no answer" in said[0].replace("does not answer", "no answer")
+        said = trex.do("parameter")
+        assert "no answer" in said[0]
+    assert board.writes == 0
+
+
+@pytest.mark.slow
+@on_a_computer
+def test_echo_is_not_taken_for_reply(language: Language, boards: Boards, tmp_path: Path) -> None:
+    line = link(crc=True)
+    board = boards.board(line, "trex", "--echo")  # bytes without time would collide
+    settings = settings_for(line)
+    seen, _ = watched(made_ready(tmp_path, settings, line, language), board)
+    assert board.has(settings)
+    assert {(20, 0), (0, 20)} <= seen
+    assert becomes(lambda: board.braking, (127, 127))
+
+
+@on_a_computer
+def test_ctrl_c_stops_motors(language: Language, boards: Boards, tmp_path: Path) -> None:
+    board = boards.board(link())
+    program = made_ready(tmp_path, settings_for(link()), link(), language)
+    for _ in range(10):  # a busy computer may look away while it drives
+        with program.start(board.url) as process:
+            while not (drives := board.motors == (20, 0)) and process.poll() is None:
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=30)
+        if drives:
+            break
+    assert drives
+    assert becomes(lambda: board.braking, (127, 127))  # it may hear of it behind the end
+
+
+@pytest.mark.slow
+@every_language
+def test_baud_rate_and_stop_bits_are_set_on_port(
+    language: Language, boards: Boards, tmp_path: Path
+) -> None:
+    line = link(baud=57600, stop_bits=2)
+    board = boards.board(line)
+    program = made_ready(tmp_path, settings_for(line), line, language)
+    process = program.run(board.url)
+    assert process.returncode == 0, process.stdout
+    assert board.errors == 0
+
+
+@pytest.mark.slow
+@on_a_computer
+def test_wrong_usage_and_missing_port_have_own_exit_codes(
+    language: Language, tmp_path: Path
+) -> None:
+    program = made_ready(tmp_path, settings_for(link()), link(), language)
+    missing = program.run(str(tmp_path / "no-port"))
+    assert missing.returncode == 1
+    assert "no-port" in missing.stdout
+    assert "Traceback" not in missing.stdout
+    wrong = subprocess.run(
+        [*program.command, "port", "--drove"], capture_output=True, text=True, check=False
+    )
+    assert wrong.returncode == 2
+    assert "usage" in wrong.stderr
+
+
+# --- What compilers say of the text
+
+
+def text_of_c(folder: Path, settings: Settings, line: LinkSettings) -> None:
+    compile_([*C, "-fsyntax-only", str(exported(folder, settings, line, Language.C))])
+
+
+def text_of_arduino(folder: Path, settings: Settings, line: LinkSettings) -> None:
+    sketch = exported(folder, settings, line, Language.ARDUINO)
+    main = str(HERE / "arduino" / "main.cpp")
+    # The newest standard too, which newer cores ask for.
+    for standard in ("-std=gnu++11", "-std=gnu++20"):
+        compile_([*CPP, standard, "-fsyntax-only", f'-DSKETCH="{sketch}"', main])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("compiled", [text_of_c, text_of_arduino])
+@pytest.mark.parametrize("part", ["nothing", "parameters", "calibrations", "left out"])
+def test_partial_settings_compile(part: str, compiled: Callable[..., None], tmp_path: Path) -> None:
+    full = settings_for(link())
+    settings = Settings(
+        full.product,
+        None,
+        {
+            "nothing": {},
+            "parameters": {"serial_timeout": 5},
+            "calibrations": {},
+            "left out": {"serial_timeout": 5, "uart_settings": 0x0F},
+        }[part],
+        CALIBRATIONS if part == "calibrations" else {},
+    )
+    for expanded in (False, True):
+        compiled(tmp_path, settings, link(expanded=expanded, crc=expanded))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("compiled", [text_of_c, text_of_arduino])
+@pytest.mark.parametrize("stop_bits", [1, 2])
+@pytest.mark.parametrize("detection", list(Detection), ids=lambda value: value.name.lower())
+def test_all_line_formats_compile(
+    detection: Detection, stop_bits: int, compiled: Callable[..., None], tmp_path: Path
+) -> None:
+    line = LinkSettings("unused", LineSettings(9600, detection, stop_bits))
+    compiled(tmp_path, settings_for(line), line)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("baud", [14400, 28800, 76800])
+def test_unsupported_baud_rate_is_a_compile_error(baud: int, tmp_path: Path) -> None:
+    if sys.platform != "linux":
+        pytest.skip("other systems have other rates")
+    need("gcc")
+    path = exported(tmp_path, settings_for(link(baud=baud)), link(baud=baud), Language.C)
+    done = subprocess.run(
+        [*C, "-fsyntax-only", str(path)], capture_output=True, text=True, check=False
+    )
+    assert done.returncode != 0
+    assert f"termios has no {baud} baud here" in done.stderr

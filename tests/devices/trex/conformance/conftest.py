@@ -1,0 +1,28 @@
+"""A board in each of the variants."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from tests.devices.trex.conformance.ends import End, ParserEnd, WireEnd
+from tests.devices.trex.conformance.trex import VARIANTS, Trex, Variant, in_gate
+
+
+@pytest.fixture(autouse=True)
+def _own_settings() -> None:
+    """Nothing in here remembers settings, and a folder a test costs as much as the test."""
+
+
+@pytest.fixture(params=in_gate(VARIANTS), ids=str)
+def trex(request: pytest.FixtureRequest) -> Iterator[Trex]:
+    """A board as new, in serial mode; in each of the variants that the test does not narrow."""
+    variant: Variant = request.param
+    end: End
+    if variant.end == "wire":
+        end = WireEnd(model=variant.model, firmware=variant.firmware, echo=variant.echo)
+    else:
+        end = ParserEnd(variant.model, variant.firmware)
+    trex = Trex(end, variant)
+    yield trex
+    if not variant.echo:
+        trex.nothing_more_comes()

@@ -1,0 +1,204 @@
+"""CMD10 0x90 to 0x95 and 0xA0 to 0xA4, sentence by sentence."""
+
+import pytest
+
+from tests.devices.trex.conformance.trex import Trex, Variant, calibration, only, words
+
+CHANNELS = range(1, 6)
+GIVEN = {
+    1: (2501, 3701, 5001, 31),
+    2: (2502, 3702, 5002, 32),
+    3: (2503, 3703, 5003, 33),
+    4: (2504, 3704, 5004, 34),
+    5: (2505, 3705, 5005, 35),
+}
+"""Counts that fit RC, all different."""
+
+
+def stored(trex: Trex, channel: int) -> tuple[int, ...]:
+    """Return minimum, neutral, maximum and deadband of a channel."""
+    return tuple(words(trex.ask(f"{0x90 + channel - 1:02X}")))
+
+
+def test_calibration_reply_has_eight_bytes(trex: Trex) -> None:
+    """CMD10 0x90: "take no data bytes and return 8 bytes"."""
+    for command in ("90", "91", "92", "93", "94"):
+        assert len(trex.everything(command)) == 8 + trex.variant.crc
+
+
+def test_calibration_reads_back_for_each_channel(trex: Trex) -> None:
+    """CMD10 0x90: 0x90 refers to channel 1, ... 0x94 to channel 5; in that order."""
+    for channel in CHANNELS:
+        assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
+    assert {channel: stored(trex, channel) for channel in CHANNELS} == GIVEN
+
+
+def test_low_byte_of_each_value_is_sent_first(trex: Trex) -> None:
+    """CMD10 0x90."""
+    assert trex.ask(calibration(1, 0x0102, 0x0304, 0x0506, 0x0108)) == "00"
+    assert trex.ask("90") == "02 01 04 03 06 05 08 01"
+
+
+def test_calibration_read_is_that_of_active_input_source(trex: Trex) -> None:
+    """CMD10 0x90: by the mode, in serial mode by the channel input source."""
+    rc, analog = (2501, 3701, 5001, 31), (101, 501, 901, 11)
+    assert trex.ask(calibration(2, *rc)) == "00"
+    trex.set_up(channel_input_source=1)
+    assert trex.ask(calibration(2, *analog)) == "00"
+    for jumper, source, values in (
+        ("serial", 0, rc),
+        ("serial", 1, analog),
+        ("rc", 1, rc),
+        ("analog", 0, analog),
+    ):
+        trex.do(f"jumper mode {jumper}")
+        trex.set_up(channel_input_source=source)
+        assert stored(trex, 2) == values, (jumper, source)
+
+
+def test_calibration_write_applies_to_channel_input_source(trex: Trex) -> None:
+    """CMD10 0xA0: RC or analog by the channel input source parameter.
+
+    What it says of setting them in RC and analog mode cannot be: they need serial mode.
+    """
+    before = stored(trex, 1)
+    trex.set_up(channel_input_source=1)
+    assert trex.ask(calibration(1, 101, 501, 901, 11)) == "00"
+    assert stored(trex, 1) == (101, 501, 901, 11)
+    trex.set_up(channel_input_source=0)
+    assert stored(trex, 1) == before
+
+
+def test_new_board_has_no_calibrated_channel(trex: Trex) -> None:
+    """CMD10 0x95: channels "that differ from the defaults"."""
+    assert trex.ask("95") == "00"
+
+
+def test_calibration_command_sets_bit_of_its_channel(trex: Trex) -> None:
+    """CMD10 0x95: bit n is channel n+1; "via commands 0xA0 - 0xA4"."""
+    learned = 0
+    for channel in CHANNELS:
+        assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
+        learned |= 1 << channel - 1
+        assert trex.number("95") == learned
+
+
+def test_channel_with_default_values_has_its_bit_clear(trex: Trex) -> None:
+    """CMD10 0x95: "that differ from the defaults"."""
+    default = stored(trex, 3)
+    assert trex.ask(calibration(3, *GIVEN[3])) == "00"
+    assert trex.ask("95") == "04"
+    assert trex.ask(calibration(3, *default)) == "00"
+    assert trex.ask("95") == "00"
+
+
+def in_the_parser(variant: Variant) -> bool:
+    return variant.end == "parser"
+
+
+@only(in_the_parser)  # learning takes 15 seconds, in which nothing is on the wire
+def test_automatic_calibration_sets_bits_of_its_channels(trex: Trex) -> None:
+    """CMD10 0x95; how it is done: manual page 11."""
+    trex.do("jumper mix on")
+    trex.do("jumper so-ground on")
+    trex.do("channel 1 1500us")
+    trex.do("channel 3 1500us")
+    for channel in (2, 4, 5):
+        trex.do(f"channel {channel} silent")
+    trex.restart_in("rc")
+    trex.do("jumper mix off")
+    trex.wait(5.0)
+    for position in ("1050us", "1950us"):
+        trex.do(f"channel 1 {position}")
+        trex.do(f"channel 3 {position}")
+        trex.wait(2.0)
+    trex.wait(10.0)
+    trex.do("jumper so-ground off")
+    trex.restart_in("serial")
+    assert trex.ask("95") == "05"
+    minimum, neutral, maximum, _ = stored(trex, 1)
+    assert (minimum, neutral, maximum) == (2625, 3750, 4875)
+
+
+def test_calibration_command_sets_only_its_channel(trex: Trex) -> None:
+    """CMD10 0xA0: 0xA0 refers to channel 1, ... 0xA4 to channel 5."""
+    expected = {channel: stored(trex, channel) for channel in CHANNELS}
+    for channel in (3, 5, 1, 4, 2):
+        assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
+        expected[channel] = GIVEN[channel]
+        assert {other: stored(trex, other) for other in CHANNELS} == expected
+
+
+def test_values_at_edge_of_restrictions_are_accepted(trex: Trex) -> None:
+    """CMD10 0xA0: minimum <= neutral AND neutral <= maximum AND minimum < maximum."""
+    for values in ((1000, 1000, 1001, 0), (1000, 1001, 1001, 0), (0, 8000, 16383, 127)):
+        assert trex.ask(calibration(1, *values)) == "00"
+        assert stored(trex, 1) == values
+
+
+@pytest.mark.parametrize(
+    "values",
+    [(2000, 2000, 2000, 0), (2001, 2000, 3000, 0), (1000, 3001, 3000, 0), (3000, 2500, 1000, 0)],
+    ids=["maximum = minimum", "minimum > neutral", "neutral > maximum", "all reversed"],
+)
+def test_values_beyond_restrictions_are_rejected_and_not_set(
+    trex: Trex, values: tuple[int, ...]
+) -> None:
+    """CMD10 0xA0: 2 = bad value (e.g. maximum = minimum); "the calibration values were not set"."""
+    before = stored(trex, 4)
+    assert trex.ask(calibration(4, *values)) == "02"
+    assert stored(trex, 4) == before
+    assert trex.ask("95") == "00"
+
+
+@pytest.mark.parametrize("mode", ["rc", "analog"])
+def test_calibration_outside_serial_mode_is_rejected_with_3(trex: Trex, mode: str) -> None:
+    """CMD10 0xA0: 3 = TReX isn't in serial mode."""
+    trex.restart_in(mode)
+    before = stored(trex, 1)
+    assert trex.ask(calibration(1, *GIVEN[1])) == "03"
+    assert stored(trex, 1) == before
+
+
+def test_set_commands_are_rejected_with_3_in_serial_override(trex: Trex) -> None:
+    """CMD10, note before 0xA0: "must be in serial mode for commands 0xA0 - 0xAF to work"."""
+    trex.start("rc")
+    trex.connect(c5="1000us")
+    assert trex.ask("83") == "01"
+    assert trex.ask(calibration(1, *GIVEN[1])) == "03"
+    assert trex.ask("AF 0E 05 55 2A") == "03"
+
+
+def test_calibration_is_confirmed_after_about_32_ms(trex: Trex) -> None:
+    """CMD10 0xA0: "approximately 32ms if the command packet format is correct"."""
+    assert trex.ask(calibration(1, 2500, 3750, 5000, 75)) == "00"
+    assert 0.030 <= trex.took < 0.036
+    assert stored(trex, 1)[2] == 5000
+
+
+def test_board_is_ready_for_next_command_after_reply(trex: Trex) -> None:
+    """CMD10 0xA0: "an indication that the TReX is now ready"."""
+    for channel in CHANNELS:
+        assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
+        assert trex.ask("82") == "72"
+    assert trex.ask("85") == "00"
+
+
+def test_wrong_format_bytes_get_no_reply_within_100_ms(trex: Trex) -> None:
+    """CMD10 0xA0: "made it untrustworthy"; the UART error byte has "useful information"."""
+    before = stored(trex, 1)
+    packet = calibration(1, *GIVEN[1])
+    for ending in ("2A 55", "55 55", "00 00", "55 2B"):
+        trex.tell(packet.replace("55 2A", ending))
+        assert trex.ask("85") == "40", ending
+    assert trex.unanswered(packet.replace("55 2A", "54 2A"), seconds=0.1)
+    assert trex.ask("85") == "40"
+    assert stored(trex, 1) == before
+
+
+def test_calibration_survives_power_cycle(trex: Trex) -> None:
+    """CMD10 0xA0: set as parameters are, "saved, so it will never need to be set again"."""
+    assert trex.ask(calibration(5, *GIVEN[5])) == "00"
+    trex.do("power off")
+    trex.do("power on")
+    assert stored(trex, 5) == GIVEN[5]

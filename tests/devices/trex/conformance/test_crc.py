@@ -1,0 +1,99 @@
+"""Cyclic redundancy check: CMD10 General Overview, User's Guide 5.e.
+
+Every test of this suite runs with and without; here is what is left to be said.
+"""
+
+import pytest
+
+from tests.devices.trex.conformance.trex import Trex, Variant, only, remainder
+
+EXAMPLES = [
+    ("86 1F", 0x07),
+    ("81", 0x48),
+    ("F0 7F", 0x4D),
+    ("AF 00 07 55 2A", 0x47),
+    ("80 07 06 1F", 0x0B),
+]
+"""The first as the guide computes it, the others by hand."""
+
+
+def with_crc(variant: Variant) -> bool:
+    return variant.crc
+
+
+def without_crc(variant: Variant) -> bool:
+    return not variant.crc
+
+
+@pytest.mark.parametrize(("packet", "crc"), EXAMPLES)
+def test_crc_is_remainder_of_long_division(packet: str, crc: int) -> None:
+    """User's Guide 5.e: seven zero bits appended, polynomial 0x89. No board is needed."""
+    assert remainder(bytes.fromhex(packet), 0x89) == crc
+
+
+@only(with_crc)
+@pytest.mark.parametrize(("packet", "crc"), EXAMPLES)
+def test_packets_with_example_crc_are_accepted(trex: Trex, packet: str, crc: int) -> None:
+    """User's Guide 5.e."""
+    trex.everything(bytes.fromhex(packet) + bytes([crc]))
+    assert trex.ask("85") == "00"
+
+
+@only(with_crc)
+@pytest.mark.parametrize("query", ["81", "82", "84", "86 13", "87 1F", "8F", "90", "95", "9F 7D"])
+def test_crc_follows_every_query_reply(trex: Trex, query: str) -> None:
+    """CMD10 General Overview: "at the end of all data packets transmitted"."""
+    *reply, crc = trex.everything(query)
+    assert reply
+    assert crc == remainder(bytes(reply), 0x89)
+    assert crc < 0x80
+
+
+@only(with_crc)
+def test_crc_follows_reply_to_set_command(trex: Trex) -> None:
+    """CMD10 General Overview."""
+    assert trex.everything("AF 0E 05 55 2A") == bytes([0, remainder(b"\x00", 0x89)])
+
+
+@only(with_crc)
+def test_motor_commands_need_a_crc(trex: Trex) -> None:
+    """CMD10 General Overview: "every command packet"."""
+    trex.tell("F0 55")
+    assert trex.show()["aux"]["speed"] == 0x55
+    trex.tell(trex.head("F0 2A"))
+    assert trex.show()["aux"]["speed"] == 0x55
+
+
+@only(with_crc)
+def test_packet_with_flipped_data_bit_is_discarded(trex: Trex) -> None:
+    """CMD10 0x85: a CRC that does not match is an error; no single flipped bit goes unseen."""
+    packet = trex.packet("F0 7F")
+    for index in range(1, len(packet)):
+        for bit in range(7):
+            spoilt = bytearray(packet)
+            spoilt[index] ^= 1 << bit
+            trex.tell(bytes(spoilt))
+    assert trex.show()["aux"]["speed"] == 0
+
+
+@only(without_crc)
+def test_packet_without_crc_is_accepted_if_crc_is_disabled(trex: Trex) -> None:
+    """CMD10 General Overview: "if cyclic redundancy check is enabled"."""
+    assert trex.everything(trex.head("82")) == b"r"
+    assert trex.ask("85") == "00"
+
+
+@only(with_crc)
+def test_default_polynomial_is_0x89(trex: Trex) -> None:
+    """User's Guide 5.e."""
+    assert trex.number("9F 7D") | 0x80 == 0x89
+
+
+@only(with_crc)
+@pytest.mark.parametrize("value", [0x00, 0x09, 0x37, 0x7F])
+def test_polynomial_parameter_has_implied_top_bit(trex: Trex, value: int) -> None:
+    """User's Guide 5.e."""
+    trex.set_up(crc7_polynomial=value)
+    trex.polynomial = 0x80 | value
+    assert trex.number("9F 7D") == value
+    assert bytes.fromhex(trex.ask("81")) == b"TReX1.2"

@@ -1,0 +1,154 @@
+"""CMD10 General Overview and 0x80, sentence by sentence."""
+
+import pytest
+
+from tests.devices.trex.conformance.trex import Trex, calibration
+
+QUERIES = (
+    "81", "82", "83", "84", "85", "86 1F", "87 1F", "8D", "8E", "8F",
+    "90", "91", "92", "93", "94", "95", "9F 00",
+)  # fmt: skip
+
+PARAMETER = "AF 0E 05 55 2A"
+"""Acceleration of motor 1 becomes 5."""
+
+CALIBRATIONS = [calibration(channel, 2532, 3750, 5032, 32) for channel in range(1, 6)]
+
+MOTOR_COMMANDS = [
+    *(f"{command:02X} 20" for command in range(0xC0, 0xD0)),
+    *(f"{command:02X} 20 20" for command in range(0xD0, 0xF0)),
+    *("F0 20", "F1 20"),
+]
+
+
+def test_bytes_without_top_bit_are_not_commands(trex: Trex) -> None:
+    """CMD10 General Overview: 128 - 255."""
+    assert trex.unanswered(b"\x01", b"\x02", b"\x7f")
+    assert len(trex.ask("81")) == 7 * 3 - 1
+
+
+def test_data_byte_with_top_bit_is_a_format_error(trex: Trex) -> None:
+    """CMD10 General Overview: 0 - 127."""
+    assert trex.unanswered(trex.head("86") + b"\xff")
+    assert trex.ask("85") == "40"
+
+
+@pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
+def test_queries_are_answered_in_every_mode(trex: Trex, mode: str) -> None:
+    """CMD10 General Overview: 0x81 - 0x9F."""
+    trex.restart_in(mode)
+    for query in QUERIES:
+        assert trex.ask(query), query
+    assert trex.ask("85") == "00"
+
+
+@pytest.mark.parametrize("mode", ["rc", "analog"])
+def test_set_commands_are_rejected_outside_serial_mode(trex: Trex, mode: str) -> None:
+    """CMD10 General Overview: 0xA0 - 0xAF; the code is that of 0xA0 and 0xAF."""
+    trex.restart_in(mode)
+    before = [trex.ask(f"{command:02X}") for command in range(0x90, 0x95)]
+    assert trex.ask(PARAMETER) == "03"
+    assert [trex.ask(packet) for packet in CALIBRATIONS] == ["03"] * 5
+    assert trex.ask("9F 0E") == "00"
+    assert [trex.ask(f"{command:02X}") for command in range(0x90, 0x95)] == before
+
+
+def test_set_commands_are_answered_in_serial_mode(trex: Trex) -> None:
+    """CMD10 General Overview."""
+    assert trex.ask(PARAMETER) == "00"
+    assert [trex.ask(packet) for packet in CALIBRATIONS] == ["00"] * 5
+
+
+@pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
+def test_motor_commands_have_no_reply_in_any_mode(trex: Trex, mode: str) -> None:
+    """CMD10 General Overview: 0xC0 - 0xF1."""
+    trex.restart_in(mode)
+    assert trex.unanswered(*MOTOR_COMMANDS)
+    assert trex.ask("84") == "00"
+
+
+def test_motors_respond_in_serial_mode(trex: Trex) -> None:
+    """CMD10 General Overview."""
+    trex.tell("D6 30 40", "F0 50")
+    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
+    assert trex.show()["aux"]["speed"] == 0x50
+
+
+@pytest.mark.parametrize("mode", ["rc", "analog"])
+def test_motors_ignore_commands_without_serial_control(trex: Trex, mode: str) -> None:
+    """CMD10 General Overview: "only respond in serial mode or when serial override is active"."""
+    trex.start(mode)
+    trex.tell("D6 30 40", "F0 50")
+    trex.wait(0.03)
+    assert trex.motor(1)[0] == trex.motor(2)[0] == "brake"
+    assert trex.show()["aux"] == {"speed": 0, "target_speed": 0}
+
+
+@pytest.mark.parametrize(("mode", "low"), [("rc", "1000us"), ("analog", "0.5V")])
+def test_motors_respond_during_serial_override(trex: Trex, mode: str, low: str) -> None:
+    """CMD10 General Overview; that channel 5 acts when it is low: User's Guide 4.a."""
+    trex.start(mode)
+    trex.connect(c5=low)
+    trex.tell("D6 30 40", "F0 50")
+    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
+    assert trex.show()["aux"]["speed"] == 0x50
+
+
+def test_override_applies_motor_commands_received_before_it(
+    trex: Trex,
+) -> None:
+    """CMD10 General Overview."""
+    trex.start("rc")
+    trex.tell("D6 30 40", "F0 50", "C2 31")
+    trex.connect(c5="1000us")
+    assert (trex.motor(1), trex.motor(2)) == (("forward", 0x31), ("reverse", 0x40))
+    assert trex.show()["aux"]["speed"] == 0x50
+
+
+def test_channel_5_ends_override_and_channels_control_again(trex: Trex) -> None:
+    """CMD10 General Overview: motors only respond "when serial override is active"."""
+    trex.start("rc")
+    trex.connect(c5="1000us")
+    trex.tell("D6 30 40")
+    trex.connect(c5="1500us")
+    assert trex.number("83") == 0
+    assert trex.motor(1)[0] == trex.motor(2)[0] == "brake"
+
+
+def test_both_example_packets_read_all_five_raw_channels(trex: Trex) -> None:
+    """CMD10 0x80: 0x80, 0x07, 0x06, 0x1F and 0x86, 0x1F."""
+    trex.connect(c1="1200us", c5="1900us")
+    for packet in (b"\x80\x07\x06\x1f", b"\x86\x1f"):
+        assert trex.ask(trex.signed(packet), 10) == "B8 0B A6 0E A6 0E A6 0E 8E 12"
+
+
+def test_default_device_number_is_7(trex: Trex) -> None:
+    """CMD10 0x80."""
+    assert trex.ask("9F 00") == "07"
+    assert trex.ask(trex.signed(b"\x80\x07\x02"), 1) == "72"
+
+
+def test_device_number_parameter_takes_effect_at_once(trex: Trex) -> None:
+    """CMD10 0x80."""
+    assert trex.ask("AF 00 09 55 2A") == "00"
+    trex.device = 9
+    assert trex.ask("9F 00") == "09"
+    assert trex.ask(trex.signed(b"\x80\x09\x02"), 1) == "72"
+    assert trex.unanswered(trex.signed(b"\x80\x07\x02"))
+
+
+@pytest.mark.parametrize("number", [0, 6, 8, 127])
+def test_packet_for_other_device_number_is_ignored(trex: Trex, number: int) -> None:
+    """CMD10 0x80: "can be chained along with such products to the same serial line".
+
+    Inferred: a packet for others raises no error here, however long it is.
+    """
+    foreign = bytes([0x80, number])
+    assert trex.unanswered(
+        trex.signed(foreign + b"\x02"),
+        trex.signed(foreign + b"\x06\x1f"),
+        trex.signed(foreign + b"\x42\x7f"),
+        foreign + b"\x11\x22\x33\x44\x55\x66\x77",
+    )
+    assert trex.motor(1)[1] == 0
+    assert trex.ask("84") == "00"

@@ -1,0 +1,196 @@
+"""CMD10 0x87, sentence by sentence."""
+
+from itertools import product
+
+import pytest
+
+from tests.devices.trex.conformance.trex import Trex, Variant, calibration, channels, only
+
+# What lies between the documented points is inferred (linear outside the deadband), so these
+# tests stay with the points and with what must be equal or opposite.
+
+STICKS = {1: "2100us", 2: "900us", 3: "1500us", 4: "2000us", 5: "1000us"}
+REMAPPED = {1: 0x7F, 2: 0xFF, 3: 0x00, 4: 0x7F, 5: 0xFF}
+
+
+def calibrate(trex: Trex) -> None:
+    """Let channel 1 go from 1 ms by 1.5 ms to 2 ms with a deadband of 40 µs."""
+    assert trex.ask(calibration(1, 2500, 3750, 5000, 100)) == "00"
+
+
+def value(trex: Trex, channel: int = 1) -> int:
+    """Return the remapped value of one channel, signed."""
+    byte = trex.number(f"87 {1 << channel - 1:02X}")
+    return -(byte & 0x7F) if byte & 0x80 else byte
+
+
+def test_remapped_reply_has_one_byte_of_each_masked_channel(trex: Trex) -> None:
+    """CMD10 0x87: bit n is channel n+1; lower channels are transmitted before higher ones."""
+    trex.connect(**{f"c{channel}": stick for channel, stick in STICKS.items()})
+    for mask in range(1, 0x20):
+        expected = [REMAPPED[channel] for channel in channels(mask)]
+        assert list(bytes.fromhex(trex.ask(f"87 {mask:02X}"))) == expected
+
+
+def test_empty_mask_gets_no_reply(trex: Trex) -> None:
+    """CMD10 0x87: "will return 0 - 5 bytes"."""
+    assert trex.unanswered("87 00")
+    assert trex.ask("85") == "00"
+
+
+def test_remapped_reply_for_five_channels_has_five_bytes(trex: Trex) -> None:
+    """CMD10 0x87."""
+    assert len(trex.everything("87 1F")) == 5 + trex.variant.crc
+
+
+def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
+    """CMD10 0x87: "unitless, single-byte values"."""
+    for source, ends in ((0, ("1000us", "1500us", "2000us")), (1, ("0V", "2.5V", "5V"))):
+        trex.set_up(channel_input_source=source)
+        trex.connect(**{f"c{index + 1}": position for index, position in enumerate(ends)})
+        assert trex.ask("87 07") == "FF 00 7F"
+
+
+def test_value_at_or_above_maximum_is_127(trex: Trex) -> None:
+    """CMD10 0x87: "greater than or equal to the channel maximum"."""
+    calibrate(trex)
+    for width in (2000, 2001, 2500):
+        trex.connect(c1=f"{width}us")
+        assert trex.ask("87 01") == "7F", width
+
+
+def test_value_at_or_below_minimum_is_127_in_reverse(trex: Trex) -> None:
+    """CMD10 0x87: bit 7 is the direction, bits 6:0 the magnitude."""
+    calibrate(trex)
+    for width in (500, 999, 1000):
+        trex.connect(c1=f"{width}us")
+        assert trex.ask("87 01") == "FF", width
+
+
+def test_value_within_deadband_is_0(trex: Trex) -> None:
+    """CMD10 0x87."""
+    calibrate(trex)
+    for width in (1460, 1500, 1540):
+        trex.connect(c1=f"{width}us")
+        assert trex.ask("87 01") == "00", width
+
+
+def test_magnitude_grows_with_distance_from_neutral(trex: Trex) -> None:
+    """CMD10 0x87: "scaling the raw channel based on channel calibration settings"."""
+    trex.connect(c1="1100us", c2="1300us", c3="1500us")
+    found = [value(trex, 1), value(trex, 2), value(trex, 3)]
+    trex.connect(c1="1700us", c2="1900us")
+    found += [value(trex, 1), value(trex, 2)]
+    assert found == sorted(set(found))
+    assert found[0] == -found[4]
+    assert found[1] == -found[3]
+    assert found[2] == 0
+
+
+def test_remapped_value_follows_calibration(trex: Trex) -> None:
+    """CMD10 0x87: max, neutral, min and deadband that can be user-specified."""
+    trex.connect(c1="1750us")  # 4375 counts
+    assert 0 < value(trex) < 127
+    for minimum, neutral, maximum, deadband, expected in (
+        (2500, 3750, 4375, 100, 127),
+        (2500, 4375, 5000, 100, 0),
+        (4375, 4700, 5000, 100, -127),
+        (2500, 3750, 5000, 625, 0),
+    ):
+        assert trex.ask(calibration(1, minimum, neutral, maximum, deadband)) == "00"
+        assert value(trex) == expected
+
+
+def test_reversed_channels_parameter_negates_values(trex: Trex) -> None:
+    """CMD10 0x87: parameter 0x03; inferred: bit n is channel n+1."""
+    trex.connect(c1="1800us", c2="1800us", c3="1800us")
+    before = value(trex)
+    assert before > 0
+    for mask in (0b001, 0b010, 0b100):
+        assert trex.ask(f"AF 03 {mask:02X} 55 2A") == "00"
+        for channel in (1, 2, 3):
+            assert value(trex, channel) == (-before if mask >> channel - 1 & 1 else before)
+
+
+def test_parabolic_channels_parameter_lowers_values_between_ends(trex: Trex) -> None:
+    """CMD10 0x87: parameter 0x04; a parabola lies below the line between its ends."""
+    trex.connect(c1="1800us", c2="1800us", c3="1800us")
+    linear = trex.number("87 01")
+    for mask in (0b001, 0b010, 0b100):
+        assert trex.ask(f"AF 04 {mask:02X} 55 2A") == "00"
+        values = [value(trex, channel) for channel in (1, 2, 3)]
+        for channel, found in enumerate(values):
+            assert 0 < found < linear if mask >> channel & 1 else found == linear
+    assert trex.ask("AF 04 01 55 2A") == "00"
+    for end, full in (("1000us", -127), ("1500us", 0), ("2000us", 127)):
+        trex.connect(c1=end)
+        assert value(trex) == full
+
+
+def test_mix_jumper_affects_only_channels_1_and_2(trex: Trex) -> None:
+    """CMD10 0x87; one channel turns, the other drives (User's Guide 4.a)."""
+    trex.connect(c2="2000us", c3="2000us")
+    assert trex.ask("87 07") == "00 7F 7F"
+    trex.do("jumper mix on")
+    assert trex.ask("87 07") == "7F 7F 7F"
+    trex.connect(c1="2000us", c2="1500us")
+    first, second, third = bytes.fromhex(trex.ask("87 07"))
+    assert first ^ second == 0x80
+    assert third == 0x7F
+
+
+def test_flip_channel_affects_only_channels_1_and_2(trex: Trex) -> None:
+    """CMD10 0x87: channel 4; motors and directions change places (User's Guide 4.a)."""
+    trex.connect(c1="2000us", c3="2000us", c4="1500us")
+    assert trex.ask("87 07") == "7F 00 7F"
+    trex.connect(c4="1000us")
+    assert trex.ask("87 07") == "00 FF 7F"
+
+
+@pytest.mark.parametrize(("mix", "flip"), [*product(("off", "on"), ("1500us", "1000us"))])
+def test_remapped_values_match_motor_targets(trex: Trex, mix: str, flip: str) -> None:
+    """CMD10 0x87: channel 1 "will always correspond directly to motor 1", mix or flip or not."""
+    trex.do(f"jumper mix {mix}")
+    trex.start("rc")
+    trex.connect(c1="1700us", c2="1400us", c3="1800us", c4=flip)
+    first, second, third = bytes.fromhex(trex.ask("87 07"))
+    for number, byte in ((1, first), (2, second)):
+        assert trex.target(number) == ("reverse" if byte & 0x80 else "forward", byte & 0x7F)
+    assert trex.show()["aux"]["target_speed"] == third & 0x7F  # "lower six bits", a slip
+
+
+def test_inverted_robot_applies_raw_channel_1_to_motor_2(
+    trex: Trex,
+) -> None:
+    """CMD10 0x87: "in contrast to the raw value for channel 1"."""
+    trex.start("rc")
+    trex.connect(c1="2000us", c4="1000us")
+    assert trex.ask("86 01") == "88 13"
+    assert trex.target(1)[0] == "brake"
+    assert trex.target(2) == ("reverse", 127)
+
+
+def in_compact(variant: Variant) -> bool:
+    return not variant.expanded
+
+
+@only(in_compact)  # what is driven here is not the exchange
+def test_serial_program_can_mimic_rc_mode(trex: Trex) -> None:
+    """CMD10 0x87: "by requesting the remapped channel values and setting" the motors to them."""
+    driven = []
+    for mode in ("rc", "serial"):
+        trex.start(mode)
+        trex.connect(c1="1700us", c2="1300us", c3="1900us")
+        if mode == "serial":
+            first, second, third = bytes.fromhex(trex.ask("87 07"))
+            trex.tell(f"{0xC5 if first & 0x80 else 0xC6:02X} {first & 0x7F:02X}")
+            trex.tell(f"{0xCD if second & 0x80 else 0xCE:02X} {second & 0x7F:02X}")
+            trex.tell(f"F1 {third & 0x7F:02X}")
+        trex.wait(0.02)
+        state = trex.show()
+        driven.append((trex.motor(1), trex.motor(2), state["aux"]["speed"]))
+        trex.do("factory")
+        trex.run_at(115200)
+    assert driven[0] == driven[1]
+    assert driven[0][0][0] == "forward"
+    assert driven[0][1][0] == "reverse"

@@ -1,0 +1,486 @@
+"""Finding a board at any settings, and moving nothing on the way there.
+
+The search is proved safe twice: as a whole, in the order in which it asks, on every board there
+is; and question by question, after anything else, for boards whose polynomial and device number
+nobody knows and whose clock is off. What the full search adds is proved with `-m slow`.
+"""
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
+from itertools import product
+
+import pytest
+
+from tests.devices.trex.simulator.ports import a_board
+from tests.support.matrix import sampled
+from tests.support.virtual import VirtualTransport
+from trex_gui.core.errors import BadRequest, PortUnavailable
+from trex_gui.core.simulator import sampling
+from trex_gui.core.simulator.sampling import _SAMPLE_AT, Receiver
+from trex_gui.devices.trex.discovery.probe import RINSE, RINSE_LINE, Attempt
+from trex_gui.devices.trex.discovery.prober import Found, Search, Step, attempts, find
+from trex_gui.devices.trex.protocol.commands import COMMANDS
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.serial_control import SerialControl
+
+VIRTUAL = LinkSettings("virtual")
+PARITIES = (Detection.NONE, Detection.EVEN, Detection.ODD)
+BOARDS = [
+    LineSettings(baud, detection, stop_bits)
+    for detection, stop_bits, baud in product(Detection, (1, 2), baud_rates())
+]
+ONE_STOP_BIT = [settings for settings in BOARDS if settings.stop_bits == 1]
+"""What a board hears of lone bytes does not hang on how long it may rest behind them."""
+
+
+class Wire(VirtualTransport):
+    """A simulated wire whose host can change its settings."""
+
+    unable: frozenset[int] = frozenset()
+
+    def __init__(self, line: Line) -> None:
+        super().__init__(line)
+        self.tuned: list[LineSettings] = []
+
+    def tune(self, line: LineSettings) -> None:
+        if line.baud in self.unable:
+            raise BadRequest("no such rate")
+        self.tuned.append(line)
+        self.line.host = line
+
+
+def wire_of(*boards: Board, echo: bool = False) -> Wire:
+    line = Line(boards, echo=echo)
+    line.host = RINSE_LINE
+    return Wire(line)
+
+
+def search(wire: Wire, *, full: bool = False) -> Search:
+    return find(VIRTUAL, lambda _settings: wire, full=full)
+
+
+def only(result: Search) -> Found:
+    (found,) = result.found
+    return found
+
+
+@pytest.fixture
+def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Every order that a motor of any simulated board is given, a stop included."""
+    given: list[str] = []
+
+    def drive(control: SerialControl, *words: object, **more: object) -> None:
+        given.append(f"motor {words} {more}")
+
+    def drive_aux(control: SerialControl, *words: object, **more: object) -> None:
+        given.append(f"auxiliary {words} {more}")
+
+    monkeypatch.setattr(SerialControl, "drive", drive)
+    monkeypatch.setattr(SerialControl, "drive_aux", drive_aux)
+    return given
+
+
+# --- The whole search -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("settings", sampled(BOARDS, every=5), ids=lambda settings: settings.text())
+def test_search_finds_every_board_and_commands_no_motor(
+    settings: LineSettings, orders: list[str]
+) -> None:
+    for shutdown in (0, 1):
+        board = a_board(settings=settings.to_wire(), uart_error_shutdown=shutdown)
+        stored = board.memory.stored()
+        wire = wire_of(board)
+        found = only(search(wire))
+        assert found.settings == LinkSettings("virtual", settings)
+        assert (str(found.signature), found.device_number) == ("TReX 1.2", 7)
+        assert (found.note, found.echo) == ("", False)
+        assert not orders
+        assert (board.memory.stored(), board.memory.writes) == (stored, 0)
+        assert wire.closed
+
+
+@pytest.mark.parametrize(
+    "settings", sampled(ONE_STOP_BIT, every=5), ids=lambda settings: settings.text()
+)
+def test_search_without_replies_commands_no_motor(
+    settings: LineSettings, orders: list[str]
+) -> None:
+    board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
+    wire = wire_of(board)
+    wire.line.mute = True
+    assert not search(wire).found
+    assert not orders
+    assert not board.memory.writes
+
+
+def a_full_search_moves_nothing(settings: LineSettings, orders: list[str]) -> None:
+    board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
+    wire = wire_of(board)
+    wire.line.mute = True
+    search(wire, full=True)
+    assert not orders
+    assert not board.memory.writes
+
+
+@pytest.mark.parametrize(
+    "settings",
+    sampled(
+        [
+            LineSettings(9600),
+            LineSettings(38400, Detection.ODD),
+            LineSettings(76800, Detection.ODD),
+        ],
+        every=3,
+    ),
+    ids=lambda settings: settings.text(),
+)
+def test_full_search_commands_no_motor(settings: LineSettings, orders: list[str]) -> None:
+    a_full_search_moves_nothing(settings, orders)
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(900)
+def test_full_search_commands_no_motor_on_any_board(orders: list[str]) -> None:
+    for settings in BOARDS:
+        a_full_search_moves_nothing(settings, orders)
+
+
+# --- Each question by itself ------------------------------------------------------------
+
+SKEWS = (-0.03, -0.01, -1e-6, 1e-6, 0.01, 0.03)
+"""How far the clock of a board may be off; the smallest decide samples on an edge."""
+
+SAMPLES = (0.5, 0.55, 0.6)
+"""Where in a bit a board may read it."""
+
+BAD = -1
+"""Stands for a byte that the hardware found bad: whatever began is over then."""
+
+Word = tuple[int, ...]
+State = tuple[int, ...]
+
+
+@cache
+def words(packet: bytes, host: LineSettings, own: LineSettings) -> frozenset[Word]:
+    """Return all that a board may hear of a packet that comes alone.
+
+    A board is deaf while it answers, so behind a question any part of the rest may be missing.
+    """
+    heard: set[Word] = set()
+    for skew, sample in product(SKEWS, SAMPLES):
+        sampling._SAMPLE_AT = sample
+        receiver = Receiver(own, own.baud)
+        receiver._bit /= 1 + skew
+        each = [
+            heard_byte
+            for index, byte in enumerate(packet)
+            for heard_byte in receiver.hear(index * host.seconds(1), byte, host, host.baud)
+        ]
+        each += receiver.rest(1.0)
+        word = tuple(BAD if it.error else it.value for it in each)
+        heard.add(word)
+        for index, value in enumerate(word):
+            if 0x81 <= value <= 0x9F:  # is answered
+                rests = range(index + 1, len(word) + 1)
+                heard |= {word[: index + 1] + word[rest:] for rest in rests}
+    sampling._SAMPLE_AT = _SAMPLE_AT
+    return frozenset(heard)
+
+
+def after(begun: State, value: int, *, crc: bool) -> Iterator[State | str]:
+    """Yield what a byte can make of a begun packet: what is begun then, or an order obeyed.
+
+    Takes every device number for the board's own and every checksum for the right one.
+    """
+    if value in {BAD, 0xFF}:
+        yield ()
+        return
+    packet = (value,) if value & 0x80 else (*begun, value) if begun else ()
+    if not packet:
+        yield ()
+        return
+    head = 3 if packet[0] == 0x80 else 1
+    if len(packet) < head:
+        yield packet
+        yield ()  # a packet for another board
+        return
+    command = packet[head - 1] | 0x80
+    known = COMMANDS.get(command)
+    if known is None or command == 0xFF:
+        yield ()
+    elif len(packet) < head + known.data_size + crc:
+        yield packet
+    elif command >= 0xA0:
+        yield bytes(packet).hex(" ")
+    else:
+        yield ()
+
+
+def hear(
+    begun: Iterable[State], packet: bytes, host: LineSettings, own: LineSettings, *, crc: bool
+) -> tuple[set[State], set[str]]:
+    """Return what packets may be begun after one more was sent, and the orders obeyed."""
+    left: set[State] = set()
+    obeyed: set[str] = set()
+    for start, word in product(begun, words(packet, host, own)):
+        states: set[State] = {start}
+        for value in word:
+            results = {result for state in states for result in after(state, value, crc=crc)}
+            obeyed |= {result for result in results if isinstance(result, str)}
+            states = {result for result in results if not isinstance(result, str)}
+        left |= states
+    return left, obeyed
+
+
+OWN = [LineSettings(baud, detection) for detection in PARITIES for baud in baud_rates()]
+
+
+def orders_obeyed(questions: Sequence[Attempt], own: LineSettings, *, crc: bool) -> set[str]:
+    """Return every order that a board may obey when these are asked in any order and number."""
+    begun: set[State] = {()}
+    waiting = deque(begun)
+    obeyed: set[str] = set()
+    while waiting:
+        state = waiting.popleft()
+        rinsed, first = hear({state}, RINSE, RINSE_LINE, own, crc=crc)
+        obeyed |= first
+        for attempt in questions:
+            if attempt.line == own:
+                continue  # it is understood, and found
+            left, more = hear(rinsed, attempt.question, attempt.line, own, crc=crc)
+            obeyed |= more
+            waiting.extend(left - begun)
+            begun |= left
+    return obeyed
+
+
+@pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
+def test_no_probe_sequence_forms_a_motor_command(own: LineSettings) -> None:
+    # One stop bit more is only a longer rest behind a byte; two bytes have one between them.
+    for crc in (False, True) if own.detection is Detection.NONE else (False,):
+        assert not orders_obeyed(list(attempts()), own, crc=crc)
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(900)
+def test_no_full_search_sequence_forms_a_motor_command() -> None:
+    for own in OWN:
+        for crc in (False, True) if own.detection is Detection.NONE else (False,):
+            assert not orders_obeyed(list(attempts(full=True)), own, crc=crc)
+
+
+def test_flush_byte_ends_partial_packets() -> None:
+    begun = [(first, *rest) for first in range(0x80, 0xF2) for rest in ((), (1,), (1, 2))]
+    for own in OWN:
+        left, obeyed = hear(begun, RINSE, RINSE_LINE, own, crc=False)
+        assert left <= {(), (0x80,)}
+        assert not obeyed
+
+
+def test_probes_without_flush_byte_can_start_motors() -> None:
+    """The danger is real: else the tests above would say nothing."""
+    for own, order in (
+        (LineSettings(19200, Detection.ODD), "f0 01"),  # though 81 is all that is sent
+        (LineSettings(9600), "f0 30"),
+    ):
+        plain = own.detection is Detection.ODD
+        questions = [attempt for attempt in attempts() if not (plain and attempt.polynomials)]
+        begun: set[State] = {()}
+        obeyed: set[str] = set()
+        for attempt in questions * 2:
+            if attempt.line != own:
+                left, more = hear(begun, attempt.question, attempt.line, own, crc=False)
+                begun |= left
+                obeyed |= more
+        assert order in obeyed
+
+
+# --- What it asks, and in which order ---------------------------------------------------
+
+
+def test_likely_line_settings_are_probed_first() -> None:
+    first = [attempt.line for attempt in attempts()][:5]
+    assert first == [LineSettings(baud) for baud in (19200, 115200, 9600, 38400, 57600)]
+
+
+def test_every_line_setting_is_probed_once() -> None:
+    asked = [attempt.line for attempt in attempts()]
+    assert len(asked) == len(set(asked)) == len(BOARDS)
+    assert set(asked) == set(BOARDS)
+
+
+def test_search_requests_only_signatures() -> None:
+    assert {attempt.question[:1] for attempt in attempts(full=True)} == {b"\x81"}
+    plain = [attempt for attempt in attempts() if attempt.line.detection is not Detection.CRC7]
+    assert {attempt.question for attempt in plain} == {b"\x81"}
+
+
+def test_flush_byte_precedes_each_probe() -> None:
+    wire = wire_of(a_board())
+    wire.line.mute = True
+    search(wire)
+    assert bytes(wire.sent).startswith(RINSE + b"\x81" + RINSE + b"\x81")
+    assert wire.sent.count(RINSE) == len(BOARDS)
+    assert wire.tuned[0:-1:2] == [RINSE_LINE] * len(BOARDS)
+
+
+def test_search_leaves_port_at_default_line_settings() -> None:
+    wire = wire_of(a_board())
+    wire.line.mute = True
+    search(wire)
+    assert wire.tuned[-1] == LineSettings()
+
+
+# --- What it tells ----------------------------------------------------------------------
+
+
+def test_progress_names_next_probe() -> None:
+    steps: list[Step] = []
+    wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
+    find(VIRTUAL, lambda _settings: wire, steps.append)
+    assert [(step.done, step.line.baud) for step in steps] == [(0, 19200), (1, 115200), (2, 9600)]
+    assert {step.total for step in steps} == {88}
+
+
+def test_search_can_be_cancelled() -> None:
+    steps: list[Step] = []
+    wire = wire_of(a_board())
+    wire.line.mute = True
+    result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) == 4)
+    assert result.cancelled
+    assert len(steps) == 4
+    assert wire.closed
+
+
+def test_device_number_scan_reports_progress_and_cancels() -> None:
+    steps: list[Step] = []
+    wire = wire_of(a_board(9))
+    result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) > 11, full=True)
+    assert result.cancelled
+    assert only(result).device_number == 9
+    assert [step.number for step in steps] == [None, *range(11)]
+
+
+def test_fixed_rate_port_is_probed_once() -> None:
+    wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
+    wire.can_be_tuned = False
+    result = search(wire)
+    assert bytes(wire.sent) == RINSE + b"\x81"
+    assert "set at the other end" in result.verdict()
+
+
+def test_trex_jr_on_rs232_side_is_found_with_its_number() -> None:
+    wire = wire_of(a_board(12, LineSettings(57600).to_wire(), "trexjr"), echo=True)
+    found = only(search(wire))
+    assert (str(found.signature), found.device_number, found.echo) == ("TReX Jr 1.2", 12, True)
+
+
+@pytest.mark.parametrize("chosen", [28800, 38400])
+def test_half_baud_rate_of_old_firmware_is_explained(chosen: int) -> None:
+    board = Board("trex", "1.1", eeprom=a_board(settings=LineSettings(chosen).to_wire()).eeprom)
+    found = only(search(wire_of(board)))
+    assert found.settings.line == LineSettings(chosen // 2)
+    assert f"set to {chosen} baud" in found.note
+
+
+def test_line_settings_pending_power_cycle_are_reported() -> None:
+    board = a_board()
+    board.set_parameter(0x7E, LineSettings(115200).to_wire())
+    board.advance(0.1)
+    found = only(search(wire_of(board)))
+    assert found.settings.line == LineSettings()
+    assert found.note.startswith("Switched off and on, it will run at 115200 baud")
+
+
+def test_other_polynomial_is_found_only_by_full_search() -> None:
+    line = LineSettings(19200, Detection.CRC7)
+    for polynomial in (0x83, 0xA6, 0xFF):
+        board = a_board(settings=line.to_wire(), crc7_polynomial=polynomial & 0x7F)
+        assert not search(wire_of(board)).found
+        found = only(search(wire_of(board), full=True))
+        assert found.settings == LinkSettings("virtual", line, polynomial=polynomial)
+
+
+def test_full_search_distinguishes_boards_of_two_models() -> None:
+    boards = [a_board(9), a_board(12, model="trexjr")]
+    result = search(wire_of(*boards))
+    assert not result.found
+    assert "Several boards" in result.verdict()
+    found = search(wire_of(*boards), full=True).found
+    assert [(str(each.signature), each.settings.device_number) for each in found] == [
+        ("TReX 1.2", 9),
+        ("TReX Jr 1.2", 12),
+    ]
+
+
+def test_board_with_unique_number_is_found_among_duplicates() -> None:
+    boards = [a_board(9), a_board(9, model="trexjr"), a_board(12)]
+    found = only(search(wire_of(*boards), full=True))
+    assert (str(found.signature), found.settings.device_number) == ("TReX 1.2", 12)
+
+
+def test_echo_without_reply_is_reported() -> None:
+    board = a_board()
+    board.power_off()
+    result = search(wire_of(board, echo=True))
+    assert result.echo
+    assert "comes back" in result.verdict()
+
+
+def test_missing_reply_diagnosis_suggests_checking_power() -> None:
+    board = a_board()
+    board.power_off()
+    verdict = search(wire_of(board)).verdict()
+    assert "No TReX answers on virtual" in verdict
+    assert "power" in verdict
+
+
+def test_unknown_device_is_reported_with_its_bytes() -> None:
+    board = a_board()
+    board.power_off()
+    wire = wire_of(board)
+    read = wire.read
+    wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
+    verdict = search(wire).verdict()
+    assert "not answer as a TReX does: 45 52 52" in verdict
+
+
+def test_board_waiting_for_firmware_is_reported() -> None:
+    board = a_board()
+    board.power_off()
+    wire = wire_of(board, echo=True)
+    read = wire.read
+
+    def loader(size: int, seconds: float) -> bytes:
+        heard = read(size, seconds)
+        return heard + b"?" if heard else b""
+
+    wire.read = loader  # type: ignore[method-assign]
+    assert "waits for new firmware" in search(wire).verdict()
+
+
+def test_unsupported_baud_rates_are_skipped() -> None:
+    wire = wire_of(a_board(settings=LineSettings(4800).to_wire()))
+    wire.unable = frozenset({14400, 76800})
+    result = search(wire)
+    assert only(result).settings.line == LineSettings(4800)
+    assert {line.baud for line in result.skipped} == {14400, 76800}
+
+
+def test_port_loss_ends_search() -> None:
+    wire = wire_of(a_board())
+    wire.fail = PortUnavailable("It is gone.")
+    with pytest.raises(PortUnavailable):
+        search(wire)
+    assert wire.closed
+
+
+def test_search_finds_board_on_noisy_line() -> None:
+    wire = wire_of(a_board(settings=LineSettings(1200).to_wire()))
+    wire.line.noise = 0.02
+    assert only(search(wire)).settings.line.baud == 1200

@@ -1,0 +1,39 @@
+"""A hand that moves a thousand times a second, and a line that carries fifty packets in it."""
+
+import pytest
+
+from tests.devices.trex.session.helpers import run_for, seen_at, staged
+from trex_gui.devices.trex.driving.motors import DRIVE_INTERVAL
+from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
+from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
+from trex_gui.devices.trex.session.messages import SetDrive
+
+_MOVES = 10_000
+_RATE = 1000
+
+
+@pytest.mark.parametrize("baud", [1200, 19200, 115200])
+def test_drag_sends_newest_positions_and_delivers_last_one(
+    baud: int,
+) -> None:
+    stage, settings = staged(baud)
+    start = 1.0 + 4.0 * 1200 / baud
+    for move in range(_MOVES):
+        stage.script.at(start + move / _RATE, SetDrive(1, Drive.at(move % 128)))
+    sent: list[tuple[float, int]] = []
+    write = stage.transport.write
+
+    def note(data: bytes) -> None:
+        if data[0] == DriveMotor(1, Drive.at(1)).opcode:
+            sent.append((stage.line.now, data[1]))
+        write(data)
+
+    stage.transport.write = note  # type: ignore[method-assign] # to see when
+    end = start + _MOVES / _RATE
+    speeds = seen_at(stage, end + 0.3, lambda: stage.board.motors[0].speed)
+    run_for(stage, end + 0.4, settings)
+    assert speeds == [(_MOVES - 1) % 128]
+    assert len(sent) <= _MOVES / _RATE / DRIVE_INTERVAL + 1 + len(REPEATS)
+    for moment, speed in sent:
+        newest = min(int((moment - start) * _RATE + 1e-6), _MOVES - 1)
+        assert (newest - speed) % 128 <= 1, "an older position was sent than the newest"

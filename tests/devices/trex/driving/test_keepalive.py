@@ -1,0 +1,156 @@
+"""While motors are armed, the board's own serial timeout is fed; else nothing is done for it."""
+
+import itertools
+
+import pytest
+
+from tests.devices.trex.session.helpers import among, commands, run_for, samples, seen_at, staged
+from tests.support.matrix import sampled
+from tests.support.virtual import Stage
+from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.client.schedule import Topic
+from trex_gui.devices.trex.client.telemetry import Raw, StatusNews
+from trex_gui.devices.trex.driving.arming import PULSE_INTERVAL
+from trex_gui.devices.trex.driving.keepalive import (
+    longest_pause,
+    silence,
+    survives_a_loss,
+    too_slow,
+)
+from trex_gui.devices.trex.protocol.commands import Drive, GetRawChannels
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.session.messages import (
+    Arm,
+    Connected,
+    Outcome,
+    Pulse,
+    SetDrive,
+    Stop,
+    Write,
+)
+
+
+def opening(baud: int) -> float:
+    """Seconds after which everything has been read, amply."""
+    return 1.0 + 4.0 * 1200 / baud
+
+
+def set_timeout(stage: Stage, tenths: int) -> None:
+    """Store a serial timeout and let it act, as after a power cycle."""
+    stage.board.eeprom.write("serial_timeout", tenths)
+    stage.board.memory.load()
+
+
+@pytest.mark.parametrize(
+    ("baud", "detection"), sampled(itertools.product(baud_rates(), Detection), every=5)
+)
+def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection) -> None:
+    stage, settings = staged(baud, detection)
+    set_timeout(stage, 1)
+    start = opening(baud)
+    stage.script.at(start, Arm()).at(start, SetDrive(1, Drive.at(90)))
+    for number in range(20):
+        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+    speeds = seen_at(stage, start + 5.0, lambda: stage.board.motors[0].speed)
+    reports = run_for(stage, start + 5.1, settings)
+    assert speeds == [90]
+    fired = [
+        one.time
+        for one in samples(reports, StatusNews)
+        if one.uart & UartError.TIMEOUT and one.time > start + 0.5
+    ]
+    assert fired == []
+
+
+def test_slow_line_omits_long_polls_while_armed() -> None:
+    stage, settings = staged(1200)
+    set_timeout(stage, 1)
+    start = opening(1200)
+    stage.script.at(start, Arm())
+    for number in range(20):
+        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+    stage.script.at(start + 5.0, Stop(1))
+    reports = run_for(stage, start + 8.0, settings)
+    seen = [one.time for one in samples(reports, Raw)]
+    assert [time for time in seen if start + 0.2 < time < start + 5.0] == []
+    assert [time for time in seen if time > start + 5.5] != [], "all is asked again after the stop"
+
+
+def test_slow_line_keeps_long_polls_while_disarmed() -> None:
+    stage, settings = staged(1200)
+    set_timeout(stage, 1)
+    reports = run_for(stage, opening(1200) + 5.0, settings)
+    assert samples(reports, Raw)
+
+
+def test_timeout_written_while_connected_applies_at_once() -> None:
+    stage, settings = staged(1200)
+    start = opening(1200)
+    stage.script.at(start, Write(1, (("serial_timeout", 1),)))
+    stage.script.at(start + 1.0, Arm())
+    for number in range(16):
+        stage.script.at(start + 1.0 + number * PULSE_INTERVAL, Pulse())
+    reports = run_for(stage, start + 4.0, settings)
+    assert among(reports, Outcome)[0].error is None
+    assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
+
+
+@pytest.mark.parametrize(
+    ("baud", "tenths"), [(1200, 1), (1200, 5), (2400, 1), (2400, 2), (19200, 1), (115200, 1)]
+)
+def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -> None:
+    stage, settings = staged(baud)
+    stage.transport.latency = latency_of("/dev/ttyUSB0")
+    set_timeout(stage, tenths)
+    start = opening(baud)
+    stage.script.at(start, Arm()).at(start, SetDrive(1, Drive.at(90)))
+
+    def lose_an_answer() -> None:
+        stage.line.to_drop = 1
+
+    for number in range(80):
+        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+        if number >= 4:
+            # Somewhere else in the round of questions each time: each of them is hit.
+            stage.script.at(start + (number + 0.013 * number) * PULSE_INTERVAL, lose_an_answer)
+    reports = run_for(stage, start + 81 * PULSE_INTERVAL, settings)
+    fired = [
+        one
+        for one in samples(reports, StatusNews)
+        if one.uart & UartError.TIMEOUT and one.time > start + 0.9
+    ]
+    survives = survives_a_loss(settings.line, tenths / 10, stage.transport.latency)
+    assert not (survives and fired)
+    if baud == 1200 and tenths == 1:  # nobody is promised what cannot be kept
+        assert fired
+        assert not survives
+
+
+def test_too_slow_polls_follow_from_size_and_baud_rate() -> None:
+    assert too_slow(LineSettings(1200), 0.1) == {Topic.RAW}
+    assert too_slow(LineSettings(1200), 0.2) == frozenset()
+    assert too_slow(LineSettings(2400), 0.1) == frozenset()
+    assert too_slow(LineSettings(1200), 0) == frozenset()
+    # Ten bytes of answer and one of the next question, ten bits each, and the margin.
+    assert silence(LineSettings(1200), GetRawChannels()) == pytest.approx(11 / 120 + 0.015)
+
+
+def test_every_rate_leaves_polls_that_fit_100_ms_timeout() -> None:
+    for baud, detection, stop_bits in itertools.product(baud_rates(), Detection, (1, 2)):
+        line = LineSettings(baud, detection, stop_bits)
+        left_out = too_slow(line, 0.1)
+        needed = {Topic.CURRENTS, Topic.CONTROL, Topic.STATUS, Topic.MODE}
+        assert needed.isdisjoint(left_out), line.text()
+
+
+def test_longest_pause_is_unlimited_without_timeout() -> None:
+    assert longest_pause(0) is None
+    assert longest_pause(0.5) == pytest.approx(0.2)
+
+
+def test_slow_line_connects_within_assumed_time() -> None:
+    stage, settings = staged(1200)
+    reports = run_for(stage, opening(1200), settings)
+    assert among(reports, Connected)
+    assert commands(stage.transport.sent)

@@ -1,0 +1,291 @@
+"""On a line that damages bytes no motor goes on that was let go, or stopped."""
+
+from functools import partial
+
+import pytest
+
+from tests.devices.trex.driving.test_arming import pulses
+from tests.devices.trex.session.helpers import (
+    among,
+    commands,
+    is_stopped,
+    moving,
+    outcomes,
+    run_for,
+    seen_at,
+    staged,
+)
+from tests.support.virtual import Stage
+from trex_gui.core.errors import NoReply
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.driving.setpoint_retry import LONGEST_REPEATING
+from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetRawChannels
+from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.session.messages import Arm, Halted, SetDrive, Silent, Stop
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.motors import Direction
+
+FULL_BRAKE = SetDrive(1, Drive.brake(127))
+
+
+def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
+    """Let a packet reach the board as another one, as often as that."""
+    write = stage.transport.write
+    left = times
+
+    def spoil(data: bytes) -> None:
+        nonlocal left
+        if left and data == bytes.fromhex(wanted):
+            left -= 1
+            data = bytes.fromhex(instead)
+        write(data)
+
+    stage.transport.write = spoil  # type: ignore[method-assign] # a knob
+
+
+def is_braked(stage: Stage) -> bool:
+    return stage.board.motors[0].direction is Direction.BRAKE
+
+
+@pytest.mark.parametrize("noise", [0.01, 0.02, 0.05])
+@pytest.mark.parametrize("seed", [13, 19, 40, 74, 93, 117])
+def test_released_motor_does_not_keep_running_on_noisy_line(noise: float, seed: int) -> None:
+    stage, _ = staged()
+    stage.line._random.seed(seed)
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.5, lambda: setattr(stage.line, "noise", noise)).at(1.6, FULL_BRAKE)
+    seen: list[bool] = []
+    for step in range(60):
+        if step % 10 == 0:
+            pulses(stage, 1.7 + step * 0.03, 1.7 + step * 0.03)
+        stage.script.at(1.7 + step * 0.03, lambda: seen.append(is_braked(stage)))
+    run_for(stage, 3.6)
+    spell = longest = 0
+    for braked in seen:
+        spell = 0 if braked else spell + 1
+        longest = max(longest, spell)
+    assert longest * 0.03 < 0.25
+
+
+def test_request_corrupted_into_command_is_undone_at_once() -> None:
+    """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
+    stage, _ = staged()
+    stage.script.at(1.0, Arm())
+    stage.script.at(1.5, lambda: swap(stage, "86 1F", "C6 1F"))
+    pulses(stage, 1.5, 2.5)
+    started: list[float] = []
+    drive = stage.board.serial.drive
+
+    def note(number: int, direction: Direction, speed: int, *, accelerate: bool = False) -> None:
+        started.append(stage.line.now)
+        drive(number, direction, speed, accelerate=accelerate)
+
+    stage.board.serial.drive = note  # type: ignore[method-assign] # to see when
+    stage.script.at(2.9, lambda: None)
+    braked = seen_at(stage, 2.9, lambda: is_braked(stage))
+    run_for(stage, 3.0)
+    assert braked == [True]
+    assert started[1] - started[0] < 0.06
+
+
+def test_line_error_before_driving_sends_no_motor_command() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, lambda: setattr(stage.line, "to_drop", 1))
+    run_for(stage, 2.0)
+    assert not moving(stage.transport.sent)
+
+
+def test_brake_is_sent_only_twice_on_quiet_line() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(50))).at(1.4, FULL_BRAKE)
+    pulses(stage, 1.5, 5.5)
+    mark = seen_at(stage, 5.9, lambda: len(stage.transport.sent))
+    run_for(stage, 6.0)
+    brake = DriveMotor(1, Drive.brake(127))
+    assert moving(stage.transport.sent[: mark[0]]).count(brake) == 2
+
+
+def test_brake_is_repeated_until_line_is_quiet() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(50))).at(1.4, FULL_BRAKE)
+    pulses(stage, 1.5, 2.8)
+    stage.script.at(3.0, lambda: setattr(stage.line, "to_drop", 1))
+    pulses(stage, 3.0, 8.5)
+    marks = [0, 0, 0]
+
+    def note(number: int) -> None:
+        marks[number] = len(stage.transport.sent)
+
+    for number, moment in enumerate((8.6, 8.7, 8.8)):
+        stage.script.at(moment, partial(note, number))
+    run_for(stage, 9.0)
+    brake = DriveMotor(1, Drive.brake(127))
+    sent = moving(stage.transport.sent[: marks[0]])
+    assert 10 <= sent.count(brake) <= 30
+    assert marks[0] < marks[2]
+    assert not moving(stage.transport.sent[marks[0] : marks[2]])
+
+
+def test_idle_refresh_skips_running_motor() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(2, Drive.at(50)))
+    stage.script.at(1.2, lambda: setattr(stage.line, "to_drop", 1))
+    pulses(stage, 1.3, 3.8)
+    speeds = seen_at(stage, 3.9, lambda: stage.board.motors[1].speed)
+    mark = seen_at(stage, 3.9, lambda: len(stage.transport.sent))
+    run_for(stage, 4.0)
+    assert speeds == [50]
+    sent = moving(stage.transport.sent[: mark[0]])
+    assert DriveMotor(1, Drive.brake()) in sent
+    assert DriveMotor(2, Drive.brake()) not in sent
+
+
+def test_risky_polls_are_omitted_while_motors_may_move() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, Arm()).at(1.2, lambda: setattr(stage.line, "to_drop", 1))
+    before = seen_at(stage, 1.3, lambda: len(stage.transport.sent))
+    after = seen_at(stage, 1.9, lambda: len(stage.transport.sent))
+    run_for(stage, 2.0)
+    kinds = {type(one) for one in commands(stage.transport.sent[before[0] : after[0]])}
+    assert GetRawChannels not in kinds
+    assert len(kinds) >= 4
+
+
+# --- Stops ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("noise", [0.01, 0.05])
+def test_stop_holds_on_noisy_line(noise: float, seed: int) -> None:
+    stage, _ = staged()
+    stage.line._random.seed(seed)
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.5, lambda: setattr(stage.line, "noise", noise)).at(1.6, Stop(1))
+    stage.script.at(3.0, lambda: setattr(stage.line, "noise", 0.0))
+    stopped = seen_at(stage, 5.5, lambda: is_stopped(stage.board))
+    run_for(stage, 5.6)
+    assert stopped == [True]
+    assert 1 in outcomes(stage.reports)
+
+
+def test_stop_after_line_error_is_confirmed_on_quiet_line() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
+    early = seen_at(stage, 2.0, lambda: outcomes(stage.reports))
+    late = seen_at(stage, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(stage.reports))
+    run_for(stage, 5.0)
+    assert early == [{}], "a clean status alone proves nothing there"
+    assert late[0][1].error is None
+    assert among(stage.reports, Halted) == [Halted("", proved=True)]
+    assert moving(stage.transport.sent).count(STOP[0]) > 4
+
+
+def test_unconfirmed_stop_on_bad_line_is_reported() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    for step in range(60):
+        if step == 2:
+            stage.script.at(1.5, Stop(1))
+        stage.script.at(1.4 + step * 0.1, lambda: setattr(stage.line, "to_drop", 1))
+    run_for(stage, 7.5)
+    error = outcomes(stage.reports)[1].error
+    assert isinstance(error, NoReply)
+    assert "damages bytes" in str(error)
+
+
+def test_unconfirmed_stop_is_reported_when_driving_again() -> None:
+    stage, _ = staged()
+    stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
+    stage.script.at(1.7, Arm()).at(1.7, SetDrive(1, Drive.at(30)))
+    seen = seen_at(stage, 1.9, lambda: outcomes(stage.reports))
+    speeds = seen_at(stage, 1.9, lambda: stage.board.motors[0].speed)
+    run_for(stage, 2.0)
+    assert isinstance(seen[0][1].error, NoReply)
+    assert speeds == [30]
+
+
+def test_stop_is_confirmed_when_board_responds_again() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.5, lambda: setattr(stage.line, "mute", True)).at(1.5, Stop(1))
+    mark = seen_at(stage, 1.5, lambda: len(stage.transport.sent))
+
+    def hear_again_when_given_up() -> None:
+        """Three questions later it would count as silent."""
+        if 1 in outcomes(stage.reports):
+            stage.line.mute = False
+
+    for hundredths in range(150, 250):
+        stage.script.at(hundredths / 100, hear_again_when_given_up)
+    stage.script.at(2.5, SetDrive(1, Drive.at(60)))
+    run_for(stage, 5.5)
+    assert isinstance(outcomes(stage.reports)[1].error, NoReply)
+    assert not among(stage.reports, Silent)
+    assert among(stage.reports, Halted) == [Halted("", proved=True)]
+    assert set(moving(stage.transport.sent[mark[0] :])) <= {
+        *STOP,
+        DriveMotor(1, Drive.brake()),
+        DriveMotor(2, Drive.brake()),
+    }
+    assert is_stopped(stage.board)
+
+
+# --- Wishes that stand ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("status", "uart"),
+    [
+        (Status.MOTOR1_FAULT, UartError(0)),
+        (Status.UART_ERROR, UartError.TIMEOUT),
+        (Status.UART_ERROR, UartError.FRAMING),  # UART-Error Shutdown is on from the factory
+    ],
+)
+def test_motor_stopped_by_board_is_not_restarted(status: Status, uart: UartError) -> None:
+    stage, _ = staged()
+
+    def stop_itself() -> None:
+        stage.board.serial.status |= status
+        stage.board.serial.uart_errors |= uart
+        stage.board.serial.stop_motors()
+
+    stage.script.at(1.0, SetDrive(1, Drive.at(50))).at(1.01, stop_itself)
+    mark = seen_at(stage, 1.01, lambda: len(stage.transport.sent))
+    still = seen_at(stage, 2.9, lambda: is_stopped(stage.board))
+    run_for(stage, 3.0)
+    assert still == [True]
+    assert DriveMotor(1, Drive.at(50)) not in moving(stage.transport.sent[mark[0] :])
+
+
+def test_setpoint_repetition_ends_at_time_limit() -> None:
+    eeprom = Eeprom("trex")
+    eeprom.write("uart_error_shutdown", 0)
+    stage = Stage(Board(eeprom=eeprom))
+    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(50)))
+
+    def harm() -> None:
+        stage.board.serial.report(UartError.PARITY, shut_down=False)
+
+    for step in range(350):
+        if step % 10 == 0:
+            pulses(stage, 1.01 + step * 0.02, 1.01 + step * 0.02)
+        stage.script.at(1.01 + step * 0.02, harm)
+    middle = seen_at(stage, 1.2 + LONGEST_REPEATING, lambda: len(stage.transport.sent))
+    run_for(stage, 8.9)
+    wish = DriveMotor(1, Drive.at(50))
+    assert moving(stage.transport.sent[: middle[0]]).count(wish) > 10
+    assert wish not in moving(stage.transport.sent[middle[0] :])
+
+
+# --- Arming and silence -----------------------------------------------------------------
+
+
+def test_arming_during_power_loss_causes_no_later_stop() -> None:
+    stage, _ = staged()
+    stage.script.at(1.0, stage.board.power_off).at(1.8, Arm()).at(3.5, stage.board.power_on)
+    run_for(stage, 6.0)
+    assert among(stage.reports, Silent)
+    assert not among(stage.reports, Halted)
+    assert not moving(stage.transport.sent)

@@ -1,0 +1,118 @@
+"""Stops that come at the very moment at which something else is on its way."""
+
+from collections.abc import Callable
+
+import pytest
+
+from tests.devices.trex.session.helpers import among, is_stopped, outcomes, staged
+from tests.support.virtual import Stage
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.driving.arming import Guard
+from trex_gui.devices.trex.protocol.commands import DriveMotor
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.session.messages import Ask, Close, Closed, Request, Stop
+from trex_gui.devices.trex.session.session import Session
+
+Step = Callable[[], Request | None]
+
+
+class Looks:
+    """An inbox that says what each look into it finds, from three seconds on."""
+
+    def __init__(self, stage: Stage, *steps: Step) -> None:
+        self._stage = stage
+        self._steps = list(steps)
+
+    def get(self, seconds: float) -> Request | None:
+        self._stage.line.advance(seconds)
+        if self._stage.line.now < 3 or not self._steps:
+            return None
+        return self._steps.pop(0)()
+
+
+def serve(stage: Stage, *steps: Step) -> None:
+    _, settings = staged()
+    inbox = Looks(stage, *steps)
+    Session(settings, inbox, stage.reports.append, lambda _: stage.transport).run()
+
+
+@pytest.fixture
+def stage() -> Stage:
+    return staged()[0]
+
+
+def nothing() -> None:
+    return None
+
+
+def test_requested_motor_command_never_follows_stop(stage: Stage) -> None:
+    """Whichever look finds the stop: the one before the command goes out, or a later one."""
+    for looks in range(4):
+        stage = staged()[0]
+        serve(
+            stage,
+            lambda: Ask(5, DriveMotor(1, Drive.at(100))),
+            *([nothing] * looks),
+            lambda: Stop(6, 0.0),
+            *([nothing] * 200),
+            Close,
+        )
+        found = outcomes(stage.reports)
+        assert found[6].error is None
+        assert among(stage.reports, Closed) == [Closed(None, may_move=False)]
+        assert is_stopped(stage.board)
+
+
+def test_stops_during_confirmation_get_outcome_on_port_loss(
+    stage: Stage,
+) -> None:
+    def mute() -> Request:
+        stage.line.mute = True
+        return Stop(7, 0.0)
+
+    def pull() -> Request:
+        stage.transport.fail = PortUnavailable("gone")
+        return Stop(8, 0.0)
+
+    serve(stage, mute, nothing, pull)
+    found = outcomes(stage.reports)
+    assert set(found) == {7, 8}
+    assert found[7].error is not None
+    assert found[8].error is not None
+    assert isinstance(stage.reports[-1], Closed)
+
+
+# --- Life signs of a computer that stood still -------------------------------------------
+
+
+def test_late_heartbeat_does_not_hide_timeout() -> None:
+    now = 10.0
+    guard = Guard(lambda: now)
+    guard.arm()
+    now += Timeouts().heartbeat + 0.5
+    guard.note_life(now)  # the window goes on before the line has looked
+    guard.note_life()  # and so does what somebody drags
+    assert guard.is_abandoned
+
+
+def test_timestamped_heartbeats_prevent_false_timeout() -> None:
+    now = begun = 10.0
+    guard = Guard(lambda: now)
+    guard.arm()
+    now += 3 * Timeouts().heartbeat
+    for number in range(1, 12):
+        guard.note_life(begun + number * Timeouts().heartbeat / 4)
+        guard.note_life()
+    assert begun + 11 * Timeouts().heartbeat / 4 < now
+    assert not guard.is_abandoned
+
+
+def test_arming_again_clears_heartbeat_timeout() -> None:
+    now = 10.0
+    guard = Guard(lambda: now)
+    guard.arm()
+    now += 2 * Timeouts().heartbeat
+    assert guard.is_abandoned
+    guard.arm()
+    assert not guard.is_abandoned

@@ -1,0 +1,405 @@
+"""Bench tests with a simulated board: its motors do what the profile says, and stop in time."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.devices.trex.bench.figures import figures
+from trex_gui.devices.trex.bench.profile import Profile, Shape
+from trex_gui.devices.trex.bench.run import End, Run
+from trex_gui.devices.trex.model.bench.bench import Bench, Phase, Plan
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.simulator.physics import CONSTANTS, MotorPhysics
+from trex_gui.ui.runtime import now
+
+STEP = 0.02
+"""Seconds between two steps of a profile."""
+
+UPDATE = 0.01
+"""Seconds between two updates of the board's outputs (CMD10 0xC4)."""
+
+LATE = STEP + UPDATE
+"""Seconds by which a simulated motor follows its profile at most; the bytes take no time."""
+
+READING = 1 / 80
+"""Seconds between two readings of the current, by the board and by the program (CMD10 0x8D)."""
+
+
+class BenchSetup:
+    """A bench test of a device that is connected to a simulated board."""
+
+    def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
+        self.device = Device()
+        self.bench = Bench(self.device)
+        self.simulator = simulator
+        self.finished: list[Run] = []
+        self.bench.finished.connect(self.finished.append)
+        self._qtbot = qtbot
+
+    def until(self, condition: Callable[[], bool]) -> None:
+        self._qtbot.waitUntil(condition)
+
+    def connect(self) -> None:
+        self.device.connect_to(LinkSettings(self.simulator.url))
+        self.until(lambda: self.device.link is Link.UP)
+        self.until(lambda: self.device.telemetry.motor_currents is not None)
+
+    def plan(self, shape: Shape = Shape.STEP, **values: Any) -> None:
+        profile: dict[str, Any] = {"speed": 60, "duration": 1.0, "period": 1.0, "shape": shape}
+        profile |= {name: values.pop(name) for name in tuple(values) if name in profile}
+        self.bench.set_plan(Plan(profile=Profile(**profile), **values))
+
+    def arm(self) -> None:
+        self.device.motors.arm()
+        assert self.device.motors.armed
+
+    def run(self) -> Run:
+        """Hold the button until the test is over."""
+        assert self.bench.begin(), self.bench.obstacle
+        return self.result()
+
+    def result(self) -> Run:
+        self.until(lambda: self.bench.phase is Phase.IDLE)
+        return self.finished[-1]
+
+    def speed(self, motor: int = 1) -> int:
+        """What the simulated output does: signed speed; 0 while it brakes."""
+        shown = self.simulator.show()["motors"][motor - 1]
+        sign = {"forward": 1, "reverse": -1, "brake": 0}[shown["direction"]]
+        return int(sign * shown["speed"])
+
+    def brakes(self, motor: int = 1) -> bool:
+        shown = self.simulator.show()["motors"][motor - 1]
+        return bool(shown["direction"] == "brake" and shown["speed"] == 127)
+
+
+@pytest.fixture
+def connected(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[BenchSetup]:
+    setup = BenchSetup(qtbot, quick_simulator)
+    setup.connect()
+    yield setup
+    qtbot.waitUntil(setup.device.shut_down)  # no thread lives on
+
+
+@pytest.fixture
+def armed(connected: BenchSetup) -> BenchSetup:
+    connected.arm()
+    return connected
+
+
+# --- What stands in the way -------------------------------------------------------------
+
+
+def test_bench_needs_a_connected_board(qtbot: QtBot) -> None:
+    bench = Bench(Device())
+    assert "Connect to a board" in bench.obstacle
+    assert not bench.begin()
+    assert bench.phase is Phase.IDLE
+
+
+def test_bench_needs_armed_motors(connected: BenchSetup) -> None:
+    connected.plan()
+    assert "press Run motor" in connected.bench.obstacle
+    assert not connected.bench.begin()
+    assert connected.speed() == 0
+
+
+def test_running_motors_block_the_test(armed: BenchSetup) -> None:
+    armed.device.motors.set_speed(2, 20)
+    assert "motor 2 +20" in armed.bench.obstacle
+    assert not armed.bench.begin()
+
+
+def test_held_control_blocks_the_test(armed: BenchSetup) -> None:
+    armed.device.motors.hold("pad")
+    assert "Another control" in armed.bench.obstacle
+    assert not armed.bench.begin()
+
+
+def test_lockout_after_stop_is_named_as_obstacle(armed: BenchSetup) -> None:
+    armed.device.motors.press_stop()
+    assert "locked for" in armed.bench.obstacle
+
+
+def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
+    connected.device.parameters.edit("motor_mode", 1)
+    connected.device.apply()
+    connected.until(lambda: not connected.device.applying and connected.device.pending == 0)
+    connected.device.note_power_cycled()
+    connected.arm()
+    assert "joint mode" in connected.bench.obstacle
+
+
+# --- The motors follow ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("shape", "motor"),
+    [(Shape.RAMP, 1), (Shape.SINE, 2), (Shape.REVERSE, 1), (Shape.STEP, 2)],
+)
+def test_simulated_motor_follows_the_profile(armed: BenchSetup, shape: Shape, motor: int) -> None:
+    armed.plan(shape, speed=-100, duration=2.0, period=2.0, motor=motor, abort_current=40.0)
+    profile = armed.bench.plan.profile
+    seen: list[tuple[float, int]] = []
+    begun = now()
+    assert armed.bench.begin()
+
+    def look() -> bool:
+        seen.append((now() - begun, armed.speed(motor)))
+        return armed.bench.phase is not Phase.DRIVING
+
+    armed.until(look)
+    armed.until(lambda: armed.brakes(motor))
+    assert armed.speed(3 - motor) == 0
+    armed.result()
+    inside = [(time, speed) for time, speed in seen if LATE < time < profile.duration]
+    for time, speed in inside:
+        expected = [profile.speed_at(time - LATE * part / 200) for part in range(201)]
+        assert min(expected) <= speed <= max(expected), f"{time:.3f} s"
+    assert max(abs(speed) for _, speed in inside) >= 90
+
+
+def test_completed_test_leaves_the_motor_braked_and_armed(armed: BenchSetup) -> None:
+    armed.plan(speed=60, duration=0.6, abort_current=40.0)
+    run = armed.run()
+    assert run.end is End.COMPLETE
+    assert 0.6 <= run.ended < 0.6 + STEP
+    assert armed.brakes()
+    assert armed.device.motors.armed
+    assert armed.device.motors.holder == ""
+
+
+def test_profile_sends_at_most_50_setpoints_per_second(armed: BenchSetup) -> None:
+    armed.plan(Shape.SINE, speed=127, duration=1.0, abort_current=40.0)
+    assert 40 <= len(armed.run().wishes) <= 51
+
+
+def test_profile_speed_is_limited_by_the_ceiling(armed: BenchSetup) -> None:
+    armed.device.motors.set_ceiling(30)
+    armed.plan(Shape.SINE, speed=100, duration=0.6, period=0.6, abort_current=40.0)
+    run = armed.run()
+    assert max(abs(speed) for _, speed in run.wishes) == 30
+    assert run.profile.speed == 30
+
+
+def test_options_of_other_controls_are_unchanged(armed: BenchSetup) -> None:
+    motors = armed.device.motors
+    motors.accelerate = True
+    motors.set_linked(True)
+    armed.plan(duration=30.0, accelerate=False, abort_current=40.0)
+    assert armed.bench.begin()
+    armed.until(lambda: armed.speed(1) == 60)
+    assert armed.speed(2) == 0  # the test is of one motor
+    armed.bench.let_go()
+    armed.result()
+    assert motors.accelerate
+    assert motors.linked
+
+
+# --- The numbers are the simulated motor's ----------------------------------------------
+
+
+def rush_in(load: float, share: float) -> tuple[float, float]:
+    """Return the peak and the steady current in A of the simulated motor at a step.
+
+    A reading is an average over the time since the last one, 80 times a second.
+    """
+    motor = MotorPhysics(CONSTANTS["trex"], 0.15, seed=1)
+    motor.load = load
+    readings: list[float] = []
+    for _ in range(80):
+        charge = 0.0
+        for _ in range(50):
+            step = 1 / 80 / 50
+            charge += motor.current_at(12.0 * share) * step
+            motor.advance(step, 12.0 * share, 0.0)
+        readings.append(charge * 80)
+    return max(readings), readings[-1]
+
+
+def test_peak_and_steady_current_match_the_motor_model(armed: BenchSetup) -> None:
+    armed.simulator.do("load 1 6")
+    armed.plan(speed=64, duration=1.5, accelerate=False, abort_current=38.0)
+    found = figures(armed.run())
+    peak, steady = rush_in(6.0, 64 / 127)
+    assert steady == pytest.approx(6.0, abs=0.1)
+    assert found.steady == pytest.approx(steady, abs=0.15)
+    assert found.peak is not None
+    assert 0.9 * peak < found.peak < 1.02 * peak  # two readings may share the very top of it
+    assert found.mean is not None
+    assert found.charge is not None
+    assert found.charge == pytest.approx(found.mean * 1.5 / 3.6, rel=0.1)
+    assert found.delay is not None
+    assert 0 < found.delay <= 2 * READING  # the first may have been taken before the command
+    assert found.settled is not None
+    assert found.settled < 0.2  # three time constants of 60 ms, and the readings
+
+
+def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> None:
+    armed.simulator.do("load 1 3")
+    armed.plan(speed=120, duration=1.2, accelerate=True, abort_current=38.0)
+    hard = figures(armed.run())
+    armed.device.parameters.edit("motor1_acceleration", 20)  # 120 takes 0.6 s
+    armed.device.apply()
+    armed.until(lambda: not armed.device.applying and armed.device.pending == 0)
+    soft_run = armed.run()
+    soft = figures(soft_run)
+    assert hard.peak is not None
+    assert soft.peak is not None
+    assert soft.peak < 0.7 * hard.peak
+    assert dict(soft_run.settings)["Motor 1 Acceleration"].startswith("20")
+    assert len(armed.bench.runs) == len(armed.finished) == 2
+
+
+# --- Letting go and what ends a test ----------------------------------------------------
+
+
+@pytest.fixture
+def driving(armed: BenchSetup) -> BenchSetup:
+    """A long test that runs."""
+    armed.plan(speed=60, duration=30.0, abort_current=20.0)
+    assert armed.bench.begin()
+    armed.until(lambda: armed.speed() == 60)
+    return armed
+
+
+def test_releasing_the_button_brakes_the_motor(driving: BenchSetup) -> None:
+    driving.bench.let_go()
+    driving.until(driving.brakes)
+    run = driving.result()
+    assert run.end is End.LET_GO
+    assert run.ended < 30
+    assert driving.device.motors.armed
+
+
+def test_next_test_can_begin_right_after_release(driving: BenchSetup) -> None:
+    driving.bench.let_go()
+    assert driving.bench.begin()
+    driving.until(lambda: driving.speed() == 60)
+    assert len(driving.finished) == 1
+    driving.bench.let_go()
+    driving.until(driving.brakes)
+
+
+def aborted(setup: BenchSetup) -> Run:
+    """Wait for the end; the simulated motor stands and nothing is armed."""
+    run = setup.result()
+    setup.until(lambda: setup.speed() == 0)
+    assert run.end is End.ABORTED
+    assert not setup.device.motors.armed
+    assert setup.bench.phase is Phase.IDLE
+    return run
+
+
+def test_current_above_abort_limit_aborts_and_disarms(driving: BenchSetup) -> None:
+    driving.simulator.do("current 1 21")
+    run = aborted(driving)
+    assert "Motor 1 drew 21.00 A, more than the 20 A to abort at" in run.reason
+    assert driving.device.motors.stop_reason == run.reason
+    driving.simulator.do("current 1 auto")
+
+
+def test_stalled_motor_is_stopped_within_one_second(armed: BenchSetup) -> None:
+    armed.simulator.do("load 1 25")  # more than it can turn at this speed
+    armed.plan(speed=100, duration=30.0, abort_current=15.0, accelerate=False)
+    assert armed.bench.begin()
+    assert aborted(armed).ended < 1.0
+
+
+def test_current_of_other_motor_does_not_abort_the_test(driving: BenchSetup) -> None:
+    driving.simulator.do("current 2 25")
+    driving.until(lambda: (driving.device.telemetry.motor_currents or (0, 0))[1] > 24)
+    assert driving.bench.phase is Phase.DRIVING
+    driving.bench.let_go()
+    driving.until(driving.brakes)
+
+
+def test_motor_fault_aborts_and_disarms(driving: BenchSetup) -> None:
+    driving.simulator.do("fault 1 on")
+    assert "reported a fault" in aborted(driving).reason
+
+
+@pytest.mark.parametrize("wanted", [False, True])
+def test_board_current_limit_aborts_only_when_enabled(armed: BenchSetup, *, wanted: bool) -> None:
+    armed.device.parameters.edit("motor1_current_limit", 20)  # 6 A
+    armed.device.apply()
+    armed.until(lambda: not armed.device.applying and armed.device.pending == 0)
+    armed.simulator.do("current 1 7")
+    duration = 15.0 if wanted else 1.0
+    armed.plan(speed=60, duration=duration, abort_current=20.0, abort_at_limit=wanted)
+    run = armed.run()
+    assert (run.end is End.ABORTED) is wanted
+    assert ("current limit" in run.reason) is wanted
+
+
+def test_stop_aborts_the_test_and_locks_it_out(driving: BenchSetup) -> None:
+    driving.device.motors.press_stop()
+    assert aborted(driving).reason == "Stop was pressed."
+    assert not driving.bench.begin()
+
+
+def test_unresponsive_board_aborts_the_test(driving: BenchSetup) -> None:
+    driving.simulator.do("line mute on")
+    run = driving.result()
+    assert run.end is End.ABORTED
+    assert "stopped answering" in run.reason or "No current was read" in run.reason
+    assert not driving.device.motors.armed
+    driving.simulator.do("line mute off")
+    driving.until(lambda: driving.speed() == 0)
+
+
+def test_unplugged_cable_aborts_the_test(driving: BenchSetup) -> None:
+    driving.simulator.do("line unplug")
+    run = driving.result()
+    assert run.end is End.ABORTED
+    assert "line was closed" in run.reason or "stopped answering" in run.reason
+
+
+def test_disconnecting_aborts_the_test_and_stops_the_motor(driving: BenchSetup) -> None:
+    driving.device.disconnect_line()
+    run = driving.result()
+    assert run.end is End.ABORTED
+    assert run.reason == "The line was closed."
+    driving.until(lambda: driving.speed() == 0)
+
+
+def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSimulator) -> None:
+    setup = BenchSetup(qtbot, start_simulator("--unpaced", "--mode", "rc"))
+    for channel in (1, 2, 3, 4, 5):
+        setup.simulator.do(f"channel {channel} 1500us")
+    setup.until(lambda: not setup.simulator.show()["safe_start"])
+    setup.simulator.do("channel 5 1000us")  # hands the motors to the serial port
+    setup.connect()
+    setup.until(lambda: setup.device.motors.can_arm)
+    setup.arm()
+    setup.plan(speed=60, duration=30.0, abort_current=40.0)
+    assert setup.bench.begin()
+    setup.until(lambda: setup.speed() == 60)
+    setup.simulator.do("channel 5 2000us")
+    run = aborted(setup)
+    assert "do not control the motors" in run.reason
+    setup.until(setup.device.shut_down)
+
+
+def test_plan_changed_during_a_run_applies_to_the_next_test(driving: BenchSetup) -> None:
+    driving.bench.set_plan(replace(driving.bench.plan, motor=2))
+    assert driving.speed(1) == 60
+    assert driving.speed(2) == 0
+    driving.bench.let_go()
+    driving.until(lambda: driving.brakes(1))
+    assert driving.result().motor == 1
+
+
+def test_current_run_can_be_read_while_it_runs(driving: BenchSetup) -> None:
+    driving.until(lambda: len((driving.bench.current or driving.finished[0]).currents) > 10)
+    run = driving.bench.current
+    assert run is not None
+    assert run.wishes[0][1] == 60
+    assert 0 < run.ended < 30
+    driving.bench.let_go()
+    driving.until(driving.brakes)

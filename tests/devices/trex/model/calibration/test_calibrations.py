@@ -1,0 +1,188 @@
+"""Stored and edited calibrations."""
+
+import pytest
+from PySide6.QtGui import QUndoStack
+from pytestqt.qtbot import QtBot
+
+from trex_gui.core.errors import BadRequest, NoReply
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+
+LEARNED = Calibration(2400, 3700, 5100, 80)
+OTHER = Calibration(2300, 3800, 5200, 90)
+
+
+def stored(source: InputSource) -> dict[int, Calibration]:
+    return dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source])
+
+
+@pytest.fixture
+def model(qtbot: QtBot) -> Calibrations:
+    model = Calibrations()
+    model.load("trex", InputSource.RC, stored(InputSource.RC))
+    return model
+
+
+def test_calibrations_are_empty_before_a_board_is_read(qtbot: QtBot) -> None:
+    assert Calibrations().stored(1) is None
+    assert Calibrations().pending == ()
+
+
+def test_loaded_calibrations_are_stored(model: Calibrations) -> None:
+    assert model.source is InputSource.RC
+    assert model.stored(3) == DEFAULT_CALIBRATION[InputSource.RC]
+    assert model.stored(6) is None
+
+
+def test_edit_is_pending_and_emits_signals(model: Calibrations, qtbot: QtBot) -> None:
+    with qtbot.waitSignals([model.changed, model.pending_changed]):
+        model.edit(2, LEARNED)
+    model.edit(1, OTHER)
+    assert model.pending == ((1, OTHER), (2, LEARNED))
+    assert model.stored(2) == DEFAULT_CALIBRATION[InputSource.RC]
+
+
+def test_edit_to_stored_value_is_not_pending(model: Calibrations) -> None:
+    model.edit(2, LEARNED)
+    model.edit(2, DEFAULT_CALIBRATION[InputSource.RC])
+    assert model.pending == ()
+
+
+def test_inconsistent_calibration_is_rejected(model: Calibrations) -> None:
+    with pytest.raises(BadRequest, match="calibration of channel 4: minimum 9 is above neutral 5"):
+        model.edit(4, Calibration(9, 5, 10, 0))
+    assert model.pending == ()
+
+
+def test_discard_drops_all_edits(model: Calibrations, qtbot: QtBot) -> None:
+    model.edit(1, LEARNED)
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        model.discard_edits()
+    assert pending.args == [0]
+    assert model.pending == ()
+
+
+def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.edit(2, LEARNED)
+    model.take_results(
+        [
+            Written("channel 1", LEARNED),
+            Written("channel 2", error=NoReply("x")),
+            Written("motor_mode", 1),
+        ]
+    )
+    assert model.stored(1) == LEARNED
+    assert model.pending == ((2, LEARNED),)
+
+
+def test_edit_made_during_the_write_stays_pending(model: Calibrations) -> None:
+    model.edit(1, OTHER)
+    model.take_results([Written("channel 1", LEARNED)])
+    assert model.pending == ((1, OTHER),)
+
+
+def test_edit_survives_reload_of_the_same_source(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.load("trex", InputSource.RC, stored(InputSource.RC))
+    assert model.pending == ((1, LEARNED),)
+
+
+def test_edit_equal_to_reloaded_value_is_dropped(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.load("trex", InputSource.RC, stored(InputSource.RC) | {1: LEARNED})
+    assert model.pending == ()
+
+
+def test_edit_is_kept_while_the_other_source_is_active(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.load("trex", InputSource.ANALOG, stored(InputSource.ANALOG))
+    seen = [(model.pending, model.out_of_reach)]
+    assert model.all_shown == model.all_stored
+    model.load("trex", InputSource.RC, stored(InputSource.RC))
+    seen.append((model.pending, model.out_of_reach))
+    assert seen == [((), ((InputSource.RC, 1),)), (((1, LEARNED),), ())]
+
+
+def test_edit_is_dropped_for_another_model(model: Calibrations) -> None:
+    model.edit(1, LEARNED)
+    model.load("trexjr", InputSource.RC, stored(InputSource.RC))
+    assert model.edited == {}
+
+
+@pytest.fixture
+def file(qtbot: QtBot) -> Calibrations:
+    """What a file gives: one calibration of each source, and room for others."""
+    model = Calibrations()
+    given = {(InputSource.RC, 2): LEARNED, (InputSource.ANALOG, 3): OTHER}
+    model.load_all("trex", InputSource.RC, given, open_ended=True)
+    return model
+
+
+def test_file_accepts_calibrations_of_both_sources(file: Calibrations) -> None:
+    file.edit(1, LEARNED, InputSource.ANALOG)
+    assert file.all_shown[InputSource.ANALOG, 1] == LEARNED
+    assert (InputSource.ANALOG, 1) not in file.all_stored
+
+
+def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> None:
+    file.leave_out(2)
+    assert file.shown(2) is None
+    assert file.left_out == {(InputSource.RC, 2)}
+    assert file.all_shown == {(InputSource.ANALOG, 3): OTHER}
+    file.edit(2, LEARNED)
+    assert not file.left_out
+    assert not file.edited
+    file.leave_out(2)
+    file.edit(1, LEARNED)
+    file.discard_edits()
+    assert file.all_shown == file.all_stored
+
+
+def test_leaving_out_an_added_calibration_is_not_an_edit(file: Calibrations) -> None:
+    file.edit(1, LEARNED)
+    file.leave_out(1)
+    assert not file.edited
+    assert not file.left_out
+
+
+def test_calibration_of_a_board_cannot_be_left_out(model: Calibrations) -> None:
+    model.leave_out(2)
+    assert model.shown(2) is not None
+    assert not model.left_out
+
+
+def test_last_seen_keeps_values_of_the_other_source(model: Calibrations) -> None:
+    model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
+    rc = InputSource.RC
+    assert model.stored(2, rc) is None
+    assert model.last_seen(2, rc) == DEFAULT_CALIBRATION[rc]
+    assert model.last_seen(2, InputSource.ANALOG) == OTHER
+    assert not model.knows(2, rc)
+
+
+def test_last_seen_keeps_a_written_value(model: Calibrations) -> None:
+    model.take_results([Written("channel 1", LEARNED)])
+    model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
+    assert model.last_seen(1, InputSource.RC) == LEARNED
+
+
+def test_last_seen_is_empty_for_another_model(model: Calibrations) -> None:
+    model.load("trexjr", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
+    assert model.last_seen(1, InputSource.RC) is None
+
+
+def test_restoring_one_channel_can_be_undone(qtbot: QtBot) -> None:
+    undo = QUndoStack()
+    model = Calibrations(undo=undo)
+    model.load("trex", InputSource.RC, stored(InputSource.RC))
+    model.edit(1, LEARNED)
+    model.edit(2, OTHER)
+    model.restore(1)
+    assert dict(model.pending) == {2: OTHER}
+    undo.undo()
+    assert dict(model.pending) == {1: LEARNED, 2: OTHER}
+    model.restore(3)  # not edited: no step
+    assert undo.canRedo()

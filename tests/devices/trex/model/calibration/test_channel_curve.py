@@ -1,0 +1,86 @@
+"""The curve that is drawn is what the board does, at every raw count."""
+
+import pytest
+
+from tests.devices.trex.oracle import remapping as oracle
+from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
+from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
+from trex_gui.devices.trex.simulator.mapping import ChannelSetup
+
+CALIBRATIONS = (
+    Calibration(2500, 3750, 5000, 75),
+    Calibration(2400, 3700, 5100, 0),
+    Calibration(0, 512, 1023, 20),
+    Calibration(3000, 3000, 4500, 10),  # no way down
+    Calibration(2000, 3000, 3000, 400),
+    Calibration(3000, 3010, 3020, 200),  # the deadband swallows both sides
+    Calibration(0, 8000, HIGHEST_CODED, 1),
+)
+
+
+@pytest.mark.parametrize("calibration", CALIBRATIONS, ids=str)
+@pytest.mark.parametrize(
+    ("reversed_", "parabolic", "ignored"),
+    [
+        (False, False, False),
+        (True, False, False),
+        (False, True, False),
+        (True, True, False),
+        (True, True, True),
+    ],
+)
+def test_curve_matches_board_remapping_at_every_raw_count(
+    calibration: Calibration, reversed_: bool, parabolic: bool, ignored: bool
+) -> None:
+    curve = ChannelCurve(calibration, reversed_, parabolic, ignored)
+    setup = ChannelSetup(
+        (calibration,) * 5,
+        ignored=0x1F * ignored,
+        reversed_=0x1F * reversed_,
+        parabolic=0x1F * parabolic,
+    )
+    outputs = curve.outputs(0, HIGHEST_CODED)
+    for raw in range(0, HIGHEST_CODED + 1, 5):
+        # Five channels with the same settings: five counts at a time.
+        counts = [min(raw + step, HIGHEST_CODED) for step in range(5)]
+        assert setup.remapped(counts) == tuple(outputs[count] for count in counts)
+    assert curve.output(None) == 0
+    # The emulator shares the arithmetic with the curve; the oracle was written apart from both.
+    values = oracle.Calibration(
+        *(getattr(calibration, name) for name in oracle.Calibration._fields)
+    )
+    assert list(outputs) == [
+        oracle.remapped(raw, values, ignored=ignored, reverse=reversed_, parabolic=parabolic)
+        for raw in range(HIGHEST_CODED + 1)
+    ]
+
+
+@pytest.mark.parametrize("calibration", CALIBRATIONS, ids=str)
+def test_drawn_corners_reproduce_every_output(
+    calibration: Calibration,
+) -> None:
+    curve = ChannelCurve(calibration, parabolic=True)
+    low, high = 0, 6250
+    outputs = curve.outputs(low, high)
+    counts, values = curve.corners(low, high)
+    assert (counts[0], counts[-1]) == (low, high)
+    drawn: list[int] = []
+    for first, last, value in zip(counts, counts[1:], values, strict=False):
+        drawn += [value] * (last - first)
+    assert drawn == list(outputs[:-1])
+
+
+@pytest.mark.parametrize("channel", [4, 5])
+@pytest.mark.parametrize("reversed_", [False, True])
+@pytest.mark.parametrize("ignored", [False, True])
+def test_switch_threshold_matches_the_board(channel: int, reversed_: bool, ignored: bool) -> None:
+    for calibration in CALIBRATIONS:
+        curve = ChannelCurve(calibration, reversed_, ignored=ignored)
+        setup = ChannelSetup((calibration,) * 5, 0x1F * ignored, 0x1F * reversed_)
+        for raw in (None, *range(HIGHEST_CODED + 1)):
+            assert curve.is_switched(channel, raw) == setup.is_switched(channel, raw)
+
+
+def test_only_channels_4_and_5_have_a_threshold() -> None:
+    curve = ChannelCurve(CALIBRATIONS[0])
+    assert [curve.threshold(channel) for channel in (1, 2, 3, 4, 5)] == [None] * 3 + [3125] * 2

@@ -1,0 +1,101 @@
+"""Only the calibrations of a settings file."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.model.calibration.files import put_calibrations, take_calibrations
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.device_table import Model, device_table
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.factory import factory_settings
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
+
+RC, ANALOG = InputSource.RC, InputSource.ANALOG
+OTHER = Calibration(2400, 3700, 5100, 60)
+
+
+@pytest.fixture
+def factory() -> Settings:
+    settings = factory_settings(_model("trex"), "1.2")
+    shown = {(RC, channel): DEFAULT_CALIBRATION[RC] for channel in CHANNELS}
+    return replace(settings, calibrations=shown)
+
+
+def _model(key: str) -> Model:
+    return device_table().model(key)
+
+
+@pytest.fixture
+def draft(qapp: object, factory: Settings) -> SettingsDraft:
+    draft = SettingsDraft()
+    draft._begin(factory.product, factory.firmware)
+    draft.parameters.load(factory.specs, factory.parameters, {}, power_cycled=True)
+    draft.calibrations.load_all("trex", RC, factory.calibrations)
+    return draft
+
+
+def test_import_takes_only_calibrations_of_the_input_source(
+    draft: SettingsDraft, factory: Settings, tmp_path: Path
+) -> None:
+    path = tmp_path / "other.txt"
+    parameters = {**factory.parameters, "serial_timeout": 15}
+    calibrations = {(RC, 2): OTHER, (RC, 3): DEFAULT_CALIBRATION[RC], (ANALOG, 1): OTHER}
+    there = replace(factory, parameters=parameters, calibrations=calibrations)
+    path.write_text(write_settings(there), encoding="utf-8")
+    count, left_out = take_calibrations(draft, path, "a file")
+    assert count == 1
+    assert draft.calibrations.pending == ((2, OTHER),)
+    assert draft.parameters.pending == ()
+    assert any("analog" in words for words in left_out)
+    draft.undo.undo()
+    assert draft.pending == 0
+
+
+def test_import_rejects_file_of_another_model(draft: SettingsDraft, tmp_path: Path) -> None:
+    path = tmp_path / "junior.txt"
+    junior = Settings(_model("trexjr"), None, {}, {(RC, 1): OTHER})
+    path.write_text(write_settings(junior), encoding="utf-8")
+    with pytest.raises(BadRequest, match="TReX Jr"):
+        take_calibrations(draft, path, "a file")
+    assert draft.pending == 0
+
+
+def test_import_rejects_file_without_calibrations(draft: SettingsDraft, tmp_path: Path) -> None:
+    path = tmp_path / "none.txt"
+    path.write_text("product: TReX\nserial_timeout: 15\n", encoding="utf-8")
+    with pytest.raises(BadRequest, match="no calibrations"):
+        take_calibrations(draft, path, "a file")
+
+
+def test_export_to_new_file_writes_only_calibrations(factory: Settings, tmp_path: Path) -> None:
+    path = tmp_path / "new.txt"
+    put_calibrations(factory, path, "Calibrations.")
+    written, _ = read_settings(path.read_bytes(), path.name)
+    assert written.parameters == {}
+    assert written.calibrations == factory.calibrations
+
+
+def test_export_keeps_other_content_of_an_existing_file(factory: Settings, tmp_path: Path) -> None:
+    path = tmp_path / "mine.txt"
+    before = "product: TReX\n# my robot\nserial_timeout: 15\n"
+    path.write_text(before, encoding="utf-8")
+    put_calibrations(factory, path, "Calibrations.")
+    text = path.read_text(encoding="utf-8")
+    assert "# my robot" in text
+    written, _ = read_settings(text, path.name)
+    assert written.parameters == {"serial_timeout": 15}
+    assert written.calibrations == factory.calibrations
+
+
+def test_export_rejects_file_of_another_model(factory: Settings, tmp_path: Path) -> None:
+    path = tmp_path / "junior.txt"
+    path.write_text("product: TReX Jr\n", encoding="utf-8")
+    with pytest.raises(BadRequest, match="TReX Jr"):
+        put_calibrations(factory, path, "Calibrations.")
+    assert path.read_text(encoding="utf-8") == "product: TReX Jr\n"

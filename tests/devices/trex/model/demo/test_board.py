@@ -1,0 +1,317 @@
+"""The toy board: what hands do to it reaches the simulator, and what it does is seen."""
+
+from collections.abc import Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.demo_panels import Overheard
+from trex_gui.devices.trex.model.demo.board import DemoBoard
+from trex_gui.devices.trex.model.demo.snapshot import DemoChannel, DemoSnapshot, read_snapshot
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
+from trex_gui.devices.trex.simulator.control import control
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import Line
+
+
+@pytest.fixture
+def simulator(qtbot: QtBot) -> Iterator[Overheard]:
+    simulator = Overheard()
+    with qtbot.waitSignal(simulator.ready):
+        simulator.start()
+    yield simulator
+    simulator.stop()
+
+
+@pytest.fixture
+def board(simulator: Overheard, qtbot: QtBot) -> Iterator[DemoBoard]:
+    board = DemoBoard(simulator)
+    board.watch(True)
+    qtbot.waitUntil(lambda: board.snapshot is not None)
+    yield board
+    board.watch(False)
+
+
+def seen(board: DemoBoard) -> DemoSnapshot:
+    assert board.snapshot is not None
+    return board.snapshot
+
+
+# --- What is seen -----------------------------------------------------------------------
+
+
+def test_new_board_is_powered_in_serial_mode_with_moving_sticks(board: DemoBoard) -> None:
+    assert seen(board).power
+    assert seen(board).mode is Mode.SERIAL_RC
+    assert seen(board).mode_jumper_in_force == seen(board).jumpers.mode == "serial"
+    assert len(seen(board).channels) == 5
+    assert len(seen(board).motors) == 2
+    assert seen(board).line.plugged
+    assert board.automatic == frozenset(CHANNELS)
+
+
+def test_sticks_move_while_the_board_is_watched(board: DemoBoard, qtbot: QtBot) -> None:
+    first = seen(board).channels[0].raw
+    qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
+
+
+def test_unwatched_board_is_not_polled(
+    board: DemoBoard, simulator: Overheard, qtbot: QtBot
+) -> None:
+    board.watch(False)
+    board.watch(True)  # asks at once
+    board.watch(False)
+    simulator.lines.clear()
+    board.set_mix(True)
+    answers: list[str] = []
+    simulator.send("jumper mix on", answers.append)
+    qtbot.waitUntil(lambda: answers != [])
+    assert simulator.lines == ["jumper mix on", "jumper mix on"]
+
+
+def test_ended_simulator_clears_the_snapshot(
+    board: DemoBoard, simulator: Overheard, qtbot: QtBot
+) -> None:
+    board.hold_stick(1, 1200)
+    with qtbot.waitSignal(simulator.ended):
+        simulator.stop()
+    assert board.snapshot is None
+    assert board.automatic == frozenset(CHANNELS)
+    with qtbot.waitSignal(simulator.ready):
+        simulator.start()
+    qtbot.waitUntil(lambda: board.snapshot is not None)
+
+
+def test_snapshot_is_parsed_from_show() -> None:
+    line = Line([Board()])
+    for text in ("channel 2 silent", "load 1 4.5", "fault 2 on", "battery 11.5", "jumper mix on"):
+        assert control(line, text).startswith("ok")
+    line.mute = True
+    line.advance(0.2)
+    snapshot = read_snapshot(control(line, "show").removeprefix("ok "))
+    assert snapshot.power
+    assert snapshot.channels[0] == DemoChannel("rest", 3750)
+    assert snapshot.channels[1] == DemoChannel("silent", None)
+    assert snapshot.motors[0].load == 4.5
+    assert snapshot.motors[0].stall == 30
+    assert [motor.fault for motor in snapshot.motors] == [False, True]
+    assert snapshot.jumpers.mix
+    assert snapshot.line.mute
+    assert snapshot.battery == snapshot.supply == 11.5
+
+
+@pytest.mark.parametrize(
+    ("signal", "raw", "source", "stick"),
+    [
+        ("1700us", 3750, InputSource.RC, 1700),
+        ("1700.5us noise 2us lost 0.1", None, InputSource.RC, 1700.5),
+        ("2.50V", 100, InputSource.ANALOG, 2.5),
+        ("rest", 3750, InputSource.RC, 1500),
+        ("1700us", 1023, InputSource.ANALOG, 5),
+        ("silent", None, InputSource.RC, None),
+    ],
+)
+def test_stick_position_follows_its_signal(
+    signal: str, raw: int | None, source: InputSource, stick: float | None
+) -> None:
+    assert DemoChannel(signal, raw).stick(source) == stick
+
+
+# --- What hands do ----------------------------------------------------------------------
+
+
+def test_power_is_switched_off_and_on(board: DemoBoard, qtbot: QtBot) -> None:
+    board.set_power(False)
+    qtbot.waitUntil(lambda: not seen(board).power)
+    board.set_power(True)
+    qtbot.waitUntil(lambda: seen(board).power)
+
+
+def test_power_cycle_is_visible_and_runs_once(
+    board: DemoBoard, simulator: Overheard, qtbot: QtBot
+) -> None:
+    off: list[bool] = []
+
+    def note() -> None:
+        off.append(board.snapshot is not None and not board.snapshot.power)
+
+    board.changed.connect(note)
+    simulator.lines.clear()
+    board.power_cycle()
+    board.power_cycle()  # is under way
+    qtbot.waitUntil(lambda: "power on" in simulator.lines and seen(board).power)
+    assert simulator.orders() == ["power off", "power on"]
+    assert any(off)
+
+
+def test_mode_jumper_takes_effect_at_next_power_up(board: DemoBoard, qtbot: QtBot) -> None:
+    board.set_mode_jumper("rc")
+    qtbot.waitUntil(lambda: seen(board).jumpers.mode == "rc")
+    assert seen(board).mode_jumper_in_force == "serial"
+    board.power_cycle()
+    qtbot.waitUntil(lambda: seen(board).mode is Mode.RC)
+    assert seen(board).safe_start
+
+
+def test_mix_and_so_ground_jumpers_are_set(board: DemoBoard, qtbot: QtBot) -> None:
+    board.set_mix(True)
+    board.set_so_ground(True)
+    qtbot.waitUntil(lambda: seen(board).jumpers.mix and seen(board).jumpers.so_ground)
+
+
+def test_held_stick_keeps_its_position(board: DemoBoard, qtbot: QtBot) -> None:
+    board.hold_stick(2, 1850)
+    assert board.automatic == {1, 3, 4, 5}
+    qtbot.waitUntil(lambda: seen(board).channels[1].raw == InputSource.RC.counts(1850))
+
+
+def test_stick_positions_are_coalesced_to_first_and_last(
+    board: DemoBoard, simulator: Overheard, qtbot: QtBot
+) -> None:
+    simulator.lines.clear()
+    for microseconds in range(1000, 2001):
+        board.hold_stick(1, microseconds)
+    qtbot.waitUntil(lambda: seen(board).channels[0].raw == InputSource.RC.counts(2000))
+    assert simulator.orders() == ["channel 1 1000us", "channel 1 2000us"]
+
+
+def test_snapshot_older_than_a_command_is_not_shown(
+    board: DemoBoard, simulator: Overheard, qtbot: QtBot
+) -> None:
+    board.hold_stick(1, 1000)
+    qtbot.waitUntil(lambda: seen(board).channels[0].signal == "1000us")
+    shown: list[str] = []
+    qtbot.waitUntil(lambda: simulator.lines[-1] == "show")  # a look is under way, or just was
+    board.hold_stick(1, 2000)
+
+    def note() -> None:
+        if board.snapshot is not None:
+            shown.append(board.snapshot.channels[0].signal)
+
+    board.changed.connect(note)
+    qtbot.waitUntil(lambda: "2000us" in shown)
+    assert "1000us" not in shown
+
+
+def test_restored_signal_returns_to_the_stick_position(board: DemoBoard, qtbot: QtBot) -> None:
+    board.hold_stick(3, 1700)
+    board.set_silent(3, True)
+    qtbot.waitUntil(lambda: not seen(board).channels[2].has_signal)
+    qtbot.waitUntil(lambda: seen(board).channels[2].raw is None)
+    board.set_silent(3, False)
+    qtbot.waitUntil(lambda: seen(board).channels[2].raw == InputSource.RC.counts(1700))
+    board.set_silent(1, True)
+    qtbot.waitUntil(lambda: not seen(board).channels[0].has_signal)
+    board.set_silent(1, False)
+    qtbot.waitUntil(lambda: seen(board).channels[0].raw is not None)
+    assert 1 in board.automatic
+
+
+def test_automatic_sticks_can_be_stopped_and_restarted(
+    board: DemoBoard, simulator: Overheard, qtbot: QtBot
+) -> None:
+    board.set_automatic(False)
+    assert board.automatic == frozenset()
+    assert len(simulator.orders()) == 5
+    board.set_automatic(True)
+    assert board.automatic == frozenset(CHANNELS)
+    first = seen(board).channels[0].raw
+    qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
+
+
+def test_silent_input_stays_silent_when_sticks_move(board: DemoBoard, qtbot: QtBot) -> None:
+    board.set_silent(2, True)
+    qtbot.waitUntil(lambda: not seen(board).channels[1].has_signal)
+    board.set_automatic(False)
+    board.centre_sticks()
+    board.set_automatic(True)
+    board.set_mix(True)
+    qtbot.waitUntil(lambda: seen(board).jumpers.mix)
+    assert not seen(board).channels[1].has_signal
+
+
+def test_centering_the_sticks_ends_safe_start(board: DemoBoard, qtbot: QtBot) -> None:
+    board.hold_stick(1, 2000)
+    board.set_mode_jumper("rc")
+    board.power_cycle()
+    qtbot.waitUntil(lambda: seen(board).mode is Mode.RC and seen(board).safe_start)
+    board.centre_sticks()
+    qtbot.waitUntil(lambda: not seen(board).safe_start)
+
+
+def test_held_sticks_keep_their_position_in_analog_mode(board: DemoBoard, qtbot: QtBot) -> None:
+    board.hold_stick(1, 2100)
+    board.hold_stick(2, 1500)
+    board.set_mode_jumper("analog")
+    board.power_cycle()
+    qtbot.waitUntil(lambda: seen(board).channels[0].raw == 1023)
+    qtbot.waitUntil(lambda: seen(board).channels[1].raw == InputSource.ANALOG.counts(2.5))
+
+
+def test_load_and_fault_apply_to_their_motor(board: DemoBoard, qtbot: QtBot) -> None:
+    board.set_load(2, 11.5)
+    board.set_fault(1, True)
+    qtbot.waitUntil(lambda: seen(board).motors[1].load == 11.5 and seen(board).motors[0].fault)
+    assert not seen(board).motors[1].fault
+    board.set_fault(1, False)
+    qtbot.waitUntil(lambda: not seen(board).motors[0].fault)
+
+
+def test_noise_and_mute_are_shown_for_the_line(board: DemoBoard, qtbot: QtBot) -> None:
+    board.set_noise(0.012)
+    board.set_mute(True)
+    qtbot.waitUntil(lambda: seen(board).line.mute)
+    assert seen(board).line.noise == pytest.approx(0.012)
+
+
+def test_replugged_cable_gets_a_working_url(
+    board: DemoBoard, simulator: Overheard, qtbot: QtBot
+) -> None:
+    board.set_plugged(False)
+    qtbot.waitUntil(lambda: not simulator.plugged and not seen(board).line.plugged)
+    board.set_plugged(True)
+    qtbot.waitUntil(lambda: simulator.plugged and seen(board).line.plugged)
+    with qtbot.waitSignal(simulator.ready) as again:
+        simulator.start()
+    assert again.args == [simulator.url]
+
+
+def test_factory_reset_restores_board_and_sticks(board: DemoBoard, qtbot: QtBot) -> None:
+    board.set_mode_jumper("rc")
+    board.power_cycle()
+    board.hold_stick(1, 1100)
+    board.set_silent(4, True)
+    board.set_noise(0.02)
+    board.set_mute(True)
+    qtbot.waitUntil(lambda: not seen(board).channels[3].has_signal and seen(board).line.mute)
+    board.restore_factory()
+    qtbot.waitUntil(lambda: seen(board).power and seen(board).mode is Mode.SERIAL_RC)
+    assert not seen(board).line.mute
+    assert seen(board).line.noise == 0
+    assert seen(board).jumpers.mode == "serial"
+    assert board.automatic == frozenset(CHANNELS)
+    first = seen(board).channels[0].raw
+    qtbot.waitUntil(lambda: seen(board).channels[0].raw != first)
+
+
+def test_battery_voltage_reaches_the_board(board: DemoBoard, qtbot: QtBot) -> None:
+    board.set_battery(9.0)
+    qtbot.waitUntil(lambda: seen(board).supply == pytest.approx(9.0, abs=0.2))
+    assert seen(board).battery == 9.0
+    board.restore_factory()
+    qtbot.waitUntil(lambda: seen(board).battery == 12.0)
+
+
+@pytest.mark.parametrize("error", ["framing", "parity", "overrun"])
+def test_byte_can_be_corrupted(board: DemoBoard, qtbot: QtBot, error: str) -> None:
+    with qtbot.assertNotEmitted(board.refused):
+        board.spoil(error)
+        board.set_mix(True)
+        qtbot.waitUntil(lambda: seen(board).jumpers.mix)
+
+
+def test_refused_command_emits_a_sentence(board: DemoBoard, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.refused) as refused:
+        board.set_mode_jumper("boat")
+    assert refused.args[0].startswith("Jumper mode serial|rc|analog")
+    assert refused.args[0].endswith(".")

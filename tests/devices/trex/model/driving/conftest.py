@@ -1,0 +1,32 @@
+"""A device without a window, and a board whose channels drive its motors."""
+
+from collections.abc import Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+
+@pytest.fixture
+def device(qtbot: QtBot) -> Iterator[Device]:
+    """A device that is not connected."""
+    device = Device()
+    yield device
+    qtbot.waitUntil(device.shut_down)
+
+
+@pytest.fixture
+def rc_board(start_simulator: StartSimulator) -> SimulatedDevice:
+    """A simulated board in RC mode, with all sticks at rest."""
+    return start_simulator("--unpaced", "--mode", "rc")
+
+
+@pytest.fixture
+def rc_device(device: Device, rc_board: SimulatedDevice, qtbot: QtBot) -> Device:
+    """A device that is connected to `rc_board`; no sample has come in yet."""
+    device.connect_to(LinkSettings(rc_board.url))
+    qtbot.waitUntil(lambda: device.link is Link.UP)
+    return device

@@ -1,0 +1,51 @@
+"""Forward and turn become two speeds."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.devices.trex.model.driving.mixing import mix
+from trex_gui.devices.trex.simulator.mapping import motor_values
+
+SHARE = st.floats(-1, 1, allow_nan=False)
+
+
+@pytest.mark.parametrize(
+    ("forward", "turn", "speeds"),
+    [
+        (0, 0, (0, 0)),
+        (1, 0, (127, 127)),
+        (-1, 0, (-127, -127)),
+        (0, 1, (127, -127)),
+        (0.5, 0.5, (127, 0)),
+        (1, 1, (127, 0)),
+        (1, 0.5, (127, 42)),
+        (-0.5, 0.25, (-32, -95)),
+    ],
+)
+def test_forward_and_turn_are_mixed_into_two_speeds(
+    forward: float, turn: float, speeds: tuple[int, int]
+) -> None:
+    assert mix(forward, turn) == speeds
+
+
+@given(forward=SHARE, turn=SHARE, ceiling=st.integers(1, 127))
+def test_mixed_speeds_stay_within_the_ceiling(forward: float, turn: float, ceiling: int) -> None:
+    assert all(abs(speed) <= ceiling for speed in mix(forward, turn, ceiling))
+
+
+@given(forward=SHARE, turn=SHARE)
+def test_mixed_speeds_match_the_board_direction(forward: float, turn: float) -> None:
+    by_pad = mix(forward, turn)
+    channels = (round(turn * 127), round(forward * 127), 0, 0, 0)
+    by_stick = motor_values(channels, mix=True, flip=False, joint=False)
+    for pad, stick in zip(by_pad, by_stick, strict=True):
+        assert abs(pad) <= abs(stick) + 1
+        assert pad * stick >= 0 or abs(pad) <= 1
+
+
+@given(forward=SHARE, turn=SHARE)
+def test_mixing_keeps_the_speed_ratio_when_limited(forward: float, turn: float) -> None:
+    left, right = mix(forward, turn)
+    # Either way the two stand in the ratio of the sums, within what rounding does.
+    assert abs(left * (forward - turn) - right * (forward + turn)) <= 2

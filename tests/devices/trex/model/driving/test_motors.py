@@ -1,0 +1,471 @@
+"""What a person wants the motors to do, and when it may be sent."""
+
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.model.driving.lockout import remember_lockout
+from trex_gui.devices.trex.model.driving.momentary_drive import HeldDrive
+from trex_gui.devices.trex.model.driving.motors import LOCKOUT, Motors
+from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.session.messages import MotorRequest, SetAuxiliary, SetDrive, SetDrives
+
+
+class RequestRecorder:
+    """Motors, and the requests, stops and changes they emitted."""
+
+    def __init__(self) -> None:
+        self.motors = Motors()
+        self.requests: list[MotorRequest] = []
+        self.stops = 0
+        self.changes = 0
+        self.motors.requested.connect(self.requests.append)
+        self.motors.stop_requested.connect(self._on_stop)
+        self.motors.changed.connect(self._on_changed)
+
+    def _on_stop(self) -> None:
+        self.stops += 1
+
+    def _on_changed(self) -> None:
+        self.changes += 1
+
+
+@pytest.fixture
+def recorder(qtbot: QtBot) -> RequestRecorder:
+    return RequestRecorder()
+
+
+@pytest.fixture
+def armed(recorder: RequestRecorder) -> RequestRecorder:
+    recorder.motors.allow(True)
+    recorder.motors.arm()
+    return recorder
+
+
+def drive_everything(motors: Motors) -> None:
+    motors.set_speed(1, 50)
+    motors.set_speed(2, -50)
+    motors.set_brake(1, 10)
+    motors.set_auxiliary(50)
+
+
+# --- Arming -----------------------------------------------------------------------------
+
+
+def test_unarmed_motors_send_nothing(recorder: RequestRecorder) -> None:
+    recorder.motors.allow(True)
+    drive_everything(recorder.motors)
+    assert recorder.requests == []
+    assert recorder.motors.drive(1) is None
+    assert recorder.motors.auxiliary == 0
+
+
+def test_motors_cannot_be_armed_without_a_board(recorder: RequestRecorder) -> None:
+    recorder.motors.arm()
+    assert not recorder.motors.armed
+    assert not recorder.motors.can_arm
+    drive_everything(recorder.motors)
+    assert recorder.requests == []
+
+
+def test_arming_sends_nothing(armed: RequestRecorder) -> None:
+    assert armed.motors.armed
+    assert armed.requests == []
+    assert armed.stops == 0
+
+
+def test_armed_motors_send_setpoints(armed: RequestRecorder) -> None:
+    armed.motors.accelerate = False
+    armed.motors.set_speed(2, -50)
+    armed.motors.set_brake(1, 10)
+    armed.motors.set_auxiliary(30)
+    assert armed.requests == [
+        SetDrive(2, Drive.at(-50)),
+        SetDrive(1, Drive.brake(10)),
+        SetAuxiliary(30),
+    ]
+    assert armed.motors.drive(2) == Drive.at(-50)
+    assert armed.motors.auxiliary == 30
+
+
+@pytest.mark.parametrize("accelerate", [False, True])
+def test_setpoints_carry_the_accelerate_option(armed: RequestRecorder, *, accelerate: bool) -> None:
+    armed.motors.accelerate = accelerate
+    armed.motors.set_speed(1, 1)
+    armed.motors.set_auxiliary(1)
+    told = [request.accelerate for request in armed.requests if not isinstance(request, SetDrives)]
+    assert told == [accelerate, accelerate]
+
+
+def test_repeated_setpoint_is_sent_once(armed: RequestRecorder) -> None:
+    for _ in range(3):
+        armed.motors.set_speed(1, 50)
+        armed.motors.set_auxiliary(50)
+    assert len(armed.requests) == 2
+
+
+@pytest.mark.parametrize("speed", [-128, 128, 1000])
+def test_speed_out_of_range_is_rejected(armed: RequestRecorder, speed: int) -> None:
+    with pytest.raises(BadRequest, match="-127 to 127"):
+        armed.motors.set_speed(1, speed)
+    assert armed.requests == []
+
+
+def test_brake_out_of_range_is_rejected(armed: RequestRecorder) -> None:
+    with pytest.raises(BadRequest, match="0 to 127"):
+        armed.motors.set_brake(1, 128)
+
+
+def test_arming_twice_keeps_setpoints(armed: RequestRecorder) -> None:
+    armed.motors.set_speed(1, 50)
+    armed.motors.arm()
+    assert armed.motors.drive(1) == Drive.at(50)
+
+
+def test_rearmed_motors_have_no_setpoint(armed: RequestRecorder) -> None:
+    armed.motors.set_speed(1, 50)
+    armed.motors.stop()
+    armed.motors.arm()
+    assert armed.motors.drive(1) is None
+    armed.motors.set_speed(1, 50)
+    assert len(armed.requests) == 2
+
+
+# --- Stopping ---------------------------------------------------------------------------
+
+
+def test_stop_disarms_and_clears_setpoints(armed: RequestRecorder) -> None:
+    drive_everything(armed.motors)
+    armed.motors.stop()
+    assert armed.stops == 1
+    assert not armed.motors.armed
+    assert armed.motors.drive(1) is None
+    assert armed.motors.drive(2) is None
+    assert armed.motors.auxiliary == 0
+    armed.requests.clear()
+    drive_everything(armed.motors)
+    assert armed.requests == []
+
+
+@pytest.mark.parametrize("allowed", [False, True])
+def test_stop_is_always_accepted(recorder: RequestRecorder, *, allowed: bool) -> None:
+    recorder.motors.allow(allowed)
+    for _ in range(3):
+        recorder.motors.stop()
+    assert recorder.stops == 3
+
+
+def test_lost_board_disarms_without_sending(armed: RequestRecorder) -> None:
+    armed.motors.set_speed(1, 50)
+    armed.requests.clear()
+    armed.motors.allow(False)
+    assert not armed.motors.armed
+    assert not armed.motors.can_arm
+    assert armed.motors.drive(1) is None
+    assert armed.requests == []
+    assert armed.stops == 0
+
+
+def test_returning_board_does_not_arm_the_motors(armed: RequestRecorder) -> None:
+    armed.motors.allow(False)
+    armed.motors.allow(True)
+    assert armed.motors.can_arm
+    assert not armed.motors.armed
+
+
+def test_each_change_emits_changed(recorder: RequestRecorder) -> None:
+    recorder.motors.allow(True)
+    recorder.motors.arm()
+    recorder.motors.set_speed(1, 5)
+    recorder.motors.set_auxiliary(5)
+    recorder.motors.stop()
+    assert recorder.changes == 5
+
+
+def test_setpoint_text_names_each_motor(armed: RequestRecorder) -> None:
+    assert armed.motors.text == ""
+    armed.motors.set_brake(2, 127)
+    armed.motors.set_speed(1, -90)
+    armed.motors.set_auxiliary(40)
+    assert armed.motors.text == "motor 1 −90, motor 2 brake, auxiliary 40"
+    armed.motors.stop()
+    assert armed.motors.text == ""
+
+
+def test_first_setpoint_is_sent_even_if_it_is_a_brake(armed: RequestRecorder) -> None:
+    armed.motors.set_brake(1, 127)
+    assert armed.requests == [SetDrive(1, Drive.brake(), accelerate=True)]
+
+
+# --- The lock after a stop --------------------------------------------------------------
+
+
+class Clock:
+    """A time that a test sets."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def test_pressed_stop_prevents_arming_during_the_lockout(qtbot: QtBot) -> None:
+    clock = Clock()
+    motors = Motors(clock=clock)
+    motors.allow(True)
+    motors.lockout = 3.0
+    motors.arm()
+    motors.press_stop()
+    assert motors.locked_for == 3.0
+    clock.now += 2.9
+    motors.arm()
+    assert not motors.armed
+    clock.now += 0.2
+    with qtbot.waitSignal(motors.changed):  # the end of the lock is announced
+        pass
+    assert motors.locked_for == 0
+    motors.arm()
+    assert motors.armed
+
+
+def test_second_stop_extends_but_never_shortens_the_lockout(qtbot: QtBot) -> None:
+    clock = Clock()
+    motors = Motors(clock=clock)
+    motors.press_stop()
+    clock.now += 1
+    motors.lockout = 1.0
+    motors.press_stop()
+    assert motors.locked_for == pytest.approx(LOCKOUT - 1)
+    motors.lockout = 9.0
+    motors.press_stop()
+    assert motors.locked_for == pytest.approx(9)
+
+
+def test_automatic_stop_has_no_lockout_and_gives_a_reason(armed: RequestRecorder) -> None:
+    armed.motors.stop("The gamepad is gone.")
+    assert armed.motors.stop_reason == "The gamepad is gone."
+    armed.motors.arm()
+    assert armed.motors.armed
+    assert armed.motors.stop_reason == ""
+
+
+@pytest.mark.parametrize(("chosen", "kept"), [(60.0, 10.0), (4.5, 4.5), (0.0, 0.0), (-1.0, 0.0)])
+def test_lockout_is_saved_within_its_limits(qapp: QApplication, chosen: float, kept: float) -> None:
+    remember_lockout(chosen)
+    assert Motors().lockout == kept
+
+
+# --- Ceiling and link -------------------------------------------------------------------
+
+
+def test_setpoints_are_limited_by_the_ceiling(armed: RequestRecorder) -> None:
+    armed.motors.set_ceiling(40)
+    armed.motors.set_speed(1, 100)
+    armed.motors.set_speed(2, -100)
+    armed.motors.set_auxiliary(100)
+    assert [
+        request.drive.signed for request in armed.requests if isinstance(request, SetDrive)
+    ] == [40, -40]
+    assert armed.motors.auxiliary == 40
+
+
+def test_lower_ceiling_slows_faster_motors(armed: RequestRecorder) -> None:
+    armed.motors.set_speed(1, -100)
+    armed.motors.set_brake(2, 127)
+    armed.motors.set_auxiliary(100)
+    armed.requests.clear()
+    armed.motors.set_ceiling(30)
+    assert armed.requests == [SetDrive(1, Drive.at(-30), True), SetAuxiliary(30, True)]
+
+
+def test_higher_ceiling_does_not_speed_up_motors(armed: RequestRecorder) -> None:
+    armed.motors.set_ceiling(30)
+    armed.motors.set_speed(1, 100)
+    armed.requests.clear()
+    armed.motors.set_ceiling(127)
+    assert armed.requests == []
+
+
+def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> None:
+    armed.motors.set_ceiling(30)
+    armed.motors.hold("stick")
+    armed.motors.set_speed(1, 127, "stick")
+    armed.motors.set_ceiling(100)
+    armed.motors.set_speed(1, 127, "stick")  # as a stick that is held still says again and again
+    armed.motors.set_auxiliary(127, "stick")
+    assert armed.motors.drive(1) == Drive.at(30)
+    assert (armed.motors.ceiling, armed.motors.auxiliary) == (100, 30)
+    armed.motors.set_ceiling(20)
+    assert armed.motors.drive(1) == Drive.at(20)
+    armed.motors.set_ceiling(100)
+    armed.motors.let_go("stick")
+    armed.motors.hold("stick")
+    armed.motors.set_speed(1, 127, "stick")
+    assert armed.motors.drive(1) == Drive.at(100)
+
+
+@pytest.mark.parametrize("speed", [0, 128])
+def test_ceiling_out_of_range_is_rejected(recorder: RequestRecorder, speed: int) -> None:
+    with pytest.raises(ValueError, match="1 to 127"):
+        recorder.motors.set_ceiling(speed)
+
+
+def test_linked_motors_get_the_same_setpoint(armed: RequestRecorder) -> None:
+    armed.motors.set_linked(True)
+    armed.motors.set_speed(2, 30)
+    armed.motors.set_brake(1, 60)
+    assert armed.requests == [
+        SetDrives((SetDrive(1, Drive.at(30), True), SetDrive(2, Drive.at(30), True))),
+        SetDrives((SetDrive(1, Drive.brake(60), True), SetDrive(2, Drive.brake(60), True))),
+    ]
+
+
+@pytest.mark.parametrize("drives", [(50, 20), (50, 0), (0, -50)])
+def test_motors_with_different_speeds_cannot_be_linked(
+    armed: RequestRecorder, drives: tuple[int, int]
+) -> None:
+    armed.motors.set_speeds(*drives)
+    armed.requests.clear()
+    assert not armed.motors.can_link
+    armed.motors.set_linked(True)
+    assert not armed.motors.linked
+    assert armed.requests == []
+
+
+def test_linking_idle_or_equal_motors_sends_nothing(armed: RequestRecorder) -> None:
+    alike: list[Callable[[Motors], None]] = [
+        lambda motors: motors.set_brake(1, 60),
+        lambda motors: motors.set_speeds(0, 0),
+        lambda motors: motors.set_speeds(40, 40),
+    ]
+    for drive in alike:
+        drive(armed.motors)
+        armed.requests.clear()
+        armed.motors.set_linked(True)
+        assert armed.requests == []
+        armed.motors.set_speed(2, 10)
+        assert armed.motors.drive(1) == Drive.at(10)
+        armed.motors.set_linked(False)
+
+
+def test_linking_twice_keeps_motors_linked(armed: RequestRecorder) -> None:
+    armed.motors.set_linked(True)
+    armed.motors.set_speed(1, 40)
+    armed.motors.set_linked(True)
+    assert armed.motors.linked
+
+
+# --- Controls that must be held ---------------------------------------------------------
+
+
+def test_releasing_a_held_control_brakes_its_motors(armed: RequestRecorder) -> None:
+    armed.motors.set_release_brake(64)
+    assert armed.motors.hold("pad")
+    armed.motors.set_speed(1, 50, "pad")
+    armed.motors.set_speed(2, 50, "pad")
+    armed.requests.clear()
+    armed.motors.let_go("pad")
+    assert armed.requests == [
+        SetDrives((SetDrive(1, Drive.brake(64), True), SetDrive(2, Drive.brake(64), True)))
+    ]
+    assert armed.motors.armed
+    assert armed.motors.holder == ""
+
+
+def test_release_affects_only_the_held_motor(armed: RequestRecorder) -> None:
+    armed.motors.set_speed(2, 30)
+    armed.motors.set_auxiliary(30)
+    armed.motors.hold("motor1")
+    armed.motors.set_speed(1, 50, "motor1")
+    armed.motors.let_go("motor1")
+    assert armed.motors.drive(1) == Drive.brake(127)
+    assert armed.motors.drive(2) == Drive.at(30)
+    assert armed.motors.auxiliary == 30
+
+
+def test_releasing_the_auxiliary_sets_it_to_zero(armed: RequestRecorder) -> None:
+    armed.motors.hold("aux")
+    armed.motors.set_auxiliary(50, "aux")
+    armed.motors.let_go("aux")
+    assert armed.motors.auxiliary == 0
+
+
+def test_only_one_control_can_hold_the_motors(armed: RequestRecorder) -> None:
+    assert armed.motors.hold("pad")
+    assert armed.motors.hold("pad")
+    assert not armed.motors.hold("keys")
+    armed.motors.set_speed(1, 20, "pad")
+    armed.motors.set_speed(1, 99, "keys")
+    armed.motors.set_speed(1, 99)
+    assert armed.motors.drive(1) == Drive.at(20)
+    armed.motors.let_go("keys")
+    assert armed.motors.holder == "pad"
+
+
+def test_setpoint_after_release_is_dropped(armed: RequestRecorder) -> None:
+    armed.motors.hold("pad")
+    armed.motors.set_speed(1, 20, "pad")
+    armed.motors.let_go("pad")
+    armed.motors.set_speed(1, 99, "pad")
+    assert armed.motors.drive(1) == Drive.brake(127)
+
+
+def test_unarmed_motors_cannot_be_held(recorder: RequestRecorder) -> None:
+    recorder.motors.allow(True)
+    assert not recorder.motors.hold("pad")
+
+
+def test_losing_the_holding_control_stops_and_disarms(armed: RequestRecorder) -> None:
+    armed.motors.hold("gamepad")
+    armed.motors.set_speed(1, 20, "gamepad")
+    armed.motors.lose("keys", "not held")
+    assert armed.stops == 0
+    armed.motors.lose("gamepad", "The gamepad is gone.")
+    assert armed.stops == 1
+    assert not armed.motors.armed
+    assert armed.motors.stop_reason == "The gamepad is gone."
+    assert armed.motors.holder == ""
+
+
+@pytest.mark.parametrize("linked", [False, True])
+def test_held_control_sends_both_motors_in_one_request(
+    armed: RequestRecorder, *, linked: bool
+) -> None:
+    armed.motors.set_linked(linked)
+    drive = HeldDrive(armed.motors, "pad")
+    for _ in range(3):
+        drive.steer(0.5, 0.1)
+        drive.let_go()
+    assert len(armed.requests) == 6
+    assert {type(request) for request in armed.requests} == {SetDrives}
+
+
+def test_held_control_drives_linked_motors_straight(armed: RequestRecorder) -> None:
+    armed.motors.set_linked(True)
+    HeldDrive(armed.motors, "pad").steer(0.5, 0.3)
+    assert armed.motors.drive(1) == armed.motors.drive(2) == Drive.at(64)
+
+
+def test_lower_ceiling_slows_both_motors_in_one_request(armed: RequestRecorder) -> None:
+    armed.motors.set_speeds(100, -100)
+    armed.requests.clear()
+    armed.motors.set_ceiling(30)
+    both = SetDrive(1, Drive.at(30), True), SetDrive(2, Drive.at(-30), True)
+    assert armed.requests == [SetDrives(both)]
+
+
+def test_unchanged_setpoint_is_not_sent_with_the_other(armed: RequestRecorder) -> None:
+    armed.motors.set_speeds(50, 50)
+    armed.motors.set_speeds(50, 60)
+    armed.motors.set_speeds(50, 60)
+    assert armed.requests[1:] == [SetDrive(2, Drive.at(60), True)]
+
+
+def test_speed_out_of_range_is_rejected_for_both(armed: RequestRecorder) -> None:
+    with pytest.raises(BadRequest, match="-127 to 127"):
+        armed.motors.set_speeds(50, 128)
+    assert armed.requests == []

@@ -1,0 +1,189 @@
+"""Wishes and stops between the window and a board that runs in a process of its own."""
+
+import threading
+from itertools import pairwise
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.composition import Program
+from trex_gui.core.errors import TrexError
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
+from trex_gui.devices.trex.model.connection import Connection
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.driving.drive_controller import Driving
+from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import Halted, Pulse, Request
+from trex_gui.ui.runtime import now, runtime
+
+STOOD_STILL = "The window did not respond for a second."
+
+
+class RecordingConnection(Connection):
+    """A connection that keeps the requests it is given."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._requests: list[Request] = []
+
+    def submit(self, request: Request) -> bool:
+        self._requests.append(request)
+        return True
+
+    @property
+    def heartbeats(self) -> list[float]:
+        """When each heartbeat was sent."""
+        return [
+            request.sent
+            for request in self._requests
+            if isinstance(request, Pulse) and request.sent is not None
+        ]
+
+
+@pytest.fixture
+def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
+    return start_simulator("--unpaced")
+
+
+@pytest.fixture
+def driven(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Device:
+    """A device whose motor 1 runs."""
+    device = program.device
+    device.connect_to(LinkSettings(simulator.url))
+    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm, timeout=20_000)
+    device.motors.arm()
+    device.motors.accelerate = False
+    device.motors.set_speed(1, 90)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 90, timeout=20_000)
+    return device
+
+
+def is_braked(simulator: SimulatedDevice) -> bool:
+    return bool(simulator.show()["motors"][0]["direction"] == "brake")
+
+
+def test_stop_from_another_thread_drops_later_setpoints(
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    thread = threading.Thread(target=driven.stop_now)
+    thread.start()
+    thread.join()
+    # The window has not heard of it yet, and goes on wishing.
+    driven.motors.set_speed(1, 70)
+    qtbot.waitUntil(lambda: is_braked(simulator), timeout=20_000)
+    driven.motors.set_speed(1, 80)
+    driven.motors.stop()
+    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
+    assert is_braked(simulator)
+    driven.motors.arm()
+    driven.motors.set_speed(1, 40)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 40, timeout=20_000)
+
+
+def test_restarted_board_disarms_the_motors(
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    """The restart is so short that only the changed input source reveals it."""
+    simulator.do("eeprom channel_input_source 1")
+    simulator.do("power cycle")
+    qtbot.waitUntil(lambda: not driven.motors.armed, timeout=20_000)
+    assert "restarted" in driven.motors.stop_reason
+    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
+    assert not driven.motors.armed
+
+
+def test_frozen_window_reports_the_confirmed_stop(
+    driven: Device, simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    said: list[str] = []
+    driven.failed.connect(said.append)
+    deadline = now() + 15
+    while not is_braked(simulator):  # and no event of the window is served meanwhile
+        assert now() < deadline, "nobody stopped the motor"
+        runtime().sleep(0.05)
+    qtbot.waitUntil(lambda: not driven.may_move, timeout=20_000)
+    assert said == [f"{STOOD_STILL} The motors were stopped. Press Run motor to go on."]
+    assert driven.motors.stop_reason == STOOD_STILL
+
+
+def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
+    connection, motors = Connection(), Motors()
+    driving = Driving(motors, connection)
+    with qtbot.waitSignal(driving.failed) as said:
+        connection.halted.emit(Halted(STOOD_STILL, proved=False))
+    assert said.args == [f"{STOOD_STILL} A stop was sent, and is not confirmed yet."]
+    assert motors.stop_reason == STOOD_STILL
+
+
+def test_armed_motors_send_heartbeats_at_a_steady_rate(
+    qtbot: QtBot, virtual_time: VirtualRuntime
+) -> None:
+    connection, motors = RecordingConnection(), Motors()
+    driving = Driving(motors, connection)
+    assert not driving.may_move
+    motors.allow(True)
+    motors.arm()
+    virtual_time.advance(10.0)
+    moments = connection.heartbeats
+    gaps = [later - earlier for earlier, later in pairwise(moments)]
+    assert max(gaps) < Timeouts().heartbeat / 2, "one may be late or lost"
+    assert min(gaps) > 0.05, "they are no load for the line"
+    motors.stop()
+    virtual_time.advance(1.0)
+    assert connection.heartbeats == moments
+
+
+def test_confirmed_stop_is_reported_once_and_without_a_warning(
+    device: Device,
+    quick_simulator: SimulatedDevice,
+    qtbot: QtBot,
+    virtual_time: VirtualRuntime,
+) -> None:
+    outcomes: list[TrexError | None] = []
+    failures: list[str] = []
+    device.failed.connect(failures.append)
+    device.connect_to(LinkSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: device.motors.can_arm)
+    device.stop_motors(outcomes.append)
+    qtbot.waitUntil(lambda: outcomes == [None])
+    device.stop_motors(lambda _error: None)
+    virtual_time.advance(1.0)
+    assert outcomes == [None]
+    assert failures == []
+
+
+def test_stop_warns_that_channel_driven_motors_may_go_on(rc_device: Device, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(rc_device.failed) as said:
+        rc_device.motors.stop()
+    assert said.args == [BEYOND_A_STOP]
+
+
+def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
+    device: Device, start_simulator: StartSimulator, qtbot: QtBot
+) -> None:
+    failures: list[str] = []
+    device.failed.connect(failures.append)
+    for simulator in (start_simulator("--unpaced"), start_simulator("--unpaced")):
+        device.connect_to(LinkSettings(simulator.url))
+        qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm)
+        device.disconnect_line()
+        qtbot.waitUntil(lambda: device.link is Link.NONE)
+    assert failures == []
+
+
+def test_stop_of_another_board_warns_about_the_lost_one(
+    driven: Device, simulator: SimulatedDevice, start_simulator: StartSimulator, qtbot: QtBot
+) -> None:
+    failures: list[str] = []
+    simulator.do("line unplug")
+    qtbot.waitUntil(lambda: driven.link is Link.NONE)
+    driven.failed.connect(failures.append)
+    driven.connect_to(LinkSettings(start_simulator().url))
+    qtbot.waitUntil(lambda: bool(failures))
+    assert not driven.may_move
+    assert simulator.url in failures[0]
+    assert "cut the power of the first" in failures[0]

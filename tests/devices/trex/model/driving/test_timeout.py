@@ -1,0 +1,37 @@
+"""Whether a serial timeout suits a line."""
+
+import pytest
+
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.model.driving.timeout import weakness_on
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+
+
+@pytest.mark.parametrize(
+    ("url", "baud", "timeout", "said", "offered"),
+    [
+        ("/dev/ttyUSB0", 19200, 0.1, "", 0.0),
+        ("/dev/ttyUSB0", 2400, 0.2, "", 0.0),
+        ("/dev/ttyUSB0", 2400, 0.1, "short for 2400 baud", 0.5),
+        ("/dev/ttyUSB0", 1200, 0.0, "is off", 0.5),
+        ("socket://robot:23", 19200, 0.5, "short for a network port", 1.0),
+        ("socket://robot:23", 19200, 0.0, "is off", 1.0),
+        ("socket://robot:23", 19200, 1.0, "", 0.0),
+    ],
+)
+def test_warning_about_the_timeout_fits_the_line(
+    url: str, baud: int, timeout: float, said: str, offered: float
+) -> None:
+    weakness = weakness_on(LinkSettings(url, LineSettings(baud)), timeout)
+    assert (weakness is None) == (not said)
+    if weakness is not None:
+        assert said in weakness.text
+        assert weakness.seconds == offered
+
+
+def test_slow_line_gets_the_longest_offered_timeout() -> None:
+    settings = LinkSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
+    weakness = weakness_on(settings, 1.0)
+    assert weakness is not None
+    assert weakness.seconds == 5.0

@@ -1,0 +1,566 @@
+"""Learning on a simulated board: the steps, what stops them, and what they leave behind."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick, Transmitter
+from trex_gui.core.errors import NoReply, TrexError
+from trex_gui.devices.trex.calibration.problems import Kind
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.learning.learning import Learning, Step
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+UNPROVED = "not sure that the motors stand"
+
+
+class LearningSetup:
+    """A device that learns its channels from a simulated transmitter."""
+
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
+        self.simulator = simulator
+        self.device = Device()
+        self.learning = Learning(self.device)
+        self.transmitter = Transmitter(
+            simulator, {1: Stick(), 2: Stick(rest=1520, forward_is_down=True)}
+        )
+        self._qtbot = qtbot
+        failures: list[str] = []
+        self.device.failed.connect(failures.append)
+        self.device.connect_to(LinkSettings(simulator.url))
+        self.until(lambda: self.device.link is Link.UP or bool(failures))
+        assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])
+        self.until(lambda: self.transmitter.rests(self.device.telemetry.raw_of))
+
+    def until(self, condition: Callable[[], bool], timeout: int = 30_000) -> None:
+        self._qtbot.waitUntil(condition, timeout=timeout)
+
+    def until_step(self, step: Step) -> None:
+        """Wait for a step; try again as a user does when a stop is not confirmed at once."""
+
+        def is_there() -> bool:
+            learning = self.learning
+            unproved = learning.step is Step.FAILED and UNPROVED in learning.trouble
+            if unproved and step is not Step.FAILED:
+                learning.again()
+            return learning.step is step
+
+        self.until(is_there)
+
+    def restart_in_mode(self, mode: str) -> None:
+        """Set the mode jumper and cycle the power."""
+        self.simulator.do(f"jumper mode {mode}")
+        self.simulator.do("power cycle")
+        self.until(lambda: self.device.state is not None and not self.device.state.mode.is_serial)
+
+    def go_to_travel(self, *channels: int) -> None:
+        self.learning.begin(channels or (1, 2))
+        self.until_step(Step.NEUTRAL)
+        self.learning.next()
+        self.until_step(Step.TRAVEL)
+
+    def push_all(self) -> None:
+        """Hold every stick at each end until it was seen there, then let go."""
+        for position in (1.0, -1.0):
+            for channel in self.transmitter.sticks:
+                self.transmitter.put(channel, position)
+            self.hold()
+        self.transmitter.let_go()
+        self.hold()
+
+    def to_review(self, *channels: int) -> None:
+        self.go_to_travel(*channels)
+        self.push_all()
+        self.learning.next()
+
+    def write(self) -> None:
+        self.device.apply()
+        self.until(lambda: not self.device.applying)
+
+    def hold(self) -> None:
+        """Wait for as many measurements as make an end."""
+        inputs = self.device.telemetry.inputs
+        start = inputs.times[-1]
+        self.until(lambda: float(inputs.times[-1]) > start + 0.4)
+        before = self.device.telemetry.samples
+        self.until(lambda: self.device.telemetry.samples > before + 60)
+
+
+@pytest.fixture
+def setup(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[LearningSetup]:
+    setup = LearningSetup(quick_simulator, qtbot)
+    yield setup
+    setup.learning.cancel()
+    qtbot.waitUntil(setup.device.shut_down)
+
+
+def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
+    taken: list[bool] = []
+    setup.learning.taken.connect(lambda: taken.append(True))
+    setup.go_to_travel()
+    setup.push_all()
+    setup.learning.next()
+    assert setup.learning.step is Step.REVIEW
+    assert setup.learning.can_take
+    assert setup.device.pending == 0
+    setup.learning.take()
+    assert taken == [True]
+    second = setup.device.calibrations.shown(2)
+    assert second is not None
+    assert abs(second.neutral - 3800) <= 2
+    assert setup.device.parameters.value_of("reversed_channels") == 0b10
+    assert setup.device.pending == 3
+    assert "Learn channels" in setup.device.undo.undoText()
+    setup.device.undo.undo()
+    assert setup.device.pending == 0
+
+
+def test_running_motors_are_stopped_first(setup: LearningSetup) -> None:
+    setup.device.motors.arm()
+    setup.device.motors.set_speed(1, 60)
+    setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 60)
+    setup.learning.begin((1,))
+    assert setup.learning.step is Step.STOPPING
+    setup.until_step(Step.NEUTRAL)
+    assert not setup.device.motors.armed
+    assert not setup.device.may_move
+    assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
+
+
+def test_unconfirmed_stop_fails_learning(setup: LearningSetup) -> None:
+    setup.simulator.do("line mute on")
+    setup.learning.begin((1,))
+    setup.until_step(Step.FAILED)
+    assert setup.learning.trouble
+
+
+def test_rc_mode_is_refused_with_a_remedy(setup: LearningSetup) -> None:
+    setup.restart_in_mode("rc")
+    setup.learning.begin((1,))
+    assert setup.learning.step is Step.FAILED
+    assert "sticks drive the motors" in setup.learning.trouble
+    assert "take the mode jumper off" in setup.learning.trouble
+
+
+def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
+    setup.restart_in_mode("rc")
+    setup.until(lambda: setup.device.telemetry.serial_controls is False)
+    setup.simulator.do("channel 5 1000us")
+    setup.until(lambda: setup.device.telemetry.serial_controls is True)
+    setup.learning.begin_test((1,))
+    assert setup.learning.step is Step.FAILED
+    assert "with the next move of its switch the sticks drive the motors" in setup.learning.trouble
+
+
+def test_analog_mode_is_refused(setup: LearningSetup) -> None:
+    setup.restart_in_mode("analog")
+    setup.learning.begin((1,))
+    assert setup.learning.step is Step.FAILED
+    assert "in analog mode: the sticks drive the motors" in setup.learning.trouble
+
+
+def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:
+    setup.simulator.do("eeprom motor_mode 1")
+    setup.simulator.do("power off")
+    setup.until(lambda: setup.device.link is Link.SILENT)
+    setup.simulator.do("power on")
+    setup.until(lambda: setup.device.link is Link.UP and setup.device.is_joint)
+    setup.until(lambda: setup.device.motors.can_arm)
+    setup.device.motors.arm()
+    setup.device.motors.set_speed(1, 60)
+    setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 60)
+    setup.go_to_travel()
+    assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
+    setup.push_all()
+    assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
+    assert setup.learning.step is Step.TRAVEL
+
+
+def test_current_after_the_stop_requires_a_user_check(setup: LearningSetup) -> None:
+    setup.simulator.do("current 2 3.0")
+    setup.learning.begin((1,))
+    setup.until_step(Step.DOUBT)
+    assert "motor 2 draws 3.0 A" in setup.learning.trouble
+    assert "cut its power" in setup.learning.trouble
+    setup.learning.again()
+    setup.until_step(Step.STOPPING)
+    setup.until_step(Step.DOUBT)
+    assert setup.learning.can_go_on
+    setup.learning.next()  # the user has checked the motors
+    setup.until_step(Step.NEUTRAL)
+
+
+def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSetup) -> None:
+    setup.simulator.do("current 1 2.0")
+    setup.learning.begin_test((1,))
+    setup.until(lambda: not setup.device.may_move)
+    assert setup.learning.step is Step.STOPPING
+    setup.simulator.do("current 1 auto")
+    setup.until_step(Step.TEST)
+
+
+def test_learning_without_a_board_names_the_reason(setup: LearningSetup) -> None:
+    setup.device.disconnect_line()
+    setup.until(lambda: setup.device.link is Link.NONE)
+    assert setup.learning.why_not() == "Connect to a board first."
+
+
+def test_arming_during_travel_fails_learning(setup: LearningSetup) -> None:
+    setup.go_to_travel()
+    setup.device.motors.arm()
+    assert setup.learning.step is Step.FAILED
+    assert "armed" in setup.learning.trouble
+    setup.device.motors.stop()
+
+
+def test_arming_is_allowed_in_review_but_not_in_travel(setup: LearningSetup) -> None:
+    setup.go_to_travel()
+    setup.push_all()
+    setup.learning.next()
+    setup.device.motors.arm()
+    setup.until_step(Step.REVIEW)
+    setup.learning.back()
+    setup.until_step(Step.FAILED)
+    assert "armed" in setup.learning.trouble
+    setup.device.motors.stop()
+
+
+def test_review_curves_follow_stick_and_chosen_values(setup: LearningSetup) -> None:
+    setup.go_to_travel()
+    setup.push_all()
+    setup.learning.next()
+    first, second = setup.learning.channels
+    before, after = second.curve_before, second.curve_after
+    assert before is not None
+    assert after is not None
+    assert not before.reversed_
+    assert after.reversed_
+    setup.transmitter.put(1, 1.0)
+    setup.until(lambda: first.raw == 5000)
+    times, counts, now = setup.learning.trace(1)
+    assert len(times) == len(counts)
+    assert now >= times[-1]
+    assert second.choice is not None
+    bad = type(second.choice.calibration)(4000, 3750, 5000, 10)
+    setup.learning.choose(2, bad, reversed_=False)
+    assert second.curve_after is None
+    assert second.curve_before == before
+
+
+@pytest.mark.parametrize("step", [Step.TRAVEL, Step.TEST])
+def test_power_loss_fails_learning_and_allows_a_restart(setup: LearningSetup, step: Step) -> None:
+    if step is Step.TRAVEL:
+        setup.go_to_travel()
+    else:
+        setup.learning.begin_test((1, 2))
+        setup.until_step(Step.TEST)
+    setup.simulator.do("power off")
+    setup.until_step(Step.FAILED)
+    assert "The board has stopped answering" in setup.learning.trouble
+    kept = "Nothing was changed" if step is Step.TRAVEL else "The test has ended"
+    assert kept in setup.learning.trouble
+    assert ("Nothing was changed" in setup.learning.trouble) is (step is Step.TRAVEL)
+    setup.learning.again()
+    assert setup.learning.trouble == "Connect to a board first."
+    setup.simulator.do("power on")
+    setup.until(lambda: setup.device.link is Link.UP)
+    setup.learning.again()
+    setup.until_step(Step.NEUTRAL if step is Step.TRAVEL else Step.TEST)
+
+
+def test_restart_in_another_mode_fails_learning(setup: LearningSetup) -> None:
+    setup.go_to_travel()
+    setup.simulator.do("jumper mode rc")
+    setup.simulator.do("power cycle")
+    setup.until_step(Step.FAILED)
+    assert "Nothing was changed" in setup.learning.trouble
+
+
+def test_channel_without_signal_is_skipped(setup: LearningSetup) -> None:
+    setup.simulator.do("channel 2 silent")
+    setup.learning.begin((1, 2))
+    setup.until_step(Step.NEUTRAL)
+    first, second = setup.learning.channels
+    setup.until(lambda: [p.kind for p in second.rest_problems] == [Kind.NO_SIGNAL])
+    setup.learning.next()
+    setup.until(lambda: setup.learning.has_sampled)
+    setup.until_step(Step.NEUTRAL)
+    assert first.is_at_rest
+    setup.learning.next()
+    setup.until_step(Step.TRAVEL)
+    assert second.travel is None
+
+
+def test_going_back_from_review_keeps_the_travel(setup: LearningSetup) -> None:
+    setup.go_to_travel()
+    setup.push_all()
+    setup.learning.next()
+    setup.learning.back()
+    setup.until_step(Step.TRAVEL)
+    assert all(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
+    setup.learning.again()
+    assert not any(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
+    setup.learning.back()
+    setup.until_step(Step.NEUTRAL)
+
+
+def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
+    setup.go_to_travel()
+    setup.push_all()
+    setup.learning.next()
+    (first, _) = setup.learning.channels
+    assert first.choice is not None
+    good = first.choice.calibration
+    setup.learning.choose(1, type(good)(good.maximum + 1, good.neutral, good.maximum, 10))
+    assert not setup.learning.can_take
+    assert [problem.kind for problem in first.result_problems] == [Kind.REFUSED]
+    setup.learning.choose(1, included=False)
+    setup.until(lambda: setup.learning.can_take)
+    setup.learning.take()
+    assert setup.device.calibrations.shown(1) == setup.device.calibrations.stored(1)
+
+
+def test_written_values_request_a_test(setup: LearningSetup) -> None:
+    stored: list[bool] = []
+    setup.learning.stored.connect(lambda: stored.append(True))
+    setup.go_to_travel()
+    setup.push_all()
+    setup.learning.next()
+    setup.learning.take()
+    setup.device.apply()
+    setup.until(lambda: bool(stored))
+    setup.learning.begin_test(setup.learning.numbers)
+    setup.until_step(Step.TEST)
+    assert setup.learning.tests is not None
+    tests = setup.learning.tests
+    assert not tests.passed
+    setup.push_all()
+    setup.until(lambda: tests.passed)
+    assert "would release the motors" in tests.safe_start_text
+    setup.transmitter.put(1, 0.5)
+    setup.until(lambda: "channel 1 gives +" in tests.safe_start_text)
+
+
+def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:
+    setup.learning.begin((1,))
+    setup.until_step(Step.NEUTRAL)
+    setup.device.telemetry.blockSignals(True)
+    setup.learning.next()
+    setup.until(lambda: setup.learning.stalled)
+    assert not setup.learning.can_go_on
+    setup.device.telemetry.blockSignals(False)
+    setup.until_step(Step.TRAVEL)
+
+
+def test_stop_outcome_is_reported_once_per_request(setup: LearningSetup) -> None:
+    told: list[TrexError | None] = []
+    setup.device.stop_motors(told.append)
+    setup.until(lambda: bool(told))
+    assert told == [None]
+    setup.device.motors.stop()
+    setup.until(lambda: not setup.device.may_move)
+    setup.device.disconnect_line()
+    setup.until(lambda: setup.device.link is Link.NONE)
+    setup.device.stop_motors(told.append)
+    assert len(told) == 2
+    assert "No board is connected" in str(told[1])
+
+
+# --- What was taken waits for being stored ----------------------------------------------
+
+
+@pytest.fixture
+def requested_tests(setup: LearningSetup) -> list[tuple[int, ...]]:
+    """The channels of each requested test."""
+    found: list[tuple[int, ...]] = []
+    setup.learning.stored.connect(lambda: found.append(setup.learning.numbers))
+    return found
+
+
+def test_undone_values_do_not_request_a_test(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
+) -> None:
+    setup.to_review(1)
+    setup.learning.take()
+    setup.device.undo.undo()
+    setup.device.parameters.edit("serial_timeout", 9)
+    setup.write()
+    assert setup.device.parameters.stored_of("serial_timeout") == 9
+    assert requested_tests == []
+
+
+def test_discarded_values_do_not_request_a_test(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
+) -> None:
+    setup.to_review(1)
+    setup.learning.take()
+    setup.device.discard_edits()
+    setup.device.parameters.edit("serial_timeout", 9)
+    setup.write()
+    assert requested_tests == []
+
+
+def test_only_apply_with_learned_values_requests_a_test(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
+) -> None:
+    setup.to_review(1)
+    setup.learning.take()
+    setup.device.parameters.edit("serial_timeout", 9)
+    setup.device.apply({"serial_timeout"})
+    setup.until(lambda: not setup.device.applying)
+    assert requested_tests == []
+    setup.write()
+    assert requested_tests == [(1,)]
+
+
+def test_reconnecting_forgets_the_pending_test(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
+) -> None:
+    setup.to_review(1)
+    setup.learning.take()
+    setup.device.disconnect_line()
+    setup.until(lambda: setup.device.link is Link.NONE)
+    setup.device.connect_to(LinkSettings(setup.simulator.url))
+    setup.until(lambda: setup.device.link is Link.UP)
+    assert setup.device.pending
+    setup.write()
+    assert setup.device.pending == 0
+    assert requested_tests == []
+
+
+def test_requesting_a_test_does_not_stop_running_motors(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
+) -> None:
+    setup.to_review(1)
+    setup.learning.take()
+    setup.device.motors.arm()
+    setup.device.motors.set_speed(1, 40)
+    setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 40)
+    setup.write()
+    assert requested_tests == [(1,)]
+    assert setup.learning.motors_armed  # the user confirms before the test begins
+    assert setup.learning.step is Step.ENDED
+    assert setup.simulator.show()["motors"][0]["speed"] == 40
+    setup.device.motors.stop()
+
+
+def test_each_written_channel_requests_its_own_test(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
+) -> None:
+    setup.to_review(1, 2)
+    setup.learning.take()
+    setup.device.apply({"rc_channel_2"})
+    setup.until(lambda: not setup.device.applying)
+    assert requested_tests == [(2,)]
+    setup.write()
+    assert requested_tests == [(2,), (1,)]
+
+
+@pytest.mark.parametrize(
+    ("failed", "expected"), [((2,), (1,)), ((1, 2), None), ((), (1, 2))], ids=str
+)
+def test_only_written_channels_request_a_test(
+    setup: LearningSetup,
+    requested_tests: list[tuple[int, ...]],
+    failed: tuple[int, ...],
+    expected: tuple[int, ...] | None,
+) -> None:
+    setup.to_review(1, 2)
+    values = {c.number: c.choice.calibration for c in setup.learning.channels if c.choice}
+    setup.learning.take()
+    results = tuple(
+        Written(f"channel {number}", error=NoReply("no answer"))
+        if number in failed
+        else Written(f"channel {number}", value)
+        for number, value in values.items()
+    )
+    setup.device.calibrations.take_results(results)
+    setup.device.applied.emit(results)
+    assert requested_tests == ([] if expected is None else [expected])
+
+
+def test_already_stored_values_request_the_test_at_once(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]]
+) -> None:
+    taken: list[bool] = []
+    setup.learning.taken.connect(lambda: taken.append(True))
+    setup.to_review(1)
+    (channel,) = setup.learning.channels
+    assert channel.stored is not None
+    setup.learning.choose(1, channel.stored, reversed_=False)
+    setup.learning.take()
+    assert taken == []
+    assert requested_tests == [(1,)]
+    setup.learning.begin_test(setup.learning.numbers)
+    setup.until_step(Step.TEST)
+    assert setup.learning.news == "These values are stored already."
+    setup.learning.cancel()
+    setup.learning.begin_test((1,))
+    assert setup.learning.news == ""
+
+
+def test_old_values_come_from_the_board_despite_edits(setup: LearningSetup) -> None:
+    stored = setup.device.calibrations.stored(1)
+    assert stored is not None
+    setup.device.calibrations.edit(1, replace(stored, neutral=3800))
+    setup.device.parameters.edit("reversed_channels", 1)
+    setup.device.parameters.edit("serial_timeout", 9)
+    setup.to_review(1)
+    (channel,) = setup.learning.channels
+    assert channel.stored == stored
+    assert not channel.reversed_now
+    assert channel.curve_before is not None
+    assert not channel.curve_before.reversed_
+    assert setup.learning.has_edit(1)
+    assert setup.learning.other_edits == 1
+    setup.device.parameters.edit("reversed_channels", 0b101)  # that of channel 3 stays
+    assert setup.learning.other_edits == 2
+
+
+@pytest.mark.parametrize("how", ["link", "mode", "motors"])
+def test_failed_test_does_not_deny_the_written_values(
+    setup: LearningSetup, requested_tests: list[tuple[int, ...]], how: str
+) -> None:
+    setup.to_review(1)
+    setup.learning.take()
+    setup.write()
+    assert requested_tests
+    setup.learning.begin_test(setup.learning.numbers)
+    setup.until_step(Step.TEST)
+    if how == "motors":
+        setup.device.motors.arm()
+    elif how == "mode":
+        setup.simulator.do("jumper mode rc")
+        setup.simulator.do("power cycle")
+    else:
+        setup.simulator.do("line mute on")
+    setup.until_step(Step.FAILED)
+    assert "Nothing was changed" not in setup.learning.trouble
+    assert "The test has ended; it changes nothing in the board" in setup.learning.trouble
+    setup.device.motors.stop()
+
+
+@pytest.mark.parametrize("step", [Step.NEUTRAL, Step.TRAVEL, Step.REVIEW, Step.TEST])
+def test_restart_after_power_loss_stops_the_motors_again(setup: LearningSetup, step: Step) -> None:
+    if step is Step.TEST:
+        setup.learning.begin_test((1,))
+    elif step is Step.REVIEW:
+        setup.to_review(1)
+    elif step is Step.TRAVEL:
+        setup.go_to_travel(1)
+    else:
+        setup.learning.begin((1,))
+    setup.until_step(step)
+    setup.simulator.do("power off")
+    setup.until_step(Step.FAILED)
+    setup.simulator.do("power on")
+    setup.until(lambda: setup.device.link is Link.UP)
+    assert not setup.learning.can_go_on
+    assert not setup.learning.can_take
+    setup.learning.again()
+    assert setup.learning.step is Step.STOPPING
+    setup.until_step(Step.TEST if step is Step.TEST else Step.NEUTRAL)

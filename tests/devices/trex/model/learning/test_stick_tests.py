@@ -1,0 +1,193 @@
+"""What the test of the sticks says about the inputs of a board, with what the board stores."""
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from trex_gui.devices.trex.calibration.proof import StickTest, idle_side
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.learning.stick_tests import StickTests
+from trex_gui.devices.trex.protocol.calibration import Calibration, remap
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
+"""Learned from a stick that rests at 1100 µs; below that is trim only."""
+
+REST = {1: 1500.0, 2: 1500.0, 3: 1500.0, 4: 1500.0, 5: 1900.0}
+
+
+class Sticks:
+    """Holds inputs in µs; `None` is no signal."""
+
+    def __init__(self, device: Device, *numbers: int) -> None:
+        self.tests = StickTests(device, numbers)
+        self._seconds = 0.0
+        self._held: dict[int, float | None] = dict(REST)
+
+    def hold(self, channel: int | None = None, where: float | None = 1500.0) -> None:
+        """Hold a channel somewhere for 0.6 s, or only wait; the others stay where they are."""
+        if channel is not None:
+            self._held[channel] = where
+        counts = [None if us is None else round(us * 2.5) for us in self._held.values()]
+        for _ in range(30):
+            self._seconds += 0.02
+            self.tests.feed(self._seconds, counts)
+
+    def push(self, channel: int) -> None:
+        """Push a stick to both ends, then let go."""
+        for where in (2000.0, 1000.0, REST[channel]):
+            self.hold(channel, where)
+
+    def passed(self) -> bool:
+        return self.tests.passed
+
+    def to_learn_again(self) -> tuple[int, ...]:
+        return self.tests.to_learn_again
+
+    def text(self, channel: int) -> str:
+        return next(tested.text for tested in self.tests.tested if tested.channel == channel)
+
+
+@pytest.fixture
+def connect(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable[..., Device]]:
+    device = Device()
+
+    def connect(*lines: str) -> Device:
+        for line in lines:
+            quick_simulator.do(line)
+        if lines:
+            quick_simulator.do("power cycle")
+        device.connect_to(LinkSettings(quick_simulator.url))
+        qtbot.waitUntil(lambda: device.link is Link.UP, timeout=30_000)
+        return device
+
+    yield connect
+    qtbot.waitUntil(device.shut_down)
+
+
+@pytest.fixture
+def sticks(connect: Callable[..., Device]) -> Callable[..., Sticks]:
+    return lambda *numbers: Sticks(connect(), *numbers)
+
+
+# --- A throttle -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("reversed_", [False, True])
+def test_trim_side_of_a_throttle_is_idle(reversed_: bool) -> None:
+    trimmed = remap(2600, THROTTLE, reversed_=reversed_)
+    assert idle_side(THROTTLE, reversed_=reversed_) == (1 if trimmed > 0 else -1)
+
+
+def test_throttle_passes_with_full_output_on_its_travel_side() -> None:
+    test = StickTest(3)
+    idle = idle_side(THROTTLE, reversed_=False)
+    for step, microseconds in enumerate([1040] * 30 + [1100] * 40):
+        test.feed(step / 50, remap(round(2.5 * microseconds), THROTTLE), idle=idle)
+    assert not test.tested.reverse
+    assert not test.tested.passed
+    assert test.tested.text == "Full output not reached yet. Push it all the way."
+    for step, microseconds in enumerate([1895] * 30 + [1100] * 40):
+        test.feed(2 + step / 50, remap(round(2.5 * microseconds), THROTTLE), idle=idle)
+    assert test.tested.forward
+    assert test.tested.passed
+
+
+def test_centered_throttle_passes_on_either_side() -> None:
+    even = Calibration(2500, 3750, 5000, 75)
+    assert idle_side(even, reversed_=True) == 0
+    test = StickTest(3)
+    for step, count in enumerate([2500] * 5 + [3750] * 40):
+        test.feed(step / 50, remap(count, even), idle=0)
+    assert test.tested.passed
+
+
+def test_uneven_stick_passes_with_both_ends() -> None:
+    test = StickTest(1)
+    for step, count in enumerate([2600] * 5 + [4730] * 5 + [2750] * 40):
+        test.feed(step / 50, remap(count, THROTTLE), idle=-1)
+    assert test.tested.passed
+
+
+# --- Good is what is good now -----------------------------------------------------------
+
+
+def test_passed_channel_held_off_neutral_fails_until_released(
+    sticks: Callable[..., Sticks],
+) -> None:
+    inputs = sticks(1)
+    inputs.push(1)
+    assert inputs.text(1) == "Good."
+    assert inputs.passed()
+    inputs.hold(1, 1650)
+    assert inputs.text(1).startswith("Full output reached. Let go: at rest it must give 0")
+    assert not inputs.passed()
+    inputs.hold(1, 1500)
+    assert inputs.passed()
+
+
+@pytest.mark.parametrize("channel", [1, 4])
+def test_passed_channel_fails_when_its_signal_is_lost(
+    sticks: Callable[..., Sticks], channel: int
+) -> None:
+    inputs = sticks(channel)
+    inputs.push(channel)
+    assert inputs.passed()
+    inputs.hold(channel, None)
+    assert inputs.text(channel) == "No signal comes in."
+    assert not inputs.passed()
+
+
+def test_safe_start_of_another_channel_blocks_passing(
+    sticks: Callable[..., Sticks],
+) -> None:
+    inputs = sticks(1)
+    inputs.hold(2, 1600)
+    inputs.push(1)
+    assert inputs.text(1) == "Good."
+    assert inputs.tests.channels_passed
+    assert not inputs.passed()
+    (reason,) = inputs.tests.safe_start_reasons
+    assert reason.startswith("channel 2 gives +")
+    inputs.hold(2, 1500)
+    assert inputs.passed()
+
+
+# --- Ignored channels -------------------------------------------------------------------
+
+
+def test_ignored_channel_is_named_and_not_counted(connect: Callable[..., Device]) -> None:
+    inputs = Sticks(connect("eeprom ignored_channels 2"), 1, 2)
+    inputs.hold()
+    assert inputs.text(2) == "Ignored: the board holds it at neutral. There is nothing to test."
+    inputs.push(2)
+    assert not inputs.passed()
+    inputs.push(1)
+    assert inputs.passed()
+    assert inputs.to_learn_again() == ()
+
+
+def test_stick_test_of_only_ignored_channels_never_passes(connect: Callable[..., Device]) -> None:
+    inputs = Sticks(connect("eeprom ignored_channels 1"), 1)
+    inputs.push(1)
+    assert inputs.tests.all_ignored
+    assert not inputs.passed()
+
+
+# --- What to learn again ----------------------------------------------------------------
+
+
+def test_moved_channel_that_fails_is_offered_for_relearning(
+    sticks: Callable[..., Sticks],
+) -> None:
+    inputs = sticks(1, 2)
+    inputs.hold()
+    assert inputs.to_learn_again() == ()
+    inputs.hold(2, 1900)
+    inputs.hold(2, 1500)
+    assert inputs.to_learn_again() == (2,)
+    inputs.push(2)
+    inputs.hold(2, 1700)  # it was good: nothing is wrong with its values
+    assert inputs.to_learn_again() == ()

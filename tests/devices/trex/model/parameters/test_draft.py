@@ -1,0 +1,264 @@
+"""A working copy beside the device's."""
+
+import random
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.matrix import examples
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.model.parameters.draft import Draft
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
+
+modest = examples(40)
+
+
+SPECS = parameters_of("trex", "1.2")
+TIMEOUT = SPECS["serial_timeout"]
+MODE = SPECS["motor_mode"]
+FACTORY = {spec.key: spec.default for spec in SPECS.readable}
+
+
+def loaded() -> Draft:
+    draft = Draft()
+    draft.load(FACTORY)
+    return draft
+
+
+def test_loaded_draft_has_no_pending_edits() -> None:
+    assert loaded().pending == ()
+    assert Draft().value("serial_timeout") is None
+
+
+def test_edit_is_pending() -> None:
+    draft = loaded()
+    draft.edit(TIMEOUT, 9)
+    assert draft.pending == (("serial_timeout", 9),)
+    assert draft.value("serial_timeout") == 9
+    assert draft.stored["serial_timeout"] == TIMEOUT.default
+
+
+def test_edit_to_stored_value_is_not_pending() -> None:
+    draft = loaded()
+    draft.edit(TIMEOUT, 9)
+    draft.edit(TIMEOUT, TIMEOUT.default)
+    assert draft.pending == ()
+
+
+def test_edit_to_none_drops_the_edit() -> None:
+    draft = loaded()
+    draft.edit(TIMEOUT, 9)
+    draft.edit(TIMEOUT, None)
+    draft.edit(TIMEOUT, None)
+    assert draft.pending == ()
+
+
+def test_invalid_edit_keeps_the_previous_edit() -> None:
+    draft = loaded()
+    draft.edit(MODE, 1)
+    with pytest.raises(BadRequest, match="Motor Mode"):
+        draft.edit(MODE, 7)
+    assert draft.pending == (("motor_mode", 1),)
+
+
+def test_verified_value_is_stored_and_not_pending() -> None:
+    draft = loaded()
+    draft.edit(TIMEOUT, 9)
+    draft.note_stored(TIMEOUT, 9)
+    assert draft.stored["serial_timeout"] == 9
+    assert draft.pending == ()
+
+
+def test_edit_made_during_the_write_stays_pending() -> None:
+    draft = loaded()
+    draft.edit(TIMEOUT, 9)
+    draft.edit(TIMEOUT, 10)
+    draft.note_stored(TIMEOUT, 9)
+    assert draft.pending == (("serial_timeout", 10),)
+
+
+def test_reload_keeps_edits_only_on_request() -> None:
+    draft = loaded()
+    draft.edit(TIMEOUT, 9)
+    draft.load(FACTORY, keep_edits=True)
+    assert dict(draft.pending) == {"serial_timeout": 9}
+    draft.load(FACTORY)
+    assert dict(draft.pending) == {}
+
+
+def test_edit_equal_to_reloaded_value_is_dropped() -> None:
+    draft = loaded()
+    draft.edit(TIMEOUT, 9)
+    draft.load(FACTORY | {"serial_timeout": 9}, keep_edits=True)
+    assert draft.pending == ()
+
+
+def test_edit_of_missing_parameter_is_dropped() -> None:
+    draft = loaded()
+    draft.edit(TIMEOUT, 9)
+    draft.load({"motor_mode": 0}, keep_edits=True)
+    assert draft.pending == ()
+
+
+# --- Stored and active ------------------------------------------------------------------
+
+
+def test_power_cycle_parameter_keeps_its_active_value() -> None:
+    draft = loaded()
+    draft.note_stored(MODE, 1)
+    assert draft.stored["motor_mode"] == 1
+    assert draft.active == {"motor_mode": 0}
+
+
+def test_immediate_parameter_has_no_separate_active_value() -> None:
+    draft = loaded()
+    draft.note_stored(TIMEOUT, 9)
+    assert draft.active == {}
+
+
+def test_storing_the_active_value_ends_the_waiting() -> None:
+    draft = loaded()
+    draft.note_stored(MODE, 1)
+    draft.note_stored(MODE, 0)
+    assert draft.active == {}
+
+
+def test_active_value_survives_several_writes() -> None:
+    draft = loaded()
+    uart = SPECS["uart_settings"]
+    draft.note_stored(uart, 3)
+    draft.note_stored(uart, 4)
+    assert draft.active == {"uart_settings": uart.default}
+
+
+def test_power_cycle_activates_all_stored_values() -> None:
+    draft = loaded()
+    draft.note_stored(MODE, 1)
+    draft.load(FACTORY | {"motor_mode": 1}, power_cycled=True)
+    assert draft.active == {}
+
+
+def test_reload_without_power_cycle_keeps_active_values() -> None:
+    draft = loaded()
+    draft.note_stored(MODE, 1)
+    draft.load(FACTORY | {"motor_mode": 1}, power_cycled=False)
+    assert draft.active == {"motor_mode": 0}
+
+
+def test_previously_unknown_value_has_no_active_value() -> None:
+    draft = Draft()
+    draft.note_stored(MODE, 1)
+    assert draft.active == {}
+
+
+# --- A file, which need not give everything -------------------------------------------------
+
+
+def of_a_file() -> Draft:
+    draft = Draft()
+    draft.load({"motor_mode": 0}, open_to=FACTORY)
+    return draft
+
+
+def test_parameter_can_be_added_to_a_file_and_left_out() -> None:
+    draft = of_a_file()
+    assert draft.takes("serial_timeout")
+    draft.edit(TIMEOUT, 9)
+    assert draft.pending == (("serial_timeout", 9),)
+    draft.leave_out("serial_timeout")
+    assert draft.value("serial_timeout") is None
+    assert not draft.is_modified("serial_timeout")
+
+
+def test_parameter_of_a_file_can_be_left_out_and_restored() -> None:
+    draft = of_a_file()
+    draft.leave_out("motor_mode")
+    assert draft.value("motor_mode") is None
+    assert draft.is_modified("motor_mode")
+    assert draft.pending == ()
+    draft.edit(MODE, 0)
+    assert not draft.is_modified("motor_mode")
+
+
+def test_left_out_parameter_survives_reload_of_the_same_file() -> None:
+    draft = of_a_file()
+    draft.leave_out("motor_mode")
+    draft.edit(TIMEOUT, 9)
+    draft.load({"motor_mode": 0}, keep_edits=True, open_to=FACTORY)
+    assert draft.removed == {"motor_mode"}
+    assert draft.pending == (("serial_timeout", 9),)
+    draft.load({"serial_timeout": 9}, keep_edits=True, open_to=FACTORY)
+    assert not draft.removed
+    assert not draft.pending
+
+
+def test_parameter_of_a_board_cannot_be_left_out() -> None:
+    draft = loaded()
+    draft.leave_out("motor_mode")
+    assert draft.value("motor_mode") == MODE.default
+    assert not draft.is_modified("motor_mode")
+
+
+# --- Always -----------------------------------------------------------------------------
+
+edits = st.lists(
+    st.tuples(st.sampled_from(SPECS.readable), st.none() | st.integers(0, 127)), max_size=25
+)
+
+
+@modest
+@given(edits)
+def test_pending_equals_the_difference_after_any_edits(
+    steps: list[tuple[ParameterSpec, int | None]],
+) -> None:
+    draft = loaded()
+    wanted = dict(FACTORY)
+    for spec, wire in steps:
+        try:
+            draft.edit(spec, wire)
+        except BadRequest:
+            continue
+        wanted[spec.key] = FACTORY[spec.key] if wire is None else wire
+    changed = {key: wire for key, wire in wanted.items() if wire != FACTORY[key]}
+    assert dict(draft.pending) == changed
+    assert {key: draft.value(key) for key in wanted} == wanted
+    assert draft.stored == FACTORY
+
+
+@modest
+@given(edits, st.randoms(use_true_random=False))
+def test_dropping_edits_in_any_order_leaves_none_pending(
+    steps: list[tuple[ParameterSpec, int | None]], chance: random.Random
+) -> None:
+    draft = loaded()
+    edited = []
+    for spec, wire in steps:
+        try:
+            draft.edit(spec, wire)
+        except BadRequest:
+            continue
+        edited.append(spec)
+    chance.shuffle(edited)
+    for spec in edited:
+        draft.edit(spec, None)
+    assert draft.pending == ()
+
+
+@modest
+@given(edits)
+def test_writing_all_pending_edits_leaves_none(
+    steps: list[tuple[ParameterSpec, int | None]],
+) -> None:
+    draft = loaded()
+    for spec, wire in steps:
+        try:
+            draft.edit(spec, wire)
+        except BadRequest:
+            continue
+    written = dict(draft.pending)
+    for key, wire in written.items():
+        draft.note_stored(SPECS[key], wire)
+    assert draft.pending == ()
+    assert draft.stored == FACTORY | written
+    assert set(draft.active) == {key for key in written if SPECS[key].needs_power_cycle}

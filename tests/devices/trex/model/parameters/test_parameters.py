@@ -1,0 +1,325 @@
+"""The parameter table as Qt sees it."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QModelIndex, Qt
+from pytestqt.modeltest import ModelTester
+from pytestqt.qtbot import QtBot
+
+from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.parameters.parameters import Column, ParameterModel, Role
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
+
+SPECS = parameters_of("trex", "1.2")
+JUNIOR = parameters_of("trexjr", "1.2")
+
+
+def factory(specs: ParameterSet = SPECS) -> dict[str, int]:
+    return {spec.key: spec.default for spec in specs.readable}
+
+
+def load(
+    model: ParameterModel,
+    stored: Mapping[str, int] | None = None,
+    specs: ParameterSet = SPECS,
+    *,
+    unread: Mapping[str, str] | None = None,
+    power_cycled: bool = True,
+) -> None:
+    values = factory(specs) if stored is None else stored
+    model.load(specs, values, unread or {}, power_cycled=power_cycled)
+
+
+@pytest.fixture
+def model(qtbot: QtBot) -> ParameterModel:
+    model = ParameterModel()
+    load(model)
+    return model
+
+
+def text(model: ParameterModel, key: str, column: Column = Column.VALUE) -> str:
+    return str(model.index_of(key, column).data())
+
+
+def edit(model: ParameterModel, key: str, wire: object) -> bool:
+    return model.setData(model.index_of(key), wire)
+
+
+def of(model: ParameterModel, key: str, role: Role) -> object:
+    found: object = model.index_of(key).data(role)
+    return found
+
+
+# --- What Qt asks of a model ------------------------------------------------------------
+
+
+def test_model_passes_qt_model_tester(model: ParameterModel, qtmodeltester: ModelTester) -> None:
+    qtmodeltester.check(model)  # type: ignore[no-untyped-call] # of pytest-qt
+
+
+def test_model_passes_qt_model_tester_through_changes(
+    qtmodeltester: ModelTester, qtbot: QtBot
+) -> None:
+    model = ParameterModel()
+    qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
+    load(model)
+    edit(model, "serial_timeout", 9)
+    model.take_results([Written("serial_timeout", 9)])
+    load(model, factory(JUNIOR), JUNIOR)
+    model.set_editable(False)
+    model.discard_edits()
+    qtmodeltester.check(model, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
+
+
+def test_each_parameter_has_a_row_and_each_column_a_name(
+    model: ParameterModel,
+) -> None:
+    assert model.count == len(SPECS.readable)
+    assert sum(model.rowCount(model.index(row, 0)) for row in range(3)) == model.count
+    assert model.columnCount() == len(Column)
+    horizontal = Qt.Orientation.Horizontal
+    named = [column for column in Column if column is not Column.RESET]
+    assert all(model.headerData(column, horizontal) for column in named)
+    spoken = Qt.ItemDataRole.AccessibleTextRole
+    assert model.headerData(Column.RESET, horizontal, spoken) == "Back to default"
+    assert model.headerData(0, Qt.Orientation.Vertical) is None
+
+
+def test_model_is_empty_before_a_board_is_read(qtbot: QtBot) -> None:
+    assert ParameterModel().rowCount() == 0
+
+
+def test_parameters_have_no_children(model: ParameterModel) -> None:
+    for spec in SPECS.readable:
+        assert model.rowCount(model.index_of(spec.key, Column.NAME)) == 0
+
+
+def test_unknown_key_has_no_index(model: ParameterModel) -> None:
+    assert not model.index_of("nonsense").isValid()
+    assert model.index_of("motor_mode").isValid()
+
+
+# --- What is shown ----------------------------------------------------------------------
+
+
+def test_row_shows_value_wire_default_and_effect(model: ParameterModel) -> None:
+    load(model, factory() | {"serial_timeout": 15})
+    assert text(model, "serial_timeout", Column.NAME) == "Serial Timeout"
+    assert text(model, "serial_timeout") == "1.5 s"
+    assert text(model, "serial_timeout", Column.WIRE) == "15"
+    assert text(model, "serial_timeout", Column.EFFECT) == "at once"
+    assert text(model, "motor_mode", Column.EFFECT) == "power cycle"
+    default = SPECS["serial_timeout"]
+    assert text(model, "serial_timeout", Column.DEFAULT) == default.text(default.default)
+    assert text(model, "serial_timeout", Column.RANGE) == default.short_range()
+
+
+def test_each_cell_except_reset_has_a_text(qtbot: QtBot) -> None:
+    for specs in (SPECS, JUNIOR, parameters_of("trex", "1.0")):
+        model = ParameterModel()
+        load(model, factory(specs), specs)
+        for spec in specs.readable:
+            for column in Column:
+                empty = model.index_of(spec.key, column).data() in {None, ""}
+                assert empty == (column is Column.RESET)
+
+
+def test_pwm_maximum_shows_the_resulting_frequency(model: ParameterModel) -> None:
+    before = text(model, "motor1_pwm_maximum")
+    assert "Hz" in before
+    edit(model, "motor1_pwm_prescaler", (SPECS["motor1_pwm_prescaler"].default + 1) % 4)
+    assert text(model, "motor1_pwm_maximum") != before
+
+
+def test_acceleration_shows_the_time_to_full_speed(model: ParameterModel) -> None:
+    edit(model, "motor1_acceleration", 127)
+    assert "100 ms to full speed" in text(model, "motor1_acceleration")
+
+
+def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
+    stored = factory()
+    del stored["serial_timeout"]
+    load(model, stored, unread={"serial_timeout": "No answer to 9F 07."})
+    assert text(model, "serial_timeout") == "not read"
+    assert text(model, "serial_timeout", Column.WIRE) == ""
+    assert of(model, "serial_timeout", Role.PROBLEM) == "No answer to 9F 07."
+    assert "No answer to 9F 07." in str(
+        model.index_of("serial_timeout").data(Qt.ItemDataRole.ToolTipRole)
+    )
+    assert not edit(model, "serial_timeout", 9)
+
+
+# --- Edits ------------------------------------------------------------------------------
+
+
+def test_edit_is_shown_and_pending(model: ParameterModel, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        assert edit(model, "serial_timeout", 15)
+    assert pending.args == [1]
+    assert model.pending == (("serial_timeout", 15),)
+    assert text(model, "serial_timeout") == "1.5 s"
+    assert of(model, "serial_timeout", Role.DIRTY) is True
+    assert model.value_of("serial_timeout") == 15
+    assert model.stored_of("serial_timeout") == SPECS["serial_timeout"].default
+
+
+def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(model.dataChanged) as changed, qtbot.assertNotEmitted(model.modelReset):
+        edit(model, "serial_timeout", 15)
+    row = model.index_of("serial_timeout").row()
+    assert [index.row() for index in changed.args[:2]] == [row, row]
+
+
+def test_edit_to_stored_value_is_not_pending(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 15)
+    edit(model, "serial_timeout", SPECS["serial_timeout"].default)
+    assert model.pending == ()
+    assert of(model, "serial_timeout", Role.DIRTY) is False
+
+
+@pytest.mark.parametrize("spec", SPECS.readable, ids=lambda spec: spec.key)
+def test_invalid_wire_value_is_rejected_with_a_reason(
+    model: ParameterModel, qtbot: QtBot, spec: object
+) -> None:
+    assert isinstance(spec, type(SPECS["motor_mode"]))
+    for wire in (-1, 128, *(set(range(128)) - spec.valid)):
+        with qtbot.waitSignal(model.refused) as refused:
+            assert not edit(model, spec.key, wire)
+        assert refused.args[0].startswith(spec.name)
+    assert model.pending == ()
+
+
+@pytest.mark.parametrize("nonsense", ["abc", "", None, []])
+def test_non_numeric_value_is_rejected(
+    model: ParameterModel, qtbot: QtBot, nonsense: object
+) -> None:
+    with qtbot.waitSignal(model.refused):
+        assert not edit(model, "serial_timeout", nonsense)
+    assert model.pending == ()
+
+
+@pytest.mark.parametrize("column", [column for column in Column if column is not Column.VALUE])
+def test_only_the_value_column_is_editable(model: ParameterModel, column: Column) -> None:
+    index = model.index_of("serial_timeout", column)
+    assert not index.flags() & Qt.ItemFlag.ItemIsEditable
+    assert not model.setData(index, 9)
+
+
+def test_edit_needs_a_valid_index_and_the_edit_role(model: ParameterModel) -> None:
+    assert not model.setData(QModelIndex(), 9)
+    index = model.index_of("serial_timeout")
+    assert not model.setData(index, 9, Qt.ItemDataRole.DisplayRole)
+    assert model.pending == ()
+
+
+def test_disabled_model_shows_values_but_rejects_edits(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 9)
+    model.set_editable(False)
+    assert not edit(model, "serial_timeout", 10)
+    assert text(model, "serial_timeout") == "0.9 s"
+    assert not model.index_of("serial_timeout").flags() & Qt.ItemFlag.ItemIsEnabled
+    load(model)
+    assert edit(model, "serial_timeout", 10)
+
+
+def test_discard_drops_all_edits(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 9)
+    edit(model, "motor_mode", 1)
+    told: list[int] = []
+    model.pending_changed.connect(told.append)
+    model.discard_edits()
+    assert told[-1] == 0
+    assert model.pending == ()
+    assert of(model, "motor_mode", Role.DIRTY) is False
+
+
+# --- Writes -----------------------------------------------------------------------------
+
+
+def test_written_value_is_stored_and_not_pending(model: ParameterModel, qtbot: QtBot) -> None:
+    edit(model, "serial_timeout", 9)
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        model.take_results([Written("serial_timeout", 9)])
+    assert pending.args == [0]
+    assert model.stored_of("serial_timeout") == 9
+
+
+def test_failed_write_stays_pending_with_a_reason(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 9)
+    edit(model, "motor_mode", 1)
+    model.take_results(
+        [Written("serial_timeout", 9), Written("motor_mode", error=NoReply("No answer."))]
+    )
+    assert model.pending == (("motor_mode", 1),)
+    assert of(model, "motor_mode", Role.PROBLEM) == "No answer."
+    assert of(model, "serial_timeout", Role.PROBLEM) is None
+
+
+def test_successful_write_clears_the_problem(model: ParameterModel) -> None:
+    edit(model, "motor_mode", 1)
+    model.take_results([Written("motor_mode", error=BadReply("It did not stick."))])
+    model.take_results([Written("motor_mode", 1)])
+    assert of(model, "motor_mode", Role.PROBLEM) is None
+
+
+def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
+    model.take_results([Written("channel 1", error=NoReply("x")), Written("nonsense", 1)])
+    assert model.pending == ()
+
+
+# --- Stored and active ------------------------------------------------------------------
+
+
+def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -> None:
+    assert not model.waiting_for_power
+    model.take_results([Written("motor_mode", 1), Written("serial_timeout", 9)])
+    assert model.waiting_for_power == ("Motor Mode",)
+    assert of(model, "motor_mode", Role.WAITING) is not None
+    assert of(model, "serial_timeout", Role.WAITING) is None
+
+
+def test_power_cycle_ends_the_waiting(model: ParameterModel) -> None:
+    model.take_results([Written("motor_mode", 1)])
+    load(model, factory() | {"motor_mode": 1})
+    assert model.waiting_for_power == ()
+
+
+def test_reload_without_power_cycle_keeps_the_waiting(model: ParameterModel) -> None:
+    model.take_results([Written("motor_mode", 1)])
+    load(model, factory() | {"motor_mode": 1}, power_cycled=False)
+    assert model.waiting_for_power == ("Motor Mode",)
+
+
+# --- Another board ----------------------------------------------------------------------
+
+
+def test_edit_survives_reload_of_the_same_model(model: ParameterModel) -> None:
+    edit(model, "serial_timeout", 9)
+    model.set_editable(False)
+    load(model)
+    assert model.pending == (("serial_timeout", 9),)
+
+
+def test_edit_is_dropped_for_another_model(model: ParameterModel, qtbot: QtBot) -> None:
+    edit(model, "serial_timeout", 9)
+    with qtbot.waitSignal(model.pending_changed) as pending:
+        load(model, factory(JUNIOR), JUNIOR)
+    assert pending.args == [0]
+    assert model.pending == ()
+
+
+def test_edit_missing_in_older_firmware_is_dropped(model: ParameterModel) -> None:
+    edit(model, "uart_response_delay", 1)
+    old = parameters_of("trex", "1.0")
+    load(model, factory(old), old)
+    assert model.pending == ()
+    assert not model.index_of("uart_response_delay").isValid()
+
+
+def test_row_carries_its_specification(model: ParameterModel) -> None:
+    spec = of(model, "serial_timeout", Role.SPEC)
+    assert spec == replace(SPECS["serial_timeout"])
+    assert of(model, "serial_timeout", Role.WIRE) == SPECS["serial_timeout"].default

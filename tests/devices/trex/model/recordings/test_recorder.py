@@ -1,0 +1,202 @@
+"""Recording a session while it runs."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from trex_gui.core.recording.backlog import Backlog
+from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSeen, Raw, Remapped
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.recordings.recorder import Recorder
+from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.recording.files import open_recording
+from trex_gui.devices.trex.recording.recording import Marker, Record, SettingsSeen, Wish
+from trex_gui.devices.trex.session.messages import Batch
+from trex_gui.ui.devices.event_log import EventKind
+
+
+class RecorderSetup:
+    """A device on a simulated board, its recorder, and everything the line reported."""
+
+    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
+        self.simulator = simulator
+        self.qtbot = qtbot
+        self.device = Device()
+        self.recorder = Recorder(self.device)
+        self.samples: list[object] = []
+        self.device.sampled.connect(self._on_sampled)
+        self.connect()
+
+    def _on_sampled(self, batch: Batch) -> None:
+        if self.recorder.recording:
+            self.samples += batch.samples
+
+    def connect(self) -> None:
+        self.device.connect_to(LinkSettings(self.simulator.url))
+        self.wait(lambda: self.device.link is Link.UP)
+
+    def wait(self, condition: Callable[[], bool]) -> None:
+        self.qtbot.waitUntil(condition, timeout=20_000)
+
+    def end_recording(self) -> None:
+        with self.qtbot.waitSignal(self.recorder.ended, timeout=20_000):
+            self.recorder.stop()
+
+    def end(self) -> None:
+        self.recorder.shut_down()
+        self.device.shut_down()
+
+
+@pytest.fixture
+def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RecorderSetup]:
+    session = RecorderSetup(quick_simulator, qtbot)
+    yield session
+    session.end()
+
+
+def everything(path: Path) -> list[Record]:
+    file = open_recording(path)
+    records = [record for index in range(len(file.blocks)) for record in file.read(index)]
+    assert file.problems == []
+    file.close()
+    return records
+
+
+@pytest.mark.parametrize("suffix", [".trexrec", ".csv"])
+def test_every_reported_sample_is_recorded(
+    session: RecorderSetup, tmp_path: Path, suffix: str
+) -> None:
+    path = tmp_path / f"session{suffix}"
+    assert session.recorder.start(path)
+    session.wait(lambda: len(session.samples) > 400)
+    session.end_recording()
+    records = everything(path)
+    samples = [r for r in records if isinstance(r, Currents | Raw | Remapped | Control | ModeSeen)]
+    if suffix == ".trexrec":
+        assert samples == session.samples[: len(samples)]
+    assert len(samples) == len(session.samples)
+    assert session.recorder.size == path.stat().st_size
+    assert {Currents, Raw, Remapped, Control} <= {type(sample) for sample in samples}
+
+
+def test_header_names_board_mode_and_settings(session: RecorderSetup, tmp_path: Path) -> None:
+    session.recorder.start(tmp_path / "a.trexrec")
+    session.end_recording()
+    file = open_recording(tmp_path / "a.trexrec")
+    state = session.device.state
+    assert state is not None
+    assert file.header.board == str(state.signature)
+    assert file.header.mode is state.mode
+    assert "serial_timeout:" in file.header.settings
+    assert "rc_channel_1:" in file.header.settings
+    assert file.header.program.startswith("TReX Studio ")
+    file.close()
+
+
+def test_setpoints_events_and_settings_are_recorded_in_order(
+    session: RecorderSetup, tmp_path: Path
+) -> None:
+    device, path = session.device, tmp_path / "a.trexrec"
+    session.recorder.start(path)
+    device.motors.arm()
+    device.motors.set_speed(1, 40)
+    session.wait(lambda: len(session.samples) > 50)
+    device.motors.press_stop()
+    session.wait(lambda: not device.may_move)
+    device.parameters.edit("serial_timeout", 9)
+    with session.qtbot.waitSignal(device.applied, timeout=20_000):
+        device.apply()
+    session.end_recording()
+    records = everything(path)
+    wishes = [record for record in records if isinstance(record, Wish)]
+    assert [(wish.motor, wish.drive) for wish in wishes] == [(1, Drive.at(40))]
+    kinds = [record.kind for record in records if isinstance(record, Marker)]
+    assert {EventKind.STOP.value, EventKind.APPLY.value} <= set(kinds)
+    (seen,) = [record for record in records if isinstance(record, SettingsSeen)]
+    assert "serial_timeout: 9 " in seen.text
+    times = [record.time for record in records]
+    assert max(times) - min(times) < 60
+    assert min(times) <= wishes[0].time < seen.time <= max(times)
+
+
+def test_disconnecting_ends_the_recording_intact(session: RecorderSetup, tmp_path: Path) -> None:
+    session.recorder.start(tmp_path / "a.trexrec")
+    session.wait(lambda: len(session.samples) > 50)
+    with session.qtbot.waitSignals([session.recorder.told, session.recorder.ended]):
+        session.device.disconnect_line()
+    assert not session.recorder.recording
+    assert everything(tmp_path / "a.trexrec")
+
+
+def test_recording_continues_while_the_board_is_unresponsive(
+    session: RecorderSetup, tmp_path: Path
+) -> None:
+    session.recorder.start(tmp_path / "a.trexrec")
+    session.wait(lambda: len(session.samples) > 50)
+    session.simulator.do("power off")
+    session.wait(lambda: session.device.link is Link.SILENT)
+    assert session.recorder.recording
+    session.simulator.do("power on")
+    session.wait(lambda: session.device.link is Link.UP)
+    before = len(session.samples)
+    session.wait(lambda: len(session.samples) > before + 50)
+    assert session.recorder.recording
+    session.end_recording()
+    assert len(everything(tmp_path / "a.trexrec")) >= before + 50
+
+
+def test_recording_ends_when_the_input_source_changes(
+    session: RecorderSetup, tmp_path: Path
+) -> None:
+    session.recorder.start(tmp_path / "a.trexrec")
+    session.simulator.do("jumper mode analog")
+    with session.qtbot.waitSignal(session.recorder.ended, timeout=20_000):
+        session.simulator.do("power cycle")
+    assert everything(tmp_path / "a.trexrec")
+
+
+def test_full_disk_fails_the_recording_but_not_the_connection(
+    session: RecorderSetup, tmp_path: Path
+) -> None:
+    full = Path("/dev/full")
+    if not full.exists():
+        pytest.skip("this system has no disk that is always full")
+    with session.qtbot.waitSignal(session.recorder.failed, timeout=20_000) as failed:
+        session.recorder.start(full)
+    assert "No space left" in failed.args[0]
+    session.wait(lambda: session.recorder.can_record)
+    samples = session.device.telemetry.samples
+    session.wait(lambda: session.device.telemetry.samples > samples)
+
+
+def test_missing_folder_is_reported(session: RecorderSetup, tmp_path: Path) -> None:
+    with session.qtbot.waitSignal(session.recorder.failed, timeout=20_000) as failed:
+        session.recorder.start(tmp_path / "none" / "a.trexrec")
+    assert "No such file" in failed.args[0]
+    session.wait(lambda: session.recorder.can_record)
+
+
+def test_recording_needs_a_connected_board(tmp_path: Path, qtbot: QtBot) -> None:
+    device = Device()
+    recorder = Recorder(device)
+    assert not recorder.can_record
+    assert not recorder.start(tmp_path / "a.trexrec")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_slow_disk_drops_samples_and_marks_the_gap() -> None:
+    backlog: Backlog[Record] = Backlog(most=10)
+    first: list[Record] = [Control(float(n), by_serial=True) for n in range(8)]
+    backlog.put(first)
+    backlog.put(first)  # has no room
+    assert backlog.lost == 8
+    assert backlog.get(0) == first
+    backlog.put([Control(20.0, by_serial=True)])
+    text = "8 samples are missing here: the disk was too slow."
+    assert backlog.get(0) == [Marker(20.0, "note", text), Control(20.0, by_serial=True)]
+    backlog.close(21.0)
+    assert backlog.get(0) is None

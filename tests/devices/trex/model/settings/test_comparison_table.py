@@ -1,0 +1,177 @@
+"""Two sets of settings side by side as Qt sees them, and which changes are wanted."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, Qt
+from pytestqt.modeltest import ModelTester
+from pytestqt.qtbot import QtBot
+
+from tests.devices.trex.settings.samples import factory
+from trex_gui.devices.trex.model.settings.comparison_table import (
+    ComparisonColumn,
+    ComparisonRole,
+    ComparisonTable,
+)
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.document import Settings
+
+BEFORE = factory()
+
+
+def changed(**values: int) -> Settings:
+    return replace(BEFORE, parameters={**BEFORE.parameters, **values})
+
+
+def comparison(**values: int) -> Comparison:
+    return compare(BEFORE, changed(**values))
+
+
+@pytest.fixture
+def table(qtbot: QtBot) -> ComparisonTable:
+    table = ComparisonTable()
+    table.show_comparison(comparison(serial_timeout=5, motor1_acceleration=9), "Now", "File")
+    return table
+
+
+def keys(table: ComparisonTable) -> list[str]:
+    return [table.index(row, 0).data(ComparisonRole.KEY) for row in range(table.rowCount())]
+
+
+def index(table: ComparisonTable, key: str, column: int = ComparisonColumn.SETTING) -> QModelIndex:
+    return table.index(keys(table).index(key), column)
+
+
+def ticked(table: ComparisonTable) -> set[str]:
+    return {row.key for row in table.ticked}
+
+
+def tick(table: ComparisonTable, key: str, wanted: bool) -> bool:
+    state = Qt.CheckState.Checked if wanted else Qt.CheckState.Unchecked
+    return table.setData(index(table, key), state, Qt.ItemDataRole.CheckStateRole)
+
+
+def test_table_passes_qt_model_tester(table: ComparisonTable, qtmodeltester: ModelTester) -> None:
+    qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
+
+
+def test_table_passes_qt_model_tester_through_changes(
+    table: ComparisonTable, qtmodeltester: ModelTester
+) -> None:
+    qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
+    table.set_with_equal(True)
+    table.renew(comparison(serial_timeout=7, motor_mode=1))
+    table.set_outcomes({"serial_timeout": "", "motor_mode": "the board refused it"})
+    table.set_with_equal(False)
+    table.renew(comparison(serial_timeout=7))
+    table.freeze("Was", "Is")
+    table.set_outcomes({"serial_timeout": ""})
+    table.set_outcomes({})
+    table.show_comparison(Comparison(()), "", "")
+
+
+def test_differing_rows_are_shown_and_checked(table: ComparisonTable) -> None:
+    assert set(keys(table)) == {"serial_timeout", "motor1_acceleration"}
+    assert ticked(table) == set(keys(table))
+    heads = [
+        table.headerData(column, Qt.Orientation.Horizontal) for column in range(table.columnCount())
+    ]
+    assert heads == ["Setting", "Now", "File", "Wire"]
+    assert index(table, "serial_timeout", ComparisonColumn.AFTER).data() == "0.5 s"
+    assert index(table, "serial_timeout", ComparisonColumn.WIRE).data() == "0 → 5"
+
+
+def test_equal_rows_are_shown_on_request_without_check_box(table: ComparisonTable) -> None:
+    place = QPersistentModelIndex(index(table, "serial_timeout"))
+    table.set_with_equal(True)
+    assert table.rowCount() == len(table.comparison.rows)
+    assert index(table, "motor_mode").data(Qt.ItemDataRole.CheckStateRole) is None
+    assert not tick(table, "motor_mode", True)
+    table.set_with_equal(False)
+    assert table.rowCount() == 2
+    assert place.isValid()
+    assert place.data(ComparisonRole.KEY) == "serial_timeout"
+
+
+def test_row_can_be_unchecked_and_checked(table: ComparisonTable, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(table.ticked_changed):
+        assert tick(table, "serial_timeout", False)
+    assert ticked(table) == {"motor1_acceleration"}
+    table.toggle(index(table, "serial_timeout").row())
+    assert ticked(table) == {"motor1_acceleration", "serial_timeout"}
+    table.tick_all(False)
+    assert not table.ticked
+    table.tick_all(True)
+    assert len(table.ticked) == 2
+
+
+def test_rows_cannot_be_checked_without_check_boxes(table: ComparisonTable) -> None:
+    table.show_comparison(comparison(serial_timeout=5), "Now", "File", with_ticks=False)
+    assert not table.ticked
+    table.tick_all(True)
+    table.toggle(0)
+    assert not table.ticked
+    assert not tick(table, "serial_timeout", True)
+
+
+def test_unchecked_row_stays_unchecked_when_values_change(table: ComparisonTable) -> None:
+    tick(table, "serial_timeout", False)
+    table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1))
+    assert ticked(table) == {"motor1_acceleration", "motor_mode"}
+    table.renew(comparison(motor1_acceleration=9))
+    table.renew(comparison(serial_timeout=6, motor1_acceleration=9))
+    assert ticked(table) == {"motor1_acceleration"}
+
+
+def test_new_row_is_unchecked_when_tick_new_is_off(table: ComparisonTable) -> None:
+    tick(table, "serial_timeout", False)
+    table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1), tick_new=False)
+    assert ticked(table) == {"motor1_acceleration"}
+
+
+def test_renewing_keeps_persistent_indexes(table: ComparisonTable, qtbot: QtBot) -> None:
+    place = QPersistentModelIndex(index(table, "motor1_acceleration"))
+    with qtbot.assertNotEmitted(table.modelReset):
+        table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1))
+    assert place.data(ComparisonRole.KEY) == "motor1_acceleration"
+
+
+def test_outcomes_add_a_column(table: ComparisonTable) -> None:
+    table.set_outcomes({"serial_timeout": "", "motor1_acceleration": "the board refused it"})
+    assert table.columnCount() == 5
+    outcome = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
+    assert outcome.data().startswith("stored")
+    assert outcome.data(ComparisonRole.STORED)
+    refused = index(table, "motor1_acceleration", ComparisonColumn.OUTCOME)
+    assert refused.data() == "the board refused it"
+    assert refused.data(ComparisonRole.FAILED)
+    table.renew(comparison(serial_timeout=5))
+    assert table.columnCount() == 4
+
+
+def test_freezing_keeps_only_checked_rows(table: ComparisonTable) -> None:
+    tick(table, "serial_timeout", False)
+    table.freeze("Was", "Is")
+    assert keys(table) == ["motor1_acceleration"]
+    assert not tick(table, "motor1_acceleration", False)
+
+
+def test_calibration_row_shows_only_differing_fields(table: ComparisonTable) -> None:
+    place = (InputSource.RC, 2)
+    old = BEFORE.calibrations[place]
+    new = Calibration(old.minimum, old.neutral, old.maximum, old.deadband + 10)
+    after = replace(BEFORE, calibrations={**BEFORE.calibrations, place: new})
+    table.show_comparison(compare(BEFORE, after), "Now", "File")
+    text = index(table, "rc_channel_2", ComparisonColumn.AFTER).data()
+    assert text.startswith("deadband ")
+    wires = index(table, "rc_channel_2", ComparisonColumn.WIRE).data()
+    assert wires == f"{old.deadband} → {new.deadband}"
+
+
+def test_missing_value_is_shown_as_not_given(table: ComparisonTable) -> None:
+    little = replace(BEFORE, parameters={"serial_timeout": 5}, calibrations={})
+    table.show_comparison(compare(BEFORE, little), "Now", "File")
+    assert index(table, "motor_mode", ComparisonColumn.AFTER).data() == "not given"
+    assert ticked(table) == {"serial_timeout"}

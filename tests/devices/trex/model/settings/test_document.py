@@ -1,0 +1,245 @@
+"""A settings file while it is worked on."""
+
+import difflib
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given
+from hypothesis import strategies as st
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from tests.devices.trex.settings.samples import any_settings, factory
+from tests.support.bad_files import BAD_FILES, BadFile
+from tests.support.matrix import examples
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.files.text_files import load
+from trex_gui.core.resource_files import resource
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.document import Settings
+
+pytestmark = pytest.mark.usefixtures("qapp")
+
+ROVER = (
+    "\ufeffproduct: TReX\r\n"
+    "# my rover\r\n"
+    "motor_mode: 0   # two motors\r\n"
+    "serial_timeout:   5  # 0.5 s\r\n"
+    "rc_channel_2: {minimum: 2600, neutral: 3700, maximum: 4900, deadband: 60}\r\n"
+    "# the end"
+)
+
+
+@pytest.fixture
+def rover(tmp_path: Path) -> Path:
+    path = tmp_path / "rover.txt"
+    path.write_bytes(ROVER.encode())
+    return path
+
+
+def changed_lines(before: str, after: str) -> list[str]:
+    pairs = difflib.ndiff(before.splitlines(keepends=True), after.splitlines(keepends=True))
+    return [line for line in pairs if line[0] in "+-"]
+
+
+def test_opening_and_saving_changes_no_byte(rover: Path) -> None:
+    document = SettingsDocument.open(rover)
+    assert not document.modified
+    document.save()
+    assert rover.read_bytes() == ROVER.encode()
+
+
+def test_edit_changes_only_its_value_and_comment(rover: Path) -> None:
+    document = SettingsDocument.open(rover)
+    document.draft.parameters.edit("serial_timeout", 15)
+    before = document.modified, document.draft.pending
+    document.save()
+    assert before == (True, 1)
+    assert (document.modified, document.draft.pending) == (False, 0)
+    after = rover.read_bytes().decode()
+    assert after == ROVER.replace("  5  # 0.5 s", "  15  # 1.5 s")
+
+
+def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
+    document = SettingsDocument.open(rover)
+    document.draft.parameters.edit("motor_mode", 1)
+    document.draft.parameters.edit("aux_acceleration", 7)
+    document.draft.parameters.leave_out("serial_timeout")
+    document.draft.calibrations.leave_out(2, InputSource.RC)
+    document.draft.calibrations.edit(1, Calibration(1, 2, 3, 0), InputSource.ANALOG)
+    document.save()
+    assert "aux_acceleration: 7" in rover.read_text(encoding="utf-8")
+    assert "# rc_channel_2" in rover.read_text(encoding="utf-8")
+    while document.draft.undo.canUndo():
+        document.draft.undo.undo()
+    assert document.modified
+    document.save()
+    assert rover.read_bytes() == ROVER.encode()
+
+
+def test_edits_are_undone_and_redone_one_by_one(rover: Path) -> None:
+    document = SettingsDocument.open(rover)
+    texts = [document.text]
+    document.draft.parameters.edit("motor_mode", 1)
+    texts.append(document.text)
+    document.draft.calibrations.edit(2, Calibration(2600, 3700, 5000, 60))
+    texts.append(document.text)
+    document.draft.calibrations.leave_out(2)
+    texts.append(document.text)
+    assert len(set(texts)) == 4
+    for text in reversed(texts[:-1]):
+        document.draft.undo.undo()
+        assert document.text == text
+    for text in texts[1:]:
+        document.draft.undo.redo()
+        assert document.text == text
+
+
+def test_several_edits_emit_changed_once(rover: Path, qtbot: QtBot) -> None:
+    document = SettingsDocument.open(rover)
+    heard = []
+    document.changed.connect(lambda: heard.append(document.text))
+    with qtbot.waitSignal(document.changed):
+        document.draft.parameters.edit("motor_mode", 1)
+        document.draft.parameters.edit("serial_timeout", 9)
+    assert len(heard) == 1
+    assert "serial_timeout:   9" in heard[0]
+
+
+@pytest.mark.parametrize("bad", BAD_FILES, ids=lambda bad: bad.name)
+def test_file_with_errors_opens_as_text_with_findings(bad: BadFile, tmp_path: Path) -> None:
+    path = tmp_path / "bad.txt"
+    path.write_bytes(bad.data)
+    if not bad.is_text:
+        with pytest.raises(SettingsError, match=bad.words):
+            SettingsDocument.open(path)
+        return
+    document = SettingsDocument.open(path)
+    assert not document.readable
+    assert document.settings is None
+    assert not document.modified
+    assert any(bad.words in found.message and found.line == bad.line for found in document.findings)
+
+
+def test_corrected_text_gives_settings_and_keeps_comments(tmp_path: Path) -> None:
+    path = tmp_path / "rover.txt"
+    path.write_text("product: TReX\n# mine\nmotor_mode: 9\n", encoding="utf-8")
+    document = SettingsDocument.open(path)
+    document.set_text(document.text.replace("9", "1"))
+    assert document.modified
+    assert not document.readable
+    assert document.check()
+    assert document.settings is not None
+    assert document.settings.parameters == {"motor_mode": 1}
+    document.save()
+    assert path.read_text(encoding="utf-8") == "product: TReX\n# mine\nmotor_mode: 1\n"
+
+
+def test_text_with_errors_can_be_saved(tmp_path: Path) -> None:
+    path = tmp_path / "rover.txt"
+    path.write_text("product: TReX\nmotor_mode: 9\n", encoding="utf-8")
+    document = SettingsDocument.open(path)
+    document.set_text("product: TReX\nmotor_mode: 8\n")
+    document.save()
+    assert path.read_text(encoding="utf-8") == "product: TReX\nmotor_mode: 8\n"
+    assert not document.modified
+
+
+def test_cp1252_text_needs_a_check_and_is_saved_as_utf8(tmp_path: Path) -> None:
+    path = tmp_path / "rover.txt"
+    path.write_bytes("product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode("cp1252"))
+    document = SettingsDocument.open(path)
+    assert not document.readable
+    assert "für 5 µs" in document.text
+    assert document.check()
+    document.save()
+    assert path.read_bytes() == "product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode()
+
+
+def test_change_by_another_program_is_detected(rover: Path) -> None:
+    document = SettingsDocument.open(rover)
+    assert not document.changed_on_disk()
+    rover.write_text("product: TReX\n", encoding="utf-8")
+    assert document.changed_on_disk()
+    document.save()
+    assert not document.changed_on_disk()
+    rover.unlink()
+    assert not document.changed_on_disk()
+
+
+def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> None:
+    path = tmp_path / "odd.txt"
+    # The block of text ends where the file ends; with a line behind it, it would end in a break.
+    path.write_text("product: TReX\nfirmware: |\n  1.2", encoding="utf-8")
+    document = SettingsDocument.open(path)
+    assert not document.trouble
+    document.draft.parameters.edit("motor_mode", 1)
+    assert "cannot be changed in place" in document.trouble
+    with pytest.raises(SettingsError):
+        document.save()
+    document.save(fresh=True)
+    assert "motor_mode: 1" in path.read_text(encoding="utf-8")
+    assert not document.modified
+
+
+def test_new_file_needs_a_path(tmp_path: Path) -> None:
+    document = SettingsDocument.of_settings(factory(), "new.txt", title="As from the factory.")
+    assert document.settings == factory()
+    assert not document.modified
+    with pytest.raises(SettingsError, match="no place"):
+        document.save()
+    document.save(tmp_path / "mine.txt")
+    assert document.name == "mine.txt"
+    assert "As from the factory." in (tmp_path / "mine.txt").read_text(encoding="utf-8")
+
+
+def test_missing_folder_is_reported_and_keeps_the_path(rover: Path, tmp_path: Path) -> None:
+    document = SettingsDocument.open(rover)
+    with pytest.raises(SettingsError, match="no folder"):
+        document.save(tmp_path / "gone" / "rover.txt")
+    assert document.path == rover
+
+
+@pytest.mark.parametrize("path", sorted(resource("samples").glob("*.txt")), ids=lambda p: p.stem)
+def test_edit_of_a_sample_changes_one_line(path: Path) -> None:
+    document = SettingsDocument.open(path)
+    before = document.text
+    document.draft.parameters.edit("device_number", 9)
+    assert len(changed_lines(before, document.text)) == 2
+
+
+@examples(60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.binary(max_size=200) | st.text(max_size=200).map(str.encode))
+def test_arbitrary_bytes_do_not_crash_the_document(
+    qapp: QApplication, tmp_path: Path, data: bytes
+) -> None:
+    path = tmp_path / "any.txt"
+    path.write_bytes(data)
+    try:
+        document = SettingsDocument.open(path)
+    except SettingsError:
+        return
+    assert document.readable or document.findings
+    document.check()
+    document.set_text(document.text + "x")
+    document.check()
+    document.save(tmp_path / "copy.txt")
+    assert load(tmp_path / "copy.txt").decode() == document.text
+
+
+@examples(40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(before=any_settings(), after=any_settings())
+def test_edited_document_text_parses_to_its_settings(
+    qapp: QApplication, before: Settings, after: Settings
+) -> None:
+    document = SettingsDocument.of_settings(before, "any.txt")
+    for key, wire in after.parameters.items():
+        if document.draft.knows(key):
+            document.draft.parameters.edit(key, wire)
+    for (source, channel), calibration in after.calibrations.items():
+        document.draft.calibrations.edit(channel, calibration, source)
+    assert not document.trouble
+    again = SettingsDocument(document.text, "again.txt")
+    assert again.settings == document.settings

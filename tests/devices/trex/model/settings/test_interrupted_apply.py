@@ -1,0 +1,290 @@
+"""Power cut, cable pulled and line closed at every step of an Apply, over a real line."""
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.devices.trex.model.test_device import DeviceRecorder
+from tests.support.simulator import SimulatedDevice
+from trex_gui.devices.trex.client.writing import NotTried, Written
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.from_board import settings_of
+
+SPECS = parameters_of("trex", "1.2")
+LEARNED = Calibration(2400, 3700, 5100, 80)
+CHANNEL = 2
+
+OLD = {"motor1_acceleration": 3, "motor2_acceleration": 4, "serial_timeout": 50}
+"""What the board stores that is neither the factory's nor what is wanted."""
+
+WANTED = {
+    "motor1_acceleration": 9,
+    "motor2_acceleration": 8,
+    "serial_timeout": 20,
+    "uart_error_shutdown": 0,
+    "motor_mode": 1,
+    "crc7_polynomial": 0x15,
+    "uart_settings": LineSettings(57600, stop_bits=2).to_wire(),
+}
+STEPS = range(len(WANTED) + 2)
+"""Before the calibration, before each parameter, and when all are written."""
+
+every_step = pytest.mark.parametrize("step", STEPS)
+
+
+class InterruptedApply:
+    """A board with pending edits, and what was kept and reported when Apply was interrupted."""
+
+    def __init__(self, recorder: DeviceRecorder, simulator: SimulatedDevice) -> None:
+        for key, wire in OLD.items():
+            simulator.do(f"eeprom {key} {wire}")
+        simulator.do("power cycle")
+        self.recorder = recorder
+        self.device = recorder.device
+        self.simulator = simulator
+        recorder.connect(simulator.url)
+        for key, wire in WANTED.items():
+            recorder.edit(key, wire)
+        self.device.calibrations.edit(CHANNEL, LEARNED)
+        assert self.device.state is not None
+        self.before = settings_of(self.device.state)
+        self.after = dict(self.before.parameters) | WANTED
+
+    def disturb(self, step: int, act: Callable[[], object]) -> None:
+        """Apply, and do something when a step is reached."""
+        done: list[int] = []
+
+        def on_progressed(now: int, _total: int, _what: str) -> None:
+            if now == step and not done:
+                done.append(now)
+                act()
+
+        self.device.progressed.connect(on_progressed)
+        self.device.apply()
+        self.recorder.until(lambda: bool(done) and not self.device.applying)
+        self.device.progressed.disconnect(on_progressed)
+
+    @property
+    def results(self) -> tuple[Written, ...]:
+        """How each write went, as far as that was told."""
+        return self.recorder.results[-1] if self.recorder.results else ()
+
+    @property
+    def stored(self) -> dict[str, int]:
+        parameters: dict[str, int] = self.simulator.show()["parameters"]
+        return parameters
+
+    def require_kept(self) -> None:
+        """The snapshot says what was stored before, whole."""
+        (snapshot,) = self.device.history.snapshots()
+        assert self.device.history.load(snapshot) == self.before
+
+    def require_named(self) -> None:
+        """Whatever is not stored was told, and what was told to be stored is."""
+        told = {result.what: result for result in self.results}
+        assert set(told) == {*WANTED, f"channel {CHANNEL}"}
+        for key, wire in WANTED.items():
+            if told[key].error is None:
+                assert self.stored[key] == wire
+            else:
+                assert str(told[key].error)
+
+    def require_waiting(self) -> None:
+        """The edits that did not stick wait, and no others."""
+        waiting = dict(self.device.parameters.pending)
+        stored = self.stored
+        assert waiting == {key: wire for key, wire in WANTED.items() if stored[key] != wire}
+        waits = CHANNEL in dict(self.device.calibrations.pending)
+        assert waits == (self.device.calibrations.stored(CHANNEL) != LEARNED)
+
+    def finish(self) -> None:
+        """Apply again; everything is as it was wanted, and nothing else has changed."""
+        if self.device.pending:
+            results = self.recorder.apply()
+            assert [result.error for result in results] == [None] * len(results)
+        assert self.device.pending == 0
+        assert self.stored == self.after
+        assert self.device.calibrations.stored(CHANNEL) == LEARNED
+
+
+@pytest.fixture
+def applied(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[InterruptedApply]:
+    recorder = DeviceRecorder(qtbot)
+    yield InterruptedApply(recorder, quick_simulator)
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
+
+
+def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -> None:
+    odd = {key for key in stored if stored[key] not in {before.parameters[key], WANTED.get(key)}}
+    assert len(odd) <= lost
+    assert all(stored[key] == SPECS[key].default for key in odd)
+
+
+@every_step
+def test_apply_resumes_after_a_power_cut(step: int, applied: InterruptedApply) -> None:
+    applied.disturb(step, lambda: applied.simulator.do("power off"))
+    applied.recorder.until_link(Link.SILENT)
+    applied.simulator.do("power on")
+    applied.require_kept()
+    applied.require_named()
+    require_old_or_new(applied.stored, applied.before, lost=1)
+
+    # With the line settings stored it comes back at those: Apply has said where to look.
+    applied.recorder.until_link(Link.UP)
+    applied.require_waiting()
+    applied.finish()
+
+
+@every_step
+def test_apply_resumes_after_an_unplugged_cable(step: int, applied: InterruptedApply) -> None:
+    applied.disturb(step, lambda: applied.simulator.do("line unplug"))
+    applied.recorder.until_link(Link.NONE)
+    applied.require_kept()
+    applied.require_named()
+    require_old_or_new(applied.stored, applied.before, lost=0)
+
+    applied.recorder.connect(applied.simulator.do("line plug").split()[-1])
+    applied.require_waiting()
+    applied.finish()
+
+
+# --- A line that is closed meanwhile ----------------------------------------------------
+
+
+def connect_after_power_cycle(applied: InterruptedApply) -> None:
+    """Switch the board off and on, and connect at the line settings that it has stored."""
+    applied.simulator.do("power cycle")
+    line = LineSettings.from_wire(applied.stored["uart_settings"])
+    applied.device.connect_to(LinkSettings(applied.simulator.url, line))
+    applied.recorder.until_link(Link.UP)
+
+
+def require_told(applied: InterruptedApply) -> None:
+    """Each setting is stored or was not tried, and nobody speaks of a failure."""
+    applied.require_kept()
+    applied.require_named()
+    applied.require_waiting()
+    require_old_or_new(applied.stored, applied.before, lost=0)
+    failures = [result.error for result in applied.results if result.error is not None]
+    assert all(isinstance(error, NotTried) for error in failures)
+    assert applied.recorder.failures == []
+    pair = [applied.stored[key] == WANTED[key] for key in ("crc7_polynomial", "uart_settings")]
+    assert len(set(pair)) == 1
+
+
+@every_step
+def test_apply_resumes_after_disconnecting(step: int, applied: InterruptedApply) -> None:
+    applied.disturb(step, applied.device.disconnect_line)
+    applied.recorder.until_link(Link.NONE)
+    require_told(applied)
+
+    applied.recorder.connect(applied.simulator.url)
+    applied.require_waiting()
+    applied.finish()
+
+
+@every_step
+def test_apply_resumes_after_disconnect_and_power_cycle(
+    step: int, applied: InterruptedApply
+) -> None:
+    applied.disturb(step, applied.device.disconnect_line)
+    applied.recorder.until_link(Link.NONE)
+    require_told(applied)
+
+    connect_after_power_cycle(applied)
+    applied.require_waiting()
+    applied.finish()
+
+
+@every_step
+def test_shutdown_reports_the_results_of_an_apply(step: int, applied: InterruptedApply) -> None:
+    ended: list[bool] = []
+    told: list[int] = []
+
+    def end() -> None:
+        ended.append(applied.device.shut_down())
+        told.append(len(applied.recorder.results))
+
+    applied.disturb(step, end)
+    assert (ended, told) == ([True], [1])
+    assert applied.device.link is Link.NONE
+    require_told(applied)
+
+    connect_after_power_cycle(applied)
+    applied.require_waiting()
+    applied.finish()
+
+
+@every_step
+def test_reconnecting_during_apply_keeps_only_unwritten_edits(
+    step: int, applied: InterruptedApply
+) -> None:
+    """Connecting elsewhere closes the line first."""
+    again = LinkSettings(applied.simulator.url)
+    applied.disturb(step, lambda: applied.device.connect_to(again))
+    applied.recorder.until_link(Link.UP)
+    require_told(applied)
+    applied.finish()
+
+
+# --- A board that is addressed by number ------------------------------------------------
+
+
+@pytest.fixture
+def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[DeviceRecorder]:
+    """A device that calls its board by the number 7."""
+    recorder = DeviceRecorder(qtbot)
+    recorder.device.connect_to(LinkSettings(quick_simulator.url, device_number=7))
+    recorder.until_link(Link.UP)
+    yield recorder
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
+
+
+def test_new_device_number_is_used_immediately(
+    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    for key, wire in {"device_number": 9, **WANTED}.items():
+        addressed.edit(key, wire)
+    results = addressed.apply()
+    assert [result.error for result in results] == [None] * len(results)
+    assert quick_simulator.show()["parameters"]["device_number"] == 9
+    steps = len(addressed.steps)
+    addressed.device.reload()
+    addressed.until(lambda: len(addressed.steps) > steps and addressed.steps[-1][2] == "done")
+    assert addressed.device.link is Link.UP
+    assert addressed.failures == []
+
+
+def test_renumbered_board_reconnects_after_power_cycle(
+    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    addressed.edit("device_number", 9)
+    addressed.edit("uart_settings", WANTED["uart_settings"])
+    addressed.apply()
+    quick_simulator.do("power off")
+    addressed.until_link(Link.SILENT)
+    quick_simulator.do("power on")
+    addressed.until_link(Link.UP)
+    assert addressed.device.settings is not None
+    assert addressed.device.settings.device_number == 9
+    assert addressed.device.parameters.stored_of("device_number") == 9
+
+
+def test_renumbered_board_reconnects_after_unplugged_cable(
+    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    addressed.edit("device_number", 9)
+    addressed.apply()
+    quick_simulator.do("line unplug")
+    addressed.until_link(Link.NONE)
+    quick_simulator.do("line plug")
+    assert addressed.device.settings is not None
+    addressed.device.connect_to(addressed.device.settings)
+    addressed.until(lambda: addressed.device.link is not Link.OPENING)
+    assert addressed.device.link is Link.UP

@@ -1,0 +1,119 @@
+"""What a board holds, by what it said and what was written since."""
+
+from dataclasses import replace
+
+import pytest
+
+from trex_gui.core.errors import NoReply
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.board_state import after_writing, in_force
+from trex_gui.devices.trex.model.settings.pending_reset import ResetOrder
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import InputSource, Mode, channel_mask
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+
+FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
+LEARNED = Calibration(2400, 3700, 5100, 80)
+STATE = DeviceState(
+    Signature(device_table().model("trex"), "1.2"),
+    Mode.SERIAL_RC,
+    True,
+    {"motor_mode": 0, "serial_timeout": 0},
+    dict.fromkeys(range(1, 6), FACTORY),
+    calibrated=0,
+)
+ORDERED = (Written("factory_reset", 1),)
+
+
+def test_verified_writes_update_the_board_state() -> None:
+    after = after_writing(STATE, [Written("motor_mode", 1), Written("channel 2", LEARNED)])
+    assert after.parameters == {"motor_mode": 1, "serial_timeout": 0}
+    assert after.calibrations[2] == LEARNED
+    assert after.calibrations[1] == FACTORY
+    assert after.calibrated == channel_mask({2})
+    assert STATE.parameters["motor_mode"] == 0
+
+
+def test_factory_calibration_counts_as_uncalibrated() -> None:
+    learned = after_writing(STATE, [Written("channel 2", LEARNED)])
+    assert after_writing(learned, [Written("channel 2", FACTORY)]).calibrated == 0
+
+
+@pytest.mark.parametrize(
+    "result",
+    [
+        Written("motor_mode", error=NoReply("x")),
+        Written("channel 2", error=NoReply("x")),
+        Written("factory_reset", 1),  # is no parameter that the board shows
+    ],
+)
+def test_unverified_result_does_not_change_the_state(result: Written) -> None:
+    assert after_writing(STATE, [result]) == STATE
+
+
+@pytest.mark.parametrize(("what", "channel"), [("channel 3", 3), ("channel_input_source", None)])
+def test_write_result_gives_its_channel(what: str, channel: int | None) -> None:
+    assert Written(what).channel == channel
+
+
+def test_active_values_come_from_the_line_settings() -> None:
+    line = LineSettings(57600, Detection.CRC7)
+    shown = in_force(STATE, LinkSettings("virtual", line, polynomial=0x91))
+    assert shown == {
+        "uart_settings": line.to_wire(),
+        "crc7_polynomial": 0x11,
+        "channel_input_source": 0,
+    }
+
+
+def test_active_polynomial_is_unknown_without_crc7() -> None:
+    assert "crc7_polynomial" not in in_force(STATE, LinkSettings("virtual"))
+
+
+def test_active_input_source_is_unknown_outside_serial_mode() -> None:
+    assert in_force(replace(STATE, mode=Mode.ANALOG), None) == {}
+
+
+# --- The order to reset -----------------------------------------------------------------
+
+
+def ordered() -> ResetOrder:
+    order = ResetOrder()
+    order.note_written(ORDERED, STATE.parameters)
+    assert order.stands
+    return order
+
+
+def test_refused_reset_is_not_pending() -> None:
+    order = ResetOrder()
+    order.note_written([Written("factory_reset", error=NoReply("x"))], STATE.parameters)
+    order.note_written([Written("motor_mode", 1)], STATE.parameters)
+    assert not order.stands
+
+
+def test_reset_stays_pending_while_values_are_unchanged() -> None:
+    order = ordered()
+    order.note_read(STATE.parameters, power_cycled=False)
+    assert order.stands
+
+
+def test_power_cycle_completes_the_reset() -> None:
+    order = ordered()
+    order.note_read(STATE.parameters, power_cycled=True)
+    assert not order.stands
+
+
+def test_changed_values_complete_the_reset() -> None:
+    order = ordered()
+    order.note_read({**STATE.parameters, "motor_mode": 1}, power_cycled=False)
+    assert not order.stands
+
+
+def test_forget_clears_the_pending_reset() -> None:
+    order = ordered()
+    order.forget()
+    assert not order.stands

@@ -1,0 +1,249 @@
+"""From a choice in the port list to an open line, and the simulated board of the list."""
+
+import sys
+from collections.abc import Callable, Iterator
+
+import pytest
+from PySide6.QtCore import QSettings
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.simulator_process import Simulator, simulator_command
+
+
+@pytest.fixture
+def device(qtbot: QtBot) -> Device:
+    return Device()
+
+
+@pytest.fixture
+def ports(qtbot: QtBot) -> Iterator[Ports]:
+    ports = Ports()
+    yield ports
+    ports.deleteLater()
+
+
+@pytest.fixture
+def connector(device: Device, ports: Ports) -> Iterator[Connector]:
+    connector = Connector(device, ports)
+    yield connector
+    connector.shut_down()
+
+
+Until = Callable[[Callable[[], bool]], None]
+
+
+@pytest.fixture
+def until(qtbot: QtBot) -> Until:
+    return lambda condition: qtbot.waitUntil(condition, timeout=20_000)
+
+
+# --- Line settings ----------------------------------------------------------------------
+
+
+def test_line_settings_default_to_factory(connector: Connector) -> None:
+    assert connector.settings == LinkSettings("")
+
+
+@pytest.mark.parametrize("number", [None, 0, 7, 127])
+def test_line_settings_are_saved(
+    connector: Connector, device: Device, ports: Ports, qtbot: QtBot, number: int | None
+) -> None:
+    line = LineSettings(57600, Detection.CRC7, 2)
+    with qtbot.waitSignal(connector.settings_changed):
+        connector.set_settings(LinkSettings("ignored", line, number, 0x91, name="ignored"))
+    expected = LinkSettings("", line, number, 0x91)
+    assert connector.settings == expected
+    assert Connector(device, ports).settings == expected
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("line/settings", "nonsense"),
+        ("line/settings", 15),
+        ("line/device_number", 300),
+        ("line/polynomial", ""),
+    ],
+)
+def test_invalid_saved_line_settings_fall_back_to_factory(
+    device: Device, ports: Ports, key: str, value: object, connector: Connector
+) -> None:
+    connector.set_settings(LinkSettings("", LineSettings(57600)))
+    QSettings().setValue(key, value)
+    assert Connector(device, ports).settings == LinkSettings("")
+
+
+# --- Connecting -------------------------------------------------------------------------
+
+
+def test_port_is_opened_with_the_chosen_settings(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    start_simulator: StartSimulator,
+    until: Until,
+) -> None:
+    url = start_simulator().url
+    connector.set_settings(LinkSettings("", device_number=7))
+    connector.connect_to(ports.add_typed(url))
+    until(lambda: device.link is Link.UP)
+    assert device.settings == LinkSettings(url, device_number=7)
+    assert connector.port == ports.find(url)
+    assert Ports().preferred == ports.find(url)
+
+
+def test_failed_open_clears_the_port(connector: Connector, device: Device, until: Until) -> None:
+    connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
+    assert connector.port is not None
+    until(lambda: device.link is Link.NONE)
+    assert connector.port is None
+
+
+def test_disconnecting_clears_the_port(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatedDevice,
+    until: Until,
+) -> None:
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP)
+    connector.disconnect_port()
+    until(lambda: device.link is Link.NONE)
+    assert connector.port is None
+
+
+def test_choosing_the_demo_port_starts_the_simulator(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.set_settings(LinkSettings("", LineSettings(115200, Detection.CRC7)))
+    connector.connect_to(ports.demo)
+    starting: list[bool] = [connector.starting]
+    until(lambda: device.link is Link.UP)
+    assert [*starting, connector.starting] == [True, False]
+    assert connector.port == ports.demo
+    assert connector.simulator.url
+    assert device.settings is not None
+    assert device.settings.line == LineSettings()
+
+
+def test_simulator_keeps_running_after_disconnect(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    url = connector.simulator.url
+    connector.disconnect_port()
+    until(lambda: device.link is Link.NONE)
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    assert connector.simulator.url == url
+
+
+def test_later_port_choice_wins_while_the_simulator_starts(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatedDevice,
+    until: Until,
+) -> None:
+    connector.connect_to(ports.demo)
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP and connector.simulator.url != "")
+    assert device.settings is not None
+    assert device.settings.url == quick_simulator.url
+
+
+def test_disconnecting_while_the_simulator_starts_cancels(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    connector.disconnect_port()
+    assert connector.port is None
+    until(lambda: connector.simulator.url != "")
+    assert device.link is Link.NONE
+
+
+def test_shutdown_ends_line_and_simulator(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    connector.shut_down()
+    assert connector.simulator.url == ""
+    assert device.state is None
+
+
+# --- The simulator ----------------------------------------------------------------------
+
+
+@pytest.fixture
+def demo(qtbot: QtBot) -> Iterator[Simulator]:
+    demo = Simulator()
+    yield demo
+    demo.stop()
+
+
+def test_simulator_reports_its_url(demo: Simulator, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(demo.ready) as ready:
+        demo.start()
+    assert ready.args == [demo.url]
+
+
+def test_running_simulator_is_not_started_twice(demo: Simulator, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(demo.ready) as first:
+        demo.start()
+        demo.start()
+    with qtbot.waitSignal(demo.ready) as second:
+        demo.start()
+    assert first.args == second.args
+
+
+def test_stopped_simulator_can_be_restarted(demo: Simulator, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(demo.ready):
+        demo.start()
+    demo.stop()
+    assert demo.url == ""
+    with qtbot.waitSignal(demo.ready):
+        demo.start()
+
+
+def test_stop_without_running_simulator_is_harmless(demo: Simulator) -> None:
+    demo.stop()
+    demo.send("power off")
+
+
+@pytest.mark.realtime
+def test_simulator_that_exits_at_start_reports_the_reason(
+    demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "trex_gui.ui.devices.simulator_process.simulator_command",
+        lambda: (sys.executable, ["-c", "raise SystemExit('no room')"]),
+    )
+    with qtbot.waitSignal(demo.failed) as failed:
+        demo.start()
+    assert failed.args == ["The simulator ended at once. no room"]
+
+
+def test_missing_simulator_program_is_reported(
+    demo: Simulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "trex_gui.ui.devices.simulator_process.simulator_command", lambda: ("/nothing/here", [])
+    )
+    with qtbot.waitSignal(demo.failed) as failed:
+        demo.start()
+    assert "does not start" in failed.args[0]
+
+
+def test_frozen_program_runs_itself_as_simulator(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert simulator_command() == (sys.executable, ["-m", "trex_gui.cli.simulator"])
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    assert simulator_command() == (sys.executable, ["--simulator"])

@@ -1,0 +1,524 @@
+"""The board as the window sees it: a real thread, a real line, a simulated board."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.ui.runtime import now
+
+LEARNED = Calibration(2400, 3700, 5100, 80)
+
+
+class DeviceRecorder:
+    """A device, and the states, failures and results it reported."""
+
+    def __init__(self, qtbot: QtBot) -> None:
+        self.device = Device()
+        self.links: list[Link] = []
+        self.failures: list[str] = []
+        self.results: list[tuple[Written, ...]] = []
+        self.steps: list[tuple[int, int, str]] = []
+        self.device.link_changed.connect(self._on_link_changed)
+        self.device.failed.connect(self.failures.append)
+        self.device.applied.connect(self.results.append)
+        self.device.progressed.connect(self._on_progressed)
+        self.qtbot = qtbot
+
+    def _on_link_changed(self) -> None:
+        self.links.append(self.device.link)
+
+    def _on_progressed(self, done: int, total: int, what: str) -> None:
+        self.steps.append((done, total, what))
+
+    def until(self, condition: Callable[[], bool]) -> None:
+        self.qtbot.waitUntil(condition)
+
+    def until_link(self, link: Link) -> None:
+        self.until(lambda: self.device.link is link)
+
+    def connect(self, url: str, *, again: bool = False) -> None:
+        self.device.connect_to(LinkSettings(url))
+        if again:
+            self.until(lambda: self.device.link is not Link.UP)
+        failed = len(self.failures)
+        self.until(lambda: self.device.link is Link.UP or len(self.failures) > failed)
+        assert self.device.link is Link.UP, self.failures[failed:]
+
+    def edit(self, key: str, wire: int) -> None:
+        assert self.device.parameters.setData(self.device.parameters.index_of(key), wire)
+
+    def apply(self) -> tuple[Written, ...]:
+        """Apply every edit; return how it went."""
+        before = len(self.results)
+        self.device.apply()
+        self.until(lambda: len(self.results) > before)
+        return self.results[-1]
+
+
+@pytest.fixture
+def recorder(qtbot: QtBot) -> Iterator[DeviceRecorder]:
+    recorder = DeviceRecorder(qtbot)
+    yield recorder
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
+
+
+@pytest.fixture
+def connected(recorder: DeviceRecorder, quick_simulator: SimulatedDevice) -> DeviceRecorder:
+    """A device that is connected to `quick_simulator`."""
+    recorder.connect(quick_simulator.url)
+    return recorder
+
+
+# --- Connecting -------------------------------------------------------------------------
+
+
+def test_device_is_empty_before_connecting(recorder: DeviceRecorder) -> None:
+    device = recorder.device
+    assert device.link is Link.NONE
+    assert device.state is None
+    assert device.settings is None
+    assert not device.motors.can_arm
+
+
+def test_connecting_reads_state_and_enables_arming(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    device = connected.device
+    assert connected.links == [Link.OPENING, Link.UP]
+    assert "Connected to TReX 1.2" in device.status
+    assert device.state is not None
+    assert device.state.parameters == quick_simulator.show()["parameters"]
+    assert device.calibrations.stored(1) == device.state.calibrations[1]
+    assert device.telemetry.serial_controls is True
+    assert device.motors.can_arm
+    assert not device.motors.armed
+    assert not device.echo
+    assert connected.steps[-1][0] == connected.steps[-1][1]
+    assert connected.failures == []
+
+
+def test_telemetry_updates_after_connecting(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("channel 1 2000us")
+    quick_simulator.do("current 1 3.0")
+    telemetry = connected.device.telemetry
+    connected.until(lambda: telemetry.raw_of(1) == 5000)
+    connected.until(lambda: telemetry.motor_currents == pytest.approx((3.0, 0.0)))
+    connected.until(lambda: telemetry.remapped_of(1) == 127)
+    assert len(telemetry.currents) > 0
+    assert connected.device.counters.requests > 0
+
+
+def test_echo_of_the_rs232_side_is_detected(
+    recorder: DeviceRecorder, start_simulator: StartSimulator
+) -> None:
+    recorder.connect(start_simulator("--echo").url)
+    assert recorder.device.echo
+
+
+def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:
+    recorder.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    recorder.until_link(Link.NONE)
+    assert recorder.links == [Link.OPENING, Link.NONE]
+    assert len(recorder.failures) == 1
+    assert "There is no port /dev/ttyNothing9" in recorder.failures[0]
+    assert recorder.device.status == "Not connected."
+
+
+def test_unpowered_board_is_reported(
+    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("power off")
+    recorder.device.connect_to(LinkSettings(quick_simulator.url))
+    recorder.until_link(Link.NONE)
+    assert "No TReX answers" in recorder.failures[0]
+
+
+def test_board_errors_are_counted(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    def count(bit: Status | UartError) -> int:
+        return next(one.count for one in connected.device.errors.entries if one.bit is bit)
+
+    seen = 0
+    for _ in range(2):
+        quick_simulator.do("fault 2 on")
+        quick_simulator.do("fault 2 off")  # as often as it was looked at meanwhile, it counts
+        connected.until(lambda: count(Status.MOTOR2_FAULT) > seen)  # noqa: B023
+        seen = count(Status.MOTOR2_FAULT)
+    assert count(Status.MOTOR1_FAULT) == 0
+
+
+# --- Editing ----------------------------------------------------------------------------
+
+
+def test_edits_are_applied_and_verified(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    connected.edit("serial_timeout", 15)
+    connected.device.calibrations.edit(2, LEARNED)
+    assert connected.device.pending == 2
+    results = connected.apply()
+    assert set(results) == {Written("channel 2", LEARNED), Written("serial_timeout", 15)}
+    assert connected.device.pending == 0
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 15
+    assert connected.device.calibrations.stored(2) == LEARNED
+
+
+def test_apply_saves_a_snapshot_of_old_values(connected: DeviceRecorder) -> None:
+    connected.edit("serial_timeout", 15)
+    connected.edit("motor_mode", 1)
+    connected.apply()
+    (snapshot,) = connected.device.history.snapshots()
+    assert snapshot.product == "TReX"
+    assert snapshot.reason == "Apply of 2 settings"
+    assert snapshot.adapter
+    kept = connected.device.history.load(snapshot)
+    assert kept.parameters["serial_timeout"] == 0
+    assert kept.parameters["motor_mode"] == 0
+    assert len(kept.calibrations) == 5
+
+
+def test_apply_without_a_snapshot_writes_nothing(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice, tmp_path: Path
+) -> None:
+    (tmp_path / "taken").write_text("a file where the folder should be", encoding="utf-8")
+    connected.device.history.folder = tmp_path / "taken"
+    connected.edit("serial_timeout", 15)
+    connected.device.apply()
+    assert "Nothing was written" in connected.failures[-1]
+    assert connected.device.pending == 1
+    assert not connected.device.applying
+    assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
+
+
+def test_apply_without_edits_writes_nothing(connected: DeviceRecorder) -> None:
+    connected.device.apply()
+    connected.device.reload()
+    steps = len(connected.steps)
+    connected.until(
+        lambda: len(connected.steps) > steps and connected.steps[-1][0] == connected.steps[-1][1]
+    )
+    assert connected.results == []
+
+
+def test_refused_write_stays_pending_with_a_reason(
+    recorder: DeviceRecorder, start_simulator: StartSimulator
+) -> None:
+    recorder.connect(start_simulator("--mode", "rc").url)
+    recorder.edit("serial_timeout", 15)
+    (result,) = recorder.apply()
+    assert "remove the mode jumper" in str(result.error)
+    assert recorder.device.pending == 1
+
+
+def test_reload_shows_stored_values(
+    connected: DeviceRecorder, start_simulator: StartSimulator
+) -> None:
+    connected.edit("serial_timeout", 15)
+    connected.apply()
+    connected.device.reload()
+    states: list[object] = []
+    connected.device.state_changed.connect(lambda: states.append(connected.device.state))
+    connected.until(lambda: bool(states))
+    assert connected.device.parameters.stored_of("serial_timeout") == 15
+
+
+def test_reload_without_a_board_is_rejected(recorder: DeviceRecorder) -> None:
+    recorder.device.reload()
+    assert recorder.failures == ["No board is connected."]
+
+
+def test_discard_drops_all_edits(connected: DeviceRecorder) -> None:
+    connected.edit("serial_timeout", 15)
+    connected.device.calibrations.edit(2, LEARNED)
+    counts: list[int] = []
+    connected.device.pending_changed.connect(counts.append)
+    connected.device.discard_edits()
+    assert counts[-1] == 0
+    assert connected.device.pending == 0
+
+
+# --- Power ------------------------------------------------------------------------------
+
+
+def test_power_cycle_activates_waiting_parameter(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    connected.edit("motor_mode", 1)
+    connected.apply()
+    assert connected.device.parameters.waiting_for_power == ("Motor Mode",)
+    assert connected.device.parameters.active_of("motor_mode") == 0
+    quick_simulator.do("power off")
+    connected.until_link(Link.SILENT)
+    waiting = [connected.device.parameters.waiting_for_power]
+    quick_simulator.do("power on")
+    connected.until_link(Link.UP)
+    waiting.append(connected.device.parameters.waiting_for_power)
+    assert waiting == [("Motor Mode",), ()]
+    assert connected.device.parameters.active_of("motor_mode") == 1
+    assert connected.failures == []
+
+
+def test_unpowered_board_cannot_be_driven_or_edited(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    connected.device.motors.arm()
+    quick_simulator.do("power off")
+    connected.until_link(Link.SILENT)
+    assert not connected.device.motors.armed
+    assert not connected.device.motors.can_arm
+    model = connected.device.parameters
+    assert not model.setData(model.index_of("serial_timeout"), 9)
+    assert connected.device.telemetry.raw is None
+    assert "power" in connected.device.status
+
+
+def test_edits_survive_a_power_cycle(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    connected.edit("serial_timeout", 15)
+    quick_simulator.do("power off")
+    connected.until_link(Link.SILENT)
+    quick_simulator.do("power on")
+    connected.until_link(Link.UP)
+    assert connected.device.parameters.pending == (("serial_timeout", 15),)
+
+
+def test_mode_change_is_detected(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("jumper mode rc")
+    quick_simulator.do("power cycle")
+    connected.until(
+        lambda: connected.device.state is not None and not connected.device.state.mode.is_serial
+    )
+    assert connected.device.telemetry.serial_controls is False
+
+
+# --- Motors -----------------------------------------------------------------------------
+
+
+def speed(simulator: SimulatedDevice) -> tuple[str, int]:
+    motor = simulator.show()["motors"][0]
+    return motor["direction"], motor["speed"]
+
+
+def run_motor_1(connected: DeviceRecorder, simulator: SimulatedDevice) -> None:
+    """Arm and run motor 1 at 90."""
+    motors = connected.device.motors
+    motors.accelerate = False
+    motors.arm()
+    motors.set_speed(1, 90)
+    connected.until(lambda: speed(simulator) == ("forward", 90))
+
+
+def test_armed_motor_runs_and_stop_brakes_it(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    run_motor_1(connected, quick_simulator)
+    connected.device.motors.stop()
+    connected.until(lambda: speed(quick_simulator) == ("brake", 127))
+    assert connected.failures == []
+
+
+def test_stop_is_sent_without_arming(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    before = quick_simulator.show()["motors"][1]["speed"]
+    connected.device.motors.stop()
+    connected.until(lambda: quick_simulator.show()["motors"][1]["speed"] == 127)
+    assert before != 127 or connected.failures == []
+
+
+def test_unanswered_stop_is_reported(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("power off")
+    connected.device.motors.stop()
+    connected.until(lambda: bool(connected.failures))
+    assert "cut its power" in connected.failures[0]
+
+
+def test_stop_without_a_connection_is_harmless(recorder: DeviceRecorder) -> None:
+    recorder.device.motors.stop()
+    assert recorder.failures == []
+
+
+def test_disconnecting_stops_the_motors(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    run_motor_1(connected, quick_simulator)
+    connected.device.disconnect_line()
+    assert not connected.device.motors.armed
+    connected.until_link(Link.NONE)
+    connected.until(lambda: speed(quick_simulator) == ("brake", 127))
+
+
+def test_channel_driven_motors_cannot_be_armed(
+    recorder: DeviceRecorder, start_simulator: StartSimulator
+) -> None:
+    recorder.connect(start_simulator("--mode", "rc").url)
+    assert not recorder.device.motors.can_arm
+    recorder.device.motors.arm()
+    assert not recorder.device.motors.armed
+    assert "The RC channels control the motors" in recorder.device.control_text
+
+
+def test_driven_motors_may_move_until_stop_is_confirmed(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    moving: list[bool] = [connected.device.may_move]
+    connected.device.motors.arm()
+    connected.device.motors.set_speed(1, 90)
+    moving.append(connected.device.may_move)
+    connected.device.motors.stop()
+    connected.until(lambda: not connected.device.may_move)
+    assert moving == [False, True]
+
+
+def test_reconnect_stops_motors_that_ran_when_unplugged(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    run_motor_1(connected, quick_simulator)
+    quick_simulator.do("line unplug")
+    connected.until_link(Link.NONE)
+    assert connected.device.may_move
+    assert speed(quick_simulator) == ("forward", 90)
+    connected.connect(quick_simulator.do("line plug").split()[-1])
+    assert speed(quick_simulator) == ("brake", 127)
+    connected.until(lambda: not connected.device.may_move)
+
+
+# --- The end of a line ------------------------------------------------------------------
+
+
+def test_disconnecting_reports_no_failure(connected: DeviceRecorder) -> None:
+    connected.device.disconnect_line()
+    connected.device.disconnect_line()
+    assert connected.device.link is Link.CLOSING
+    connected.until_link(Link.NONE)
+    assert connected.links.count(Link.NONE) == 1
+    assert connected.failures == []
+    assert connected.device.state is None
+    assert connected.device.status == "Not connected."
+    assert connected.device.telemetry.raw is None
+    assert connected.device.parameters.rowCount() > 0  # still to be looked at
+
+
+def test_unplugged_cable_is_reported_within_half_a_second(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    connected.device.motors.arm()
+    quick_simulator.do("line unplug")
+    begun = now()
+    connected.until_link(Link.NONE)
+    assert now() - begun < 0.5
+    assert len(connected.failures) == 1
+    assert "Plug it in, then connect again" in connected.failures[0]
+    assert not connected.device.motors.can_arm
+
+
+def test_cable_unplugged_during_a_write_keeps_the_edits(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    for key in ("serial_timeout", "motor1_acceleration", "motor2_acceleration"):
+        connected.edit(key, 15)
+    quick_simulator.do("line unplug")
+    connected.device.apply()
+    connected.until_link(Link.NONE)
+    assert any("Plug it in, then connect again" in failure for failure in connected.failures)
+    assert connected.device.pending == 3
+    assert not connected.device.applying
+
+
+def test_replugged_cable_can_be_reconnected_and_keeps_edits(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    connected.edit("serial_timeout", 15)
+    quick_simulator.do("line unplug")
+    connected.until_link(Link.NONE)
+    url = quick_simulator.do("line plug").split()[-1]
+    connected.connect(url)
+    assert connected.device.parameters.pending == (("serial_timeout", 15),)
+    assert connected.apply() == (Written("serial_timeout", 15),)
+
+
+def test_line_is_closed_before_another_is_opened(
+    connected: DeviceRecorder,
+    quick_simulator: SimulatedDevice,
+    start_simulator: StartSimulator,
+) -> None:
+    connected.edit("serial_timeout", 15)
+    other = start_simulator("--model", "trexjr")
+    connected.connect(other.url, again=True)
+    assert connected.links == [Link.OPENING, Link.UP, Link.CLOSING, Link.OPENING, Link.UP]
+    assert connected.device.state is not None
+    assert connected.device.state.signature.model.key == "trexjr"
+    assert connected.device.parameters.pending == ()
+    assert connected.failures == []
+    fresh = DeviceRecorder(connected.qtbot)
+    fresh.connect(quick_simulator.url)  # nobody holds it any more
+    fresh.until(fresh.device.shut_down)
+
+
+def test_last_of_several_chosen_ports_is_connected(
+    connected: DeviceRecorder, start_simulator: StartSimulator
+) -> None:
+    other = start_simulator("--model", "trexjr")
+    connected.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    connected.connect(other.url, again=True)
+    assert connected.device.settings == LinkSettings(other.url)
+    assert connected.failures == []
+
+
+def test_missing_port_chosen_while_connected_is_reported(connected: DeviceRecorder) -> None:
+    connected.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    connected.until_link(Link.NONE)
+    assert "There is no port" in connected.failures[0]
+
+
+def test_shutdown_stops_motors_within_one_second(
+    connected: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    run_motor_1(connected, quick_simulator)
+    begun = now()
+    assert connected.device.shut_down()
+    assert now() - begun < 1.0
+    assert connected.device.link is Link.NONE
+    assert speed(quick_simulator) == ("brake", 127)
+
+
+def test_shutdown_without_a_connection_is_immediate(recorder: DeviceRecorder) -> None:
+    assert recorder.device.shut_down()
+    assert recorder.links == []
+
+
+def test_device_does_not_change_after_shutdown(connected: DeviceRecorder, qtbot: QtBot) -> None:
+    connected.until(connected.device.shut_down)
+    links = list(connected.links)
+    states: list[None] = []
+    connected.device.telemetry.updated.connect(lambda: states.append(None))
+    with pytest.raises(qtbot.TimeoutError):
+        qtbot.waitUntil(lambda: connected.links != links or bool(states), timeout=200)
+    assert connected.links == links
+    assert connected.failures == []
+    assert connected.device.state is None
+
+
+def test_line_settings_are_used_for_the_connection(
+    recorder: DeviceRecorder, quick_simulator: SimulatedDevice
+) -> None:
+    recorder.device.connect_to(LinkSettings(quick_simulator.url, LineSettings(9600)))
+    recorder.until_link(Link.NONE)
+    assert "9600 baud" in recorder.failures[0]

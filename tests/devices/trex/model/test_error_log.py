@@ -1,0 +1,86 @@
+"""Every error bit that was ever seen."""
+
+from datetime import UTC, datetime
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.model.errors import ErrorLog
+from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
+
+BITS: list[Status | UartError] = [*STATUS_MEANING, *UART_MEANING]
+
+
+@pytest.fixture
+def log(qtbot: QtBot) -> ErrorLog:
+    return ErrorLog()
+
+
+def news(*bits: Status | UartError) -> StatusNews:
+    status, uart = Status(0), UartError(0)
+    for bit in bits:
+        if isinstance(bit, Status):
+            status |= bit
+        else:
+            uart |= bit
+    return StatusNews(1.0, status, uart)
+
+
+def counts(log: ErrorLog) -> list[int]:
+    return [entry.count for entry in log.entries]
+
+
+def test_each_of_13_bits_has_its_own_entry(log: ErrorLog) -> None:
+    assert [entry.bit for entry in log.entries] == BITS
+    assert [type(entry.bit) for entry in log.entries] == [Status] * 5 + [UartError] * 8
+    assert len({entry.name for entry in log.entries}) == 13
+    assert all(entry.meaning for entry in log.entries)
+
+
+def test_log_starts_with_zero_counts(log: ErrorLog) -> None:
+    assert counts(log) == [0] * 13
+    assert all(entry.last is None for entry in log.entries)
+
+
+@pytest.mark.parametrize("position", range(13), ids=lambda index: BITS[index].name or "")
+def test_each_bit_is_counted_separately(log: ErrorLog, position: int) -> None:
+    before = datetime.now(UTC)
+    log.take(news(BITS[position]))
+    log.take(news(BITS[position]))
+    expected = [0] * 13
+    expected[position] = 2
+    assert counts(log) == expected
+    last = log.entries[position].last
+    assert last is not None
+    assert before <= last <= datetime.now(UTC)
+
+
+def test_simultaneous_bits_are_all_counted(log: ErrorLog) -> None:
+    log.take(news(*BITS))
+    assert counts(log) == [1] * 13
+
+
+def test_same_bit_of_the_other_byte_is_not_counted(log: ErrorLog) -> None:
+    log.take(news(Status.UART_ERROR))
+    entry = next(one for one in log.entries if one.bit is UartError.SEND_OVERRUN)
+    assert entry.count == 0
+
+
+def test_new_bits_emit_changed(log: ErrorLog, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(log.changed):
+        log.take(news(Status.MOTOR1_FAULT))
+
+
+def test_reset_clears_counts_and_times(log: ErrorLog, qtbot: QtBot) -> None:
+    log.take(news(*BITS))
+    with qtbot.waitSignal(log.changed):
+        log.reset()
+    assert counts(log) == [0] * 13
+    assert all(entry.last is None for entry in log.entries)
+
+
+def test_returned_entries_are_not_updated(log: ErrorLog) -> None:
+    before = log.entries
+    log.take(news(*BITS))
+    assert [entry.count for entry in before] == [0] * 13

@@ -1,0 +1,40 @@
+"""A line that ends without a last word is closed all the same."""
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.devices.trex.model.line import Line
+from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import Closed, Reload, SetDrive
+from trex_gui.devices.trex.session.session import Session
+from trex_gui.ui.runtime import runtime
+
+
+@pytest.mark.parametrize("drives", [False, True])
+def test_crashed_session_closes_the_line_and_keeps_may_move(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, drives: bool
+) -> None:
+    monkeypatch.setattr(Session, "run", lambda _: runtime().sleep(0.1))
+    line = Line()
+    line.open(LinkSettings("nowhere"), may_move=False)
+    if drives:
+        line.submit(SetDrive(1, Drive.at(20)))
+    with qtbot.waitSignal(line.closed) as last:
+        pass
+    assert isinstance(last.args, list)
+    (closed,) = last.args
+    assert isinstance(closed, Closed)
+    assert "fault of the program" in str(closed.error)
+    assert closed.may_move is drives
+    assert not line.is_open
+
+
+def test_requests_without_a_session_are_rejected(qtbot: QtBot) -> None:
+    del qtbot
+    line = Line()
+    outcomes: list[object] = []
+    assert not line.ask(Reload, outcomes.append)
+    assert not line.submit(Reload(1))
+    assert outcomes == []
+    assert line.shut_down()

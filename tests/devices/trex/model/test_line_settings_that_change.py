@@ -1,0 +1,150 @@
+"""A board that comes back with other line settings, on a real port."""
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.ui.devices.ports import Ports
+
+NEW = LineSettings(57600, Detection.CRC7)
+UART, POLYNOMIAL = "uart_settings", "crc7_polynomial"
+
+Until = Callable[[Callable[[], bool]], None]
+
+
+@pytest.fixture
+def until(qtbot: QtBot) -> Until:
+    return lambda condition: qtbot.waitUntil(condition, timeout=20_000)
+
+
+@pytest.fixture
+def device(qtbot: QtBot) -> Device:
+    return Device()
+
+
+@pytest.fixture
+def ports(qtbot: QtBot) -> Iterator[Ports]:
+    ports = Ports()
+    yield ports
+    ports.deleteLater()
+
+
+@pytest.fixture
+def connector(device: Device, ports: Ports) -> Iterator[Connector]:
+    connector = Connector(device, ports)
+    yield connector
+    connector.shut_down()
+
+
+def store(device: Device, until: Until, **wires: int) -> None:
+    """Apply these parameters, and wait until that is done."""
+    for key, wire in wires.items():
+        device.parameters.edit(key, wire)
+    device.apply()
+    until(lambda: not device.applying and device.pending == 0)
+
+
+def restart(device: Device, until: Until, act: Callable[[], None]) -> None:
+    """Let a board be without power for a moment, and wait until it was missed and is back."""
+    seen: list[Link] = []
+
+    def note() -> None:
+        seen.append(device.link)
+
+    device.link_changed.connect(note)
+    act()
+    until(lambda: Link.SILENT in seen and device.link is Link.UP)
+    device.link_changed.disconnect(note)
+
+
+def line_of(device: Device) -> LineSettings:
+    assert device.settings is not None
+    return device.settings.line
+
+
+def test_reconnect_at_new_line_settings_is_saved(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatedDevice,
+    until: Until,
+) -> None:
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP)
+    store(device, until, **{UART: NEW.to_wire(), POLYNOMIAL: 0x11})
+    device.expect((LinkSettings("", NEW, polynomial=0x91),))
+    quick_simulator.do("power off")
+    until(lambda: device.link is Link.SILENT)
+    assert connector.settings == LinkSettings("")
+    quick_simulator.do("power on")
+    until(lambda: device.link is Link.UP)
+    there = LinkSettings(quick_simulator.url, NEW, polynomial=0x91)
+    assert device.settings == there
+    assert connector.settings == LinkSettings("", NEW, polynomial=0x91)
+    assert Connector(device, ports).settings == connector.settings
+    assert device.parameters.active_of(UART) == NEW.to_wire()
+    connector.disconnect_port()
+    until(lambda: device.link is Link.NONE)
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP)
+    assert device.settings == there
+
+
+@pytest.mark.parametrize("baud", [4800, 14400, 38400, 76800, 115200])
+def test_board_reconnects_at_a_new_baud_rate(
+    connector: Connector,
+    device: Device,
+    ports: Ports,
+    quick_simulator: SimulatedDevice,
+    until: Until,
+    baud: int,
+) -> None:
+    connector.connect_to(ports.add_typed(quick_simulator.url))
+    until(lambda: device.link is Link.UP)
+    store(device, until, **{UART: LineSettings(baud).to_wire()})
+    device.expect((LinkSettings("", LineSettings(baud)),))
+    quick_simulator.do("power off")
+    until(lambda: device.link is Link.SILENT)
+    quick_simulator.do("power on")
+    until(lambda: device.link is Link.UP)
+    assert line_of(device) == LineSettings(baud)
+
+
+def test_simulated_board_reconnects_at_its_last_settings(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    store(device, until, **{UART: NEW.to_wire()})
+    device.expect((LinkSettings("", NEW),))
+    restart(device, until, connector.demo_board.power_cycle)
+    assert line_of(device) == NEW
+    assert connector.settings == LinkSettings("")  # which are for real boards
+    connector.disconnect_port()
+    until(lambda: device.link is Link.NONE)
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    assert line_of(device) == NEW
+
+
+def test_new_simulated_board_uses_factory_line_settings(
+    connector: Connector, device: Device, ports: Ports, until: Until
+) -> None:
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    store(device, until, **{UART: NEW.to_wire()})
+    device.expect((LinkSettings("", NEW),))
+    restart(device, until, connector.demo_board.power_cycle)
+    restart(device, until, connector.demo_board.restore_factory)
+    assert line_of(device) == LineSettings()
+    connector.simulator.stop()
+    until(lambda: device.link is Link.NONE)
+    connector.connect_to(ports.demo)
+    until(lambda: device.link is Link.UP)
+    assert line_of(device) == LineSettings()

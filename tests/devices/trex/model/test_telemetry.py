@@ -1,0 +1,146 @@
+"""The newest values, and the currents of the last hour."""
+
+import math
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    ModeSeen,
+    Raw,
+    Remapped,
+    Sample,
+    StatusNews,
+)
+from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.telemetry import Series, Telemetry
+from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
+from trex_gui.devices.trex.session.messages import Batch
+
+
+@pytest.fixture
+def telemetry(qtbot: QtBot) -> Telemetry:
+    telemetry = Telemetry()
+    telemetry.begin(0.15)
+    return telemetry
+
+
+def take(telemetry: Telemetry, *samples: Sample) -> None:
+    telemetry.take(Batch(samples, Counters()))
+
+
+def test_telemetry_starts_empty(telemetry: Telemetry) -> None:
+    assert telemetry.raw is None
+    assert telemetry.remapped is None
+    assert telemetry.motor_currents is None
+    assert telemetry.serial_controls is None
+    assert telemetry.raw_of(1) is None
+    assert telemetry.remapped_of(1) is None
+
+
+def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
+    take(
+        telemetry,
+        Raw(1.0, (1, 2, 3, 4, 5)),
+        Remapped(1.1, (1, 2, 3, 4, 5)),
+        Raw(1.2, (9, None, 3, 4, 5)),
+        Control(1.3, by_serial=False),
+        Remapped(1.4, (-127, 0, 3, 4, 5)),
+    )
+    assert telemetry.raw_of(1) == 9
+    assert telemetry.raw_of(2) is None
+    assert telemetry.raw_of(5) == 5
+    assert telemetry.remapped_of(1) == -127
+    assert telemetry.serial_controls is False
+    assert telemetry.latest == 1.4
+    assert telemetry.samples == 5
+
+
+def test_currents_are_kept_in_amperes_with_times(telemetry: Telemetry) -> None:
+    take(telemetry, Currents(1.0, (0, 10)), Currents(1.0125, (20, 255)))
+    assert telemetry.motor_currents == pytest.approx((3.0, 38.25))
+    assert list(telemetry.currents.times) == [1.0, 1.0125]
+    assert list(telemetry.currents.values(0)) == pytest.approx([0.0, 3.0])
+    assert list(telemetry.currents.values(1)) == pytest.approx([1.5, 38.25])
+
+
+def test_batch_emits_one_update(telemetry: Telemetry, qtbot: QtBot) -> None:
+    announced: list[None] = []
+    telemetry.updated.connect(lambda: announced.append(None))
+    take(telemetry, *(Raw(float(time), (1, 2, 3, 4, 5)) for time in range(20)))
+    assert len(announced) == 1
+
+
+def test_status_and_mode_samples_set_only_the_time(telemetry: Telemetry) -> None:
+    take(
+        telemetry,
+        StatusNews(2.0, Status.MOTOR1_FAULT, UartError(0)),
+        ModeSeen(3.0, Mode.ANALOG),
+    )
+    assert telemetry.raw is None
+    assert telemetry.latest == 3.0
+
+
+def test_forget_clears_values_and_keeps_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
+    take(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
+    with qtbot.waitSignal(telemetry.updated):
+        telemetry.forget()
+    assert telemetry.raw is None
+    assert telemetry.motor_currents is None
+    assert telemetry.serial_controls is None
+    assert len(telemetry.currents) == 1
+
+
+def test_begin_clears_the_history_and_sets_the_unit(telemetry: Telemetry) -> None:
+    take(telemetry, Currents(1.0, (1, 2)))
+    telemetry.begin(0.04)
+    assert len(telemetry.currents) == 0
+    take(telemetry, Currents(2.0, (100, 0)))
+    assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
+
+
+def test_control_is_known_before_the_first_sample(telemetry: Telemetry) -> None:
+    telemetry.note_control(by_serial=True)
+    assert telemetry.serial_controls is True
+
+
+def test_current_history_holds_one_hour(telemetry: Telemetry) -> None:
+    for number in range(3):
+        take(telemetry, *(Currents(float(time), (number, 0)) for time in range(1000)))
+    assert len(telemetry.currents) == 3000
+    assert telemetry.currents.capacity >= 3600 * 80
+
+
+def test_setpoints_and_channels_are_kept_with_the_currents(telemetry: Telemetry) -> None:
+    motors = Motors()
+    take(telemetry, Currents(1.0, (0, 0)))
+    assert math.isnan(telemetry.currents.values(Series.WISHED1)[0])
+    assert math.isnan(telemetry.currents.values(Series.CHANNEL5)[0])
+    telemetry.watch(motors)
+    motors.allow(allowed=True)
+    motors.arm()
+    motors.set_speed(1, -90)
+    motors.set_brake(2, 127)
+    take(telemetry, Remapped(1.0, (10, 20, 30, 40, -50)), Currents(1.0125, (0, 0)))
+    assert telemetry.currents.values(Series.WISHED1)[1] == -90
+    assert telemetry.currents.values(Series.WISHED2)[1] == 0
+    assert telemetry.currents.values(Series.CHANNEL1)[1] == 10
+    assert telemetry.currents.values(Series.CHANNEL5)[1] == -50
+    motors.stop()
+    take(telemetry, Currents(1.025, (0, 0)))
+    assert telemetry.currents.values(Series.WISHED1)[2] == 0
+
+
+def test_inputs_are_kept_with_times_and_gaps(telemetry: Telemetry) -> None:
+    take(telemetry, Raw(1.0, (1, None, 3, 4, 5)), Raw(1.02, (7, 8, 3, 4, 5)))
+    assert list(telemetry.inputs.times) == [1.0, 1.02]
+    assert list(telemetry.inputs.values(0)) == [1, 7]
+    assert math.isnan(telemetry.inputs.values(1)[0])
+    assert telemetry.inputs.values(1)[1] == 8
+    telemetry.forget()
+    assert len(telemetry.inputs) == 2
+    telemetry.begin(0.04)
+    assert len(telemetry.inputs) == 0

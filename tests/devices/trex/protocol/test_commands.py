@@ -1,0 +1,193 @@
+"""Every command byte: its packet in both protocols, and the packet read back.
+
+Expected bytes are those of the TReX 1.0 command documentation and the guide, 5.b.
+"""
+
+import pytest
+
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    COMMANDS,
+    Command,
+    Direction,
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+    GetCalibratedChannels,
+    GetCalibration,
+    GetCurrent,
+    GetCurrents,
+    GetMode,
+    GetParameter,
+    GetRawChannels,
+    GetRemappedChannels,
+    GetSerialControl,
+    GetSignature,
+    GetStatus,
+    GetUartErrors,
+    Null,
+    SetCalibration,
+    SetParameter,
+)
+from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.parser import Packet, PacketParser
+
+TYPICAL = Calibration(2500, 3750, 5000, 75)
+TYPICAL_BYTES = "44 13 26 1d 08 27 4b 00 55 2a"
+
+REVERSE_100 = Drive(Direction.REVERSE, 100)
+FORWARD_127 = Drive(Direction.FORWARD, 127)
+FULL_BRAKE = Drive(Direction.BRAKE, 127)
+OTHER_BRAKE = Drive(Direction.BRAKE_TOO, 1)
+
+PACKETS: list[tuple[Command[object], str, str]] = [
+    (GetSignature(), "81", "80 07 01"),
+    (GetMode(), "82", "80 07 02"),
+    (GetSerialControl(), "83", "80 07 03"),
+    (GetStatus(), "84", "80 07 04"),
+    (GetUartErrors(), "85", "80 07 05"),
+    (GetRawChannels(), "86 1f", "80 07 06 1f"),
+    (GetRawChannels(0x13), "86 13", "80 07 06 13"),
+    (GetRawChannels(0), "86 00", "80 07 06 00"),
+    (GetRemappedChannels(), "87 1f", "80 07 07 1f"),
+    (GetRemappedChannels(0x04), "87 04", "80 07 07 04"),
+    (GetCurrent(1), "8d", "80 07 0d"),
+    (GetCurrent(2), "8e", "80 07 0e"),
+    (GetCurrents(), "8f", "80 07 0f"),
+    (GetCalibration(1), "90", "80 07 10"),
+    (GetCalibration(2), "91", "80 07 11"),
+    (GetCalibration(3), "92", "80 07 12"),
+    (GetCalibration(4), "93", "80 07 13"),
+    (GetCalibration(5), "94", "80 07 14"),
+    (GetCalibratedChannels(), "95", "80 07 15"),
+    (GetParameter(0x07), "9f 07", "80 07 1f 07"),
+    (GetParameter(0x7E), "9f 7e", "80 07 1f 7e"),
+    (SetCalibration(1, TYPICAL), "a0" + TYPICAL_BYTES, "80 07 20" + TYPICAL_BYTES),
+    (SetCalibration(2, TYPICAL), "a1" + TYPICAL_BYTES, "80 07 21" + TYPICAL_BYTES),
+    (SetCalibration(3, TYPICAL), "a2" + TYPICAL_BYTES, "80 07 22" + TYPICAL_BYTES),
+    (SetCalibration(4, TYPICAL), "a3" + TYPICAL_BYTES, "80 07 23" + TYPICAL_BYTES),
+    (SetCalibration(5, TYPICAL), "a4" + TYPICAL_BYTES, "80 07 24" + TYPICAL_BYTES),
+    (SetParameter(0x00, 7), "af 00 07 55 2a", "80 07 2f 00 07 55 2a"),
+    (SetParameter(0x7B, 1), "af 7b 01 55 2a", "80 07 2f 7b 01 55 2a"),
+    (SetParameter(0x7F, 0x7F), "af 7f 7f 55 2a", "80 07 2f 7f 7f 55 2a"),
+    (DriveMotor(1, FULL_BRAKE), "c0 7f", "80 07 40 7f"),
+    (DriveMotor(1, REVERSE_100), "c1 64", "80 07 41 64"),
+    (DriveMotor(1, FORWARD_127), "c2 7f", "80 07 42 7f"),
+    (DriveMotor(1, OTHER_BRAKE), "c3 01", "80 07 43 01"),
+    (DriveMotor(1, FULL_BRAKE, accelerate=True), "c4 7f", "80 07 44 7f"),
+    (DriveMotor(1, REVERSE_100, accelerate=True), "c5 64", "80 07 45 64"),
+    (DriveMotor(1, FORWARD_127, accelerate=True), "c6 7f", "80 07 46 7f"),
+    (DriveMotor(1, OTHER_BRAKE, accelerate=True), "c7 01", "80 07 47 01"),
+    (DriveMotor(2, FULL_BRAKE), "c8 7f", "80 07 48 7f"),
+    (DriveMotor(2, REVERSE_100), "c9 64", "80 07 49 64"),
+    (DriveMotor(2, FORWARD_127), "ca 7f", "80 07 4a 7f"),
+    (DriveMotor(2, OTHER_BRAKE), "cb 01", "80 07 4b 01"),
+    (DriveMotor(2, FULL_BRAKE, accelerate=True), "cc 7f", "80 07 4c 7f"),
+    (DriveMotor(2, REVERSE_100, accelerate=True), "cd 64", "80 07 4d 64"),
+    (DriveMotor(2, FORWARD_127, accelerate=True), "ce 7f", "80 07 4e 7f"),
+    (DriveMotor(2, OTHER_BRAKE, accelerate=True), "cf 01", "80 07 4f 01"),
+    (DriveBoth(FULL_BRAKE, FULL_BRAKE), "d0 7f 7f", "80 07 50 7f 7f"),
+    (DriveBoth(FORWARD_127, REVERSE_100), "d6 7f 64", "80 07 56 7f 64"),
+    (DriveBoth(REVERSE_100, FORWARD_127), "d9 64 7f", "80 07 59 64 7f"),
+    (DriveBoth(FULL_BRAKE, FULL_BRAKE, accelerate=True), "e0 7f 7f", "80 07 60 7f 7f"),
+    (DriveBoth(FORWARD_127, REVERSE_100, accelerate=True), "e6 7f 64", "80 07 66 7f 64"),
+    (DriveBoth(OTHER_BRAKE, OTHER_BRAKE, accelerate=True), "ef 01 01", "80 07 6f 01 01"),
+    (DriveAuxiliary(127), "f0 7f", "80 07 70 7f"),
+    (DriveAuxiliary(0), "f0 00", "80 07 70 00"),
+    (DriveAuxiliary(64, accelerate=True), "f1 40", "80 07 71 40"),
+    (Null(), "ff", "80 07 7f"),
+]
+
+PACKET_NAMES = [packet for _, packet, _ in PACKETS]
+
+
+def test_command_bytes_are_exactly_the_documented_ones() -> None:
+    assert set(COMMANDS) == {
+        *(0x81, 0x82, 0x83, 0x84, 0x85, 0x86, 0x87),
+        *(0x8D, 0x8E, 0x8F),
+        *(0x90, 0x91, 0x92, 0x93, 0x94, 0x95),
+        0x9F,
+        *(0xA0, 0xA1, 0xA2, 0xA3, 0xA4),
+        0xAF,
+        *range(0xC0, 0xF2),
+        0xFF,
+    }
+
+
+def test_examples_cover_every_command() -> None:
+    given = {bytes.fromhex(packet)[0] for _, packet, _ in PACKETS}
+    assert given | set(range(0xD0, 0xF0)) == set(COMMANDS)
+
+
+@pytest.mark.parametrize(("base", "accelerate"), [(0xD0, False), (0xE0, True)])
+@pytest.mark.parametrize("m2", Direction)
+@pytest.mark.parametrize("m1", Direction)
+def test_drive_both_command_byte_holds_both_directions(
+    m1: Direction, m2: Direction, base: int, accelerate: bool
+) -> None:
+    # The documentation's formula; for accelerating it prints 0xD0, against its own heading.
+    raw = bytes([base | m2 * 4 | m1, 5, 0x60])
+    command = DriveBoth(Drive(m1, 5), Drive(m2, 0x60), accelerate)
+    assert Framing().encode(command) == raw
+    assert PacketParser().feed(raw) == [Packet(raw, command, None)]
+
+
+@pytest.mark.parametrize(("command", "compact", "_expanded"), PACKETS, ids=PACKET_NAMES)
+def test_compact_packet_is_command_byte_and_data(
+    command: Command[object], compact: str, _expanded: str
+) -> None:
+    assert Framing().encode(command) == bytes.fromhex(compact)
+
+
+@pytest.mark.parametrize(("command", "_compact", "expanded"), PACKETS, ids=PACKET_NAMES)
+def test_expanded_packet_names_device_and_clears_top_bit(
+    command: Command[object], _compact: str, expanded: str
+) -> None:
+    assert Framing(7).encode(command) == bytes.fromhex(expanded)
+
+
+def test_compact_packet_is_parsed_as_its_command() -> None:
+    for command, compact, _ in PACKETS:
+        raw = bytes.fromhex(compact)
+        assert PacketParser().feed(raw) == [Packet(raw, command, None)]
+
+
+def test_expanded_packet_is_parsed_as_command_and_device() -> None:
+    for command, _, expanded in PACKETS:
+        raw = bytes.fromhex(expanded)
+        assert PacketParser().feed(raw) == [Packet(raw, command, 7)]
+
+
+def test_command_table_matches_packet_data_sizes() -> None:
+    for command, compact, _ in PACKETS:
+        raw = bytes.fromhex(compact)
+        assert COMMANDS[raw[0]] is type(command)
+        assert COMMANDS[raw[0]].data_size == len(raw) - 1
+
+
+def test_data_bytes_never_have_top_bit_set() -> None:
+    for command, _, _ in PACKETS:
+        assert all(byte <= 0x7F for byte in command.data())
+
+
+def test_only_motor_and_null_commands_have_no_reply() -> None:
+    for command, compact, _ in PACKETS:
+        answers = command.opcode < 0xC0 and compact != "86 00"  # which asks for nothing
+        assert (command.reply_size() > 0) is answers
+
+
+def test_only_motor_commands_move_motors() -> None:
+    assert {opcode for opcode, cls in COMMANDS.items() if cls.moves} == set(range(0xC0, 0xF2))
+
+
+def test_only_null_command_has_no_crc() -> None:
+    for command, _, _ in PACKETS:
+        assert command.has_crc is (command.opcode != 0xFF)
+
+
+def test_equal_commands_have_equal_hashes() -> None:
+    for command, compact, _ in PACKETS:
+        (event,) = PacketParser().feed(bytes.fromhex(compact))
+        assert isinstance(event, Packet)
+        assert hash(event.command) == hash(command)

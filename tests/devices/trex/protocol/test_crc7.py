@@ -1,0 +1,87 @@
+"""CRC-7 against a long division by hand, as the guide describes it."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.matrix import examples
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL, check_polynomial, crc7
+
+modest = examples(40)
+polynomials = st.integers(0x80, 0xFF)
+
+
+def long_division(data: bytes, polynomial: int) -> int:
+    """Divide bit by bit, most significant bit first, seven zero bits appended."""
+    bits = [byte >> place & 1 for byte in data for place in range(7, -1, -1)] + [0] * 7
+    divisor = [polynomial >> place & 1 for place in range(7, -1, -1)]
+    for start in range(8 * len(data)):
+        if bits[start]:
+            for place, bit in enumerate(divisor):
+                bits[start + place] ^= bit
+    remainder = 0
+    for bit in bits[-7:]:
+        remainder = remainder << 1 | bit
+    return remainder
+
+
+@pytest.mark.parametrize(
+    ("packet", "crc"),
+    [
+        ("86 1f", 0x07),
+        ("81", 0x48),
+        ("f0 7f", 0x4D),
+        ("af 00 07 55 2a", 0x47),
+        ("80 07 06 1f", 0x0B),
+    ],
+)
+def test_guide_packets_have_their_printed_crc(packet: str, crc: int) -> None:
+    assert crc7(bytes.fromhex(packet)) == crc
+
+
+def test_default_polynomial_is_0x89() -> None:
+    assert DEFAULT_POLYNOMIAL == 0x89
+
+
+def test_empty_data_has_crc_0() -> None:
+    assert crc7(b"") == 0
+
+
+@modest
+@given(data=st.binary(max_size=24), polynomial=polynomials)
+def test_crc_is_remainder_of_long_division(data: bytes, polynomial: int) -> None:
+    assert crc7(data, polynomial) == long_division(data, polynomial)
+
+
+def test_every_polynomial_gives_right_crc_of_single_bytes() -> None:
+    for polynomial in range(0x80, 0x100):
+        for byte in (0x00, 0x01, 0x55, 0x80, 0x86, 0xFF):
+            data = bytes([byte])
+            assert crc7(data, polynomial) == long_division(data, polynomial)
+
+
+@modest
+@given(data=st.binary(max_size=24), polynomial=polynomials)
+def test_crc_byte_never_looks_like_command_byte(data: bytes, polynomial: int) -> None:
+    assert 0 <= crc7(data, polynomial) <= 0x7F
+
+
+@modest
+@given(data=st.binary(min_size=1, max_size=12), place=st.integers(0, 12 * 8 - 1))
+def test_flipped_bit_always_changes_crc(data: bytes, place: int) -> None:
+    index, bit = divmod(place % (8 * len(data)), 8)
+    damaged = bytearray(data)
+    damaged[index] ^= 1 << bit
+    assert crc7(bytes(damaged)) != crc7(data)
+
+
+@pytest.mark.parametrize("polynomial", [0x00, 0x09, 0x7F, 0x100, -0x77])
+def test_polynomial_without_top_bit_is_rejected_with_limits(polynomial: int) -> None:
+    with pytest.raises(BadRequest, match="0x80 to 0xFF"):
+        crc7(b"\x81", polynomial)
+
+
+@pytest.mark.parametrize("polynomial", [0x80, 0x89, 0xFF])
+def test_polynomial_with_top_bit_is_accepted(polynomial: int) -> None:
+    assert check_polynomial(polynomial) == polynomial

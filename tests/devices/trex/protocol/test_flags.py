@@ -1,0 +1,171 @@
+"""Status and error bits, channel masks, modes, and what raw counts are worth."""
+
+from enum import IntFlag
+
+import pytest
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.flags import (
+    ALL_CHANNELS,
+    CHANNELS,
+    STATUS_MEANING,
+    UART_MEANING,
+    InputSource,
+    Mode,
+    Status,
+    UartError,
+    channel_mask,
+    channels_in,
+)
+
+
+@pytest.mark.parametrize(
+    ("bit", "flag", "name"),
+    [
+        (7, Status.MOTOR2_OVER_LIMIT, "Motor 2 over current limit"),
+        (6, Status.MOTOR2_FAULT, "Motor 2 fault"),
+        (5, Status.MOTOR1_OVER_LIMIT, "Motor 1 over current limit"),
+        (4, Status.MOTOR1_FAULT, "Motor 1 fault"),
+        (0, Status.UART_ERROR, "UART error"),
+    ],
+)
+def test_status_bits_match_documentation(bit: int, flag: Status, name: str) -> None:
+    assert flag == 1 << bit
+    assert STATUS_MEANING[flag][0] == name
+
+
+@pytest.mark.parametrize(
+    ("bit", "flag", "name"),
+    [
+        (7, UartError.TIMEOUT, "timeout"),
+        (6, UartError.FORMAT, "format error"),
+        (5, UartError.CRC, "CRC error"),
+        (4, UartError.FRAMING, "framing error"),
+        (3, UartError.DATA_OVERRUN, "data overrun"),
+        (2, UartError.PARITY, "parity error"),
+        (1, UartError.READ_OVERRUN, "read buffer overrun"),
+        (0, UartError.SEND_OVERRUN, "send buffer overrun"),
+    ],
+)
+def test_uart_error_bits_match_documentation(bit: int, flag: UartError, name: str) -> None:
+    assert flag == 1 << bit
+    assert name.casefold() in UART_MEANING[flag][0].casefold()
+
+
+def test_status_bits_1_to_3_are_unused() -> None:
+    assert sum(Status) == 0b1111_0001
+
+
+@pytest.mark.parametrize(
+    ("flags", "meanings"), [(Status, STATUS_MEANING), (UartError, UART_MEANING)]
+)
+def test_every_bit_is_explained_highest_first(
+    flags: type[IntFlag], meanings: dict[IntFlag, tuple[str, str]]
+) -> None:
+    assert list(meanings) == sorted(flags, reverse=True)
+    for name, explanation in meanings.values():
+        assert name
+        assert explanation.endswith(".")
+
+
+def test_board_has_five_channels() -> None:
+    assert CHANNELS == (1, 2, 3, 4, 5)
+    assert ALL_CHANNELS == 0x1F
+
+
+@pytest.mark.parametrize(
+    ("mask", "channels"),
+    [(0, ()), (0x01, (1,)), (0x10, (5,)), (0x13, (1, 2, 5)), (0x1F, (1, 2, 3, 4, 5))],
+)
+def test_mask_bit_n_is_channel_n_plus_1(mask: int, channels: tuple[int, ...]) -> None:
+    assert channels_in(mask) == channels
+    assert channel_mask(channels) == mask
+
+
+def test_channel_masks_round_trip() -> None:
+    assert all(channel_mask(channels_in(mask)) == mask for mask in range(32))
+
+
+def test_channel_order_does_not_change_mask() -> None:
+    assert channel_mask([5, 1, 2, 1]) == 0x13
+
+
+@pytest.mark.parametrize("channel", [-1, 0, 6])
+def test_invalid_channel_number_is_rejected(channel: int) -> None:
+    with pytest.raises(BadRequest, match=f"channels are numbered 1 to 5, not {channel}"):
+        channel_mask([1, channel])
+
+
+@pytest.mark.parametrize(
+    ("source", "count", "physical", "text"),
+    [
+        (InputSource.RC, 3750, 1500, "1500 µs"),
+        (InputSource.RC, 3637, 1454.8, "1455 µs"),
+        (InputSource.RC, 2715, 1086, "1086 µs"),
+        (InputSource.RC, 6250, 2500, "2500 µs"),
+        (InputSource.RC, 0, 0, "0 µs"),
+        (InputSource.ANALOG, 1023, 5, "5.00 V"),
+        (InputSource.ANALOG, 512, 2.502, "2.50 V"),
+        (InputSource.ANALOG, 0, 0, "0.00 V"),
+    ],
+)
+def test_count_converts_to_pulse_width_or_voltage(
+    source: InputSource, count: int, physical: float, text: str
+) -> None:
+    assert source.physical(count) == pytest.approx(physical, rel=0.001)
+    assert source.text(count) == text
+
+
+@pytest.mark.parametrize(
+    ("source", "physical", "count"),
+    [
+        (InputSource.RC, 1000, 2500),
+        (InputSource.RC, 1500, 3750),
+        (InputSource.RC, 2000, 5000),
+        (InputSource.ANALOG, 5, 1023),
+        (InputSource.ANALOG, 0, 0),
+    ],
+)
+def test_pulse_width_or_voltage_converts_to_count(
+    source: InputSource, physical: float, count: int
+) -> None:
+    assert source.counts(physical) == count
+
+
+@pytest.mark.parametrize("source", InputSource)
+def test_counts_round_trip(source: InputSource) -> None:
+    for count in range(source.highest_count + 1):
+        assert source.counts(source.physical(count)) == count
+
+
+@pytest.mark.parametrize(
+    ("source", "unit", "highest"), [(InputSource.RC, "µs", 6250), (InputSource.ANALOG, "V", 1023)]
+)
+def test_source_has_unit_and_highest_count(source: InputSource, unit: str, highest: int) -> None:
+    assert (source.unit, source.highest_count) == (unit, highest)
+
+
+@pytest.mark.parametrize(
+    ("source", "least", "most"), [(InputSource.RC, 500.0, 2500.0), (InputSource.ANALOG, 0.0, 5.0)]
+)
+def test_counts_span_physical_range_of_source(
+    source: InputSource, least: float, most: float
+) -> None:
+    assert source.physical(source.lowest_count) == least
+    assert source.physical(source.highest_count) == most
+
+
+@pytest.mark.parametrize(
+    ("letter", "is_serial", "source"),
+    [
+        ("R", False, InputSource.RC),
+        ("A", False, InputSource.ANALOG),
+        ("r", True, InputSource.RC),
+        ("a", True, InputSource.ANALOG),
+    ],
+)
+def test_lower_case_mode_letter_means_serial_mode(
+    letter: str, is_serial: bool, source: InputSource
+) -> None:
+    assert Mode(letter).is_serial is is_serial
+    assert Mode(letter).source is source

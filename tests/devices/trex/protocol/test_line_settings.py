@@ -1,0 +1,141 @@
+"""Parameter 0x7E: baud rate, error detection and stop bits."""
+
+import pytest
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+
+VALID = [wire for wire in range(0x80) if wire & 0x0F <= 10]
+
+
+@pytest.mark.parametrize(
+    ("wire", "baud", "detection", "stop_bits"),
+    [
+        (0x0A, 115200, Detection.NONE, 1),
+        (0x05, 19200, Detection.NONE, 1),
+        (0x00, 1200, Detection.NONE, 1),
+        (0x03, 9600, Detection.NONE, 1),
+        (0x25, 19200, Detection.CRC7, 1),
+        (0x15, 19200, Detection.NONE, 2),
+        (0x45, 19200, Detection.EVEN, 1),
+        (0x65, 19200, Detection.ODD, 1),
+        (0x7A, 115200, Detection.ODD, 2),
+    ],
+)
+def test_wire_bits_match_reference(
+    wire: int, baud: int, detection: Detection, stop_bits: int
+) -> None:
+    settings = LineSettings(baud, detection, stop_bits)
+    assert LineSettings.from_wire(wire) == settings
+    assert settings.to_wire() == wire
+
+
+def test_default_is_19200_baud_without_error_detection() -> None:
+    assert LineSettings() == LineSettings(19200, Detection.NONE, 1)
+    assert LineSettings().to_wire() == 0x05
+
+
+@pytest.mark.parametrize("wire", [0x25, 0x2A, 0x35])
+def test_detection_bits_01_enable_crc(wire: int) -> None:
+    assert wire >> 5 & 0b11 == 0b01
+    assert LineSettings.from_wire(wire).detection is Detection.CRC7
+
+
+def test_valid_settings_round_trip() -> None:
+    assert [LineSettings.from_wire(wire).to_wire() for wire in VALID] == VALID
+
+
+def test_invalid_wire_values_are_rejected() -> None:
+    for wire in {*range(-1, 0x101)} - {*VALID}:
+        with pytest.raises(BadRequest):
+            LineSettings.from_wire(wire)
+
+
+def test_exactly_88_settings_are_valid() -> None:
+    assert len(VALID) == 88
+    assert len({LineSettings.from_wire(wire) for wire in VALID}) == 88
+
+
+def test_eleven_baud_rates_span_1200_to_115200() -> None:
+    rates = baud_rates()
+    assert len(rates) == 11
+    assert (rates[0], rates[-1]) == (1200, 115200)
+
+
+def test_unknown_baud_rate_is_rejected_with_valid_ones() -> None:
+    with pytest.raises(BadRequest, match=r"1200, 2400, .*, 115200 baud, not 31250"):
+        LineSettings(31250).to_wire()
+
+
+@pytest.mark.parametrize("stop_bits", [0, 3])
+def test_invalid_stop_bits_are_rejected_with_limits(stop_bits: int) -> None:
+    with pytest.raises(BadRequest, match=f"1 or 2 stop bits, not {stop_bits}"):
+        LineSettings(stop_bits=stop_bits).to_wire()
+
+
+@pytest.mark.parametrize("firmware", ["1.0", "1.1"])
+@pytest.mark.parametrize(("chosen", "real"), [(38400, 19200), (28800, 14400)])
+def test_old_firmware_halves_two_baud_rates(firmware: str, chosen: int, real: int) -> None:
+    assert LineSettings(chosen).real_baud(firmware) == real
+
+
+@pytest.mark.parametrize("firmware", ["1.0", "1.1"])
+def test_old_firmware_keeps_all_other_baud_rates(firmware: str) -> None:
+    for baud in set(baud_rates()) - {28800, 38400}:
+        assert LineSettings(baud).real_baud(firmware) == baud
+
+
+@pytest.mark.parametrize("firmware", ["1.2", "1.3", "1.10", "2.0"])
+def test_new_firmware_keeps_every_baud_rate(firmware: str) -> None:
+    for baud in baud_rates():
+        assert LineSettings(baud).real_baud(firmware) == baud
+
+
+@pytest.mark.parametrize(
+    ("detection", "stop_bits", "bits"),
+    [
+        (Detection.NONE, 1, 10),
+        (Detection.NONE, 2, 11),
+        (Detection.CRC7, 1, 10),
+        (Detection.EVEN, 1, 11),
+        (Detection.ODD, 1, 11),
+        (Detection.EVEN, 2, 12),
+    ],
+)
+def test_bits_per_byte_include_parity_and_stop_bits(
+    detection: Detection, stop_bits: int, bits: int
+) -> None:
+    assert LineSettings(19200, detection, stop_bits).bits_per_byte == bits
+
+
+def test_byte_at_19200_baud_takes_half_a_millisecond() -> None:
+    assert LineSettings().seconds(1) == pytest.approx(10 / 19200)
+
+
+def test_80_bytes_of_12_bits_take_100_ms_at_9600_baud() -> None:
+    assert LineSettings(9600, Detection.EVEN, 2).seconds(80) == pytest.approx(0.1)
+
+
+def test_transfer_time_uses_real_baud_rate_if_given() -> None:
+    settings = LineSettings(38400)
+    real = settings.real_baud("1.0")
+    assert settings.seconds(1, real) == pytest.approx(10 / 19200)
+
+
+@pytest.mark.parametrize(
+    ("wire", "text"),
+    [
+        (0x05, "19200 baud, no error detection, 1 stop bit"),
+        (0x3A, "115200 baud, CRC-7, 2 stop bits"),
+        (0x43, "9600 baud, even parity, 1 stop bit"),
+        (0x73, "9600 baud, odd parity, 2 stop bits"),
+    ],
+)
+def test_settings_text_names_baud_detection_and_stop_bits(wire: int, text: str) -> None:
+    assert LineSettings.from_wire(wire).text() == text
+
+
+def test_set_top_bit_is_not_reported_as_bad_baud_rate() -> None:
+    with pytest.raises(BadRequest) as caught:
+        LineSettings.from_wire(0x85)
+    assert "no baud rate" not in str(caught.value)

@@ -1,0 +1,86 @@
+"""Errors are sentences that survive the way to another thread or process."""
+
+import copy
+import pickle
+
+import pytest
+
+from trex_gui.core import errors
+from trex_gui.core.errors import (
+    BadReply,
+    BadRequest,
+    NoReply,
+    PortUnavailable,
+    Rejected,
+    ResultCode,
+    TrexError,
+)
+
+EVERY_ERROR: list[TrexError] = [
+    TrexError("the worst has happened"),
+    BadRequest("a speed is 0 to 127, not 128"),
+    PortUnavailable("/dev/ttyUSB0 is busy"),
+    NoReply("2 of 7 bytes came"),
+    BadReply("the CRC is 08, not 07"),
+    *(Rejected("Serial Timeout", code) for code in ResultCode),
+]
+
+
+def test_examples_cover_every_error() -> None:
+    defined = {
+        found
+        for found in vars(errors).values()
+        if isinstance(found, type) and issubclass(found, TrexError)
+    }
+    assert {type(error) for error in EVERY_ERROR} == defined
+
+
+@pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
+@pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
+def test_pickled_error_keeps_its_message(error: TrexError, protocol: int) -> None:
+    arrived = pickle.loads(pickle.dumps(error, protocol))
+    assert type(arrived) is type(error)
+    assert str(arrived) == str(error)
+    assert arrived.args == error.args
+
+
+@pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
+def test_copied_error_keeps_its_message(error: TrexError) -> None:
+    assert str(copy.deepcopy(error)) == str(error)
+
+
+def test_pickled_rejection_keeps_subject_and_code() -> None:
+    error = Rejected("calibration of channel 2", ResultCode.BAD_VALUE)
+    arrived = pickle.loads(pickle.dumps(error))
+    assert isinstance(arrived, Rejected)
+    assert arrived.what == "calibration of channel 2"
+    assert arrived.code is ResultCode.BAD_VALUE
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        (ResultCode.BAD_PARAMETER, "does not know this parameter (code 1)"),
+        (ResultCode.BAD_VALUE, "refuses this value (code 2)"),
+        (ResultCode.NOT_SERIAL_MODE, "not in serial mode (code 3)"),
+    ],
+)
+def test_rejection_names_subject_and_reason(code: ResultCode, words: str) -> None:
+    sentence = str(Rejected("Serial Timeout", code))
+    assert sentence.startswith("Serial Timeout: ")
+    assert words in sentence
+
+
+def test_result_codes_match_documentation() -> None:
+    assert {code.name: int(code) for code in ResultCode} == {
+        "OK": 0,
+        "BAD_PARAMETER": 1,
+        "BAD_VALUE": 2,
+        "NOT_SERIAL_MODE": 3,
+    }
+
+
+@pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
+def test_every_error_is_a_trex_error(error: TrexError) -> None:
+    assert isinstance(error, TrexError)
+    assert isinstance(error, ValueError) is isinstance(error, BadRequest)

@@ -1,0 +1,30 @@
+"""The program finds its own files."""
+
+import tomllib
+
+import pytest
+
+from trex_gui.core.resource_files import resource
+
+
+def test_parameter_table_is_found_and_is_toml() -> None:
+    table = tomllib.loads(resource("trex_parameters.toml").read_text(encoding="utf-8"))
+    assert set(table["models"]) == {"trex", "trexjr"}
+
+
+def test_folder_is_found() -> None:
+    assert resource("icons").is_dir()
+
+
+def test_path_is_absolute_in_any_current_folder(
+    monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    monkeypatch.chdir(tmp_path_factory.mktemp("elsewhere"))
+    assert resource("trex_parameters.toml").is_absolute()
+    assert resource("trex_parameters.toml").is_file()
+
+
+@pytest.mark.parametrize("name", ["missing.toml", "icons/no_such_icon.svg"])
+def test_missing_file_error_names_file_and_remedy(name: str) -> None:
+    with pytest.raises(FileNotFoundError, match=f"{name} is missing from .*install"):
+        resource(name)

@@ -1,0 +1,143 @@
+"""What several tests of the link say in one word."""
+
+from collections.abc import Callable, Iterable
+from typing import TypeVar
+
+from tests.support.virtual import Stage, VirtualTransport
+from trex_gui.devices.trex.client.telemetry import Sample
+from trex_gui.devices.trex.protocol.commands import Command
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parser import Packet, PacketParser
+from trex_gui.devices.trex.session.messages import Close, Outcome, Report
+from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.motors import Direction
+
+KindT = TypeVar("KindT")
+
+
+def staged(
+    baud: int = 19200,
+    detection: Detection = Detection.NONE,
+    *,
+    model: str = "trex",
+    firmware: str = "1.2",
+    mode: str = "serial",
+    echo: bool = False,
+) -> tuple[Stage, LinkSettings]:
+    """Return a board that runs at these line settings, and the settings that fit it."""
+    line = LineSettings(baud, detection)
+    eeprom = Eeprom(model)
+    eeprom.write("uart_settings", line.to_wire())
+    board = Board(model, firmware, eeprom=eeprom, mode=mode)
+    return Stage(board, echo=echo), LinkSettings("virtual", line)
+
+
+def among(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
+    """Return the reports of one kind, in their order."""
+    return [report for report in reports if isinstance(report, kind)]
+
+
+def outcomes(reports: Iterable[object]) -> dict[int, Outcome]:
+    """Return the outcome of each request; no request may have two."""
+    found = among(reports, Outcome)
+    by_id = {outcome.id: outcome for outcome in found}
+    assert len(by_id) == len(found), "a request has two outcomes"
+    return by_id
+
+
+def samples(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
+    """Return every sample of one kind, in their order."""
+    batches: list[Sample] = []
+    for report in reports:
+        batches += getattr(report, "samples", ())
+    return among(batches, kind)
+
+
+def commands(sent: bytes | bytearray, polynomial: int | None = None) -> list[Command[object]]:
+    """Read what was sent; everything must be whole."""
+    parser = PacketParser(polynomial)
+    events = parser.feed(bytes(sent)) + parser.flush()
+    packets = among(events, Packet)
+    assert len(packets) == len(events), "something sent was no packet"
+    return [packet.command for packet in packets]
+
+
+def moving(sent: bytes | bytearray, polynomial: int | None = None) -> list[Command[object]]:
+    """Return the motor commands among what was sent."""
+    return [command for command in commands(sent, polynomial) if command.moves]
+
+
+def is_stopped(board: Board) -> bool:
+    """Whether both motors are braked fully and the auxiliary one is off."""
+    return board.aux.speed == 0 and all(
+        motor.direction is Direction.BRAKE and motor.speed == 127 for motor in board.motors
+    )
+
+
+def run_for(stage: Stage, seconds: float, settings: LinkSettings | None = None) -> list[Report]:
+    """Run the script of a stage, which ends so many seconds after the line began."""
+    stage.script.at(seconds, Close())
+    return stage.run(settings)
+
+
+def run_after_another(stage: Stage, seconds: float) -> list[Report]:
+    """Run a session whose forerunner may have left motors running."""
+    stage.script.at(seconds, Close())
+    Session(
+        LinkSettings("virtual"),
+        stage.script,
+        stage.reports.append,
+        lambda _settings: stage.transport,
+        may_move=True,
+    ).run()
+    return stage.reports
+
+
+def seen_at(stage: Stage, moment: float, look: Callable[[], KindT]) -> list[KindT]:
+    """Plan a look at the board; return the list that will hold what was seen."""
+    seen: list[KindT] = []
+    stage.script.at(moment, lambda: seen.append(look()))
+    return seen
+
+
+def timed_run(stage: Stage, settings: LinkSettings) -> list[tuple[float, Report]]:
+    """Run the script of a stage; return each report with the moment it was made."""
+    reports: list[tuple[float, Report]] = []
+    session = Session(
+        settings,
+        stage.script,
+        lambda report: reports.append((stage.line.now, report)),
+        lambda _settings: stage.transport,
+    )
+    session.run()
+    return reports
+
+
+class FailingTransport(VirtualTransport):
+    """A line that works for some calls and is gone from then on."""
+
+    def __init__(self, line: Line, calls: int, failure: Exception) -> None:
+        super().__init__(line)
+        self._left = calls
+        self._failure = failure
+
+    def _use(self) -> None:
+        if self._left <= 0:
+            raise self._failure
+        self._left -= 1
+
+    def write(self, data: bytes) -> None:
+        self._use()
+        super().write(data)
+
+    def read(self, size: int, seconds: float) -> bytes:
+        self._use()
+        return super().read(size, seconds)
+
+    def discard(self) -> bytes:
+        self._use()
+        return super().discard()

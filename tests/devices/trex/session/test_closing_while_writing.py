@@ -1,0 +1,247 @@
+"""`Close` at every moment of a `Write`: how everything went is told before the line is closed."""
+
+from dataclasses import dataclass
+from functools import cache
+
+import pytest
+
+from tests.devices.trex.client.test_interrupted_writing import (
+    CALIBRATIONS,
+    CASES,
+    FAST,
+    SLOW,
+    Attempt,
+    Case,
+    everything,
+    line_and_polynomial,
+    require_order,
+    require_reachable,
+    wire,
+)
+from tests.devices.trex.session.helpers import commands, moving, outcomes, timed_run
+from trex_gui.core.errors import NoReply
+from trex_gui.devices.trex.client.writing import NotTried, Written
+from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetStatus
+from trex_gui.devices.trex.protocol.line_settings import Detection
+from trex_gui.devices.trex.session.messages import (
+    Close,
+    Closed,
+    Connected,
+    Outcome,
+    Report,
+    SetAuxiliary,
+    SetDrive,
+    Stop,
+    Write,
+)
+from trex_gui.devices.trex.simulator.motors import Direction
+
+PAIR = ("crc7_polynomial", "uart_settings")
+STEP = 0.004
+"""Seconds between two moments: less than any transaction takes."""
+
+CRC_STAYS_ON = line_and_polynomial(FAST, 0x33, SLOW, 0x44)
+BY_WAY_OF_FACTORY = Case(
+    (("motor1_acceleration", 9), ("serial_timeout", 20), *CRC_STAYS_ON.parameters),
+    stored=CRC_STAYS_ON.stored,
+)
+SLOWEST = line_and_polynomial(wire(1200, Detection.CRC7, 2), 0x33, FAST, 0x44)
+
+CLOSED = {
+    "everything": Case(everything("1.2")[-10:], CALIBRATIONS[:2]),
+    "CRC off": CASES["CRC off"],
+    "by way of the factory's line": BY_WAY_OF_FACTORY,
+}
+ALL = tuple(CLOSED.values())
+every_case = pytest.mark.parametrize("name", CLOSED)
+
+
+@dataclass
+class Writing:
+    """One `Write` in a session: an `Attempt` whose outcome came as a report."""
+
+    attempt: Attempt
+    reports: list[tuple[float, Report]]
+
+    @property
+    def outcome(self) -> Outcome:
+        return outcomes(report for _, report in self.reports)[1]
+
+    @property
+    def results(self) -> dict[str, Written]:
+        return {result.what: result for result in self.attempt.results}
+
+    def when(self, kind: type[Report]) -> float:
+        (moment,) = [time for time, report in self.reports if isinstance(report, kind)]
+        return moment
+
+
+def run(attempt: Attempt) -> Writing:
+    """Run what the script of an attempt has left to do."""
+    settings = attempt.case.link(attempt.case.before)
+    attempt.stage.line.host = settings.line
+    return Writing(attempt, timed_run(attempt.stage, settings))
+
+
+def begun(case: Case) -> Attempt:
+    attempt = Attempt(case)
+    attempt.stage.script.at(0.0, Write(1, case.parameters, case.calibrations))
+    return attempt
+
+
+def taken(writing: Writing) -> Writing:
+    """Take in the outcome, which tells of everything."""
+    assert writing.outcome.error is None
+    value = writing.outcome.value
+    assert isinstance(value, tuple)
+    writing.attempt.results = value
+    return writing
+
+
+def closed_at(case: Case, moment: float) -> Writing:
+    attempt = begun(case)
+    attempt.stage.script.at(moment, Close())
+    return taken(run(attempt))
+
+
+@cache
+def moments(case: Case) -> tuple[float, ...]:
+    """Return moments from the beginning of an undisturbed writing to its end."""
+    attempt = begun(case)
+    attempt.stage.script.at(10.0, Close())
+    writing = taken(run(attempt))
+    assert attempt.stored == case.after
+    begin, end = writing.when(Connected), writing.when(Outcome)
+    return tuple(begin + STEP * (number + 1) for number in range(int((end - begin) / STEP)))
+
+
+# --- What is told -----------------------------------------------------------------------
+
+
+@every_case
+def test_close_reports_each_setting_as_stored_or_skipped(name: str) -> None:
+    counts = set()
+    for moment in moments(CLOSED[name]):
+        writing = closed_at(CLOSED[name], moment)
+        require_order(writing.attempt, lost=0)
+        before, stored = writing.attempt.case.before, writing.attempt.stored
+        untried = {what for what, one in writing.results.items() if one.error is not None}
+        assert all(isinstance(writing.results[what].error, NotTried) for what in untried)
+        parameters = {what for what in untried if what in before}
+        assert {what: stored[what] for what in parameters} == {
+            what: before[what] for what in parameters
+        }
+        assert writing.reports[-1][1] == Closed(None)
+        counts.add(len(untried))
+    assert len(counts) > 1 or name == "CRC off"  # it is a pair alone, which is not parted
+
+
+@every_case
+def test_line_settings_and_polynomial_stay_together(name: str) -> None:
+    for moment in moments(CLOSED[name]):
+        writing = closed_at(CLOSED[name], moment)
+        stored, case = writing.attempt.stored, writing.attempt.case
+        pair = tuple(stored[key] for key in PAIR)
+        whole = [tuple(values[key] for key in PAIR) for values in (case.before, case.after)]
+        assert pair in whole
+        told = [writing.results[key].error is None for key in PAIR]
+        assert told == [pair == whole[1]] * 2
+        writing.attempt.board.power_cycle()
+        require_reachable(writing.attempt)
+
+
+def test_skipped_settings_can_be_written_later() -> None:
+    case = CLOSED["everything"]
+    for moment in moments(case)[::15]:
+        writing = closed_at(case, moment)
+        attempt = writing.attempt.run()
+        assert [result.error for result in attempt.results] == [None] * len(attempt.results)
+        assert attempt.stored == case.after
+
+
+def test_close_cancels_write_that_has_not_started() -> None:
+    attempt = begun(CLOSED["everything"])
+    attempt.stage.script.at(0.0, Close())
+    assert "closed before this was done" in str(run(attempt).outcome.error)
+    assert attempt.stored == attempt.case.before
+
+
+# --- How long it takes ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("case", "longest"), [*((one, 0.3) for one in ALL), (SLOWEST, 2.0)])
+def test_close_waits_for_at_most_one_setting_or_pair(case: Case, longest: float) -> None:
+    """`Line.shut_down` gives it three seconds."""
+    share = max(1, len(moments(case)) // 12)
+    for moment in moments(case)[::share]:
+        assert closed_at(case, moment).when(Closed) - moment < longest
+
+
+def test_close_does_not_wait_long_for_unresponsive_board() -> None:
+    for moment in moments(BY_WAY_OF_FACTORY)[::3]:
+        attempt = begun(BY_WAY_OF_FACTORY)
+        attempt.at(moment, attempt.board.power_off)
+        attempt.stage.script.at(moment, Close())
+        writing = taken(run(attempt))
+        require_order(attempt, lost=2)
+        assert {type(result.error) for result in attempt.results} & {NoReply, NotTried}
+        assert writing.when(Closed) - moment < 2.0
+
+
+# --- Motors -----------------------------------------------------------------------------
+
+
+def driven(case: Case, moment: float) -> Attempt:
+    attempt = begun(case)
+    attempt.stage.script.at(moments(case)[0], SetDrive(1, Drive.at(100)))
+    attempt.stage.script.at(moment, Close())
+    return attempt
+
+
+def stopped_first(attempt: Attempt, moment: float) -> Writing:
+    """Run; what was on its way at a moment had been sent, and a stop is the next that is."""
+    attempt.at(moment, attempt.stage.transport.sent.clear)
+    writing = taken(run(attempt))
+    require_order(attempt, lost=0)
+    assert tuple(commands(attempt.stage.transport.sent)[: len(STOP)]) == STOP
+    return writing
+
+
+def test_close_stops_motors_before_remaining_writes() -> None:
+    case = CLOSED["everything"]
+    for moment in moments(case)[20::5]:
+        attempt = driven(case, moment)
+        writing = stopped_first(attempt, moment)
+        assert writing.reports[-1][1] == Closed(None, may_move=False)
+        assert all(motor.direction is Direction.BRAKE for motor in attempt.board.motors)
+
+
+def test_close_sends_one_confirmed_stop() -> None:
+    case = CLOSED["everything"]
+    attempt = driven(case, moments(case)[40])
+    run(attempt)
+    sent = moving(attempt.stage.transport.sent)
+    stops = [command for command in sent if command in STOP]
+    assert len(stops) == 2 * len(STOP)  # two rounds are the proof
+    assert GetStatus() in commands(attempt.stage.transport.sent)
+
+
+def test_close_drops_setpoints_during_remaining_writes() -> None:
+    case = BY_WAY_OF_FACTORY
+    for moment in moments(case)[::5]:
+        attempt = begun(case)
+        script = attempt.stage.script.at(moment, SetDrive(1, Drive.at(100))).at(moment, Close())
+        script.at(moment, SetDrive(2, Drive.at(100))).at(moment + 0.01, SetAuxiliary(100))
+        writing = run(attempt)
+        assert writing.reports[-1][1] == Closed(None, may_move=False)
+        assert [motor.speed for motor in attempt.board.motors] == [0, 0]
+        assert attempt.board.aux.speed == 0
+
+
+def test_stop_at_close_is_sent_first_and_confirmed() -> None:
+    case = CLOSED["everything"]
+    for moment in moments(case)[::10]:
+        attempt = begun(case)
+        attempt.stage.script.at(moment, Stop(2)).at(moment, Close())
+        writing = stopped_first(attempt, moment)
+        assert outcomes(report for _, report in writing.reports)[2].error is None

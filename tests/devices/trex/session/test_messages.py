@@ -1,0 +1,183 @@
+"""Messages cross threads and processes: each must be the same on the other side."""
+
+import pickle
+from typing import TypeVar
+
+import pytest
+
+from tests.devices.trex.session.helpers import among, run_for, staged
+from trex_gui.core.errors import (
+    BadReply,
+    BadRequest,
+    NoReply,
+    PortUnavailable,
+    Rejected,
+    ResultCode,
+    TrexError,
+)
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    ModeSeen,
+    Raw,
+    Remapped,
+    StatusNews,
+)
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    COMMANDS,
+    Drive,
+    DriveBoth,
+    GetCalibration,
+    GetSignature,
+    SetCalibration,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.session.messages import (
+    Arm,
+    Ask,
+    Batch,
+    Close,
+    Closed,
+    Connected,
+    Expect,
+    Halted,
+    Outcome,
+    Progress,
+    Pulse,
+    Reload,
+    Report,
+    Request,
+    SetAuxiliary,
+    SetDrive,
+    SetDrives,
+    Silent,
+    Stop,
+    Write,
+)
+
+ThingT = TypeVar("ThingT")
+
+LEARNED = Calibration(2500, 3750, 5000, 75)
+
+REQUESTS: list[Request] = [
+    Ask(1, GetSignature()),
+    Ask(2, DriveBoth(Drive.at(5), Drive.brake(), accelerate=True)),
+    Ask(3, SetCalibration(2, LEARNED)),
+    Ask(4, GetCalibration(3)),
+    SetDrive(1, Drive.at(-127), accelerate=True),
+    SetDrives((SetDrive(1, Drive.at(5)), SetDrive(2, Drive.brake(3)))),
+    SetAuxiliary(127),
+    Stop(5),
+    Stop(5, lockout=3.0),
+    Arm(),
+    Pulse(),
+    Write(6, (("serial_timeout", 5),), ((1, LEARNED),)),
+    Reload(7),
+    Expect((LinkSettings("", LineSettings(9600)),)),
+    Close(),
+]
+
+ERRORS: list[TrexError] = [
+    TrexError("a"),
+    BadRequest("b"),
+    PortUnavailable("c"),
+    NoReply("d"),
+    BadReply("e"),
+    Rejected("Serial Timeout", ResultCode.NOT_SERIAL_MODE),
+]
+
+SAMPLES = (
+    Raw(1.0, (1, None, 3, 4, 5)),
+    Remapped(1.0, (1, -2, 3, -4, 5)),
+    Currents(1.0, (3, 4)),
+    StatusNews(1.0, Status.MOTOR1_FAULT | Status.UART_ERROR, UartError.CRC | UartError.FORMAT),
+    Control(1.0, by_serial=True),
+    ModeSeen(1.0, Mode.SERIAL_ANALOG),
+)
+
+REPORTS: list[Report] = [
+    Progress(1, 2, "x"),
+    Silent("x", Counters(requests=3)),
+    Halted("x", proved=False),
+    Batch(SAMPLES, Counters(1, 2, 3, 4, 0.5)),
+    Outcome(1, LEARNED),
+    Outcome(2, (Written("channel 1", LEARNED), Written("motor_mode", 1))),
+    Closed(None),
+    Closed(None, may_move=True),
+]
+
+
+def there_and_back(thing: ThingT) -> ThingT:
+    copy: ThingT = pickle.loads(pickle.dumps(thing))
+    return copy
+
+
+@pytest.mark.parametrize("request_", REQUESTS, ids=str)
+def test_request_survives_pickling(request_: Request) -> None:
+    assert there_and_back(request_) == request_
+
+
+@pytest.mark.parametrize("report", REPORTS, ids=lambda report: type(report).__name__)
+def test_report_survives_pickling(report: Report) -> None:
+    assert there_and_back(report) == report
+
+
+def test_every_command_survives_pickling() -> None:
+    for opcode, cls in COMMANDS.items():
+        data = b"\x00" * (cls.data_size - 2) + b"\x55\x2a" if 0xA0 <= opcode <= 0xAF else None
+        command = cls.from_packet(opcode, data or b"\x01" * cls.data_size)
+        assert there_and_back(Ask(1, command)) == Ask(1, command)
+
+
+@pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
+def test_pickled_error_keeps_type_and_message(error: TrexError) -> None:
+    for message in (Outcome(1, error=error), Closed(error), Written("motor_mode", error=error)):
+        arrived = there_and_back(message).error
+        assert arrived is not None
+        assert type(arrived) is type(error)
+        assert str(arrived) == str(error)
+        assert arrived.args == error.args
+
+
+def test_pickled_rejection_keeps_its_code() -> None:
+    copy = there_and_back(Rejected("Serial Timeout", ResultCode.BAD_VALUE))
+    assert (copy.what, copy.code) == ("Serial Timeout", ResultCode.BAD_VALUE)
+
+
+def test_error_with_cause_can_be_pickled() -> None:
+    error = BadReply("the error")
+    error.__cause__ = NoReply("the cause")
+    assert str(there_and_back(error)) == "the error"
+
+
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+def test_all_reports_of_session_survive_pickling(model: str) -> None:
+    stage, settings = staged(model=model)
+    stage.script.at(1.0, Write(1, (("serial_timeout", 5),), ((1, LEARNED),)))
+    stage.script.at(1.5, Stop(2)).at(1.6, Reload(3)).at(2.2, stage.board.power_off)
+    reports = run_for(stage, 3.0, settings)
+    assert {type(report) for report in reports} == {
+        Progress, Connected, Batch, Outcome, Silent, Closed,
+    }  # fmt: skip
+    for report in reports:
+        assert there_and_back(report) == report
+
+
+def test_pickled_state_knows_its_parameters() -> None:
+    stage, settings = staged(model="trexjr", firmware="1.0")
+    state = among(run_for(stage, 1.0, settings), Connected)[0].state
+    copy = there_and_back(state)
+    assert copy == state
+    assert copy.specs == state.specs
+
+
+def test_link_settings_survive_pickling() -> None:
+    line = LineSettings(115200, Detection.CRC7, 2)
+    settings = LinkSettings("/dev/ttyUSB0", line, 7, 0x89, Timeouts(extra=0.5), "here")
+    assert there_and_back(settings) == settings

@@ -1,0 +1,436 @@
+"""A board that comes back with other line settings than it had when its power went off."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from itertools import cycle, pairwise, product
+
+import pytest
+
+from tests.devices.trex.session.helpers import among, outcomes
+from tests.devices.trex.simulator.ports import a_board
+from tests.support.matrix import sampled
+from tests.support.virtual import Stage
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
+from trex_gui.devices.trex.discovery.probe import look_at, places_to_look
+from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
+from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode, GetSignature
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.session.messages import (
+    Ask,
+    Batch,
+    Close,
+    Closed,
+    Connected,
+    Expect,
+    Occasion,
+    Reload,
+    Report,
+    SetDrive,
+    Silent,
+    Stop,
+    Write,
+)
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.serial_control import SerialControl
+
+OLD = LinkSettings("virtual")
+EVERYWHERE = [
+    LineSettings(baud, detection, stop_bits)
+    for detection, stop_bits, baud in product(Detection, (1, 2), baud_rates())
+]
+EACH_ONCE = [
+    LineSettings(baud, detection, stop_bits)
+    for baud, detection, stop_bits in zip(
+        (*baud_rates(), *baud_rates()), cycle(Detection), cycle((1, 2, 2)), strict=False
+    )
+]
+"""Every rate twice, every error detection with either number of stop bits."""
+
+CRC = LineSettings(57600, Detection.CRC7)
+STOPS = [Framing().encode(command) for command in STOP]
+OFF, ON, END = 1.5, 2.5, 30.0
+
+
+class Place(Stage):
+    """A board that is set to `old`, on a port that is set to that too."""
+
+    def __init__(self, old: LinkSettings = OLD, *, echo: bool = False) -> None:
+        number = 7 if old.device_number is None else old.device_number
+        board = a_board(
+            number,
+            old.line.to_wire(),
+            crc7_polynomial=old.polynomial & 0x7F,
+            uart_error_shutdown=0,
+        )
+        super().__init__(board, echo=echo)
+        self.old = old
+        self.line.host = old.line
+
+    def store(self, new: LinkSettings) -> None:
+        """Let the board be at other settings when it is switched on the next time."""
+        self.board.eeprom.write("uart_settings", new.line.to_wire())
+        self.board.eeprom.write("crc7_polynomial", new.polynomial & 0x7F)
+
+    def go(self, *expected: LinkSettings, new: LinkSettings | None = None) -> "Place":
+        """Plan a break of the power, after which the board is at `new`."""
+        self.script.at(OFF - 0.1, Expect(expected))
+        self.script.at(OFF, self.board.power_off)
+        self.script.at(OFF, lambda: self.store(new or self.old))
+        self.script.at(ON, self.board.power_on)
+        return self
+
+    def end(self, moment: float = END) -> list[Report]:
+        """Run until that moment."""
+        self.script.at(moment, Close())
+        return self.run(self.old)
+
+    @property
+    def connections(self) -> list[Connected]:
+        return among(self.reports, Connected)
+
+
+def the_return(place: Place, moment: float = 6.0) -> Connected:
+    """Run, and return what was told when the board was back."""
+    place.end(moment)
+    first, second = place.connections
+    assert (first.occasion, second.occasion) == (Occasion.OPENED, Occasion.RETURNED)
+    assert first.settings == place.old
+    assert place.reports[-1] == Closed(None)
+    return second
+
+
+@pytest.fixture
+def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Every order that a motor of the simulated board is given, a stop included."""
+    given: list[str] = []
+
+    def order(what: str) -> Callable[..., None]:
+        return lambda _control, *words, **more: given.append(f"{what} {words} {more}")
+
+    monkeypatch.setattr(SerialControl, "drive", order("motor"))
+    monkeypatch.setattr(SerialControl, "drive_aux", order("auxiliary"))
+    return given
+
+
+def moment_of_end(new: LineSettings) -> float:
+    return 6.0 if new.baud > 4800 else 14.0
+
+
+# --- It is found again ------------------------------------------------------------------
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(600)
+def test_board_reconnects_at_every_line_setting(orders: list[str]) -> None:
+    for line in EVERYWHERE:
+        a_board_is_found_again_at(line, orders)
+
+
+@pytest.mark.parametrize("line", sampled(EACH_ONCE, every=3), ids=lambda line: line.text())
+def test_board_reconnects_at_expected_line_settings(line: LineSettings, orders: list[str]) -> None:
+    a_board_is_found_again_at(line, orders)
+
+
+def a_board_is_found_again_at(line: LineSettings, orders: list[str]) -> None:
+    new = replace(OLD, line=line)
+    place = Place().go(new, new=new)
+    assert the_return(place, moment_of_end(line)).settings == new
+    assert place.line.host == line
+    assert among(place.reports, Batch)[-1].samples
+    assert not orders
+
+
+@pytest.mark.parametrize(
+    "old",
+    [LineSettings(57600, Detection.CRC7), LineSettings(38400, Detection.ODD), LineSettings(9600)],
+    ids=lambda line: line.text(),
+)
+def test_board_reconnects_from_various_old_line_settings(
+    old: LineSettings, orders: list[str]
+) -> None:
+    for line in EVERYWHERE[::17]:
+        new = LinkSettings("virtual", line)
+        place = Place(LinkSettings("virtual", old)).go(new, new=new)
+        assert the_return(place, moment_of_end(line)).settings == new
+    assert not orders
+
+
+@pytest.mark.parametrize("polynomial", [0x80, 0x91, 0xA6, 0xFF])
+def test_board_reconnects_with_new_polynomial(polynomial: int) -> None:
+    old = replace(OLD, line=CRC)
+    new = replace(old, polynomial=polynomial)
+    assert the_return(Place(old).go(new, new=new)).settings == new
+
+
+def test_board_reconnects_with_new_device_number() -> None:
+    place = Place(replace(OLD, device_number=7))
+    new = LinkSettings("virtual", CRC, 100)
+    place.script.at(1.2, Write(1, (("device_number", 100), ("uart_settings", CRC.to_wire()))))
+    assert the_return(place.go(new, new=new)).settings == new
+    assert outcomes(place.reports)[1].error is None
+
+
+def test_board_reconnects_on_rs232_side() -> None:
+    new = replace(OLD, line=CRC)
+    back = the_return(Place(echo=True).go(new, new=new))
+    assert (back.settings, back.echo) == (new, True)
+
+
+def test_board_reconnects_at_settings_derived_from_stored_ones() -> None:
+    place = Place()
+    place.script.at(1.0, Write(1, (("uart_settings", CRC.to_wire()), ("crc7_polynomial", 0x11))))
+    place.script.at(1.3, Reload(2))
+    coming = LinkSettings("virtual", CRC, polynomial=0x91)
+    place.go(coming, new=coming).end(6.0)
+    _, reloaded, returned = place.connections
+    assert reloaded.settings == OLD
+    assert after_power_cycle(OLD, reloaded.state.parameters, "1.2") == coming == returned.settings
+
+
+def test_board_reconnects_at_factory_line_settings() -> None:
+    old = replace(OLD, line=LineSettings(9600))
+    place = Place(old).go(replace(OLD, line=CRC), new=OLD)
+    assert the_return(place).settings == OLD
+
+
+def test_unchanged_board_keeps_reconnect_candidates() -> None:
+    new = replace(OLD, line=CRC)
+    place = Place().go(new, new=OLD)
+    place.script.at(5.0, place.board.power_off).at(5.0, lambda: place.store(new))
+    place.script.at(6.0, place.board.power_on)
+    place.end(10.0)
+    assert [each.settings for each in place.connections] == [OLD, OLD, new]
+
+
+def test_reconnect_clears_candidates() -> None:
+    new = replace(OLD, line=CRC)
+    place = Place().go(new, new=new)
+    place.script.at(6.0, place.board.power_off)
+    marks: list[int] = []
+    place.script.at(7.0, lambda: marks.append(len(place.transport.sent)))
+    place.end(9.0)
+    packet = place.client(new)._framing.encode(GetMode())
+    sent = bytes(place.transport.sent[marks[0] :])
+    assert sent.replace(packet, b"") == b""
+
+
+def test_reconnect_candidates_can_be_cleared() -> None:
+    new = replace(OLD, line=CRC)
+    place = Place().go(new, new=new)
+    place.script.at(ON - 0.1, Expect(()))
+    place.end(6.0)
+    assert len(place.connections) == 1
+
+
+def test_counters_continue_after_reconnect(orders: list[str]) -> None:
+    new = replace(OLD, line=CRC)
+    place = Place().go(new, new=new)
+    the_return(place)
+    (silent,) = among(place.reports, Silent)
+    assert among(place.reports, Batch)[-1].counters.requests > silent.counters.requests > 100
+
+
+# --- What it costs ----------------------------------------------------------------------
+
+
+def test_round_of_reconnect_probes_takes_at_most_1500_ms() -> None:
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.transport.latency = 0.06  # as of a local port
+    asked: list[tuple[float, LineSettings | None]] = []
+    write = place.transport.write
+
+    def note(data: bytes) -> None:
+        asked.append((place.line.now, place.line.host))
+        write(data)
+
+    place.transport.write = note  # type: ignore[method-assign] # a knob
+    place.script.at(ON + 0.01, place.board.power_off)
+    place.end(12.0)
+    rounds = [moment for moment, host in asked if host == CRC]
+    lengths = [after - before for before, after in pairwise(rounds)]
+    assert len(lengths) > 4
+    assert max(lengths) < 1.5
+
+
+def test_stop_and_close_are_served_between_probes() -> None:
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.transport.latency = 0.06
+    place.script.at(ON + 0.01, place.board.power_off)
+    stops: list[tuple[float, LineSettings | None]] = []
+    write = place.transport.write
+
+    def note(data: bytes) -> None:
+        if data == STOPS[0]:
+            stops.append((place.line.now, place.line.host))
+        write(data)
+
+    place.transport.write = note  # type: ignore[method-assign] # a knob
+    place.script.at(5.0, Stop(1))
+    place.end(9.0)
+    assert isinstance(outcomes(place.reports)[1].error, NoReply)
+    assert 5.0 <= stops[0][0] < 5.4
+    assert {host for _, host in stops} == {OLD.line}
+    assert place.line.now < 9.4
+
+
+def test_requests_are_rejected_while_reconnecting() -> None:
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.script.at(ON + 0.01, place.board.power_off)
+    marks: list[int] = []
+    place.script.at(3.5, lambda: marks.append(len(place.transport.sent)))
+    place.script.at(4.0, Ask(1, GetSignature())).at(4.1, Reload(2))
+    place.script.at(4.2, Write(3, (("serial_timeout", 5),))).at(4.3, SetDrive(1, Drive.at(9)))
+    place.end(7.0)
+    assert {str(outcomes(place.reports)[number].error) for number in (1, 2, 3)} == {
+        "No board answers; it is being looked for."
+    }
+    assert set(place.transport.sent[marks[0] :]) <= {0xFF, 0x81, 0x48}
+
+
+# --- Nothing moves ----------------------------------------------------------------------
+
+some_or_all_lines = pytest.mark.parametrize(
+    "lines",
+    [EVERYWHERE[::6], pytest.param(EVERYWHERE, marks=pytest.mark.slow)],
+    ids=["some lines", "all lines"],
+)
+
+
+@pytest.mark.parametrize(
+    ("old", "expected"),
+    [
+        (LineSettings(), CRC),
+        (LineSettings(38400, Detection.CRC7), LineSettings(14400, Detection.CRC7)),
+        (LineSettings(9600), LineSettings(115200, Detection.EVEN)),
+    ],
+    ids=lambda line: line.text(),
+)
+@some_or_all_lines
+def test_reconnect_probes_command_no_motor_at_any_settings(
+    old: LineSettings, expected: LineSettings, lines: list[LineSettings], orders: list[str]
+) -> None:
+    """Every reply is lost, so every probe is sent, to a board at any line settings."""
+    for line in lines:
+        if line.stop_bits == 2:
+            continue
+        place = Place(LinkSettings("virtual", old))
+        place.go(replace(OLD, line=expected), new=LinkSettings("virtual", line))
+        place.script.at(ON, partial(setattr, place.line, "mute", True))
+        place.end(4.5)
+        assert len(place.connections) == 1
+        assert not orders, line.text()
+        assert not place.board.memory.writes
+
+
+def runs(board: Board) -> bool:
+    """Whether a motor is told to run."""
+    return board.aux.target_speed > 0 or any(
+        motor.target_direction is not Direction.BRAKE for motor in board.motors
+    )
+
+
+def look(place: Place, seen: list[bool]) -> None:
+    seen.append(runs(place.board))
+
+
+@some_or_all_lines
+def test_stop_retry_at_old_settings_starts_no_motor(
+    lines: list[LineSettings],
+) -> None:
+    """Motors were driven, and the stop that is sent again and again is not proved."""
+    for line in lines:
+        if line.stop_bits == 2 or line == OLD.line:
+            continue
+        place = Place()
+        place.script.at(1.2, SetDrive(1, Drive.at(100)))
+        place.go(LinkSettings("virtual", CRC), new=LinkSettings("virtual", line))
+        place.script.at(ON, partial(setattr, place.line, "mute", True))
+        seen: list[bool] = []
+        for step in range(400):
+            place.script.at(ON + step / 100, partial(look, place, seen))
+        place.end(6.5)
+        assert bytes(place.transport.sent).count(STOPS[0]) > 5
+        assert len(seen) == 400
+        assert not any(seen), line.text()
+
+
+# --- Places -----------------------------------------------------------------------------
+
+
+def test_factory_settings_are_probed_last() -> None:
+    old, new = replace(OLD, line=CRC, name="here"), LinkSettings("", LineSettings(9600))
+    assert places_to_look(old, [new]) == (
+        old,
+        replace(new, url="virtual", name="here"),
+        replace(old, line=LineSettings()),
+    )
+
+
+def test_reconnect_candidates_are_unique() -> None:
+    new = replace(OLD, line=CRC)
+    assert places_to_look(OLD, [new, OLD, new]) == (OLD, new)
+
+
+def test_polynomial_is_ignored_without_crc() -> None:
+    assert places_to_look(OLD, [replace(OLD, polynomial=0x91)]) == (OLD,)
+
+
+def test_probe_readable_as_motor_command_is_skipped() -> None:
+    """81 2E at 14400 baud is F0 0E at 38400 with odd parity."""
+    unsafe = next(
+        polynomial
+        for polynomial in range(0x80, 0x100)
+        if places_to_look(
+            replace(OLD, line=LineSettings(14400, Detection.CRC7), polynomial=polynomial),
+            [replace(OLD, line=LineSettings(38400, Detection.ODD))],
+        )[0].line.baud
+        != 14400
+    )
+    old = replace(OLD, line=LineSettings(14400, Detection.CRC7), polynomial=unsafe)
+    assert old in places_to_look(old, [replace(OLD, line=LineSettings(9600))])
+
+
+def test_unsupported_line_settings_are_skipped() -> None:
+    place = Place(replace(OLD, line=LineSettings(9600))).go(replace(OLD, line=CRC), new=OLD)
+    tune = place.transport.tune
+
+    def refuse(line: LineSettings) -> None:
+        if line == CRC:
+            raise BadRequest("no such rate")
+        tune(line)
+
+    place.transport.tune = refuse  # type: ignore[method-assign] # a knob
+    assert the_return(place).settings == OLD
+
+
+def test_port_loss_while_reconnecting_ends_session() -> None:
+    gone = PortUnavailable("It is gone.")
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.script.at(ON + 0.01, place.board.power_off)
+    place.script.at(4.0, lambda: setattr(place.transport, "fail", gone))
+    assert place.end(9.0)[-1] == Closed(gone)
+    assert place.line.now < 5.0
+
+
+def test_fixed_rate_port_probes_only_its_own_settings() -> None:
+    place = Place().go(replace(OLD, line=CRC), new=OLD)
+    place.transport.can_be_tuned = False
+    assert the_return(place).settings == OLD
+    assert bytes(place.transport.sent).count(b"\xff") <= 2  # when the line was opened
+
+
+def test_probe_finds_board_only_at_its_line_settings() -> None:
+    place = Place(replace(OLD, line=CRC))
+    assert look_at(place.transport, place.old, echo=False)
+    assert not look_at(place.transport, OLD, echo=False)
+
+
+def test_probe_ignores_board_with_wrong_device_number() -> None:
+    place = Place()
+    number = place.board.eeprom["device_number"]
+    assert look_at(place.transport, replace(OLD, device_number=number), echo=False)
+    assert not look_at(place.transport, replace(OLD, device_number=number + 1), echo=False)

@@ -1,0 +1,245 @@
+"""What waits for the line, and in which order it goes."""
+
+from collections import deque
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.matrix import examples
+from trex_gui.devices.trex.driving.setpoints import DriveSlots, packets
+from trex_gui.devices.trex.protocol.commands import (
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+    GetMode,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import (
+    Arm,
+    Ask,
+    Close,
+    Expect,
+    Reload,
+    Request,
+    SetAuxiliary,
+    SetDrive,
+    SetDrives,
+    Stop,
+    Write,
+)
+from trex_gui.devices.trex.session.request_queues import Mailbox
+
+modest = examples(40)
+
+
+class Bag:
+    """An inbox that holds some requests."""
+
+    def __init__(self, *requests: Request) -> None:
+        self.requests = deque(requests)
+        self.waits: list[float] = []
+
+    def get(self, seconds: float) -> Request | None:
+        self.waits.append(seconds)
+        return self.requests.popleft() if self.requests else None
+
+
+def mailbox(*requests: Request) -> Mailbox:
+    mail = Mailbox(Bag(*requests))
+    mail.collect()
+    return mail
+
+
+# --- Slots ------------------------------------------------------------------------------
+
+
+def test_empty_slots_return_no_setpoints() -> None:
+    slots = DriveSlots()
+    assert not slots
+    assert slots.take() == []
+
+
+def test_newest_setpoint_for_motor_wins() -> None:
+    slots = DriveSlots()
+    for speed in (10, 20, 30):
+        slots.put(SetDrive(2, Drive.at(speed)))
+        slots.put(SetAuxiliary(speed + 1))
+    assert packets(slots.take()) == [DriveMotor(2, Drive.at(30)), DriveAuxiliary(31)]
+    assert not slots
+
+
+def test_setpoints_of_same_kind_share_one_packet() -> None:
+    slots = DriveSlots()
+    slots.put(SetDrive(2, Drive.brake(5), accelerate=True))
+    slots.put(SetDrive(1, Drive.at(-10), accelerate=True))
+    assert packets(slots.take()) == [DriveBoth(Drive.at(-10), Drive.brake(5), accelerate=True)]
+
+
+def test_immediate_and_ramped_setpoints_use_two_packets() -> None:
+    slots = DriveSlots()
+    slots.put(SetDrive(1, Drive.at(10), accelerate=True))
+    slots.put(SetDrive(2, Drive.at(20)))
+    assert packets(slots.take()) == [
+        DriveMotor(1, Drive.at(10), accelerate=True),
+        DriveMotor(2, Drive.at(20)),
+    ]
+
+
+def test_auxiliary_setpoint_alone_makes_a_packet() -> None:
+    slots = DriveSlots()
+    slots.put(SetAuxiliary(0, accelerate=True))
+    assert slots
+    assert packets(slots.take()) == [DriveAuxiliary(0, accelerate=True)]
+
+
+def test_cleared_setpoints_are_not_sent() -> None:
+    slots = DriveSlots()
+    slots.put(SetDrive(1, Drive.at(1)))
+    slots.put(SetAuxiliary(1))
+    slots.clear()
+    assert not slots
+    assert slots.take() == []
+
+
+def test_setpoint_of_corrupted_packet_is_queued_again() -> None:
+    slots = DriveSlots()
+    slots.put(SetDrive(1, Drive.at(1)))
+    slots.put(SetAuxiliary(1))
+    taken = slots.take()
+    slots.put_back(taken)
+    assert slots.take() == taken
+
+
+def test_requeued_setpoint_does_not_replace_newer_one() -> None:
+    slots = DriveSlots()
+    damaged: list[SetDrive | SetAuxiliary] = [
+        SetDrive(1, Drive.at(1)),
+        SetDrive(2, Drive.at(1)),
+        SetAuxiliary(1),
+    ]
+    newer: list[SetDrive | SetAuxiliary] = [SetDrive(1, Drive.at(9)), SetAuxiliary(0)]
+    for wish in newer:
+        slots.put(wish)
+    slots.put_back(damaged)
+    assert slots.take() == [newer[0], damaged[1], newer[1]]
+
+
+wishes = st.one_of(
+    st.builds(
+        SetDrive,
+        st.sampled_from([1, 2]),
+        st.builds(Drive.at, st.integers(-127, 127)),
+        st.booleans(),
+    ),
+    st.builds(SetAuxiliary, st.integers(0, 127), st.booleans()),
+)
+
+
+@modest
+@given(st.lists(wishes, max_size=20))
+def test_packets_contain_newest_setpoint_of_each_motor(
+    given_wishes: list[SetDrive | SetAuxiliary],
+) -> None:
+    slots = DriveSlots()
+    newest: dict[int, object] = {}
+    for wish in given_wishes:
+        slots.put(wish)
+        newest[wish.motor if isinstance(wish, SetDrive) else 0] = wish
+    sent: dict[int, object] = {}
+    for command in packets(slots.take()):
+        match command:
+            case DriveBoth(first, second, accelerate):
+                sent[1] = SetDrive(1, first, accelerate)
+                sent[2] = SetDrive(2, second, accelerate)
+            case DriveMotor(motor, drive, accelerate):
+                sent[motor] = SetDrive(motor, drive, accelerate)
+            case DriveAuxiliary(speed, accelerate):
+                sent[0] = SetAuxiliary(speed, accelerate)
+    assert sent == newest
+
+
+# --- Mailbox ----------------------------------------------------------------------------
+
+
+def test_jobs_keep_their_order() -> None:
+    jobs = (Ask(1, GetMode()), Write(2), Reload(3), Ask(4, GetMode()))
+    assert tuple(mailbox(*jobs).jobs) == jobs
+
+
+def test_setpoints_of_one_message_share_one_packet() -> None:
+    both = SetDrives((SetDrive(1, Drive.at(9)), SetDrive(2, Drive.at(-9))))
+    assert packets(mailbox(both).drives.take()) == [DriveBoth(Drive.at(9), Drive.at(-9))]
+
+
+def test_newest_setpoint_wins_with_two_motor_messages() -> None:
+    both = SetDrives((SetDrive(1, Drive.at(9)), SetDrive(2, Drive.at(-9))))
+    older, newer = SetDrive(2, Drive.at(50)), SetDrive(1, Drive.at(7))
+    assert mailbox(older, both, newer).drives.take() == [newer, SetDrive(2, Drive.at(-9))]
+    assert not mailbox(both, Stop(1)).drives
+
+
+def test_stops_are_queued_separately_and_taken_once() -> None:
+    mail = mailbox(Reload(1), Stop(2), Stop(3))
+    assert mail.take_stops() == [Stop(2), Stop(3)]
+    assert mail.take_stops() == []
+
+
+def test_stop_discards_earlier_setpoints() -> None:
+    mail = mailbox(SetDrive(1, Drive.at(9)), SetAuxiliary(9), Stop(1))
+    assert not mail.drives
+
+
+def test_stop_discards_later_setpoints_until_armed() -> None:
+    wish = SetDrive(2, Drive.at(5))
+    assert not mailbox(SetDrive(1, Drive.at(9)), Stop(1), wish).drives
+    mail = mailbox(SetDrive(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), wish)
+    assert mail.drives.take() == [SetDrive(2, Drive.at(5))]
+
+
+def test_stop_discards_setpoints_of_earlier_collect() -> None:
+    bag = Bag(SetDrive(1, Drive.at(9)))
+    mail = Mailbox(bag)
+    mail.collect()
+    bag.requests.append(Stop(1))
+    mail.collect()
+    assert not mail.drives
+
+
+def test_collect_waits_only_for_first_request() -> None:
+    bag = Bag(Reload(1), Reload(2))
+    Mailbox(bag).collect(0.5)
+    assert bag.waits == [0.5, 0.0, 0.0]
+
+
+def test_negative_timeout_does_not_wait() -> None:
+    bag = Bag()
+    Mailbox(bag).collect(-1.0)
+    assert bag.waits == [0.0]
+
+
+def test_close_keeps_pending_jobs() -> None:
+    mail = mailbox(Reload(1), Close(), Reload(2))
+    assert mail.closing
+    assert mail.abandon() == [1, 2]
+
+
+def test_close_discards_earlier_and_later_setpoints() -> None:
+    before, after = SetDrive(1, Drive.at(9)), SetAuxiliary(9)
+    assert not mailbox(before, Close(), after).drives
+
+
+def test_abandon_returns_each_request_once() -> None:
+    mail = mailbox(
+        Ask(1, GetMode()), Stop(2), SetDrive(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
+    )
+    assert sorted(mail.abandon()) == [1, 2, 3, 4, 5]
+    assert mail.abandon() == []
+    assert not mail.drives
+
+
+def test_last_reconnect_candidates_replace_earlier_ones() -> None:
+    here, there = LinkSettings("here"), LinkSettings("there")
+    assert mailbox().expected == ()
+    assert mailbox(Expect((here,)), Stop(1), Expect((there, here))).expected == (there, here)
+    assert mailbox(Expect((here,)), Expect(())).expected == ()

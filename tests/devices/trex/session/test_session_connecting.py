@@ -1,0 +1,241 @@
+"""How a session finds its board, or says why there is none."""
+
+import pytest
+
+from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, staged
+from tests.support.virtual import Stage, VirtualTransport
+from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.devices.trex.protocol.commands import Drive, GetMode
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.flags import Mode
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.session.messages import (
+    Ask,
+    Batch,
+    Closed,
+    Connected,
+    Occasion,
+    Progress,
+    Reload,
+    Report,
+    SetDrive,
+    Stop,
+    Write,
+)
+from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+
+
+def connected(stage: Stage) -> Connected:
+    """Return the one report of a connection."""
+    (report,) = among(stage.reports, Connected)
+    return report
+
+
+def test_connection_reports_state_of_board(stage: Stage) -> None:
+    stage.board.eeprom.write("serial_timeout", 15)
+    run_for(stage, 1.0)
+    report = connected(stage)
+    assert str(report.state.signature) == "TReX 1.2"
+    assert report.state.mode is Mode.SERIAL_RC
+    assert report.state.parameters == stage.board.memory.stored()
+    assert report.state.parameters["serial_timeout"] == 15
+    assert report.occasion is Occasion.OPENED
+    assert report.echo is False
+
+
+def test_last_report_is_closed(stage: Stage) -> None:
+    reports = run_for(stage, 1.0)
+    assert reports[-1] == Closed(None)
+    assert among(reports, Closed) == [Closed(None)]
+    assert stage.transport.closed
+
+
+@pytest.mark.parametrize("baud", [1200, 115200])
+@pytest.mark.parametrize("detection", list(Detection))
+@pytest.mark.parametrize("echo", [False, True])
+def test_session_connects_at_settings_of_board(
+    baud: int, detection: Detection, *, echo: bool
+) -> None:
+    stage, settings = staged(baud, detection, echo=echo)
+    run_for(stage, 0.1 + 5000 / baud, settings)
+    report = connected(stage)
+    assert report.echo is echo
+    assert report.state.parameters["uart_settings"] == settings.line.to_wire()
+
+
+@pytest.mark.parametrize(("model", "firmware"), [("trex", "1.0"), ("trexjr", "1.2")])
+def test_every_kind_of_board_is_identified(model: str, firmware: str) -> None:
+    stage, settings = staged(model=model, firmware=firmware)
+    run_for(stage, 1.0, settings)
+    signature = connected(stage).state.signature
+    assert (signature.model.key, signature.firmware) == (model, firmware)
+
+
+def test_board_is_reached_by_its_device_number(stage: Stage) -> None:
+    run_for(stage, 1.0, LinkSettings("virtual", device_number=7))
+    assert connected(stage).state.parameters["device_number"] == 7
+    assert bytes.fromhex("80 07 1F 00") in stage.transport.sent
+
+
+def test_reading_reports_progress(stage: Stage) -> None:
+    steps = among(run_for(stage, 1.0), Progress)
+    assert [step.done for step in steps] == sorted(step.done for step in steps)
+    assert steps[-1].done == steps[-1].total
+    assert len({step.total for step in steps[1:]}) == 1
+
+
+def test_board_is_read_over_noisy_line() -> None:
+    stage, settings = staged(detection=Detection.CRC7)
+    stage.line.noise = 0.005
+    run_for(stage, 1.0, settings)
+    assert among(stage.reports, Connected)[0].state.parameters == stage.board.memory.stored()
+    assert stage.line.counters["spoilt"] > 0
+
+
+def test_connecting_sends_no_motor_command(stage: Stage) -> None:
+    run_for(stage, 1.0)
+    assert moving(stage.transport.sent) == []
+
+
+def test_setpoint_before_board_is_read_is_sent(stage: Stage) -> None:
+    stage.script.at(0.0, SetDrive(1, Drive.at(30)))
+    run_for(stage, 1.0)
+    assert len(among(stage.reports, Connected)) == 1
+    assert moving(stage.transport.sent)
+
+
+def test_echo_is_detected_with_device_number(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    run_for(stage, 1.0, LinkSettings("virtual", device_number=7))
+    assert connected(stage).echo
+
+
+def test_echo_is_detected_despite_lost_byte(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    stage.line.to_drop = 1
+    run_for(stage, 1.0)
+    assert connected(stage).echo
+
+
+# --- When there is no board -------------------------------------------------------------
+
+
+def end(stage: Stage, settings: LinkSettings | None = None) -> Closed:
+    """Run a session that finds no board; return how it ended."""
+    reports = run_for(stage, 30.0, settings)
+    assert not among(reports, Connected)
+    assert stage.transport.closed
+    closed = reports[-1]
+    assert isinstance(closed, Closed)
+    return closed
+
+
+def test_missing_board_is_reported_with_checks(stage: Stage) -> None:
+    stage.board.power_off()
+    error = end(stage).error
+    assert isinstance(error, NoReply)
+    for word in ("No TReX answers", "19200 baud", "power", "SI", "RX", "ground"):
+        assert word in str(error)
+
+
+def test_missing_board_is_reported_quickly(stage: Stage) -> None:
+    stage.board.power_off()
+    stage.transport.latency = 0.06
+    end(stage)
+    assert stage.line.now < 0.5
+
+
+def test_device_number_is_named_as_possible_cause(stage: Stage) -> None:
+    error = end(stage, LinkSettings("virtual", device_number=9)).error
+    assert "device number is 9" in str(error)
+
+
+def test_error_shows_port_name_instead_of_url(stage: Stage) -> None:
+    stage.board.power_off()
+    error = end(stage, LinkSettings("/dev/pts/9", name="the simulated board")).error
+    assert "the simulated board" in str(error)
+    assert "/dev/pts/9" not in str(error)
+
+
+def test_echo_without_board_is_reported(board: Board) -> None:
+    stage = Stage(board, echo=True)
+    board.power_off()
+    error = end(stage).error
+    assert isinstance(error, NoReply)
+    assert "comes back" in str(error)
+    assert "RS-232" in str(error)
+
+
+def test_wrong_baud_rate_reports_error(stage: Stage) -> None:
+    settings = LinkSettings("virtual", LineSettings(9600))
+    stage.line.host = settings.line
+    assert isinstance(end(stage, settings).error, NoReply | BadReply)
+
+
+def test_missing_crc_reports_error() -> None:
+    stage, _ = staged(detection=Detection.CRC7)
+    assert isinstance(end(stage).error, NoReply | BadReply)
+
+
+class Talker(VirtualTransport):
+    """Another device, which answers everything with text."""
+
+    def read(self, size: int, seconds: float) -> bytes:
+        self.wait(seconds)
+        return (b"ERROR unknown command\r\n" * 9)[:size]
+
+
+def test_unknown_device_is_reported(stage: Stage) -> None:
+    stage.transport = Talker(stage.line)
+    error = end(stage).error
+    assert isinstance(error, BadReply)
+    for words in ("not as a TReX does", "baud rate", "another device"):
+        assert words in str(error)
+
+
+def test_power_loss_while_reading_is_reported(stage: Stage) -> None:
+    stage.script.at(0.05, stage.board.power_off)
+    error = end(stage).error
+    assert isinstance(error, NoReply)
+    assert among(stage.reports, Progress)
+
+
+def test_close_while_reading_is_no_error(stage: Stage) -> None:
+    reports = run_for(stage, 0.05)
+    assert reports[-1] == Closed(None)
+    assert not among(reports, Connected)
+    assert stage.line.now < 0.1
+
+
+def test_requests_fail_when_port_does_not_open() -> None:
+    stage = Stage(Board(eeprom=Eeprom()))
+    reports: list[Report] = []
+    refusal = PortUnavailable("There is no port /dev/ttyUSB9.")
+
+    def refuse(_settings: LinkSettings) -> Transport:
+        raise refusal
+
+    for request in (Ask(1, GetMode()), Stop(2), Write(3), Reload(4)):
+        stage.script.at(0.0, request)
+    Session(LinkSettings("/dev/ttyUSB9"), stage.script, reports.append, refuse).run()
+    assert sorted(outcomes(reports)) == [1, 2, 3, 4]
+    assert all(outcome.error is refusal for outcome in outcomes(reports).values())
+    assert reports[-1] == Closed(refusal)
+
+
+def test_requests_fail_when_no_board_is_found(stage: Stage) -> None:
+    stage.board.power_off()
+    stage.script.at(0.0, Ask(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
+    closed = end(stage)
+    found = outcomes(stage.reports)
+    assert sorted(found) == [1, 3, 4]
+    assert all(outcome.error is closed.error for outcome in found.values())
+
+
+def test_no_samples_are_reported_without_board(stage: Stage) -> None:
+    stage.board.power_off()
+    end(stage)
+    assert not among(stage.reports, Batch)

@@ -1,0 +1,289 @@
+"""However a session ends: the port is given back, nobody waits for ever, no motor runs on."""
+
+import logging
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.devices.trex.session.helpers import (
+    FailingTransport,
+    among,
+    commands,
+    moving,
+    outcomes,
+    run_for,
+    staged,
+)
+from tests.support.matrix import examples
+from tests.support.virtual import Stage
+from trex_gui.core.errors import PortUnavailable, TrexError
+from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    STOP,
+    Drive,
+    DriveMotor,
+    GetMode,
+    GetParameter,
+    GetStatus,
+)
+from trex_gui.devices.trex.session.messages import (
+    Ask,
+    Close,
+    Closed,
+    Connected,
+    Occasion,
+    Reload,
+    Request,
+    SetAuxiliary,
+    SetDrive,
+    Stop,
+    Write,
+)
+from trex_gui.devices.trex.session.sample_batcher import Batches
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.motors import Direction
+
+modest = examples(40)
+
+
+GONE = PortUnavailable("The line is gone. Plug it in again.")
+
+
+# --- Closing ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "wish",
+    [
+        SetDrive(1, Drive.at(100)),
+        SetDrive(2, Drive.at(-100), accelerate=True),
+        SetAuxiliary(100),
+        Ask(1, DriveMotor(1, Drive.at(100))),
+    ],
+    ids=str,
+)
+def test_driven_motors_are_stopped_on_close(stage: Stage, wish: Request) -> None:
+    stage.script.at(1.0, wish)
+    assert run_for(stage, 2.0)[-1] == Closed(None, may_move=False)
+    assert commands(stage.transport.sent)[-6:] == [*STOP, GetStatus(), *STOP, GetStatus()]
+    assert [motor.speed for motor in stage.board.motors] == [127, 127]
+    assert all(motor.direction is Direction.BRAKE for motor in stage.board.motors)
+    assert stage.board.aux.speed == 0
+
+
+def test_undriven_motors_get_no_stop_on_close(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, GetMode())).at(1.2, Write(2, (("serial_timeout", 3),)))
+    run_for(stage, 2.0)
+    assert moving(stage.transport.sent) == []
+
+
+def test_stop_is_transmitted_before_port_is_closed() -> None:
+    stage, settings = staged(1200)
+    stage.script.at(5.0, SetDrive(1, Drive.at(100)))
+    run_for(stage, 6.0, settings)
+    assert stage.line.backlog == 0.0
+    assert stage.board.motors[0].direction is Direction.BRAKE
+
+
+def test_close_does_not_wait_for_queued_requests(stage: Stage) -> None:
+    keys = [spec.key for spec in stage.board.memory.parameters.readable]
+    stage.script.at(1.0, Write(1, tuple((key, 1) for key in keys)))
+    stage.script.at(1.0, Reload(2)).at(1.0, Ask(3, GetMode()))
+    reports = run_for(stage, 1.05)
+    assert stage.line.now < 1.15
+    assert reports[-1] == Closed(None)
+    found = outcomes(reports)
+    assert sorted(found) == [1, 2, 3]
+    assert found[1].error is None  # it tells of each value; see test_closing_while_writing
+    assert all("closed before this was done" in str(found[id_].error) for id_ in (2, 3))
+
+
+@pytest.mark.parametrize("after", [0.0, 0.05, 0.3, 1.0])
+@pytest.mark.parametrize("drives", [True, False])
+def test_unanswered_stop_delays_close_by_less_than_a_second(
+    stage: Stage, after: float, *, drives: bool
+) -> None:
+    """The window waits for a second, then leaves a thread behind that holds the port."""
+    stage.transport.latency = latency_of("/dev/ttyUSB0")
+    if drives:
+        stage.script.at(0.9, SetDrive(1, Drive.at(60)))
+    stage.script.at(1.0, lambda: setattr(stage.line, "mute", True)).at(1.1, Stop(1))
+    stage.script.at(1.1 + after, Close())
+    reports = stage.run()
+    assert stage.line.now < 1.1 + after + 0.9
+    assert outcomes(reports)[1].error is not None
+    assert among(reports, Closed) == [Closed(None, may_move=drives)]
+    motor = stage.board.motors[0]
+    assert (motor.target_direction.value, motor.target_speed) == ("brake", 127)
+
+
+def test_queued_setpoint_is_not_sent_on_close(stage: Stage) -> None:
+    stage.script.at(1.0, SetDrive(1, Drive.at(100)))
+    run_for(stage, 1.0)
+    assert moving(stage.transport.sent) == []
+
+
+def test_second_close_is_ignored(stage: Stage) -> None:
+    stage.script.at(1.0, Close()).at(1.0, Close())
+    assert len(among(run_for(stage, 2.0), Closed)) == 1
+
+
+# --- The line is lost -------------------------------------------------------------------
+
+REQUESTS: list[Request] = [
+    Ask(1, GetMode()),
+    Ask(2, GetParameter(7)),
+    Write(3, (("serial_timeout", 4), ("motor_mode", 1), ("nonsense", 1))),
+    SetDrive(1, Drive.at(50)),
+    Stop(4),
+    Reload(5),
+    SetAuxiliary(20),
+    Write(6, (), ((1, Calibration(2400, 3750, 5000, 75)),)),
+    Ask(7, DriveMotor(2, Drive.at(9))),
+    Stop(8),
+]
+
+
+def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) -> Stage:
+    """Return a stage whose line is gone after so many calls."""
+    stage = Stage(Board())
+    stage.transport = FailingTransport(stage.line, calls, failure)
+    for number, request in enumerate(requests):
+        stage.script.at(0.5 + number * 0.03, request)
+    stage.script.at(3.0, Close())
+    return stage
+
+
+@modest
+@given(calls=st.integers(0, 700), requests=st.permutations(REQUESTS))
+def test_each_request_has_one_outcome_when_port_is_lost(
+    calls: int, requests: list[Request]
+) -> None:
+    stage = stage_that_fails(calls, GONE, requests)
+    reports = stage.run()
+    asked = {request.id for request in requests if isinstance(request, Ask | Stop | Write | Reload)}
+    if stage.line.now > 1.0:  # else those that nobody had taken from the inbox have none
+        assert set(outcomes(reports)) == asked
+    assert set(outcomes(reports)) <= asked
+    (closed,) = among(reports, Closed)
+    assert closed.error is GONE
+    assert reports[-1] is closed
+    assert stage.transport.closed
+
+
+@pytest.mark.parametrize("calls", [0, 1, 10, 100, 150, 200, 300])
+def test_port_loss_is_reported_at_once(calls: int) -> None:
+    stage = stage_that_fails(calls, GONE, [])
+    assert stage.run()[-1] == Closed(GONE)
+    assert stage.line.now < 3.0
+
+
+def test_requests_fail_with_error_of_lost_port(stage: Stage) -> None:
+    def unplug() -> None:
+        stage.transport.fail = GONE
+
+    stage.script.at(1.0, unplug).at(1.0, Ask(1, GetMode())).at(1.0, Write(2)).at(1.0, Stop(3))
+    reports = run_for(stage, 2.0)
+    assert {one.id: one.error for one in outcomes(reports).values()} == {1: GONE, 2: GONE, 3: GONE}
+
+
+def test_lost_port_is_closed_while_motors_run(stage: Stage) -> None:
+    def unplug() -> None:
+        stage.transport.fail = GONE
+
+    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, unplug)
+    assert run_for(stage, 9.0)[-1] == Closed(GONE, may_move=True)
+    assert stage.transport.closed
+
+
+# --- A mistake of ours ------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("calls", [0, 5, 50, 150, 250])
+def test_internal_error_ends_session_and_closes_port(
+    calls: int, caplog: pytest.LogCaptureFixture
+) -> None:
+    stage = stage_that_fails(calls, RuntimeError("a bug"), [])
+    with caplog.at_level(logging.CRITICAL):
+        reports = stage.run()
+    closed = reports[-1]
+    assert isinstance(closed, Closed)
+    assert isinstance(closed.error, TrexError)
+    assert "made a mistake" in str(closed.error)
+    assert "a bug" in str(closed.error)
+    assert stage.transport.closed
+
+
+def test_port_is_closed_when_last_samples_cannot_be_sent(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    def fail(*_: object) -> None:
+        raise RuntimeError("nobody listens")
+
+    stage.script.at(1.0, lambda: monkeypatch.setattr(Batches, "tell", fail))
+    with caplog.at_level(logging.CRITICAL):
+        reports = stage.run()
+    assert isinstance(reports[-1], Closed)
+    assert stage.transport.closed
+
+
+def test_internal_error_is_logged_with_traceback(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    stage_that_fails(100, RuntimeError("a bug"), []).run()
+    assert "the line session failed" in caplog.text
+    assert "Traceback" in caplog.text
+
+
+def test_internal_error_stops_driven_motors(stage: Stage, caplog: pytest.LogCaptureFixture) -> None:
+    def mistake() -> None:
+        raise RuntimeError("a bug")
+
+    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, mistake)
+    with caplog.at_level(logging.CRITICAL):
+        reports = run_for(stage, 2.0)
+    assert isinstance(reports[-1], Closed)
+    assert stage.transport.closed
+    assert moving(stage.transport.sent)[-2:] == list(STOP)
+    assert stage.board.motors[0].direction is Direction.BRAKE
+
+
+# --- Answers ----------------------------------------------------------------------------
+
+
+def test_each_kind_of_request_gets_an_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, GetParameter(0))).at(1.0, Reload(2)).at(1.0, Stop(3))
+    stage.script.at(1.0, Write(4, (("serial_timeout", 9),)))
+    reports = run_for(stage, 2.0)
+    found = outcomes(reports)
+    assert sorted(found) == [1, 2, 3, 4]
+    assert all(one.error is None for one in found.values())
+    assert found[1].value == 7
+    assert found[2].value is None
+    assert [(one.what, one.stored) for one in found[4].value] == [  # type: ignore[attr-defined]
+        ("serial_timeout", 9)
+    ]
+
+
+def test_reload_is_reported_before_its_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Reload(2))
+    reports = run_for(stage, 2.0)
+    again = among(reports, Connected)[1]
+    assert again.occasion is Occasion.RELOADED
+    assert reports.index(again) < reports.index(outcomes(reports)[2])
+
+
+def test_invalid_request_gets_an_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, GetParameter(300))).at(1.1, Ask(2, GetMode()))
+    found = outcomes(run_for(stage, 2.0))
+    assert "0 to 127, not 300" in str(found[1].error)
+    assert found[2].error is None
+
+
+def test_unanswered_request_gets_an_outcome(stage: Stage) -> None:
+    stage.script.at(1.0, Ask(1, GetParameter(0x60))).at(1.2, Ask(2, GetMode()))
+    found = outcomes(run_for(stage, 2.0))
+    assert "No answer to 9F 60" in str(found[1].error)
+    assert found[2].error is None

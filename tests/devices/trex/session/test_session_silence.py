@@ -1,0 +1,261 @@
+"""A board that stops answering, and comes back."""
+
+import pytest
+
+from tests.devices.trex.session.helpers import (
+    among,
+    commands,
+    moving,
+    outcomes,
+    run_for,
+    samples,
+    seen_at,
+    staged,
+    timed_run,
+)
+from tests.support.virtual import Stage
+from trex_gui.core.errors import NoReply, PortUnavailable
+from trex_gui.devices.trex.client.telemetry import Currents
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
+from trex_gui.devices.trex.session.messages import (
+    Arm,
+    Ask,
+    Batch,
+    Close,
+    Closed,
+    Connected,
+    Occasion,
+    Reload,
+    SetAuxiliary,
+    SetDrive,
+    Silent,
+    Stop,
+    Write,
+)
+
+
+def off_and_on(stage: Stage, off: float, on: float) -> None:
+    """Plan a break of the power."""
+    stage.script.at(off, stage.board.power_off).at(on, stage.board.power_on)
+
+
+# --- Falling silent ---------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("latency", [0.005, 0.06])
+@pytest.mark.parametrize("baud", [9600, 19200, 115200])
+def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None:
+    stage, settings = staged(baud)
+    stage.transport.latency = latency
+    stage.script.at(2.0, stage.board.power_off).at(4.0, Close())
+    (at,) = [at for at, report in timed_run(stage, settings) if isinstance(report, Silent)]
+    assert 2.0 < at < 2.5
+
+
+def test_unresponsive_board_is_reported_once(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    run_for(stage, 4.0)
+    assert len(among(stage.reports, Silent)) == 1
+
+
+def test_unresponsive_board_does_not_end_session(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    assert run_for(stage, 3.0)[-1] == Closed(None)
+
+
+def test_unresponsive_board_yields_no_samples(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    run_for(stage, 5.0)
+    last = stage.reports.index(among(stage.reports, Silent)[0])
+    assert not among(stage.reports[last:], Batch)
+
+
+def test_samples_before_power_loss_are_delivered(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    run_for(stage, 5.0)
+    assert max(one.time for one in samples(stage.reports, Currents)) == pytest.approx(1.0, abs=0.02)
+
+
+def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
+    def lose() -> None:
+        stage.line.to_drop = 1
+
+    for moment in (1.0, 1.5, 2.0, 2.5):
+        stage.script.at(moment, lose)
+    run_for(stage, 3.0)
+    assert not among(stage.reports, Silent)
+    assert among(stage.reports, Batch)[-1].counters.silences == 4
+
+
+def test_unresponsive_board_is_polled_slowly(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    before = seen_at(stage, 3.0, lambda: len(stage.transport.sent))
+    after = seen_at(stage, 8.0, lambda: len(stage.transport.sent))
+    run_for(stage, 8.1)
+    assert 15 <= after[0] - before[0] <= 22
+
+
+# --- Coming back ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("seconds", [0.6, 8.0])
+def test_returning_board_is_read_again(stage: Stage, seconds: float) -> None:
+    off_and_on(stage, 1.0, 1.0 + seconds)
+    run_for(stage, 2.5 + seconds)
+    first, second = among(stage.reports, Connected)
+    assert first.occasion is Occasion.OPENED
+    assert second.occasion is Occasion.RETURNED
+    assert second.occasion.power_cycled
+    kinds = [type(report) for report in stage.reports]
+    assert kinds.index(Silent) < len(kinds) - 1 - kinds[::-1].index(Connected)
+    assert max(one.time for one in samples(stage.reports, Currents)) > 2.4 + seconds
+
+
+def test_returning_board_is_found_within_one_second(stage: Stage) -> None:
+    off_and_on(stage, 1.0, 5.0)
+    stage.script.at(7.0, Close())
+    reports = timed_run(stage, stage.client().settings)
+    _, back = [at for at, report in reports if isinstance(report, Connected)]
+    assert back - 5.0 < 1.0
+
+
+def test_values_pending_power_cycle_are_read_on_return(stage: Stage) -> None:
+    stage.script.at(1.0, Write(1, (("motor_mode", 1),)))
+    off_and_on(stage, 1.5, 3.0)
+    run_for(stage, 4.5)
+    assert among(stage.reports, Connected)[-1].state.parameters["motor_mode"] == 1
+    assert stage.board.memory.is_joint
+
+
+def test_mode_change_during_power_loss_is_reported(stage: Stage) -> None:
+    def take_jumper() -> None:
+        stage.board.mode_jumper = "rc"
+
+    stage.script.at(1.0, stage.board.power_off).at(1.5, take_jumper).at(2.0, stage.board.power_on)
+    run_for(stage, 4.0)
+    first, second = among(stage.reports, Connected)
+    assert (first.state.mode.is_serial, second.state.mode.is_serial) == (True, False)
+
+
+def test_repeated_power_losses_and_returns_are_reported(stage: Stage) -> None:
+    for number in range(3):
+        off_and_on(stage, 1.0 + 3 * number, 2.5 + 3 * number)
+    run_for(stage, 9.5)
+    kinds = [type(one) for one in stage.reports if isinstance(one, Connected | Silent)]
+    assert kinds == [Connected, *[Silent, Connected] * 3]
+
+
+def test_board_reconnects_after_power_loss_during_reread(stage: Stage) -> None:
+    off_and_on(stage, 1.0, 3.0)
+    stage.script.at(5.0, stage.board.power_on)
+    send = stage.transport.write
+
+    def fail_at_the_second_signature(data: bytes) -> None:
+        send(data)
+        if data == b"\x81" and 3.0 < stage.line.now < 5.0:
+            stage.board.power_off()
+
+    stage.transport.write = fail_at_the_second_signature  # type: ignore[method-assign] # a knob
+    run_for(stage, 7.0)
+    assert len(among(stage.reports, Silent)) == 1
+    assert len(among(stage.reports, Connected)) == 2
+    assert stage.reports[-1] == Closed(None)
+
+
+# --- Requests meanwhile -----------------------------------------------------------------
+
+
+def test_power_loss_and_return_send_no_motor_command(stage: Stage) -> None:
+    off_and_on(stage, 1.0, 2.5)
+    off_and_on(stage, 4.0, 5.5)
+    run_for(stage, 7.0)
+    assert moving(stage.transport.sent) == []
+
+
+def test_setpoints_for_unresponsive_board_are_discarded(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    stage.script.at(2.0, SetDrive(1, Drive.at(100))).at(2.1, SetDrive(2, Drive.at(100)))
+    stage.script.at(2.9, SetAuxiliary(100))
+    stage.script.at(3.0, stage.board.power_on)
+    run_for(stage, 5.0)
+    assert len(among(stage.reports, Connected)) == 2
+    assert moving(stage.transport.sent) == []
+
+
+def test_setpoint_after_return_is_sent(stage: Stage) -> None:
+    off_and_on(stage, 1.0, 3.0)
+    stage.script.at(5.0, Arm()).at(5.0, SetDrive(1, Drive.at(100)))
+    speeds = seen_at(stage, 5.1, lambda: stage.board.motors[0].speed)
+    run_for(stage, 5.2)
+    assert speeds == [100]
+
+
+def test_stop_is_sent_to_unresponsive_board(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off).at(2.0, Stop(1))
+    run_for(stage, 3.0)
+    assert isinstance(outcomes(stage.reports)[1].error, NoReply)
+    assert moving(stage.transport.sent).count(STOP[0]) >= 10
+
+
+def test_requests_to_unresponsive_board_fail(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    stage.script.at(2.0, Ask(1, GetMode())).at(2.0, Reload(2))
+    run_for(stage, 4.0)
+    found = outcomes(stage.reports)
+    assert isinstance(found[1].error, NoReply)
+    assert isinstance(found[2].error, NoReply)
+
+
+def test_write_to_unresponsive_board_fails_soon_for_each_key(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    keys = [spec.key for spec in stage.board.memory.parameters.readable]
+    stage.script.at(2.0, Write(1, tuple((key, 0) for key in keys)))
+    stage.script.at(4.0, Close())
+    (at, outcome) = next(
+        (at, outcomes([report])[1])
+        for at, report in timed_run(stage, stage.client().settings)
+        if outcomes([report])
+    )
+    assert at < 3.0
+    assert outcome.error is None
+    assert isinstance(outcome.value, tuple)
+    results = [one for one in outcome.value if isinstance(one, Written)]
+    assert sorted(one.what for one in results) == sorted(keys)
+    assert all(isinstance(one.error, NoReply) for one in results)
+
+
+def test_port_loss_with_unresponsive_board_ends_session(stage: Stage) -> None:
+    gone = PortUnavailable("The line is gone.")
+
+    def unplug() -> None:
+        stage.transport.fail = gone
+
+    stage.script.at(1.0, stage.board.power_off).at(3.0, unplug)
+    assert run_for(stage, 9.0)[-1] == Closed(gone)
+    assert stage.line.now < 3.5
+
+
+def test_only_mode_is_polled_until_board_returns(stage: Stage) -> None:
+    stage.script.at(1.0, stage.board.power_off)
+    marks = seen_at(stage, 2.0, lambda: len(stage.transport.sent))
+    run_for(stage, 6.0)
+    assert set(map(type, commands(stage.transport.sent[marks[0] :]))) == {GetMode}
+
+
+def test_silence_while_reading_new_mode_is_reported(stage: Stage) -> None:
+    def rearrange() -> None:
+        stage.board.mode_jumper = "analog"
+        stage.board.power_cycle()
+
+    send = stage.transport.write
+
+    def die_at_the_second_signature(data: bytes) -> None:
+        send(data)
+        stage.line.mute = stage.line.mute or (data == b"\x81" and stage.line.now > 1.0)
+
+    stage.transport.write = die_at_the_second_signature  # type: ignore[method-assign] # a knob
+    stage.script.at(1.0, rearrange)
+    reports = run_for(stage, 5.0)
+    assert len(among(reports, Silent)) == 1
+    assert reports[-1] == Closed(None)

@@ -1,0 +1,285 @@
+"""What a session asks again and again, how often, and what becomes of it."""
+
+import itertools
+
+import pytest
+
+from tests.devices.trex.session.helpers import (
+    among,
+    commands,
+    moving,
+    run_for,
+    samples,
+    staged,
+    timed_run,
+)
+from tests.support.virtual import Stage
+from trex_gui.devices.trex.client.schedule import Topic, rates
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    ModeSeen,
+    Raw,
+    Remapped,
+    Sample,
+    StatusNews,
+)
+from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus
+from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
+from trex_gui.devices.trex.session.messages import Ask, Batch, Close, Connected, Occasion, Write
+from trex_gui.devices.trex.simulator.signals import Signal
+
+KINDS: dict[Topic, type[Sample]] = {
+    Topic.CURRENTS: Currents,
+    Topic.RAW: Raw,
+    Topic.REMAPPED: Remapped,
+    Topic.CONTROL: Control,
+    Topic.MODE: ModeSeen,
+}
+
+
+def rates_seen(stage: Stage, seconds: float) -> dict[Topic, float]:
+    """Return how often a second each topic was asked in the last seconds of a session."""
+    last = stage.line.now
+    return {
+        topic: sum(sample.time > last - seconds for sample in samples(stage.reports, kind))
+        / seconds
+        for topic, kind in KINDS.items()
+    }
+
+
+@pytest.mark.parametrize("mode", ["serial", "analog"])
+@pytest.mark.parametrize("baud", [19200, 115200])
+def test_every_new_value_is_sampled_from_19200_baud_on(baud: int, mode: str) -> None:
+    stage, settings = staged(baud, mode=mode)
+    run_for(stage, 6.0, settings)
+    source = InputSource.ANALOG if mode == "analog" else InputSource.RC
+    wanted = rates(source)
+    for topic, rate in rates_seen(stage, 5.0).items():
+        assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
+
+
+def test_status_is_polled_ten_times_a_second(stage: Stage) -> None:
+    run_for(stage, 5.3)
+    looks = sum(isinstance(command, GetStatus) for command in commands(stage.transport.sent))
+    assert looks == pytest.approx(50, abs=4)
+
+
+@pytest.mark.parametrize("baud", [1200, 9600])
+def test_slow_line_starves_no_topic(baud: int) -> None:
+    stage, settings = staged(baud)
+    run_for(stage, 25.0, settings)
+    wanted = rates(InputSource.RC)
+    shares = [rate / wanted[topic] for topic, rate in rates_seen(stage, 20.0).items()]
+    assert min(shares) > max(shares) / 3
+
+
+def test_slow_line_is_kept_busy() -> None:
+    stage, settings = staged(9600)
+    run_for(stage, 5.0, settings)
+    assert len(stage.transport.sent) + stage.line.counters["received"] > 0.95 * 5 * 960
+
+
+def test_fast_line_is_idle_between_polls() -> None:
+    stage, settings = staged(115200)
+    run_for(stage, 5.0, settings)
+    assert len(stage.transport.sent) + stage.line.counters["received"] < 5 * 1300
+
+
+@pytest.mark.parametrize("baud", [1200, 19200, 115200])
+def test_batches_do_not_exceed_display_rate(baud: int) -> None:
+    stage, settings = staged(baud)
+    stage.script.at(5.0, Close())
+    moments = [at for at, report in timed_run(stage, settings) if isinstance(report, Batch)]
+    moments.pop()  # what is left is delivered at the end
+    gaps = [later - sooner for sooner, later in itertools.pairwise(moments)]
+    assert min(gaps) >= 1 / 60 - 1e-9
+
+
+def test_samples_are_delivered_within_two_frames(stage: Stage) -> None:
+    stage.script.at(5.0, Close())
+    for at, report in timed_run(stage, stage.client().settings):
+        if isinstance(report, Batch):
+            assert at - report.samples[0].time < 2 / 60
+
+
+def test_samples_are_sorted_by_time(stage: Stage) -> None:
+    times = [sample.time for batch in among(run_for(stage, 3.0), Batch) for sample in batch.samples]
+    assert times == sorted(times)
+    assert len(times) > 300
+
+
+def test_empty_batches_are_not_sent(stage: Stage) -> None:
+    assert all(batch.samples for batch in among(run_for(stage, 3.0), Batch))
+
+
+def test_batch_contains_counters_of_its_moment(stage: Stage) -> None:
+    requests = [batch.counters.requests for batch in among(run_for(stage, 3.0), Batch)]
+    assert requests == sorted(set(requests))
+
+
+def test_samples_contain_what_board_measures(stage: Stage) -> None:
+    stage.board.connect(1, Signal.pulses(2000))
+    stage.board.connect(4, Signal.parse("invalid", InputSource.RC))
+    stage.board.force_current(2, 3.0)
+    reports = run_for(stage, 2.0)
+    assert samples(reports, Raw)[-1].counts == (5000, 3750, 3750, None, 3750)
+    assert samples(reports, Remapped)[-1].values == (127, 0, 0, 0, 0)
+    assert samples(reports, Currents)[-1].counts == (0, 20)
+    assert samples(reports, Control)[-1].by_serial is True
+    assert samples(reports, ModeSeen)[-1].mode is Mode.SERIAL_RC
+
+
+def test_polling_sends_no_motor_command(stage: Stage) -> None:
+    run_for(stage, 5.0)
+    assert moving(stage.transport.sent) == []
+
+
+# --- Status -----------------------------------------------------------------------------
+
+
+def test_clear_status_yields_no_sample(stage: Stage) -> None:
+    assert samples(run_for(stage, 3.0), StatusNews) == []
+
+
+def test_fault_is_reported_once_each_time_it_is_latched(stage: Stage) -> None:
+    def pulse() -> None:
+        stage.board.set_fault(1, fault=True)
+        stage.board.set_fault(1, fault=False)
+
+    stage.script.at(1.0, pulse).at(1.5, pulse)
+    news = samples(run_for(stage, 2.0), StatusNews)
+    assert [(one.status, one.uart) for one in news] == [
+        (Status.MOTOR1_FAULT, UartError(0)),
+        (Status.MOTOR1_FAULT, UartError(0)),
+    ]
+    assert [round(one.time, 1) for one in news] == pytest.approx([1.0, 1.5], abs=0.11)
+
+
+def test_uart_error_is_reported_with_its_bits(stage: Stage) -> None:
+    def spoil() -> None:
+        stage.board.report_error(UartError.FRAMING)
+        stage.board.report_error(UartError.PARITY)
+
+    stage.script.at(1.0, spoil)
+    (news,) = samples(run_for(stage, 2.0), StatusNews)
+    assert news.status == Status.UART_ERROR
+    assert news.uart == UartError.FRAMING | UartError.PARITY
+
+
+def test_simultaneous_faults_are_reported_together(stage: Stage) -> None:
+    def break_down() -> None:
+        for motor in (1, 2):
+            stage.board.set_fault(motor, fault=True)
+            stage.board.set_fault(motor, fault=False)
+        stage.board.report_error(UartError.CRC)
+
+    stage.script.at(1.0, break_down)
+    (news,) = samples(run_for(stage, 2.0), StatusNews)
+    assert news.status == Status.MOTOR1_FAULT | Status.MOTOR2_FAULT | Status.UART_ERROR
+    assert news.uart == UartError.CRC
+
+
+def test_status_bits_survive_lost_uart_error_byte(stage: Stage) -> None:
+    board = stage.board
+
+    def spoil() -> None:
+        board.set_fault(2, fault=True)
+        board.set_fault(2, fault=False)
+        board.report_error(UartError.CRC)
+
+    seen = stage.transport.write
+
+    def lose_uart_errors(data: bytes) -> None:
+        stage.line.mute = data == b"\x85"
+        seen(data)
+
+    stage.transport.write = lose_uart_errors  # type: ignore[method-assign] # one byte is lost
+    stage.script.at(1.0, spoil)
+    news = samples(run_for(stage, 2.0), StatusNews)
+    assert news[0].status == Status.MOTOR2_FAULT | Status.UART_ERROR
+
+
+def test_lost_uart_error_request_is_repeated(stage: Stage) -> None:
+    send = stage.transport.write
+    asked: list[bytes] = []
+
+    def lose_the_first_question(data: bytes) -> None:
+        if data == b"\x85":
+            asked.append(data)
+            stage.line.to_drop_sent = int(len(asked) == 1)
+        send(data)
+
+    stage.transport.write = lose_the_first_question  # type: ignore[method-assign] # a knob
+    stage.script.at(1.0, lambda: stage.board.report_error(UartError.CRC))
+    news = samples(run_for(stage, 2.0), StatusNews)
+    assert [(one.status, one.uart) for one in news] == [
+        (Status.UART_ERROR, UartError(0)),
+        (Status(0), UartError.CRC),
+    ]
+
+
+def test_uart_error_is_read_after_lost_status_reply(stage: Stage) -> None:
+    send = stage.transport.write
+    asked: list[bytes] = []
+
+    def lose_the_first_answer(data: bytes) -> None:
+        if data == b"\x84" and stage.line.now > 1.0:
+            asked.append(data)
+            stage.line.to_drop = int(len(asked) == 1)
+        send(data)
+
+    stage.transport.write = lose_the_first_answer  # type: ignore[method-assign] # a knob
+    stage.script.at(1.0, lambda: stage.board.report_error(UartError.PARITY))
+    (news,) = samples(run_for(stage, 2.0), StatusNews)
+    assert news.uart == UartError.PARITY
+
+
+def test_error_latched_before_connecting_is_reported(stage: Stage) -> None:
+    stage.board.report_error(UartError.TIMEOUT)
+    (news,) = samples(run_for(stage, 1.0), StatusNews)
+    assert news.uart == UartError.TIMEOUT
+
+
+# --- Beside other work ------------------------------------------------------------------
+
+
+def test_telemetry_continues_during_single_requests(stage: Stage) -> None:
+    for number in range(100):
+        stage.script.at(1.0 + number / 100, Ask(number, GetMode()))
+    run_for(stage, 2.0)
+    currents = [one for one in samples(stage.reports, Currents) if 1.0 < one.time < 2.0]
+    assert len(currents) > 60
+
+
+def test_telemetry_continues_after_long_write(stage: Stage) -> None:
+    keys = [spec.key for spec in stage.board.memory.parameters if not spec.needs_power_cycle]
+    wishes = tuple((key, stage.board.eeprom[key]) for key in keys if key != "factory_reset")
+    stage.script.at(1.0, Write(1, wishes))
+    run_for(stage, 3.0)
+    late = [one for one in samples(stage.reports, Currents) if 2.0 < one.time < 3.0]
+    assert len(late) == pytest.approx(80, abs=3)
+
+
+def test_mode_change_after_power_cycle_is_detected(stage: Stage) -> None:
+    def rearrange() -> None:
+        stage.board.mode_jumper = "analog"
+        stage.board.power_cycle()
+
+    stage.script.at(1.0, rearrange)
+    run_for(stage, 3.5)
+    first, second = among(stage.reports, Connected)
+    assert first.state.mode is Mode.SERIAL_RC
+    assert second.state.mode is Mode.ANALOG
+    assert second.occasion is Occasion.MODE_CHANGED
+    assert second.state.calibrations != first.state.calibrations
+
+
+def test_mode_change_adjusts_poll_rate_of_currents(stage: Stage) -> None:
+    def rearrange() -> None:
+        stage.board.mode_jumper = "analog"
+        stage.board.power_cycle()
+
+    stage.script.at(1.0, rearrange)
+    run_for(stage, 4.6)
+    assert rates_seen(stage, 2.0)[Topic.CURRENTS] == pytest.approx(50, rel=0.03)

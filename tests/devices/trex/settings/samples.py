@@ -1,0 +1,63 @@
+"""Settings that several tests write and read."""
+
+from hypothesis import strategies as st
+
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.devices.trex.protocol.calibration import (
+    DEFAULT_CALIBRATION,
+    HIGHEST_CODED,
+    Calibration,
+)
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings, specs_for
+from trex_gui.devices.trex.settings.reader import read_settings
+
+TREX, TREX_JR = device_table().models
+
+
+def factory(model_key: str = "trex", firmware: str | None = "1.2") -> Settings:
+    """Return what a board leaves the factory with, both sets of calibrations included."""
+    model = device_table().model(model_key)
+    return Settings(
+        product=model,
+        firmware=firmware,
+        parameters={spec.key: spec.default for spec in specs_for(model, firmware).readable},
+        calibrations={place: DEFAULT_CALIBRATION[place[0]] for place in CALIBRATION_KEYS.values()},
+    )
+
+
+def refused(text: str | bytes) -> SettingsError:
+    """Return what the reader says of a file that cannot be used."""
+    try:
+        read_settings(text)
+    except SettingsError as error:
+        return error
+    message = f"{text!r} was read"
+    raise AssertionError(message)
+
+
+_coded = st.integers(0, HIGHEST_CODED)
+
+
+@st.composite
+def any_calibration(draw: st.DrawFn) -> Calibration:
+    """A calibration that a board takes."""
+    minimum = draw(st.integers(0, HIGHEST_CODED - 1))
+    maximum = draw(st.integers(minimum + 1, HIGHEST_CODED))
+    return Calibration(minimum, draw(st.integers(minimum, maximum)), maximum, draw(_coded))
+
+
+@st.composite
+def any_settings(draw: st.DrawFn) -> Settings:
+    """Settings that a board takes, as many as happens."""
+    model = draw(st.sampled_from([TREX, TREX_JR]))
+    firmware = draw(st.none() | st.sampled_from(model.firmware))
+    specs = specs_for(model, firmware).readable
+    values = {spec.key: st.sampled_from(sorted(spec.valid)) for spec in specs}
+    places = st.sampled_from(list(CALIBRATION_KEYS.values()))
+    return Settings(
+        product=model,
+        firmware=firmware,
+        parameters=draw(st.fixed_dictionaries({}, optional=values)),
+        calibrations=draw(st.dictionaries(places, any_calibration())),
+    )

@@ -1,0 +1,457 @@
+"""A file that a person wrote keeps all they wrote when values in it change."""
+
+import itertools
+from dataclasses import dataclass, replace
+
+import pytest
+from hypothesis import Phase, given
+from hypothesis import strategies as st
+
+from tests.devices.trex.settings.samples import (
+    TREX,
+    TREX_JR,
+    any_calibration,
+    any_settings,
+    factory,
+)
+from tests.support.matrix import examples
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import calibration_text, parameter_text, write_settings
+
+thorough = examples(20, phases=[Phase.generate])
+RC_1 = (InputSource.RC, 1)
+
+
+def amended(text: str, **parameters: int) -> str:
+    """Return a text with other parameters; everything else stays as it reads."""
+    read, _ = read_settings(text)
+    return amend(text, replace(read, parameters={**read.parameters, **parameters}))
+
+
+def recalibrated(text: str, *points: int) -> str:
+    """Return a text with another calibration of RC channel 1."""
+    read, _ = read_settings(text)
+    return amend(text, replace(read, calibrations={RC_1: Calibration(*points)}))
+
+
+# What a person wrote stays
+
+
+def test_edit_changes_only_values_and_generated_comments() -> None:
+    before = (
+        "# Robot no. 3\n"
+        "\n"
+        "product:   TReX        # the big one\n"
+        "motor_mode: 0x00  # two motors!\n"
+        "serial_timeout: 0               # off\n"
+        "\n"
+        "# slippery floor\n"
+        "'motor1_acceleration' : 5  # 5 per 100 ms\n"
+        "# end\n"
+    )
+    assert amended(before, motor_mode=1, serial_timeout=127, motor1_acceleration=12) == (
+        "# Robot no. 3\n"
+        "\n"
+        "product:   TReX        # the big one\n"
+        "motor_mode: 0x01  # two motors!\n"
+        "serial_timeout: 127             # 12.7 s\n"
+        "\n"
+        "# slippery floor\n"
+        "'motor1_acceleration' : 12  # 12 per 100 ms\n"
+        "# end\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("old", "wire", "new"),
+    [
+        ("5", 127, "127"),
+        ("0x05", 127, "0x7F"),
+        ("0x5", 127, "0x7F"),
+        ("0x7f", 11, "0x0b"),
+        ("0X7F", 11, "0X0B"),
+        ("0x0007", 10, "0x000A"),
+        ("+5", 6, "+6"),
+        ("-0", 6, "6"),
+    ],
+)
+def test_number_keeps_its_base_and_width(old: str, wire: int, new: str) -> None:
+    text = amended(f"product: TReX\ndevice_number: {old}\n", device_number=wire)
+    assert text == f"product: TReX\ndevice_number: {new}\n"
+
+
+@pytest.mark.parametrize(
+    "comment",
+    ["#off", "# off, for the bench", "# Off", "#", "# 0 s"],
+)
+def test_user_comment_is_left_alone(comment: str) -> None:
+    text = amended(f"product: TReX\nserial_timeout: 0 {comment}\n", serial_timeout=5)
+    assert text == f"product: TReX\nserial_timeout: 5 {comment}\n"
+
+
+def test_comment_on_its_own_line_is_left_alone() -> None:
+    before = "product: TReX\nserial_timeout: 0\n# off\n"
+    assert amended(before, serial_timeout=5) == before.replace(": 0", ": 5")
+
+
+def test_comment_keeps_its_column_if_there_is_room() -> None:
+    before = (
+        "product: TReX\ndevice_number: 7     # a\nserial_timeout: 100  # b\n"
+        "motor1_acceleration: 5 # c\nmotor2_acceleration: 5   # d\n"
+    )
+    after = amended(
+        before,
+        device_number=100,
+        serial_timeout=5,
+        motor1_acceleration=100,
+        motor2_acceleration=100,
+    )
+    assert after == (
+        "product: TReX\ndevice_number: 100   # a\nserial_timeout: 5    # b\n"
+        "motor1_acceleration: 100 # c\nmotor2_acceleration: 100  # d\n"
+    )
+
+
+def test_calibration_in_braces_keeps_its_layout() -> None:
+    before = (
+        "product: TReX\n"
+        "rc_channel_1: {deadband: 75, minimum: 0x9C4,\n"
+        "  neutral: 3750,  # centre\n"
+        '  "maximum": 5000}  # 1000 / 1500 / 2000 µs, deadband 30 µs\n'
+    )
+    assert recalibrated(before, 2600, 3750, 5000, 5) == (
+        "product: TReX\n"
+        "rc_channel_1: {deadband: 5, minimum: 0xA28,\n"
+        "  neutral: 3750,  # centre\n"
+        '  "maximum": 5000}  # 1040 / 1500 / 2000 µs, deadband 2 µs\n'
+    )
+
+
+def test_calibration_in_lines_keeps_its_layout() -> None:
+    before = (
+        "product: TReX\n"
+        "rc_channel_1:  # 1000 / 1500 / 2000 µs, deadband 30 µs\n"
+        "    maximum: 5000\n\n    minimum: 2500  # left\n    neutral: 3750\n    deadband: 75\n"
+    )
+    assert recalibrated(before, 2500, 3750, 5100, 0) == (
+        "product: TReX\n"
+        "rc_channel_1:  # 1000 / 1500 / 2040 µs, deadband 0 µs\n"
+        "    maximum: 5100\n\n    minimum: 2500  # left\n    neutral: 3750\n    deadband: 0\n"
+    )
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("mark", ["", "\ufeff"])
+@pytest.mark.parametrize("last", [True, False])
+def test_line_endings_and_byte_order_mark_are_kept(end: str, mark: str, last: bool) -> None:
+    before = mark + end.join(["product: TReX", "# µ", "serial_timeout: 0  # off"]) + end * last
+    after = amended(before, serial_timeout=5, motor_mode=1)
+    lines = ["product: TReX", "# µ", "serial_timeout: 5  # 0.5 s"]
+    new = "motor_mode: 1                   # joint"
+    assert after == mark + end.join([*lines, new]) + end * last
+
+
+# Product, firmware, and what comes and goes
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("product: TReX\n", "product: TReX Jr\n"),
+        ("'product': 'TReX'  # mine\n", "'product': 'TReX Jr'  # mine\n"),
+        ('product:\n  "TReX"\n', 'product:\n  "TReX Jr"\n'),
+        ("product: |-  # mine\n  TReX\n\n# end\n", "product: |-  # mine\n  TReX Jr\n\n# end\n"),
+        ("product: >-\n\n\n  TReX\n", None),
+        ("? product\n: TReX\n", "? product\n: TReX Jr\n"),
+        ("{product: TReX}", "{product: TReX Jr}"),
+    ],
+)
+def test_product_changes_and_keeps_its_quoting(before: str, after: str | None) -> None:
+    if after is None:
+        with pytest.raises(SettingsError):
+            read_settings(before)
+    else:
+        assert amend(before, Settings(TREX_JR)) == after
+
+
+def test_generated_comment_follows_changed_product() -> None:
+    before = "product: TReX\nmotor1_current_limit: 10  # 3 A\n"
+    after = "product: TReX Jr\nmotor1_current_limit: 10  # 0.8 A\n"
+    assert amend(before, Settings(TREX_JR, None, {"motor1_current_limit": 10})) == after
+
+
+def test_firmware_is_added_changed_and_commented_out() -> None:
+    bare = "product: TReX  # mine\n"
+    given_one = amend(bare, Settings(TREX, "1.1"))
+    assert given_one == "product: TReX  # mine\nfirmware: 1.1\n"
+    assert amend(given_one, Settings(TREX, "1.3")) == given_one.replace("1.1", "1.3")
+    assert amend(given_one, Settings(TREX)) == "product: TReX  # mine\n# firmware: 1.1\n"
+
+
+def test_missing_settings_are_appended_in_table_order() -> None:
+    before = "  product: TReX\n  motor_mode: 0\n...\n# the end\n"
+    wanted = Settings(
+        TREX,
+        None,
+        {"uart_settings": 5, "motor_mode": 0, "device_number": 9},
+        {RC_1: Calibration(2500, 3750, 5000, 75)},
+    )
+    assert amend(before, wanted) == (
+        "  product: TReX\n  motor_mode: 0\n"
+        "  device_number: 9\n"
+        "  uart_settings: 5                # 19200 baud, no error detection, 1 stop bit\n"
+        "  rc_channel_1: {minimum: 2500, neutral: 3750, maximum: 5000, deadband: 75}"
+        "  # 1000 / 1500 / 2000 µs, deadband 30 µs\n"
+        "...\n# the end\n"
+    )
+
+
+def test_removed_settings_become_comments() -> None:
+    before = (
+        "product: TReX\nserial_timeout: 5  # why\n"
+        "rc_channel_1:\n  # ends\n  minimum: 1\n\n  neutral: 2\n  maximum: 3\n  deadband: 0\n"
+        "? motor_mode\n: 1\n"
+    )
+    assert amend(before, Settings(TREX)) == (
+        "product: TReX\n# serial_timeout: 5  # why\n"
+        "# rc_channel_1:\n  # ends\n#   minimum: 1\n\n#   neutral: 2\n#   maximum: 3\n"
+        "#   deadband: 0\n# ? motor_mode\n# : 1\n"
+    )
+
+
+def test_file_in_braces_is_edited_in_braces() -> None:
+    before = (
+        "{product: TReX, serial_timeout: 0,  # off\n device_number: 7,\n motor_mode: 1 # j\n} # e\n"
+    )
+    wanted = Settings(TREX, None, {"serial_timeout": 12, "device_number": 8, "aux_pwm_maximum": 63})
+    assert amend(before, wanted) == (
+        "{product: TReX, serial_timeout: 12,  # 1.2 s\n device_number: 8, aux_pwm_maximum: 63\n"
+        "   # j\n} # e\n"
+    )
+
+
+def test_invalid_value_becomes_comment_only_once() -> None:
+    broken = Calibration(9, 9, 9, 9)
+    odd = Settings(TREX, None, {"uart_settings": 12, "motor_mode": 1}, {RC_1: broken})
+    after = amend("product: TReX\nuart_settings: 5\nmotor_mode: 0\n", odd)
+    lines = after.splitlines()
+    assert lines[:3] == ["product: TReX", "# uart_settings: 5", "motor_mode: 1"]
+    assert lines[3].startswith("# uart_settings: 12  # left out: ")
+    assert lines[4].startswith("# rc_channel_1: {minimum: 9, ")
+    assert amend(after, odd) == after
+
+
+# Refusals
+
+
+@pytest.mark.parametrize("text", ["", "product: Tic\n", "product: TReX\nserial_timeout: 300\n"])
+def test_unreadable_text_is_not_edited(text: str) -> None:
+    with pytest.raises(SettingsError) as caught:
+        amend(text, factory(), "bench.txt")
+    assert caught.value.name == "bench.txt"
+
+
+def test_unknown_key_is_rejected() -> None:
+    with pytest.raises(BadRequest, match="a TReX has no speed"):
+        amend("product: TReX\n", Settings(TREX, None, {"speed": 1}))
+
+
+def test_edit_that_would_read_back_differently_is_rejected() -> None:
+    # The block of text ends where the file ends; with a line behind it, it would end in a break.
+    before = "product: TReX\nfirmware: |\n  1.2"
+    with pytest.raises(SettingsError, match="cannot be changed in place"):
+        amended(before, motor_mode=1)
+
+
+# Any file in any style
+
+
+@dataclass(frozen=True)
+class Written:
+    """A file as a person might write it; the pieces by key."""
+
+    text: str
+    pieces: dict[str, str]
+    comments: list[str]
+
+
+words = st.text(st.sampled_from("abc#:{}'\"µ, -"), max_size=8)
+
+
+@st.composite
+def any_number(draw: st.DrawFn, value: int) -> str:
+    spellings = [str(value), f"{value:#x}", f"0x{value:02X}", f"0X{value:04x}", f"+{value}"]
+    return draw(st.sampled_from(spellings))
+
+
+@st.composite
+def any_key(draw: st.DrawFn, key: str) -> str:
+    return draw(st.sampled_from([key, f"'{key}'", f'"{key}"'])) + draw(st.sampled_from(["", " "]))
+
+
+@st.composite
+def any_trailer(draw: st.DrawFn, generated: str) -> str:
+    """A comment beside a value: none, the program's, or a person's."""
+    gap = draw(st.sampled_from([" ", "  ", "      "]))
+    kinds = ["", f"{gap}# {generated}", f"{gap}#{draw(words)}", f"{gap}# {draw(words)}", gap]
+    return draw(st.sampled_from(kinds))
+
+
+@st.composite
+def any_calibration_lines(draw: st.DrawFn, key: str, calibration: Calibration) -> list[str]:
+    source, _ = CALIBRATION_KEYS[key]
+    names = draw(st.permutations(["minimum", "neutral", "maximum", "deadband"]))
+    parts = [
+        f"{draw(any_key(name))}: {draw(any_number(getattr(calibration, name)))}" for name in names
+    ]
+    trailer = draw(any_trailer(calibration_text(source, calibration)))
+    match draw(st.sampled_from(["flow", "lines in braces", "block"])):
+        case "flow":
+            return [f"{draw(any_key(key))}: {{{', '.join(parts)}}}{trailer}"]
+        case "block":
+            margin = " " * draw(st.integers(1, 4))
+            lines = [f"{margin}{part}{draw(any_trailer('x'))}" for part in parts]
+            if draw(st.booleans()):
+                lines.insert(draw(st.integers(0, 4)), f"{margin}# {draw(words)}")
+            return [f"{draw(any_key(key))}:{trailer}", *lines]
+    lines = [f"  {part},{draw(any_trailer('x'))}" for part in parts]
+    return [f"{draw(any_key(key))}: {{", *lines, f" }}{trailer}"]
+
+
+@st.composite
+def any_parameter_lines(draw: st.DrawFn, spec: ParameterSpec, wire: int) -> list[str]:
+    number = draw(any_number(wire))
+    trailer = draw(any_trailer(parameter_text(spec, wire)))
+    match draw(st.sampled_from(["line", "line", "line", "two lines", "explicit"])):
+        case "line":
+            return [f"{draw(any_key(spec.key))}: {number}{trailer}"]
+        case "two lines":
+            return [f"{draw(any_key(spec.key))}:", f"   {number}{trailer}"]
+    return [f"? {spec.key}{trailer}", f": {number}"]
+
+
+@st.composite
+def any_written(draw: st.DrawFn, given_settings: Settings) -> Written:
+    """A file that reads as the given settings."""
+    groups = {"firmware": [f"firmware: {given_settings.firmware}"]}
+    if given_settings.firmware is None:
+        groups = {}
+    for spec in given_settings.specs.readable:
+        if spec.key in given_settings.parameters:
+            wire = given_settings.parameters[spec.key]
+            groups[spec.key] = draw(any_parameter_lines(spec, wire))
+    for key, place in CALIBRATION_KEYS.items():
+        if place in given_settings.calibrations:
+            groups[key] = draw(any_calibration_lines(key, given_settings.calibrations[place]))
+    margin = " " * draw(st.sampled_from([0, 0, 2]))
+    end = draw(st.sampled_from(["\n", "\r\n", "\r"]))
+    quote = draw(st.sampled_from(["", "'", '"']))
+    head = draw(st.sampled_from([[], ["# head"], ["---"], ["%YAML 1.1", "---"], [""]]))
+    order = draw(st.permutations(list(groups)))
+    lines = [*head, f"{margin}product: {quote}{given_settings.product.name}{quote}"]
+    for key in order:
+        lines += draw(st.lists(st.just("") | words.map("# {}".format), max_size=2))
+        lines += [margin + line for line in groups[key]]
+    lines += draw(st.sampled_from([[], [""], ["# end"], ["..."], ["...", "# end"]]))
+    text = draw(st.sampled_from(["", "\ufeff"])) + end.join(lines)
+    pieces = {key: end.join(margin + line for line in group) for key, group in groups.items()}
+    comments = [line for line in lines if line.lstrip().startswith("#")]
+    return Written(text + draw(st.sampled_from(["", end])), pieces, comments)
+
+
+@st.composite
+def any_amendment(draw: st.DrawFn) -> tuple[Settings, Written, Settings]:
+    """Settings, a file that has them, and other settings, alike in part."""
+    old, new = draw(any_settings()), draw(any_settings())
+    known = {spec.key for spec in new.specs.readable}
+    alike = {key: wire for key, wire in old.parameters.items() if key in known}
+    kept = draw(st.sets(st.sampled_from(sorted(alike)))) if alike else set()
+    parameters = {**new.parameters, **{key: alike[key] for key in kept}}
+    moved = {place: draw(any_calibration()) for place in old.calibrations}
+    calibrations = draw(st.sampled_from([old.calibrations, new.calibrations, moved]))
+    new = replace(new, parameters=parameters, calibrations=calibrations)
+    return old, draw(any_written(old)), new
+
+
+@thorough
+@given(amendment=any_amendment())
+def test_edited_file_reads_as_new_settings_and_keeps_comments(
+    amendment: tuple[Settings, Written, Settings],
+) -> None:
+    old, written, new = amendment
+    assert read_settings(written.text)[0] == old
+    after = amend(written.text, new)
+    assert read_settings(after)[0] == new
+    assert amend(after, new) == after
+    plain = after.removeprefix("\ufeff").replace("\r\n", "\n")
+    lines = iter(plain.replace("\r", "\n").split("\n"))
+    assert all(any(comment == line for line in lines) for comment in written.comments)
+
+
+@thorough
+@given(amendment=any_amendment())
+def test_unchanged_entries_stay_byte_for_byte(
+    amendment: tuple[Settings, Written, Settings],
+) -> None:
+    old, written, new = amendment
+    new = replace(new, product=old.product)
+    after = amend(written.text, new)
+    for key, piece in written.pieces.items():
+        if key in CALIBRATION_KEYS:
+            place = CALIBRATION_KEYS[key]
+            is_same = old.calibrations[place] == new.calibrations.get(place)
+        elif key == "firmware":
+            is_same = old.firmware == new.firmware
+        else:
+            is_same = old.parameters[key] == new.parameters.get(key)
+        assert not is_same or piece in after
+
+
+@thorough
+@given(data=st.data(), given_settings=any_settings())
+def test_same_settings_leave_text_unchanged(data: st.DataObject, given_settings: Settings) -> None:
+    text = data.draw(any_written(given_settings)).text
+    assert amend(text, given_settings) == text
+
+
+@thorough
+@given(old=any_settings(), data=st.data())
+def test_edited_generated_file_equals_newly_written_file(
+    old: Settings, data: st.DataObject
+) -> None:
+    specs = [spec for spec in old.specs.readable if spec.key in old.parameters]
+    wires = {spec.key: data.draw(st.sampled_from(sorted(spec.valid))) for spec in specs}
+    new = replace(old, parameters=wires)
+    assert amend(write_settings(old), new) == write_settings(new)
+
+
+@thorough
+@given(old=any_settings(), new=any_settings(), data=st.data())
+def test_any_file_in_braces_can_be_edited(
+    old: Settings, new: Settings, data: st.DataObject
+) -> None:
+    keys = [("product", old.product.name)]
+    keys += [] if old.firmware is None else [("firmware", old.firmware)]
+    keys += [(key, data.draw(any_number(wire))) for key, wire in old.parameters.items()]
+    for key, place in CALIBRATION_KEYS.items():
+        if place in old.calibrations:
+            (line,) = [
+                line
+                for line in write_settings(replace(old, parameters={})).splitlines()
+                if line.startswith(key)
+            ]
+            keys.append((key, line.split("  #")[0].removeprefix(f"{key}: ")))
+    between = itertools.cycle(data.draw(st.lists(st.sampled_from([" ", "\n ", " # c\n "]))) or [""])
+    body = ",".join(f"{next(between)}{key}: {value}" for key, value in keys)
+    text = "{" + body + data.draw(st.sampled_from(["}", " }\n", ",}\n", ",\n} # end"]))
+    assert read_settings(text)[0] == old
+    after = amend(text, new)
+    assert read_settings(after)[0] == new
+    assert after.count("# c") == text.count("# c")

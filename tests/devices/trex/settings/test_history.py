@@ -1,0 +1,356 @@
+"""Snapshots: nothing is lost, nothing is removed that the bound does not say."""
+
+import errno
+import os
+import subprocess
+import sys
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.history import BOUND_FILE, KEPT, Bound, History, default_folder
+
+NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
+
+
+def settings_of_a_board(**values: int) -> Settings:
+    model = device_table().model("trexjr")
+    parameters = {spec.key: spec.default for spec in parameters_of("trexjr", "1.2").readable}
+    calibrations = {(InputSource.RC, 1): Calibration(2600, 3700, 5100, 60)}
+    return Settings(model, "1.2", {**parameters, **values}, calibrations)
+
+
+@pytest.fixture
+def history(tmp_path: Path) -> History:
+    return History(tmp_path / "snapshots")
+
+
+def take(history: History, minutes: int = 0, **values: int) -> Path:
+    settings = settings_of_a_board(**values)
+    now = NOON + timedelta(minutes=minutes)
+    return history.take(settings, adapter="FT232R (ttyUSB0)", reason="Apply", now=now).path
+
+
+def test_new_history_is_empty_and_creates_no_folder(history: History) -> None:
+    assert history.snapshots() == ()
+    assert not history.folder.exists()
+
+
+def test_saved_snapshot_loads_as_same_settings(history: History) -> None:
+    settings = settings_of_a_board(serial_timeout=5)
+    snapshot = history.take(settings, adapter="/dev/ttyUSB0", reason="Apply of 2 settings")
+    assert history.load(snapshot) == settings
+    assert history.snapshots() == (snapshot,)
+
+
+def test_snapshot_lists_time_board_adapter_and_reason(history: History) -> None:
+    take(history, device_number=9)
+    (snapshot,) = history.snapshots()
+    assert snapshot.taken == NOON
+    assert (snapshot.product, snapshot.firmware) == ("TReX Jr", "1.2")
+    assert snapshot.device_number == 9
+    assert (snapshot.adapter, snapshot.reason) == ("FT232R (ttyUSB0)", "Apply")
+
+
+def test_newest_snapshot_is_first_even_within_one_second(history: History) -> None:
+    paths = [take(history, minutes, serial_timeout=minutes) for minutes in (2, 0, 1, 1, 1)]
+    listed = [snapshot.path for snapshot in history.snapshots()]
+    assert listed == [paths[0], paths[4], paths[3], paths[2], paths[1]]
+    assert len(set(paths)) == 5
+
+
+# --- How many are kept ------------------------------------------------------------------
+
+
+def test_limit_removes_oldest_snapshots(history: History) -> None:
+    history.keep(3)
+    paths = [take(history, minutes) for minutes in range(5)]
+    assert {snapshot.path for snapshot in history.snapshots()} == set(paths[2:])
+
+
+def test_new_snapshot_is_kept_if_clock_went_back(history: History) -> None:
+    history.keep(2)
+    for minutes in (10, 11):
+        os.utime(take(history, minutes), (1, 1))  # saved before, by whatever clock
+    newest = take(history, -60)
+    assert newest in {snapshot.path for snapshot in history.snapshots()}
+    assert len(history.snapshots()) == 2
+
+
+def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: History) -> None:
+    history.keep(1)
+    other = take(history, 1)
+    os.utime(other, (2**32, 2**32))  # after anything saved now
+    own = take(history, 2)
+    assert {snapshot.path for snapshot in history.snapshots()} == {own, other}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
+def test_dangling_snapshot_link_does_not_block_new_snapshot(
+    history: History,
+) -> None:
+    history.keep(1)
+    gone = take(history)
+    gone.unlink()
+    gone.symlink_to(history.folder / "elsewhere")
+    own = take(history, 1)
+    assert [snapshot.path for snapshot in history.snapshots()] == [own]
+
+
+def test_history_without_limit_removes_nothing(history: History) -> None:
+    history.keep(None)
+    for minutes in range(12):
+        take(history, minutes)
+    assert len(history.snapshots()) == 12
+    assert history.bound() == Bound(None)
+
+
+def test_limit_of_zero_is_rejected(history: History) -> None:
+    with pytest.raises(ValueError, match="at least one"):
+        history.keep(0)
+    assert history.bound() == Bound(KEPT)
+
+
+def test_limit_is_shared_between_programs(history: History) -> None:
+    history.keep(2)
+    other = History(history.folder)
+    assert other.bound() == Bound(2)
+    for minutes in range(4):
+        take(other, minutes)
+    assert len(history.snapshots()) == 2
+
+
+def test_lower_limit_removes_and_returns_oldest_snapshots(history: History) -> None:
+    paths = [take(history, minutes) for minutes in range(5)]
+    beyond = history.beyond(2)
+    assert [snapshot.path for snapshot in beyond] == paths[2::-1]
+    assert history.keep(2) == beyond
+    assert [snapshot.path for snapshot in history.snapshots()] == paths[:2:-1]
+    assert history.keep(500) == ()
+
+
+@pytest.mark.parametrize("text", ["kept: 7\n", "# mine\n\n kept:7 # a week\n", "\ufeffkept: 7\r\n"])
+def test_limit_file_may_be_written_by_hand(history: History, text: str) -> None:
+    history.folder.mkdir()
+    (history.folder / BOUND_FILE).write_bytes(text.encode())
+    assert history.bound() == Bound(7)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("", "kept: 0", "kept: -1", "kept: many", "kept: 2 3", "kept: 1\nkept: 2", "2", "\x00"),
+        *("kept: 99999999", "kept: 2" + " " * 5000, "kept: 1.5", "KEPT"),
+    ],
+)
+def test_damaged_limit_removes_nothing_and_is_reported(history: History, text: str) -> None:
+    history.keep(2)
+    (history.folder / BOUND_FILE).write_text(text, encoding="utf-8")
+    for minutes in range(4):
+        take(history, minutes)
+    assert len(history.snapshots()) == 4
+    assert history.bound().kept is None
+    assert "is damaged" in history.bound().problem
+    history.keep(3)
+    assert history.bound() == Bound(3)
+    assert len(history.snapshots()) == 3
+
+
+def test_unreadable_limit_is_reported_and_cannot_be_set(history: History) -> None:
+    (history.folder / BOUND_FILE).mkdir(parents=True)
+    take(history)
+    take(history, 1)
+    assert "cannot be read" in history.bound().problem
+    with pytest.raises(SettingsError):
+        history.keep(1)
+    assert len(history.snapshots()) == 2
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
+def test_dangling_limit_link_is_reported(history: History) -> None:
+    history.folder.mkdir()
+    (history.folder / BOUND_FILE).symlink_to(history.folder / "elsewhere")
+    assert "is missing" in history.bound().problem
+
+
+def test_limit_that_cannot_be_saved_removes_nothing(
+    history: History, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for minutes in range(3):
+        take(history, minutes)
+    monkeypatch.setattr("pathlib.Path.replace", no_space)
+    with pytest.raises(SettingsError, match="No space left"):
+        history.keep(1)
+    assert len(history.snapshots()) == 3
+    assert history.bound() == Bound(KEPT)
+
+
+# --- Several at once, and the end in the middle -----------------------------------------
+
+
+def no_space(*arguments: object) -> None:
+    raise OSError(errno.ENOSPC, "No space left on device")
+
+
+_MANY = """
+import sys
+from datetime import UTC, datetime
+from pathlib import Path
+from tests.devices.trex.settings.test_history import settings_of_a_board
+from trex_gui.devices.trex.settings.history import History
+history = History(Path(sys.argv[1]))
+sys.stdin.readline()
+for number in range(20):
+    settings = settings_of_a_board(serial_timeout=int(sys.argv[2]) + number)
+    history.take(settings, adapter="", reason="", now=datetime(2026, 11, 21, tzinfo=UTC))
+"""
+
+
+def test_programs_saving_in_same_second_lose_no_snapshot(history: History) -> None:
+    programs = [
+        subprocess.Popen(
+            [sys.executable, "-c", _MANY, str(history.folder), str(first)],
+            stdin=subprocess.PIPE,
+            text=True,
+        )
+        for first in (1, 51)
+    ]
+    for program in programs:
+        assert program.stdin is not None
+        program.stdin.write("now\n")
+        program.stdin.close()
+    assert [program.wait(50) for program in programs] == [0, 0]
+    taken = [history.load(found).parameters["serial_timeout"] for found in history.snapshots()]
+    assert sorted(taken) == [*range(1, 21), *range(51, 71)]
+    assert len(list(history.folder.iterdir())) == 40
+
+
+@pytest.mark.parametrize("failing", ["os.fsync", "pathlib.Path.hardlink_to pathlib.Path.replace"])
+def test_failed_save_leaves_no_partial_snapshot(
+    history: History, monkeypatch: pytest.MonkeyPatch, failing: str
+) -> None:
+    take(history)
+    before = sorted(history.folder.iterdir())
+    with monkeypatch.context() as patched:
+        for name in failing.split():
+            patched.setattr(name, no_space)
+        with pytest.raises(SettingsError, match="No space left"):
+            take(history, 1)
+    assert sorted(history.folder.iterdir()) == before
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs no hard links there")
+def test_snapshots_are_saved_without_hard_links(
+    history: History, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def impossible(*arguments: object) -> None:
+        raise PermissionError(errno.EPERM, "Operation not permitted")
+
+    monkeypatch.setattr("pathlib.Path.hardlink_to", impossible)
+    first, second = take(history), take(history)
+    assert first != second
+    assert sorted(history.folder.iterdir()) == sorted([first, second])
+    assert all(history.load(found) == settings_of_a_board() for found in history.snapshots())
+
+
+def test_leftover_temporary_file_is_not_listed(history: History) -> None:
+    path = take(history)
+    path.rename(path.with_name(f".{path.name}.1a2b3c4d.tmp"))
+    assert history.snapshots() == ()
+
+
+# --- What is there ----------------------------------------------------------------------
+
+
+def test_limit_leaves_unrelated_files_alone(history: History) -> None:
+    history.keep(1)
+    take(history)
+    names = ["notes.txt", "20261121T115900Z.txt", "20261121T115900Z-trex-1.2.txt.bak", "x"]
+    for name in names:
+        (history.folder / name).write_text("mine", encoding="utf-8")
+    take(history, 1)
+    assert {path.name for path in history.folder.iterdir()} > set(names)
+    assert len(history.snapshots()) == 1
+
+
+def test_damaged_snapshot_is_listed_with_its_problem(history: History) -> None:
+    path = take(history)
+    path.write_bytes(b"\xff\x00 nothing of use")
+    (snapshot,) = history.snapshots()
+    assert snapshot.taken == NOON
+    assert snapshot.product == ""
+    assert snapshot.problem == "It does not say of which board it is."
+    with pytest.raises(SettingsError):
+        history.load(snapshot)
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("", "It is empty."),
+        ("product: Jrk 12v12\n", "It does not say of which board it is."),
+        ("product: TReX Jr  # mine\r\n\r\nfirmware: '1.2'\r\n", ""),
+    ],
+)
+def test_list_entry_is_read_from_file_header(history: History, text: str, problem: str) -> None:
+    take(history).write_bytes(text.encode())
+    (snapshot,) = history.snapshots()
+    assert snapshot.problem == problem
+    if not problem:
+        assert (snapshot.product, snapshot.firmware) == ("TReX Jr", "1.2")
+
+
+def test_loading_removed_snapshot_reports_missing_file(history: History) -> None:
+    take(history)
+    (snapshot,) = history.snapshots()
+    history.remove(snapshot)
+    history.remove(snapshot)
+    assert history.snapshots() == ()
+    with pytest.raises(SettingsError, match="no such file"):
+        history.load(snapshot)
+
+
+@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may write everywhere")
+def test_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    with pytest.raises(SettingsError, match="cannot be made"):
+        take(History(tmp_path / "snapshots"))
+
+
+def test_file_in_place_of_folder_is_reported(tmp_path: Path) -> None:
+    (tmp_path / "snapshots").write_text("", encoding="utf-8")
+    with pytest.raises(SettingsError, match="cannot be made"):
+        take(History(tmp_path / "snapshots"))
+
+
+@given(adapter=st.text(max_size=80), reason=st.text(max_size=80))
+def test_snapshot_accepts_any_adapter_and_reason(
+    tmp_path_factory: pytest.TempPathFactory, adapter: str, reason: str
+) -> None:
+    history = History(tmp_path_factory.mktemp("history"))
+    settings = settings_of_a_board()
+    snapshot = history.take(settings, adapter=adapter, reason=reason)
+    assert history.load(snapshot) == settings
+    assert [listed.path for listed in history.snapshots()] == [snapshot.path]
+
+
+def test_default_folder_is_absolute_and_names_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("TREX_STUDIO_DATA", raising=False)
+    assert default_folder().is_absolute()
+    assert "TReX Studio" in str(default_folder())
+
+
+def test_environment_variable_sets_data_folder(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("TREX_STUDIO_DATA", str(tmp_path))
+    assert History().folder == tmp_path / "snapshots"

@@ -1,0 +1,478 @@
+"""Each rule: what sets it off, what it proposes, and that the proposal ends it."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import pytest
+from hypothesis import Phase, given
+from hypothesis import strategies as st
+
+from tests.devices.trex.settings.samples import TREX, TREX_JR, any_calibration, factory
+from tests.support.matrix import examples
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.crc7 import crc7
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.rules import RULES, Advice, Context, accept, advise
+
+thorough = examples(40, phases=[Phase.generate])
+NOTHING_ELSE = Context()
+DRIVING = Context(drives_from_computer=True)
+
+
+def uart(baud: int, detection: Detection = Detection.NONE, stop_bits: int = 1) -> int:
+    return LineSettings(baud, detection, stop_bits).to_wire()
+
+
+def trex(firmware: str | None = None, **parameters: int) -> Settings:
+    return Settings(TREX, firmware, parameters)
+
+
+def only(given_settings: Settings, context: Context = NOTHING_ELSE) -> Advice:
+    """Return the one advice on some settings."""
+    (found,) = advise(given_settings, context)
+    return found
+
+
+def calibrated(key: str, *points: int) -> Settings:
+    return Settings(TREX, None, {}, {CALIBRATION_KEYS[key]: Calibration(*points)})
+
+
+# One advice a rule, in full
+
+
+EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
+    found.rule: (given_settings, context, found)
+    for given_settings, context, found in [
+        (
+            trex(serial_timeout=0),
+            DRIVING,
+            Advice(
+                "no_serial_timeout",
+                "Serial Timeout is off while a computer drives the motors: when the cable or the "
+                "computer fails, the motors go on as they were told last.",
+                ("serial_timeout",),
+                {"serial_timeout": 5},
+                "Set Serial Timeout to 0.5 s",
+            ),
+        ),
+        (
+            trex(motor_mode=1, motor1_current_limit=10, motor2_current_limit=20),
+            Context(),
+            Advice(
+                "limit_in_joint_mode",
+                "Motor 1 Current Limit (3 A) and Motor 2 Current Limit (6 A) do nothing in joint "
+                "mode, for the board measures no current then. The motor is not protected by it.",
+                ("motor_mode", "motor1_current_limit", "motor2_current_limit"),
+                {"motor1_current_limit": 0, "motor2_current_limit": 0},
+                "Set Motor 1 Current Limit and Motor 2 Current Limit to off",
+            ),
+        ),
+        (
+            trex(motor2_current_limit=10, motor2_current_limit_p=0),
+            Context(),
+            Advice(
+                "limit_without_gain",
+                "Motor 2 Current Limit is 3 A, but its proportionality constant P, how strongly "
+                "the limiter answers, is 0. Inferred: what the board then does is documented "
+                "nowhere, and the limit may have no effect.",
+                ("motor2_current_limit", "motor2_current_limit_p"),
+                {"motor2_current_limit_p": 5},
+                "Set Motor 2 Current Limit Proportionality Constant P to 5",
+            ),
+        ),
+        (
+            trex(motor1_current_limit=10, motor1_acceleration=0),
+            Context(),
+            Advice(
+                "limit_without_ramp",
+                "Motor 1 Current Limit is 3 A and Motor 1 Acceleration is 0, which means at once. "
+                "Inferred: as soon as the current falls below the limit, the motor jumps back to "
+                "its full target speed, so it may run in jerks.",
+                ("motor1_current_limit", "motor1_acceleration"),
+                {"motor1_acceleration": 10},
+                "Set Motor 1 Acceleration to 10 per 100 ms",
+            ),
+        ),
+        (
+            Settings(TREX_JR, None, {"motor2_pwm_prescaler": 0, "motor2_pwm_maximum": 63}),
+            Context(),
+            Advice(
+                "pwm_above_rating",
+                "The PWM of motor 2 runs at 19.5 kHz (inferred), but the motor driver of a TReX "
+                "Jr is rated for 10 kHz; above that it gets hot. The prescaler clock / 64 gives "
+                "2.44 kHz.",
+                ("motor2_pwm_prescaler", "motor2_pwm_maximum"),
+                {"motor2_pwm_prescaler": 1},
+                "Set Motor 2 PWM Prescaler to clock / 64",
+            ),
+        ),
+        (
+            trex(required_channels=0b00111, ignored_channels=0b10110),
+            Context(),
+            Advice(
+                "required_but_ignored",
+                "Channels 2 and 3 are required and ignored at once: their signals move nothing, "
+                "but without them the motors may not run in RC mode (inferred).",
+                ("required_channels", "ignored_channels"),
+                {"required_channels": 1},
+                "Set Required Channels to channel 1",
+            ),
+        ),
+        (
+            calibrated("rc_channel_2", 2500, 3750, 5000, 1250),
+            Context(),
+            Advice(
+                "deadband_over_travel",
+                "The deadband of RC channel 2 reaches from its neutral to its minimum and "
+                "maximum: there is only standstill or full speed.",
+                ("rc_channel_2",),
+            ),
+        ),
+        (
+            calibrated("analog_channel_3", 0, 512, 1100, 20),
+            Context(),
+            Advice(
+                "end_out_of_reach",
+                "The maximum of analog channel 3, 1100, lies above 1023, the highest count that "
+                "the board measures: full speed on that side is never reached.",
+                ("analog_channel_3",),
+            ),
+        ),
+        (
+            trex(crc7_polynomial=0x1B, uart_settings=uart(19200, Detection.EVEN)),
+            Context(),
+            Advice(
+                "polynomial_without_crc",
+                "CRC-7 Polynomial is 0x9B instead of the factory's 0x89, but CRC-7 is not "
+                "switched on: no packet is checked with it.",
+                ("crc7_polynomial", "uart_settings"),
+                {"crc7_polynomial": 9},
+                "Set CRC-7 Polynomial to 0x89",
+            ),
+        ),
+        (
+            trex(crc7_polynomial=0, uart_settings=uart(19200, Detection.CRC7)),
+            Context(),
+            Advice(
+                "crc_that_checks_nothing",
+                "With 0x80 as CRC-7 Polynomial the checksum of every packet is 0, so CRC-7 finds "
+                "no damage at all.",
+                ("crc7_polynomial", "uart_settings"),
+                {"crc7_polynomial": 9},
+                "Set CRC-7 Polynomial to 0x89",
+            ),
+        ),
+        (
+            trex("1.1", uart_settings=uart(38400, Detection.ODD, 2)),
+            Context(),
+            Advice(
+                "half_rate",
+                "A TReX with firmware 1.1 set to 38400 baud really runs at 19200 baud; this was "
+                "mended in firmware 1.2. Programs have to use 19200 baud.",
+                ("uart_settings",),
+                {"uart_settings": uart(19200, Detection.ODD, 2)},
+                "Set UART Settings to 19200 baud, odd parity, 2 stop bits",
+            ),
+        ),
+        (
+            trex(uart_settings=uart(76800)),
+            Context(port_rates=[9600, 57600, 115200]),
+            Advice(
+                "rate_the_port_lacks",
+                "This computer's serial port cannot do 76800 baud: after the next power cycle it "
+                "would not reach the board any more.",
+                ("uart_settings",),
+                {"uart_settings": uart(57600)},
+                "Set UART Settings to 57600 baud, no error detection, 1 stop bit",
+            ),
+        ),
+        (
+            trex(uart_settings=uart(115200)),
+            Context(used_by_line=LineSettings()),
+            Advice(
+                "line_will_change",
+                "After the next power cycle the board talks at 115200 baud, no error detection, 1 "
+                "stop bit; now it is 19200 baud, no error detection, 1 stop bit. Programs that "
+                "talk to it have to be changed then.",
+                ("uart_settings",),
+            ),
+        ),
+    ]
+}
+
+
+def test_every_rule_has_example() -> None:
+    assert list(EXAMPLES) == list(RULES)
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_rule_reports_expected_finding(rule: str) -> None:
+    given_settings, context, expected = EXAMPLES[rule]
+    assert only(given_settings, context) == expected
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_accepted_proposal_clears_finding(rule: str) -> None:
+    given_settings, context, expected = EXAMPLES[rule]
+    if expected.change:
+        assert advise(accept(given_settings, expected), context) == ()
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_rule_is_silent_if_required_setting_is_missing(rule: str) -> None:
+    given_settings, context, _ = EXAMPLES[rule]
+    for key in given_settings.parameters:
+        rest = {k: wire for k, wire in given_settings.parameters.items() if k != key}
+        found = advise(replace(given_settings, parameters=rest), context)
+        assert not [one for one in found if key in one.keys]
+
+
+# What sets rules off, and what does not
+
+
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+@pytest.mark.parametrize("firmware", [None, "1.0", "1.3"])
+def test_factory_settings_have_no_findings(model: str, firmware: str | None) -> None:
+    every = Context(port_rates=baud_rates(), used_by_line=LineSettings())
+    assert advise(factory(model, firmware), every) == ()
+
+
+def test_empty_settings_have_no_findings() -> None:
+    every = Context(drives_from_computer=True, port_rates=[], used_by_line=LineSettings(1200))
+    assert advise(Settings(TREX), every) == ()
+
+
+def test_timeout_rule_applies_only_if_computer_drives() -> None:
+    assert advise(trex(serial_timeout=0)) == ()
+    assert advise(trex(serial_timeout=1), DRIVING) == ()
+
+
+def test_joint_mode_finding_names_only_active_limit() -> None:
+    found = only(trex(motor_mode=1, motor1_current_limit=1, motor2_current_limit=0))
+    assert found.message.startswith("Motor 1 Current Limit (0.3 A) does nothing")
+    assert found.proposal == "Set Motor 1 Current Limit to off"
+
+
+def test_joint_mode_limit_needs_no_gain_or_ramp() -> None:
+    parameters = {"motor1_current_limit": 1, "motor1_acceleration": 0, "motor1_current_limit_p": 0}
+    found = advise(Settings(TREX, None, {"motor_mode": 1, **parameters}))
+    assert [one.rule for one in found] == ["limit_in_joint_mode"]
+
+
+@pytest.mark.parametrize("prescaler", range(4))
+@pytest.mark.parametrize("maximum", [0, 1, 61, 123, 124, 127])
+def test_pwm_proposal_is_smallest_sufficient_prescaler(prescaler: int, maximum: int) -> None:
+    parameters = {"motor1_pwm_prescaler": prescaler, "motor1_pwm_maximum": maximum}
+    divisors = (8, 64, 256, 1024)
+    frequencies = [20e6 / (divisor * (2 * maximum + 2)) for divisor in divisors]
+    found = advise(Settings(TREX_JR, None, parameters))
+    if frequencies[prescaler] <= 10_000:
+        assert found == ()
+    else:
+        wanted = min(n for n, frequency in enumerate(frequencies) if frequency <= 10_000)
+        assert found[0].change == {"motor1_pwm_prescaler": wanted}
+
+
+def test_pwm_of_driver_with_unknown_rating_is_not_checked() -> None:
+    assert advise(trex(motor1_pwm_prescaler=0, motor1_pwm_maximum=0)) == ()
+
+
+@pytest.mark.parametrize(
+    ("points", "ends"),
+    [
+        ((2500, 3750, 5000, 1249), []),
+        ((2500, 3750, 5100, 1250), ["minimum"]),
+        ((2400, 3750, 5000, 1250), ["maximum"]),
+        ((3750, 3750, 5000, 75), []),
+        ((2500, 5000, 5000, 75), []),
+    ],
+)
+def test_deadband_reaching_end_of_travel_is_reported(
+    points: tuple[int, int, int, int], ends: list[str]
+) -> None:
+    messages = [found.message for found in advise(calibrated("rc_channel_1", *points))]
+    assert len(messages) == len(ends)
+    assert all(f"to its {end}: on that side" in "".join(messages) for end in ends)
+
+
+@pytest.mark.parametrize(
+    ("key", "points", "words"),
+    [
+        ("rc_channel_1", (1250, 3750, 6250, 75), []),
+        ("rc_channel_1", (1249, 3750, 6250, 75), ["minimum"]),
+        ("rc_channel_1", (1249, 3750, 6251, 75), ["minimum", "maximum"]),
+        ("rc_channel_1", (1000, 1000, 5000, 75), []),
+        ("analog_channel_1", (0, 1023, 1023, 20), []),
+        ("analog_channel_1", (0, 2000, 2000, 20), []),
+    ],
+)
+def test_calibration_end_out_of_reach_is_reported(
+    key: str, points: tuple[int, int, int, int], words: list[str]
+) -> None:
+    messages = [found.message for found in advise(calibrated(key, *points))]
+    assert [message.split()[1] for message in messages] == words
+
+
+@pytest.mark.parametrize("key", ["rc_channel_4", "rc_channel_5"])
+def test_switch_calibrations_are_not_checked(key: str) -> None:
+    assert advise(calibrated(key, 0, 3750, 9000, 9000)) == ()
+
+
+def test_polynomial_0x80_always_gives_checksum_zero() -> None:
+    packets = [bytes([value, other]) for value in range(256) for other in (0, 85, 255)]
+    assert {crc7(packet, 0x80) for packet in packets} == {0}
+
+
+@pytest.mark.parametrize(("baud", "real"), [(28800, 14400), (38400, 19200)])
+def test_old_firmware_is_checked_at_its_actual_baud_rate(baud: int, real: int) -> None:
+    old, new = trex("1.1", uart_settings=uart(baud)), trex("1.2", uart_settings=uart(baud))
+    in_use = Context(port_rates=[real], used_by_line=LineSettings(real))
+    assert [found.rule for found in advise(old, in_use)] == ["half_rate"]
+    assert [found.rule for found in advise(new, in_use)] == [
+        "rate_the_port_lacks",
+        "line_will_change",
+    ]
+    assert advise(new) == advise(trex(uart_settings=uart(baud))) == ()
+
+
+@pytest.mark.parametrize(
+    ("rates", "used", "wanted"),
+    [
+        ([], None, None),
+        ([250_000], None, None),
+        ([9600, 19200], None, 19200),
+        ([115200], None, 115200),
+        ([9600, 19200], LineSettings(9600), 9600),
+        ([9600, 19200], LineSettings(76800), "silent"),
+        ([19200, 38400, 57600], None, 57600),
+    ],
+)
+def test_proposed_baud_rate_is_supported_by_port(
+    rates: list[int], used: LineSettings | None, wanted: int | str | None
+) -> None:
+    context = Context(port_rates=rates, used_by_line=used)
+    found = [
+        one
+        for one in advise(trex("1.0", uart_settings=uart(76800)), context)
+        if one.rule == "rate_the_port_lacks"
+    ]
+    if wanted == "silent":
+        assert found == []
+    else:
+        (one,) = found
+        assert one.change == ({} if wanted is None else {"uart_settings": uart(int(wanted))})
+        assert bool(one.proposal) == bool(one.change)
+
+
+def test_next_faster_rate_is_proposed_without_slower_one() -> None:
+    context = Context(port_rates=[115200, 9600, 19200])
+    (found,) = advise(trex(uart_settings=uart(2400)), context)
+    assert found.change == {"uart_settings": uart(9600)}
+
+
+def test_invalid_values_are_not_checked() -> None:
+    broken = Settings(
+        TREX_JR,
+        "1.0",
+        {
+            "uart_settings": 0x0F,
+            "motor1_pwm_prescaler": 9,
+            "motor1_pwm_maximum": 0,
+            "required_channels": 99,
+            "ignored_channels": 31,
+            "motor_mode": 7,
+            "motor1_current_limit": 1,
+        },
+        {(InputSource.RC, 1): Calibration(9, 8, 7, 6)},
+    )
+    assert advise(broken, Context(port_rates=[])) == ()
+
+
+# All rules, any settings
+
+
+JUDGED = {key for found in EXAMPLES.values() for key in found[2].keys}
+JUDGED |= {key.replace("motor2", "motor1") for key in JUDGED}
+JUDGED |= {key.replace("motor1", "motor2") for key in JUDGED}
+VALUES = {
+    # Small values and the ends are where the oddities are.
+    spec.key: st.sampled_from(sorted(spec.valid)[:3]) | st.sampled_from(sorted(spec.valid))
+    for spec in factory().specs
+    if spec.key in JUDGED
+}
+
+
+@st.composite
+def any_odd_settings(draw: st.DrawFn) -> Settings:
+    """Settings, thick with what rules look at."""
+    key = st.sampled_from(sorted(JUDGED & set(CALIBRATION_KEYS)))
+    calibrations = draw(st.dictionaries(key, any_calibration(), max_size=2))
+    return Settings(
+        product=draw(st.sampled_from([TREX, TREX_JR])),
+        firmware=draw(st.sampled_from([None, "1.0", "1.2"])),
+        parameters=draw(st.fixed_dictionaries({}, optional=VALUES)),
+        calibrations={CALIBRATION_KEYS[key]: found for key, found in calibrations.items()},
+    )
+
+
+@st.composite
+def any_context(draw: st.DrawFn) -> Context:
+    rates = st.sampled_from(baud_rates())
+    lines = st.builds(
+        LineSettings, rates, st.sampled_from(list(Detection)), st.sampled_from([1, 2])
+    )
+    return Context(
+        drives_from_computer=draw(st.booleans()),
+        port_rates=draw(st.none() | st.sets(rates)),
+        used_by_line=draw(st.none() | lines),
+    )
+
+
+def is_told(found: Advice, after: tuple[Advice, ...]) -> bool:
+    """Whether an advice is given again."""
+    return any((one.rule, one.keys) == (found.rule, found.keys) for one in after)
+
+
+@thorough
+@given(given_settings=any_odd_settings(), context=any_context())
+def test_any_proposal_is_valid_and_clears_its_finding(
+    given_settings: Settings, context: Context
+) -> None:
+    specs = given_settings.specs
+    for found in advise(given_settings, context):
+        assert found.rule in RULES
+        assert set(found.keys) <= {spec.key for spec in specs} | set(CALIBRATION_KEYS)
+        assert set(found.change) <= set(found.keys)
+        assert all(specs[key].problem(wire) is None for key, wire in found.change.items())
+        assert bool(found.change) == bool(found.proposal)
+        if found.change:
+            assert not is_told(found, advise(accept(given_settings, found), context))
+
+
+@thorough
+@given(given_settings=any_odd_settings(), context=any_context())
+def test_accepting_all_proposals_leaves_no_proposal(
+    given_settings: Settings, context: Context
+) -> None:
+    better = given_settings
+    for found in advise(given_settings, context):
+        better = accept(better, found)
+    assert not [found for found in advise(better, context) if found.change]
+
+
+@thorough
+@given(given_settings=any_odd_settings(), context=any_context())
+def test_findings_do_not_depend_on_order_of_settings(
+    given_settings: Settings, context: Context
+) -> None:
+    turned = replace(
+        given_settings,
+        parameters=dict(reversed(list(given_settings.parameters.items()))),
+        calibrations=dict(reversed(list(given_settings.calibrations.items()))),
+    )
+    found = advise(given_settings, context)
+    assert advise(turned, context) == found
+    order = [list(RULES).index(one.rule) for one in found]
+    assert order == sorted(order)

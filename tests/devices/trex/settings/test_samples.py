@@ -1,0 +1,129 @@
+"""The files that people start from, and the files that must never change by accident."""
+
+from pathlib import Path
+
+import pytest
+
+from tests.devices.trex.settings.samples import factory
+from trex_gui.core.files.text_files import load
+from trex_gui.core.resource_files import resource
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.settings.document import Settings, specs_for
+from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.rules import Context, advise
+from trex_gui.devices.trex.settings.writer import parameter_line, write_settings
+
+SAMPLES = {
+    "trex_factory_defaults.txt": Context(),
+    "trexjr_factory_defaults.txt": Context(),
+    "tank_with_mix.txt": Context(),
+    "rover_with_serial_override.txt": Context(drives_from_computer=True),
+    "autonomous_robot.txt": Context(drives_from_computer=True),
+}
+"""Each sample, and what its robot is like."""
+
+GOLDEN = Path(__file__).parent / "golden"
+BOARDS = [(model.key, firmware) for model in device_table().models for firmware in model.firmware]
+
+every_sample = pytest.mark.parametrize("name", SAMPLES)
+every_board = pytest.mark.parametrize(("model", "firmware"), BOARDS)
+
+
+def text_of(name: str) -> str:
+    return load(resource(f"samples/{name}")).decode("utf-8")
+
+
+def settings_of(name: str) -> Settings:
+    return read_settings(text_of(name))[0]
+
+
+def test_sample_list_matches_sample_folder() -> None:
+    assert {path.name for path in resource("samples").iterdir()} == set(SAMPLES)
+
+
+@every_sample
+def test_sample_is_read_without_findings(name: str) -> None:
+    settings, findings = read_settings(text_of(name), name)
+    assert findings == ()
+    # It suits every firmware, and leaves alone what the board learned from its own sticks.
+    assert settings.firmware is None
+    specs = specs_for(settings.product, settings.product.firmware[0]).readable
+    assert set(settings.parameters) == {spec.key for spec in specs}
+    assert settings.calibrations == {}
+
+
+@every_sample
+def test_sample_passes_every_rule(name: str) -> None:
+    assert advise(settings_of(name), SAMPLES[name]) == ()
+
+
+@every_sample
+def test_sample_lines_match_written_parameter_lines(name: str) -> None:
+    settings = settings_of(name)
+    lines = [line for line in text_of(name).splitlines() if line and not line.startswith("#")]
+    specs = {spec.key: spec for spec in settings.specs}
+    for line in lines[1:]:
+        key = line.partition(":")[0]
+        assert line == parameter_line(specs[key], settings.parameters[key])
+
+
+@every_sample
+def test_sample_is_commented_and_fits_line_length(name: str) -> None:
+    lines = text_of(name).splitlines()
+    assert lines[1].startswith("# ")
+    assert sum(line.startswith("# ") for line in lines) >= 12
+    assert all(len(line) <= 100 and line == line.rstrip() for line in lines)
+
+
+@every_sample
+def test_edited_sample_keeps_its_comments(name: str) -> None:
+    text, settings = text_of(name), settings_of(name)
+    assert amend(text, settings) == text
+    other = factory(settings.product.key, None)
+    after = amend(text, other)
+    assert read_settings(after)[0] == other
+    comments = [line for line in text.splitlines() if line.startswith("#")]
+    assert [line for line in after.splitlines() if line.startswith("#")] == comments
+
+
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+def test_factory_samples_match_factory_settings(model: str) -> None:
+    settings = settings_of(f"{model}_factory_defaults.txt")
+    expected = factory(model, "1.0")
+    assert (settings.product, settings.parameters) == (expected.product, expected.parameters)
+
+
+def test_autonomous_sample_uses_timeout_and_error_detection() -> None:
+    parameters = settings_of("autonomous_robot.txt").parameters
+    assert parameters["serial_timeout"] == 5
+    assert parameters["uart_error_shutdown"] == 1
+    line = LineSettings.from_wire(parameters["uart_settings"])
+    assert line == LineSettings(115200, Detection.CRC7, 1)
+
+
+# Golden files
+
+
+def golden(model: str, firmware: str) -> bytes:
+    return (GOLDEN / f"{model}-{firmware}.txt").read_bytes()
+
+
+def test_golden_files_cover_every_board_and_no_other() -> None:
+    expected = {f"{model}-{firmware}.txt" for model, firmware in BOARDS}
+    assert {path.name for path in GOLDEN.glob("*.txt")} == expected
+
+
+@every_board
+def test_written_factory_settings_match_golden_file(model: str, firmware: str) -> None:
+    # On purpose otherwise? Write the files anew with write_settings and read the difference.
+    assert write_settings(factory(model, firmware)).encode("utf-8") == golden(model, firmware)
+
+
+@every_board
+def test_golden_file_round_trips_unchanged(model: str, firmware: str) -> None:
+    data = golden(model, firmware)
+    settings, findings = read_settings(data)
+    assert (settings, findings) == (factory(model, firmware), ())
+    assert write_settings(settings).encode("utf-8") == data

@@ -1,0 +1,383 @@
+"""What the reader makes of files: good ones, mistaken ones and hostile ones."""
+
+import pickle
+import time
+
+import pytest
+
+from tests.devices.trex.settings.samples import TREX, TREX_JR, factory, refused
+from trex_gui.core.files.errors import SettingsError, Severity
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.plain_yaml import LARGEST_FILE
+from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
+
+UART_RANGE = "a baud rate, error detection and stop bits (low four bits 0 to 10)"
+EITHER_PRODUCT = "'product: TReX' or 'product: TReX Jr'"
+
+
+def only_finding(text: str | bytes) -> str:
+    """Return the one error of a file; how much is missing goes without saying."""
+    errors = [f for f in refused(text).findings if f.severity is Severity.ERROR]
+    assert len(errors) == 1
+    return str(errors[0])
+
+
+def finding_of(setting: str) -> str:
+    """Return what is said of one setting in line 2."""
+    return only_finding(f"product: TReX\n{setting}\n")
+
+
+# Good files
+
+
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+@pytest.mark.parametrize("firmware", [None, "1.0", "1.3"])
+def test_factory_settings_are_read_without_findings(model: str, firmware: str | None) -> None:
+    settings = factory(model, firmware)
+    assert read_settings(write_settings(settings)) == (settings, ())
+
+
+def test_settings_can_be_pickled() -> None:
+    settings, _ = read_settings(write_settings(factory()))
+    assert pickle.loads(pickle.dumps(settings)) == settings
+
+
+def test_partial_file_is_read_and_missing_parameters_counted() -> None:
+    text = "product: TReX Jr\nfirmware: 1.2\nserial_timeout: 5\nmotor_mode: 1\n"
+    settings, findings = read_settings(text)
+    assert settings == Settings(TREX_JR, "1.2", {"serial_timeout": 5, "motor_mode": 1})
+    (warning,) = findings
+    assert str(warning) == (
+        "warning: 26 of 28 parameters are missing: "
+        "device_number, required_channels, ignored_channels …"
+    )
+
+
+def test_file_without_firmware_may_lack_newer_parameter() -> None:
+    parameters = dict(factory(firmware=None).parameters)
+    del parameters["uart_response_delay"]
+    settings = Settings(TREX, None, parameters)
+    assert read_settings(write_settings(settings)) == (settings, ())
+
+
+def test_numbers_may_be_hexadecimal() -> None:
+    text = (
+        "product: TReX\nserial_timeout: 0x7f\n"
+        "rc_channel_1: {minimum: 0x0, neutral: 0x10, maximum: 0X20, deadband: 1}\n"
+    )
+    settings, _ = read_settings(text)
+    assert settings.parameters == {"serial_timeout": 127}
+    assert settings.calibrations == {(InputSource.RC, 1): Calibration(0, 16, 32, 1)}
+
+
+def test_calibration_may_span_several_lines() -> None:
+    text = (
+        "product: TReX\nanalog_channel_5:\n"
+        "  maximum: 900\n  minimum: 100\n  deadband: 0\n  neutral: 500\n"
+    )
+    settings, _ = read_settings(text)
+    assert settings.calibrations == {(InputSource.ANALOG, 5): Calibration(100, 500, 900, 0)}
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_line_endings_of_every_system_are_read(end: str) -> None:
+    text = write_settings(factory()).replace("\n", end)
+    assert read_settings(text.encode("utf-8")) == (factory(), ())
+
+
+@pytest.mark.parametrize("text", ["\ufeffproduct: TReX\n", b"\xef\xbb\xbfproduct: TReX\n"])
+def test_byte_order_mark_is_ignored(text: str | bytes) -> None:
+    settings, _ = read_settings(text)
+    assert settings == Settings(TREX)
+
+
+def test_comments_and_document_start_may_precede_product() -> None:
+    settings, _ = read_settings("# my bench\n---\nproduct: 'TReX'\n")
+    assert settings.product == TREX
+
+
+def test_unterminated_last_line_is_read_with_warning() -> None:
+    settings, findings = read_settings("product: TReX\n\nserial_timeout: 1")
+    assert settings.parameters == {"serial_timeout": 1}
+    assert str(findings[0]) == "line 3: warning: the last line has no end; was the file cut short?"
+
+
+def test_unknown_firmware_gives_warning() -> None:
+    settings, findings = read_settings("product: TReX\nfirmware: 1.10\n")
+    assert settings.firmware == "1.10"
+    expected = "line 2: warning: firmware: versions 1.0 to 1.3 are known, 1.10 is not"
+    assert str(findings[0]) == expected
+
+
+# Mistakes
+
+
+@pytest.mark.parametrize(
+    ("setting", "sentence"),
+    [
+        ("serial_timeout: 300", "serial_timeout: 0 to 127 (off to 12.7 s), not 300"),
+        ("serial_timeout: -1", "serial_timeout: 0 to 127 (off to 12.7 s), not -1"),
+        ("serial_timeout: 1.5", "serial_timeout: 0 to 127 (off to 12.7 s), not 1.5"),
+        (
+            "serial_timeout: 1.5 s",
+            "serial_timeout: 0 to 127 (off to 12.7 s), not 1.5 s; 1.5 s is written 15",
+        ),
+        (
+            "serial_timeout: '5'",
+            "serial_timeout: 0 to 127 (off to 12.7 s), not 5 in quotes; write 5",
+        ),
+        ("serial_timeout:", "serial_timeout: 0 to 127 (off to 12.7 s), not nothing"),
+        ("serial_timeout: ~", "serial_timeout: 0 to 127 (off to 12.7 s), not ~"),
+        ("serial_timeout: [5]", "serial_timeout: 0 to 127 (off to 12.7 s), not a list"),
+        (
+            "serial_timeout: {a: 5}",
+            "serial_timeout: 0 to 127 (off to 12.7 s), not a group of settings",
+        ),
+        ("serial_timeout: |\n  5", "serial_timeout: 0 to 127 (off to 12.7 s), not a block of text"),
+        ("device_number: 010", "device_number: 0 to 127, not 010"),
+        ("device_number: 1_0", "device_number: 0 to 127, not 1_0"),
+        ("device_number: true", "device_number: 0 to 127, not true"),
+        (
+            f"device_number: {'9' * 5000}",
+            f"device_number: 0 to 127, not {'9' * 40}…",
+        ),
+        (
+            "motor_mode: joint",
+            "motor_mode: 0 (independent) or 1 (joint), not joint; joint is written 1",
+        ),
+        ("motor_mode: 2", "motor_mode: 0 (independent) or 1 (joint), not 2"),
+        ("uart_error_shutdown: yes", "uart_error_shutdown: 0 (off) or 1 (on), not yes"),
+        (
+            "uart_error_shutdown: on",
+            "uart_error_shutdown: 0 (off) or 1 (on), not on; on is written 1",
+        ),
+        ("ignored_channels: 32", "ignored_channels: 0 to 31 (channels 1 to 5), not 32"),
+        (
+            "uart_settings: 0xFFF",
+            f"uart_settings: {UART_RANGE}, not 0xFFF",
+        ),
+        (
+            "crc7_polynomial: 0x89",
+            "crc7_polynomial: 0 to 127 (0x80 to 0xFF), not 0x89; 0x89 is written 9",
+        ),
+        (
+            "serial_timeot: 5",
+            "serial_timeot: there is no such setting; did you mean serial_timeout?",
+        ),
+        (
+            "Serial-Timeout: 5",
+            "Serial-Timeout: there is no such setting; did you mean serial_timeout?",
+        ),
+        ("rc_chanel_3: 5", "rc_chanel_3: there is no such setting; did you mean rc_channel_3?"),
+        ("firmwear: 1.2", "firmwear: there is no such setting; did you mean firmware?"),
+        ("hovercraft: 5", "hovercraft: there is no such setting"),
+        ("factory_reset: 127", "factory_reset: is an order to the board, not a setting"),
+        ("firmware: new", "firmware: a version such as 1.3, not new"),
+        ("firmware:", "firmware: a version such as 1.3, not nothing"),
+        ("firmware: [1]", "firmware: a version such as 1.3, not a list"),
+        ("[a, b]: 5", "a name belongs before the colon, not a list or a group"),
+        (
+            "rc_channel_1: 5",
+            "rc_channel_1: is written {minimum: …, neutral: …, maximum: …, deadband: …}, not 5",
+        ),
+        (
+            "rc_channel_1: {minimum: 1, neutral: 2, maximum: 3}",
+            "rc_channel_1: deadband is missing",
+        ),
+        (
+            "rc_channel_1: {}",
+            "rc_channel_1: minimum and neutral and maximum and deadband are missing",
+        ),
+        (
+            "rc_channel_1: {minimum: 1, neutral: 2, maximum: 3, deadband: 0, minimun: 5}",
+            "rc_channel_1: a calibration has no 'minimun'; did you mean minimum?",
+        ),
+        (
+            "rc_channel_1: {minimum: 1, neutral: 2, maximum: 3, deadband: 0, neutral: 5}",
+            "rc_channel_1: neutral was given in line 2 already",
+        ),
+        (
+            "rc_channel_1: {minimum: 1, neutral: 2, maximum: 16384, deadband: 0}",
+            "rc_channel_1: maximum is 0 to 16383, not 16384",
+        ),
+        (
+            "rc_channel_1: {minimum: 1, neutral: yes, maximum: 3, deadband: 0}",
+            "rc_channel_1: neutral is 0 to 16383, not yes",
+        ),
+        (
+            "rc_channel_1: {minimum: 1, neutral: 2, maximum: 3, deadband: {a: 1}}",
+            "this is nested too deeply; settings are plain 'key: value' lines",
+        ),
+        (
+            "analog_channel_1: {minimum: 3, neutral: 2, maximum: 4, deadband: 0}",
+            "analog_channel_1: minimum 3 is above neutral 2",
+        ),
+        (
+            "analog_channel_1: {minimum: 3, neutral: 3, maximum: 3, deadband: 0}",
+            "analog_channel_1: minimum and maximum are both 3; they must differ",
+        ),
+    ],
+)
+def test_invalid_setting_is_reported_with_line_and_reason(setting: str, sentence: str) -> None:
+    assert finding_of(setting) == f"line 2: {sentence}"
+
+
+def test_repeated_setting_is_reported_with_first_line() -> None:
+    text = "product: TReX\nserial_timeout: 5\n\nserial_timeout: 5\n"
+    assert only_finding(text) == "line 4: serial_timeout: was given in line 2 already"
+
+
+def test_repeated_product_is_reported() -> None:
+    text = "product: TReX\nproduct: TReX Jr\n"
+    assert only_finding(text) == "line 2: product: was given in line 1 already"
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        (
+            "product: Tic T825\ncontrol_mode: serial\n",
+            "line 1: product: TReX or TReX Jr, not Tic T825; these are not settings of a TReX",
+        ),
+        (
+            "product: trex jr\n",
+            "line 1: product: TReX or TReX Jr, not trex jr; did you mean TReX Jr?",
+        ),
+        (
+            "product: TReXJr\n",
+            "line 1: product: TReX or TReX Jr, not TReXJr; did you mean TReX Jr?",
+        ),
+        (
+            "product:\n",
+            "line 1: product: TReX or TReX Jr, not nothing; these are not settings of a TReX",
+        ),
+        (
+            "product: [TReX]\n",
+            "line 1: product: TReX or TReX Jr, not a list; these are not settings of a TReX",
+        ),
+        (
+            "\nserial_timeout: 5\n",
+            f"line 1: the first setting is {EITHER_PRODUCT}; this file has none",
+        ),
+        (
+            "serial_timeout: 5\nproduct: TReX\n",
+            "line 2: product: must be the first setting of the file",
+        ),
+        ("", "line 1: there are no settings here; the first is 'product: TReX'"),
+        ("# nothing\n", "line 1: there are no settings here; the first is 'product: TReX'"),
+        ("TReX\n", "line 1: this is no setting; settings are plain 'key: value' lines"),
+        ("- TReX\n", "line 1: this is no setting; settings are plain 'key: value' lines"),
+    ],
+)
+def test_file_must_begin_with_known_product(text: str, sentence: str) -> None:
+    assert only_finding(text) == sentence
+
+
+def test_parameter_of_newer_firmware_is_reported() -> None:
+    text = "product: TReX Jr\nfirmware: 1.1\nuart_response_delay: 0\n"
+    assert only_finding(text) == (
+        "line 3: uart_response_delay: a TReX Jr has it from firmware 1.2 on, these are for 1.1"
+    )
+
+
+def test_all_findings_are_reported_in_line_order() -> None:
+    text = (
+        "firmware: 1.2\nproduct: trex\nspeed: 1\nserial_timeout: 300\nmotor_mode: 1\n"
+        "motor_mode: 1\nrc_channel_1:\n  minimum: x\n  neutral: 2\n  maximum: y\n  deadband: 0"
+    )
+    error = refused(text)
+    assert [found.line for found in error.findings] == [2, 2, 3, 4, 6, 8, 10, 11, None]
+    keys = [found.key for found in error.findings]
+    assert keys[2:7] == ["speed", "serial_timeout", "motor_mode", "rc_channel_1", "rc_channel_1"]
+    kinds = [found.severity for found in error.findings]
+    assert kinds == [Severity.ERROR] * 7 + [Severity.WARNING] * 2
+
+
+def test_error_contains_file_name() -> None:
+    with pytest.raises(SettingsError) as caught:
+        read_settings("", "bench.txt")
+    assert caught.value.name == "bench.txt"
+    assert str(caught.value).startswith("bench.txt: line 1: ")
+
+
+# Hostile files
+
+
+BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        (BOMB, 2, "anchors"),
+        ("product: TReX\na: *b\n", 2, "anchors"),
+        ("product: TReX\nrc_channel_1: {minimum: &a 5}\n", 2, "anchors"),
+        ("&a product: TReX\n", 1, "anchors"),
+        ("product: !!str TReX\n", 1, "tags"),
+        ("product: TReX\n\na: !!python/object/apply:os.system ['true']\n", 3, "tags"),
+        ("!x\nproduct: TReX\n", 1, "tags"),
+        ("product: TReX\nserial_timeout: ! 5\n", 2, "tags"),
+        ("product: TReX\n<<: {serial_timeout: 5}\n", 2, "merge keys"),
+        ("product: TReX\n--- \nproduct: TReX\n", 2, "a second document"),
+        ("product: TReX\n...\n---\n", 3, "a second document"),
+        ("[" * 5000, 1, "nested too deeply"),
+        ("product: TReX\nx: " + "{a: " * 5000, 2, "nested too deeply"),
+        ("- " * 5000, 1, "nested too deeply"),
+        ("? " * 5000, 1, "nested too deeply"),
+        ("product: TReX\nx: [" + "1, " * 60000 + "]\n", 2, "more here than any board"),
+        (b"product: TReX\nfirm\x00ware: 1\n", 2, "binary"),
+        (b"\x7fELF\x02\x01\x01\x00", 1, "binary"),
+        (b"\x00product: TReX\n", 1, "binary"),
+        ("product: TReX\n".encode("utf-16"), 1, "binary"),
+        (b"product: TReX\n# 30 \xb5s\n", 2, "not UTF-8"),
+        ("product: TReX\n# \ud800\n", 2, "not UTF-8"),
+        ("product: TReX\n\n\x1b[2J", 3, "U+001B has no place"),
+        ("product: TReX\n\tserial_timeout: 5\n", 2, "damaged here"),
+        ("product: TReX\nserial_timeout 5\nmotor_mode: 1\n", 3, "damaged here"),
+        ("product: TReX\nrc_channel_1: {minimum: 1, neu", 2, "breaks off"),
+        ('product: TReX\na: "\\UFFFFFFFF"\n', 2, "cannot be read"),
+        ('product: TReX\na: "\\U00110000"\n', 2, "cannot be read"),
+        (f"%YAML {'9' * 5000}.1\n---\nproduct: TReX\n", 1, "cannot be read"),
+    ],
+)
+def test_unsupported_content_is_rejected_with_its_line(
+    text: str | bytes, line: int, words: str
+) -> None:
+    (found,) = refused(text).findings
+    assert words in found.message
+    assert found.line == line
+
+
+@pytest.mark.parametrize("text", ["#" * (LARGEST_FILE + 1), b"#" * (LARGEST_FILE + 1)])
+def test_oversized_file_is_rejected_before_parsing(text: str | bytes) -> None:
+    assert only_finding(text) == "is larger than 256 KiB; settings are not that long"
+
+
+def test_file_of_maximum_size_is_read() -> None:
+    text = "product: TReX\n#".ljust(LARGEST_FILE - 1, "#") + "\n"
+    settings, _ = read_settings(text)
+    assert settings == Settings(TREX)
+
+
+def test_many_mistakes_are_reported_quickly_and_briefly() -> None:
+    count = 900
+    text = "product: TReX\n" + "".join(f"serial_timeot_{n}: 1\n" for n in range(count))
+    begun = time.process_time()  # what others do with the computer does not count
+    error = refused(text)
+    assert time.process_time() - begun < 5
+    assert len(error.findings) <= MOST_FINDINGS + 2
+    assert str(error.findings[-1]) == f"{count - MOST_FINDINGS} more errors are not listed"
+
+
+def test_long_names_and_values_are_shortened_in_messages() -> None:
+    long = "x" * 50_000
+    error = refused(f"product: TReX\n? {long}\n: 1\nserial_timeout: {long}\n")
+    assert len(str(error)) < 500
+
+
+def test_messages_contain_no_control_characters() -> None:
+    error = refused('product: TReX\n"\\e[2J": 1\nserial_timeout: "\\e[2J\\n"\n')
+    assert all(line.isprintable() for line in str(error).split("\n"))

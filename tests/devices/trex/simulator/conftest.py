@@ -1,0 +1,47 @@
+"""A board, the wire it hangs on, and a host that speaks hex."""
+
+from collections.abc import Callable
+
+import pytest
+
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.uart import SerialPort
+
+Ask = Callable[[str], str]
+
+
+def make_ask(line: Line) -> Ask:
+    def ask(packet: str) -> str:
+        """Send a packet, wait until the wire is quiet, return what came."""
+        line.send(bytes.fromhex(packet))
+        while (event := line.next_event) is not None:
+            line.advance_to(event)
+        return line.receive().hex(" ")
+
+    return ask
+
+
+@pytest.fixture
+def board() -> Board:
+    return Board()
+
+
+@pytest.fixture
+def port(board: Board) -> SerialPort:
+    return SerialPort(board)
+
+
+@pytest.fixture
+def line(board: Board) -> Line:
+    return Line([board])
+
+
+@pytest.fixture
+def asking() -> Callable[[Line], Ask]:
+    return make_ask
+
+
+@pytest.fixture
+def ask(line: Line) -> Ask:
+    return make_ask(line)

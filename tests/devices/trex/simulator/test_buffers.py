@@ -1,0 +1,170 @@
+"""What the board's program does with what comes while it pauses, and with its answers."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.devices.trex.simulator.ports import (
+    NO_REPLY,
+    a_board,
+    answer,
+    ask,
+    errors,
+    feed,
+    pass_pause,
+)
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.uart import RECEIVE_BUFFER, SEND_BUFFER, SerialPort
+
+WRITE = "AF 07 0F 55 2A"
+
+
+def test_replies_fit_send_buffer_and_come_without_pause(
+    port: SerialPort,
+) -> None:
+    port.board.advance(0.025)
+    for packet in ("81", "86 1F", "87 1F", "90", "8F"):
+        feed(port, packet)
+        assert port.pause == 0
+        assert 0 < len(answer(port)) < 3 * SEND_BUFFER
+    assert not errors(port)
+
+
+def test_bytes_during_eeprom_write_are_handled_after_it(port: SerialPort) -> None:
+    feed(port, WRITE + "9F 07 82")
+    assert answer(port) == NO_REPLY
+    pass_pause(port)
+    assert answer(port) == "00 0F 72"
+    assert port.pause == 0
+    assert ask(port, "82") == "72"
+
+
+def test_write_queued_behind_write_pauses_again(port: SerialPort) -> None:
+    feed(port, WRITE + "82 AF 07 05 55 2A 9F 07")
+    pass_pause(port)
+    assert answer(port) == "00 72"
+    assert port.pause == pytest.approx(0.004)
+    assert port.board.memory.get(0x07) == 15
+    pass_pause(port)
+    assert answer(port) == "00 05"
+
+
+def test_motor_command_during_write_runs_after_it(port: SerialPort) -> None:
+    feed(port, WRITE + "C2 40")
+    assert port.board.motors[0].speed == 0
+    pass_pause(port)
+    assert port.board.motors[0].speed == 0x40
+
+
+def test_response_delay_holds_back_every_reply() -> None:
+    port = SerialPort(a_board(uart_response_delay=1))
+    feed(port, "82 83")
+    for expected in ("72", "01"):
+        assert port.pause == pytest.approx(0.001)
+        assert answer(port) == NO_REPLY
+        pass_pause(port)
+        assert answer(port) == expected
+    assert port.pause == 0
+
+
+def test_response_delay_adds_to_write_time() -> None:
+    port = SerialPort(a_board(uart_response_delay=1))
+    feed(port, WRITE)
+    assert port.pause == pytest.approx(0.005)
+
+
+def test_byte_beyond_receive_buffer_latches_read_overrun(port: SerialPort) -> None:
+    feed(port, WRITE)
+    feed(port, "FF" * RECEIVE_BUFFER)
+    assert not errors(port)
+    port.feed(0x82)
+    assert errors(port) == UartError.READ_OVERRUN
+    pass_pause(port)
+    assert answer(port) == "00"
+    assert ask(port, "82") == "72"
+
+
+def test_replies_that_just_fill_send_buffer_are_sent(port: SerialPort) -> None:
+    questions = "81" * 4 + "82" * 3  # 28 and 3 bytes, behind the answer to the write
+    feed(port, WRITE + questions)
+    pass_pause(port)
+    assert len(answer(port).split()) == SEND_BUFFER
+    assert not errors(port)
+
+
+def test_reply_bytes_beyond_send_buffer_are_lost(port: SerialPort) -> None:
+    feed(port, WRITE + "81" * 5)
+    pass_pause(port)
+    sent = bytes.fromhex(answer(port))
+    assert sent == (b"\0" + b"TReX1.2" * 5)[:SEND_BUFFER]
+    assert errors(port) == UartError.SEND_OVERRUN
+
+
+def test_send_overrun_stops_motor(port: SerialPort) -> None:
+    feed(port, "C2 7F")
+    feed(port, WRITE + "81" * 5)
+    pass_pause(port)
+    assert port.board.motors[0].direction is Direction.BRAKE
+
+
+def test_bad_byte_during_write_discards_its_packet(port: SerialPort) -> None:
+    feed(port, WRITE + "C2")
+    port.feed_error(UartError.FRAMING)
+    feed(port, "40")
+    pass_pause(port)
+    assert port.board.motors[0].target_direction is Direction.BRAKE
+    assert UartError.FRAMING in errors(port)
+
+
+def test_read_overrun_discards_affected_packet(port: SerialPort) -> None:
+    feed(port, WRITE + "FF" * (RECEIVE_BUFFER - 1) + "C2")
+    feed(port, "10 F0")  # find no room
+    pass_pause(port)
+    feed(port, "40")  # belongs to what was lost
+    assert port.board.motors[0].target_direction is Direction.BRAKE
+    assert port.board.aux.speed == 0
+    assert UartError.READ_OVERRUN in errors(port)
+
+
+def test_power_cut_empties_buffers(port: SerialPort) -> None:
+    feed(port, WRITE + "81 F0")
+    port.board.power_cycle()
+    feed(port, "7F 82")
+    assert port.pause == 0
+    assert answer(port) == "72"
+    assert port.board.aux.speed == 0
+
+
+def test_requests_buffered_during_write_are_answered_in_turn() -> None:
+    line = Line([a_board()])
+    line.send(bytes.fromhex(WRITE + "82 83 82"))
+    assert line.read(9, 1) == b"\x00r\x01r"
+    assert line.boards[0].counters["bytes_missed"] == 0
+
+
+def test_board_receives_again_after_delayed_replies() -> None:
+    line = Line([a_board(uart_response_delay=1)])
+    line.send(b"\x82\x83")
+    assert line.read(2, 1) == b"r\x01"
+    line.send(b"\x82")
+    assert line.read(1, 1) == b"r"
+
+
+@given(
+    junk=st.lists(st.sampled_from(["81", "82", "FF", "90", "AF070F552A", "A0"]), max_size=60),
+    delay=st.sampled_from([0, 1]),
+)
+def test_buffers_never_exceed_their_sizes(junk: list[str], delay: int) -> None:
+    port = SerialPort(a_board(uart_response_delay=delay))
+    feed(port, WRITE + "".join(junk))
+    for _ in range(100):
+        assert len(port.outgoing) <= SEND_BUFFER
+        assert sum(byte >= 0 for byte in port._buffer) <= RECEIVE_BUFFER  # the rest are gaps
+        if not port.pause:
+            break
+        pass_pause(port)
+    assert not port.pause
+    answer(port)
+    assert ask(port, "FF 82") == "72"

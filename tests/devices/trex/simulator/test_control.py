@@ -1,0 +1,336 @@
+import json
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.core.simulator.server import GOODBYE
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.simulator.control import control
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.physics import CONSTANTS
+
+PULSES = 0.025
+"""Seconds in which every input is renewed."""
+
+
+def show(line: Line, name: str = "") -> dict[str, Any]:
+    answer = control(line, f"{name} show")
+    assert answer.startswith("ok ")
+    shown: dict[str, Any] = json.loads(answer.removeprefix("ok "))
+    return shown
+
+
+@pytest.fixture
+def two() -> Line:
+    boards = []
+    for number, model in ((7, "trex"), (9, "trexjr")):
+        eeprom = Eeprom(model)
+        eeprom.write("device_number", number)
+        boards.append(Board(eeprom=eeprom))
+    return Line(boards)
+
+
+@pytest.mark.parametrize(
+    ("text", "raw"),
+    [
+        ("channel 2 4000", 4000),
+        ("channel 2 1600us", 4000),
+        ("channel 2 1600 us", 4000),
+        ("channel 2 invalid", None),
+        ("  CHANNEL   2   INVALID  ", None),
+    ],
+)
+def test_channel_command_sets_signal(line: Line, text: str, raw: int | None) -> None:
+    line.advance(PULSES)
+    assert control(line, text).startswith("ok channel 2 gets ")
+    assert show(line)["channels"][1]["raw"] == 3750
+    line.advance(PULSES)
+    assert show(line)["channels"][1]["raw"] == raw
+
+
+@pytest.mark.parametrize(
+    ("text", "signal"),
+    [
+        ("1500us", "1500us"),
+        ("3750", "1500us"),
+        ("Silent", "silent"),
+        ("1500us noise 2us", "1500us noise 2us"),
+        ("1500us noise 2us lost 0.1", "1500us noise 2us lost 0.1"),
+        ("1500us lost 1", "1500us lost 1"),
+        ("2.5v noise 20mv", "2.5V noise 0.02V"),
+    ],
+)
+def test_reply_and_show_state_channel_signal(line: Line, text: str, signal: str) -> None:
+    assert control(line, f"channel 1 {text}") == f"ok channel 1 gets {signal}"
+    assert show(line)["channels"][0]["signal"] == signal
+    assert control(line, f"channel 1 {signal}") == f"ok channel 1 gets {signal}"
+
+
+def test_channel_command_sets_voltage_of_analog_input(line: Line) -> None:
+    line.boards[0].eeprom.write("channel_input_source", 1)
+    control(line, "power cycle")
+    assert control(line, "channel 5 2.5V") == "ok channel 5 gets 2.5V"
+    assert show(line)["channels"][4]["raw"] == 0
+    line.advance(PULSES)
+    assert show(line)["channels"][4]["raw"] == 512
+    assert show(line)["mode"] == "a"
+
+
+def test_jumper_commands_set_jumpers(line: Line) -> None:
+    assert control(line, "jumper mode rc").startswith("ok")
+    assert show(line)["mode"] == "r"
+    control(line, "power cycle")
+    assert show(line)["mode"] == "R"
+    control(line, "channel 2 1750us")
+    line.advance(PULSES)
+    assert show(line)["channels"][0]["remapped"] == 0
+    assert control(line, "jumper mix on").startswith("ok")
+    assert show(line)["channels"][0]["remapped"] > 0
+    assert control(line, "jumper so-ground on").startswith("ok")
+    assert line.boards[0].so_ground
+    assert show(line)["jumpers"] == {"mode": "rc", "mix": True, "so_ground": True}
+
+
+def test_power_commands_switch_power(line: Line) -> None:
+    assert control(line, "power off") == "ok power off"
+    assert show(line)["power"] is False
+    assert control(line, "power on") == "ok power on"
+    assert show(line)["power"] is True
+    control(line, "power cycle")
+    assert show(line)["counters"]["power_ups"] == 3
+
+
+def test_load_and_current_commands_set_motor_current(line: Line) -> None:
+    line.send(bytes.fromhex("C2 7F"))
+    assert control(line, "load 1 6").startswith("ok")
+    line.advance(3)
+    assert show(line)["motors"][0]["current"] == pytest.approx(6, abs=0.3)
+    assert control(line, "current 1 9.0").startswith("ok")
+    assert show(line)["motors"][0]["current"] == pytest.approx(9)
+    assert control(line, "current 1 auto").startswith("ok")
+    line.advance(1)
+    assert show(line)["motors"][0]["current"] == pytest.approx(6, abs=0.3)
+
+
+def test_fault_command_sets_and_clears_motor_fault(line: Line) -> None:
+    assert control(line, "fault 2 on").startswith("ok")
+    assert show(line)["motors"][1]["fault"] is True
+    assert control(line, "fault 2 off").startswith("ok")
+    assert show(line)["motors"][1]["fault"] is False
+
+
+def test_line_commands_cause_line_faults(line: Line) -> None:
+    for text in ("line mute on", "line drop 3", "line drop 2 sent", "line noise 0.25"):
+        assert control(line, text).startswith("ok")
+    assert (line.mute, line.to_drop, line.to_drop_sent, line.noise) == (True, 3, 2, 0.25)
+    control(line, "line mute off")
+    control(line, "line drop 0")
+    control(line, "line noise 0")
+    for text in ("line garbage 00ff", "line garbage 0A 0b"):
+        assert control(line, text).startswith("ok 2 bytes")
+    line.advance(1)
+    assert len(line.receive()) == 4
+    assert control(line, "line unplug").startswith("ok")
+    assert not line.plugged
+    assert control(line, "line plug").startswith("ok")
+    assert line.plugged
+
+
+def test_battery_command_sets_voltage_and_resistance(line: Line) -> None:
+    ohm = CONSTANTS["trex"].battery_resistance
+    assert control(line, "battery 9") == f"ok battery 9 V, {ohm} ohm"
+    assert control(line, "battery 7.5V 0.25") == "ok battery 7.5 V, 0.25 ohm"
+    assert show(line)["battery"] == 7.5
+    line.advance(0.01)
+    assert show(line)["supply"] == 7.5
+
+
+def test_board_browns_out_until_battery_is_charged(line: Line) -> None:
+    control(line, "battery 2")
+    line.advance(0.01)
+    assert show(line)["power"] is False
+    assert control(line, "power on").startswith("ok power on, but the battery is too low")
+    control(line, "battery 12")
+    line.advance(0.01)
+    shown = show(line)
+    assert shown["power"] is True
+    assert (shown["counters"]["brown_outs"], shown["counters"]["power_ups"]) == (1, 2)
+
+
+def test_eeprom_command_takes_effect_after_power_cycle(line: Line) -> None:
+    assert control(line, "eeprom uart_settings 0x0A") == (
+        "ok uart_settings is 10; power cycle to use it"
+    )
+    assert show(line)["parameters"]["uart_settings"] == 10
+    assert show(line)["active_uart"]["baud"] == 19200
+    control(line, "power cycle")
+    assert show(line)["active_uart"]["baud"] == 115200
+
+
+def test_factory_command_restores_new_board_state(line: Line) -> None:
+    fresh = show(line)
+    for text in (
+        "eeprom device_number 3", "jumper mode analog", "jumper mix on", "channel 1 2V",
+        "battery 9 0.3", "load 1 5", "fault 1 on", "current 2 9", "power cycle",
+    ):  # fmt: skip
+        assert control(line, text).startswith("ok"), text
+    line.advance(1)
+    assert control(line, "factory") == "ok as new"
+    shown = show(line)
+    assert {key for key in shown if shown[key] != fresh[key]} == {"counters"}
+    line.advance(0.01)
+    assert show(line)["supply"] == 12.0
+
+
+def test_factory_command_switches_board_on(line: Line) -> None:
+    control(line, "power off")
+    assert control(line, "factory") == "ok as new"
+    assert show(line)["power"] is True
+
+
+@pytest.mark.parametrize(
+    ("text", "spoilt"),
+    [
+        ("line error framing", [UartError.FRAMING]),
+        ("line error overrun 2", [UartError.DATA_OVERRUN] * 2),
+        ("LINE ERROR PARITY 1", [UartError.PARITY]),
+        ("line error parity 0", []),
+    ],
+)
+def test_line_error_command_queues_uart_errors(
+    line: Line, text: str, spoilt: list[UartError]
+) -> None:
+    assert control(line, text).startswith("ok the next ")
+    assert list(line.to_spoil) == spoilt
+
+
+def test_line_error_commands_add_to_queue(line: Line) -> None:
+    for name in ("framing", "overrun"):
+        control(line, f"line error {name}")
+    assert list(line.to_spoil) == [UartError.FRAMING, UartError.DATA_OVERRUN]
+
+
+def test_show_reports_line_state(line: Line) -> None:
+    assert show(line)["line"] == {"plugged": True, "mute": False, "noise": 0.0}
+    for text in ("line unplug", "line mute on", "line noise 0.5"):
+        control(line, text)
+    assert show(line)["line"] == {"plugged": False, "mute": True, "noise": 0.5}
+
+
+def test_show_reports_line_counters(line: Line) -> None:
+    line.send(b"\x81")
+    line.advance(1)
+    counters = show(line)["counters"]
+    assert (counters["bytes_sent"], counters["packets"]) == (7, 1)
+    assert counters["line"]["received"] == 7
+
+
+def test_prefix_selects_one_of_several_boards(two: Line) -> None:
+    assert control(two, "@9 power off") == "ok power off"
+    assert show(two, "@7")["power"] is True
+    assert show(two, "@9")["power"] is False
+    assert show(two, "@9")["model"] == "trexjr"
+    assert control(two, "line mute on").startswith("ok")
+    assert control(two, "power off") == "error say which board first: @7, @9"
+    assert control(two, "@8 power off") == "error there is no board @8, but @7, @9"
+
+
+def test_board_keeps_its_name_when_its_number_changes(two: Line) -> None:
+    two.send(bytes.fromhex("80 09 2F 00 0C 55 2A"))
+    two.advance(1)
+    assert show(two, "@9")["parameters"]["device_number"] == 12
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "   ",
+        "@7",
+        "dance",
+        "@8 show",
+        "show all",
+        "channel",
+        "channel 1",
+        "channel 0 1500us",
+        "channel 6 1500us",
+        "channel ² 1500us",
+        "channel 1 9V",
+        "channel 1 nan",
+        "channel 1 1500us noise",
+        "channel 1 1500us lost 2",
+        "channel 1 1500us noise 1V",
+        "battery",
+        "battery -1",
+        "battery 25",
+        "battery nan",
+        "battery 12 -1",
+        "battery 12 101",
+        "battery 12 0.1 x",
+        "eeprom",
+        "eeprom device_number",
+        "eeprom device_number 128",
+        "eeprom device_number seven",
+        "eeprom warp_factor 9",
+        "eeprom factory_reset 127",
+        "factory now",
+        "line error",
+        "line error noise",
+        "line error framing 10001",
+        "line error framing -1",
+        "jumper",
+        "jumper mode turbo",
+        "jumper mix maybe",
+        "power",
+        "power up",
+        "load 1",
+        "load 3 1",
+        "load 1 -1",
+        "load 1 inf",
+        "load 1 nan",
+        "current 1 much",
+        "fault 1",
+        "fault 1 maybe",
+        "line",
+        "line drop -1",
+        "line drop 1.5",
+        "line drop 99999999999",
+        "line noise 1.5",
+        "line noise nan",
+        "line garbage",
+        "line garbage 0",
+        "line garbage xy",
+        "quit now",
+    ],
+)
+def test_invalid_command_gives_one_line_error_and_no_change(line: Line, text: str) -> None:
+    before = line.boards[0].show()
+    answer = control(line, text)
+    assert answer.startswith("error ")
+    assert "\n" not in answer
+    assert len(answer) > 12
+    assert line.boards[0].show() == before
+
+
+def test_quit_command_replies_goodbye(line: Line) -> None:
+    assert control(line, " Quit ") == GOODBYE == "ok bye"
+
+
+COMMANDS = ["channel", "jumper", "power", "load", "current", "fault", "line", "show", "@7", "@9"]
+COMMANDS += ["battery", "eeprom", "factory", "error", "framing", "overrun", "lost", "device_number"]
+DETAILS = ["1", "5", "-1", "1e9", "on", "off", "cycle", "auto", "mode", "mix", "rc", "mute", "drop"]
+MORE = ["garbage", "noise", "unplug", "plug", "00", "ff", "0.5", "1500us", "2.5V", "silent"]
+words = st.sampled_from(COMMANDS + DETAILS + MORE)
+
+
+@given(text=st.text(max_size=40) | st.lists(words, max_size=5).map(" ".join))
+def test_control_answers_any_text_with_ok_or_error(text: str) -> None:
+    line = Line([Board()])
+    answer = control(line, text)
+    assert answer.startswith(("ok", "error "))
+    assert "\n" not in answer
+    line.advance(0.05)

@@ -1,0 +1,185 @@
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.simulator.eeprom import Eeprom, EepromError
+
+STICK = Calibration(2600, 3660, 4700, 50)
+
+
+@pytest.mark.parametrize("model", ["trex", "trexjr"])
+def test_new_eeprom_holds_factory_defaults(model: str) -> None:
+    eeprom = Eeprom(model)
+    for spec in parameters_of(model, "1.3").readable:
+        assert eeprom[spec.key] == eeprom[spec.number] == spec.default
+    for source in InputSource:
+        assert eeprom.learned(source) == 0
+        assert eeprom.calibration(source, 3) == DEFAULT_CALIBRATION[source]
+
+
+def test_written_values_are_loaded_from_file(tmp_path: Path) -> None:
+    path = tmp_path / "eeprom.json"
+    eeprom = Eeprom.open(path, "trexjr")
+    eeprom.write("serial_timeout", 12)
+    eeprom.write(0x7E, 0x2A)
+    eeprom.write_calibration(InputSource.RC, 5, STICK)
+    eeprom.request_reset()
+
+    again = Eeprom.open(path, "trexjr")
+    assert again["serial_timeout"] == 12
+    assert again["uart_settings"] == 0x2A
+    assert again.calibration(InputSource.RC, 5) == STICK
+    assert again.calibration(InputSource.ANALOG, 5) != STICK
+    assert again.learned(InputSource.RC) == 0b10000
+    assert again.reset_pending
+
+
+def test_reset_restores_parameters_and_keeps_calibrations() -> None:
+    eeprom = Eeprom()
+    eeprom.write("serial_timeout", 12)
+    eeprom.write_calibration(InputSource.RC, 1, STICK)
+    eeprom.request_reset()
+    assert eeprom["serial_timeout"] == 12
+    eeprom.reset_if_pending()
+    assert eeprom["serial_timeout"] == 0
+    assert eeprom.calibration(InputSource.RC, 1) == STICK
+    assert not eeprom.reset_pending
+
+
+def test_file_is_json_and_no_temporary_file_remains(tmp_path: Path) -> None:
+    path = tmp_path / "eeprom.json"
+    Eeprom.open(path).write("device_number", 9)
+    document = json.loads(path.read_text(encoding="utf-8"))
+    assert document["parameters"]["device_number"] == 9
+    assert document["rc_calibration"][0]["neutral"] == 3750
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("which", ["serial_timeouts", "factory_reset", 0x18, 0x7F, 200])
+def test_unreadable_parameter_raises_key_error(which: str | int) -> None:
+    with pytest.raises(KeyError):
+        Eeprom()[which]
+
+
+def test_out_of_range_value_is_rejected() -> None:
+    eeprom = Eeprom()
+    with pytest.raises(ValueError, match="UART-Error Shutdown"):
+        eeprom.write("uart_error_shutdown", 2)
+    assert eeprom["uart_error_shutdown"] == 1
+
+
+def _document(**changes: Any) -> str:
+    eeprom = Eeprom()
+    return json.dumps(eeprom._document() | changes)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("", "line 1"),
+        ('{"what": ', "line 1"),
+        ("[" * 100_000, "nested"),
+        ("[]", "does not begin"),
+        ("{}", "does not begin"),
+        (_document(model="trexjr"), "belongs to model trexjr"),
+        (_document(parameters=[]), "parameters is not a table"),
+        (_document(parameters={"serial_timeout": 128}), "Serial Timeout"),
+        (_document(parameters={"serial_timeout": True}), "serial_timeout is not a whole number"),
+        (_document(parameters={"uart_settings": 0x0B}), "UART Settings"),
+        (_document(parameters={"warp_factor": 9}), "no parameter warp_factor"),
+        (_document(rc_calibration=[]), "rc_calibration is not a list of 5"),
+        (_document(rc_calibration=[3] * 5), "rc_calibration, channel 1"),
+        (
+            _document(analog_calibration=[{"minimum": 5, "neutral": 4, "maximum": 9}] * 5),
+            "analog_calibration, channel 1 does not have minimum",
+        ),
+        (
+            _document(
+                rc_calibration=[
+                    {"minimum": 5, "neutral": 6, "maximum": 16384, "deadband": 1},
+                ]
+                * 5
+            ),
+            "maximum is not a number from 0 to 16383",
+        ),
+        (
+            _document(
+                analog_calibration=[
+                    {"minimum": 5, "neutral": 4.5, "maximum": 9, "deadband": 1},
+                ]
+                * 5
+            ),
+            "neutral is not a number",
+        ),
+    ],
+)
+def test_damaged_file_is_reported_in_one_line(tmp_path: Path, text: str, why: str) -> None:
+    path = tmp_path / "eeprom.json"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(EepromError) as caught:
+        Eeprom.open(path)
+    message = str(caught.value)
+    assert str(path) in message
+    assert why in message
+    assert "\n" not in message
+    assert path.read_text(encoding="utf-8") == text
+
+
+def test_calibration_values_out_of_order_are_loaded(tmp_path: Path) -> None:
+    path = tmp_path / "eeprom.json"
+    row = {"minimum": 9, "neutral": 4, "maximum": 4, "deadband": 16383}
+    path.write_text(_document(analog_calibration=[row] * 5), encoding="utf-8")
+    eeprom = Eeprom.open(path)
+    assert eeprom.calibration(InputSource.ANALOG, 3) == Calibration(9, 4, 4, 16383)
+    assert eeprom.learned(InputSource.ANALOG) == 0b11111
+
+
+def test_factory_state_is_restored_in_file(tmp_path: Path) -> None:
+    path = tmp_path / "eeprom.json"
+    eeprom = Eeprom.open(path, "trexjr")
+    new = path.read_text(encoding="utf-8")
+    eeprom.write("uart_settings", 0x2A)
+    eeprom.write_calibration(InputSource.RC, 5, STICK)
+    eeprom.write_calibration(InputSource.ANALOG, 1, STICK)
+    eeprom.request_reset()
+    eeprom.make_new()
+    assert path.read_text(encoding="utf-8") == new
+    assert eeprom["uart_settings"] == 5
+    assert eeprom.learned(InputSource.RC) == eeprom.learned(InputSource.ANALOG) == 0
+    assert not eeprom.reset_pending
+
+
+@pytest.mark.parametrize("field", ["minimum", "neutral", "maximum", "deadband"])
+def test_calibration_fields_are_written_and_lost_separately(field: str) -> None:
+    eeprom = Eeprom()
+    eeprom.write_calibration(InputSource.RC, 2, STICK)
+    eeprom.write_calibration_value(InputSource.RC, 2, field, 9)
+    assert eeprom.calibration(InputSource.RC, 2) == replace(STICK, **{field: 9})
+    eeprom.lose_calibration_value(InputSource.RC, 2, field)
+    factory = getattr(DEFAULT_CALIBRATION[InputSource.RC], field)
+    assert eeprom.calibration(InputSource.RC, 2) == replace(STICK, **{field: factory})
+
+
+@given(data=st.binary(max_size=60))
+def test_arbitrary_file_raises_only_eeprom_error(
+    tmp_path_factory: pytest.TempPathFactory, data: bytes
+) -> None:
+    path = tmp_path_factory.mktemp("eeprom") / "file"
+    path.write_bytes(data)
+    with pytest.raises(EepromError):
+        Eeprom.open(path)
+
+
+def test_unusable_path_raises_eeprom_error(tmp_path: Path) -> None:
+    with pytest.raises(EepromError, match="cannot be written"):
+        Eeprom.open(tmp_path / "missing" / "eeprom.json")
+    with pytest.raises(EepromError, match="cannot be read"):
+        Eeprom.open(tmp_path)

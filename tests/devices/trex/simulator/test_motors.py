@@ -1,0 +1,196 @@
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.devices.trex.simulator.motors import AuxiliaryMotor, Direction, Motor, MotorSettings
+
+BRAKE, REVERSE, FORWARD = Direction.BRAKE, Direction.REVERSE, Direction.FORWARD
+NO_RAMP = MotorSettings()
+
+
+def updates(motor: Motor, settings: MotorSettings, count: int, current: int = 0) -> list[int]:
+    speeds = []
+    for _ in range(count):
+        motor.update(settings, current)
+        speeds.append(motor.speed)
+    return speeds
+
+
+@pytest.mark.parametrize(
+    ("bits", "direction"), [(0, BRAKE), (1, REVERSE), (2, FORWARD), (3, BRAKE), (0xC2, FORWARD)]
+)
+def test_direction_is_decoded_from_bits(bits: int, direction: Direction) -> None:
+    assert Direction.from_bits(bits) is direction
+
+
+def test_set_command_acts_at_once_despite_ramp() -> None:
+    motor = Motor()
+    motor.set(FORWARD, 100)
+    assert (motor.direction, motor.speed) == (FORWARD, 100)
+    motor.set(REVERSE, 50)
+    assert (motor.direction, motor.speed) == (REVERSE, 50)
+    assert updates(motor, MotorSettings(acceleration=1, brake_duration=100), 3) == [50, 50, 50]
+
+
+def test_accelerate_command_acts_in_next_update() -> None:
+    motor = Motor()
+    motor.accelerate(FORWARD, 100)
+    assert motor.speed == 0
+    assert updates(motor, NO_RAMP, 1) == [100]
+
+
+def test_update_adds_exact_tenth_of_acceleration() -> None:
+    motor = Motor()
+    motor.accelerate(FORWARD, 127)
+    assert updates(motor, MotorSettings(acceleration=25), 4) == [2, 5, 7, 10]
+    assert updates(motor, MotorSettings(acceleration=3), 10)[-1] == 13
+
+
+@given(acceleration=st.integers(1, 127), target=st.integers(1, 127))
+def test_ten_updates_add_the_acceleration(acceleration: int, target: int) -> None:
+    motor = Motor()
+    motor.accelerate(FORWARD, target)
+    speeds = updates(motor, MotorSettings(acceleration=acceleration), 10)
+    assert speeds[-1] == min(acceleration, target)
+    assert speeds == sorted(speeds)
+
+
+def test_lower_setpoint_is_reached_without_ramp() -> None:
+    motor = Motor()
+    motor.set(FORWARD, 100)
+    motor.accelerate(FORWARD, 10)
+    assert updates(motor, MotorSettings(acceleration=1), 1) == [10]
+
+
+def test_reversal_brakes_for_brake_duration_then_ramps_from_zero() -> None:
+    motor = Motor()
+    motor.set(FORWARD, 100)
+    motor.accelerate(REVERSE, 60)
+    settings = MotorSettings(acceleration=100, brake_duration=3)
+    for _ in range(3):
+        motor.update(settings, 0)
+        assert (motor.direction, motor.speed) == (BRAKE, 127)
+        assert (motor.target_direction, motor.target_speed) == (REVERSE, 60)
+    assert updates(motor, settings, 7) == [10, 20, 30, 40, 50, 60, 60]
+    assert motor.direction is REVERSE
+
+
+def test_reversal_without_brake_duration_ramps_from_zero() -> None:
+    motor = Motor()
+    motor.set(FORWARD, 100)
+    motor.accelerate(REVERSE, 60)
+    assert updates(motor, MotorSettings(acceleration=50), 2) == [5, 10]
+    assert motor.direction is REVERSE
+
+
+def test_braking_has_no_ramp() -> None:
+    motor = Motor()
+    motor.set(FORWARD, 100)
+    motor.accelerate(BRAKE, 127)
+    motor.update(MotorSettings(acceleration=1, brake_duration=50), 0)
+    assert (motor.direction, motor.speed) == (BRAKE, 127)
+
+
+def test_braked_motor_reverses_at_once_after_brake_duration() -> None:
+    motor = Motor()
+    settings = MotorSettings(brake_duration=5)
+    motor.set(FORWARD, 100)
+    motor.accelerate(BRAKE, 127)
+    updates(motor, settings, 5)
+    motor.accelerate(REVERSE, 40)
+    assert updates(motor, settings, 1) == [40]
+
+
+def test_motor_at_rest_starts_without_braking() -> None:
+    motor = Motor()
+    motor.accelerate(FORWARD, 40)
+    assert updates(motor, MotorSettings(brake_duration=100), 1) == [40]
+
+
+def test_cancelled_reversal_resumes_old_direction() -> None:
+    motor = Motor()
+    settings = MotorSettings(acceleration=100, brake_duration=50)
+    motor.set(FORWARD, 100)
+    motor.accelerate(REVERSE, 60)
+    updates(motor, settings, 2)
+    motor.accelerate(FORWARD, 60)
+    assert updates(motor, settings, 2) == [10, 20]
+    assert motor.direction is FORWARD
+
+
+def test_speed_falls_in_proportion_to_excess_current() -> None:
+    motor = Motor()
+    motor.accelerate(FORWARD, 100)
+    settings = MotorSettings(current_limit=10, limit_gain=8)  # 20 counts
+    assert not motor.update(settings, 20)
+    assert motor.speed == 100
+    assert motor.update(settings, 30)  # ceil(8 * 10 / 16) = 5
+    assert motor.speed == 95
+    assert updates(motor, settings, 100, current=30)[-1] == 0
+
+
+def test_zero_gain_turns_motor_off_over_current_limit() -> None:
+    motor = Motor()
+    settings = MotorSettings(current_limit=1)
+    motor.set(FORWARD, 100)
+    assert motor.update(settings, 3)
+    assert motor.speed == 0
+    assert not motor.update(settings, 2)
+    assert motor.speed == 100
+
+
+def test_zero_current_limit_disables_limiter() -> None:
+    motor = Motor()
+    motor.set(FORWARD, 100)
+    assert not motor.update(MotorSettings(current_limit=0, limit_gain=127), 255)
+    assert motor.speed == 100
+
+
+def test_brake_command_works_over_current_limit() -> None:
+    motor = Motor()
+    motor.set(FORWARD, 100)
+    motor.accelerate(BRAKE, 127)
+    motor.update(MotorSettings(current_limit=1, limit_gain=5), 255)
+    assert (motor.direction, motor.speed) == (BRAKE, 127)
+
+
+def test_lower_setpoint_applies_over_current_limit() -> None:
+    motor = Motor()
+    motor.set(FORWARD, 100)
+    motor.accelerate(FORWARD, 10)
+    motor.update(MotorSettings(current_limit=1, limit_gain=1), 3)
+    assert motor.speed == 9
+
+
+@given(
+    steps=st.lists(
+        st.tuples(
+            st.booleans(),
+            st.sampled_from(Direction),
+            st.integers(0, 127),
+            st.integers(0, 127),
+            st.integers(0, 255),
+        )
+    ),
+)
+def test_speed_never_leaves_its_range(
+    steps: list[tuple[bool, Direction, int, int, int]],
+) -> None:
+    motor = Motor()
+    for sets, direction, speed, parameter, current in steps:
+        (motor.set if sets else motor.accelerate)(direction, speed)
+        motor.update(MotorSettings(parameter, parameter, parameter, parameter), current)
+        assert 0 <= motor.speed <= 127
+
+
+def test_auxiliary_motor_ramps_upwards_only() -> None:
+    aux = AuxiliaryMotor()
+    aux.accelerate(20)
+    for expected in (5, 10, 15, 20, 20):
+        aux.update(50)
+        assert aux.speed == expected
+    aux.accelerate(3)
+    aux.update(50)
+    assert aux.speed == 3
+    aux.set(127)
+    assert (aux.speed, aux.target_speed) == (127, 127)

@@ -1,0 +1,181 @@
+"""A host at a wrong baud rate: it is never understood, and the board notices."""
+
+from collections.abc import Iterable
+from itertools import permutations
+
+import pytest
+
+from tests.devices.trex.simulator.ports import a_board
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
+from trex_gui.devices.trex.simulator.line import Line
+
+COMPACT = (
+    *("81", "82", "83", "84", "85", "86 1F", "87 1F", "8D", "8E", "8F"),
+    *("90", "91", "92", "93", "94", "95", "9F 00"),
+)
+
+
+Asked = dict[tuple[int, int], list[tuple[str, bytes, UartError]]]
+"""Rates of host and board: packet, reply, errors."""
+
+ANY = ~UartError(0)
+
+
+def expanded(packet: str) -> str:
+    data = bytes.fromhex(packet)
+    return bytes([0x80, 7, data[0] & 0x7F, *data[1:]]).hex(" ")
+
+
+QUERIES = COMPACT + tuple(expanded(packet) for packet in COMPACT)
+
+
+def a_line(code: int, *, paced: bool) -> Line:
+    """A line whose board runs at a rate."""
+    return Line([a_board(settings=code)], paced=paced)
+
+
+def ask(line: Line, packet: str) -> bytes:
+    """Send a packet, wait until the wire is quiet, return what the host makes of it."""
+    line.send(bytes.fromhex(packet))
+    while (event := line.next_event) is not None:
+        line.advance_to(event)
+    return line.receive()
+
+
+@pytest.fixture(scope="module")
+def good() -> dict[str, bytes]:
+    """What a board answers to a host at its rate."""
+    line = a_line(5, paced=False)
+    line.host = LineSettings()
+    replies = {packet: ask(line, packet) for packet in QUERIES}
+    assert all(replies.values())
+    return replies
+
+
+@pytest.fixture(scope="module", params=[True, False], ids=["paced", "unpaced"])
+def asked(request: pytest.FixtureRequest) -> Asked:
+    """Every query asked once by a host at every wrong rate: the replies, the errors."""
+    rates = baud_rates()
+    asked: Asked = {}
+    for code, host in permutations(range(len(rates)), 2):
+        line = a_line(code, paced=request.param)
+        line.host = LineSettings(rates[host])
+        serial = line.boards[0].serial
+        asked[rates[host], rates[code]] = [
+            (packet, ask(line, packet), serial.take_uart_errors()) for packet in QUERIES
+        ]
+    assert len(asked) == 110
+    return asked
+
+
+def share(asked: Asked, kind: UartError, pairs: Iterable[tuple[int, int]]) -> float:
+    """Return the share of the packets after which errors of this kind were latched."""
+    errors = [errors for pair in pairs for _, _, errors in asked[pair]]
+    return sum(bool(each & kind) for each in errors) / len(errors)
+
+
+def test_host_at_wrong_rate_never_gets_correct_reply(asked: Asked, good: dict[str, bytes]) -> None:
+    for pair, replies in asked.items():
+        for packet, reply, _ in replies:
+            assert reply != good[packet], (pair, packet)
+
+
+def test_nearly_every_packet_of_slower_host_latches_errors(asked: Asked) -> None:
+    slower = [(host, board) for host, board in asked if host < board]
+    assert share(asked, ANY, slower) > 0.95
+    assert share(asked, UartError.FRAMING, slower) > 0.85
+    for pair in slower:
+        assert share(asked, UartError.FRAMING, [pair]) > 0.25, pair
+
+
+def test_most_packets_at_wrong_rate_latch_errors(asked: Asked) -> None:
+    assert share(asked, ANY, asked) > 0.65
+    assert share(asked, UartError.FRAMING, asked) > 0.45
+
+
+def test_reply_at_another_rate_is_garbage_of_varying_length() -> None:
+    lengths = set()
+    for code, host in permutations(range(len(baud_rates())), 2):
+        line = a_line(code, paced=True)
+        line.send(b"\x81")
+        byte_time = LineSettings(baud_rates()[code]).seconds(1)
+        line.advance(0.5 * byte_time)
+        line.host = LineSettings(baud_rates()[host])  # changed while the board is asked
+        line.advance(20 * byte_time + 0.01)
+        reply = line.receive()
+        assert reply != b"TReX1.2"
+        lengths.add(len(reply))
+        assert line.boards[0].counters["bytes_garbled"] == len(reply)
+    assert {1, 2} < lengths
+    assert max(lengths) > 7
+
+
+@pytest.mark.parametrize("paced", [True, False])
+@pytest.mark.parametrize(
+    ("baud", "errors"),
+    [(9600, UartError.FRAMING), (115200, UartError(0))],  # the latter is too short to be seen
+)
+def test_request_and_motor_command_at_wrong_rate_do_nothing(
+    baud: int, errors: UartError, paced: bool
+) -> None:
+    line = a_line(5, paced=paced)
+    line.host = LineSettings(baud)
+    assert ask(line, "81 F0 7F") == b""
+    board = line.boards[0]
+    assert UartError.FRAMING & board.serial.uart_errors == errors
+    assert board.aux.speed == 0
+
+
+def test_board_replies_again_at_correct_rate() -> None:
+    for code, host in permutations(range(len(baud_rates())), 2):
+        line = a_line(code, paced=True)
+        line.host = LineSettings(baud_rates()[host])
+        ask(line, "81")
+        line.host = LineSettings(baud_rates()[code])
+        line.advance(0.02)
+        ask(line, "FF")
+        assert ask(line, "81") == b"TReX1.2"
+
+
+def test_board_at_other_rate_latches_error_and_ignores_command() -> None:
+    line = Line([a_board(7, settings=0x05), a_board(9, settings=0x0A)])
+    line.host = LineSettings(19200)
+    assert ask(line, "81") == b"TReX1.2"
+    assert ask(line, "F0 7F") == b""
+    near, far = line.boards
+    assert (near.aux.speed, far.aux.speed) == (127, 0)
+    assert not near.serial.uart_errors
+    assert UartError.FRAMING in far.serial.uart_errors
+
+
+def test_power_cut_discards_half_received_byte() -> None:
+    line = a_line(10, paced=True)
+    line.host = LineSettings(1200)
+    board = line.boards[0]
+    line.send(b"\x55")
+    line.advance(0.002)
+    board.power_off()
+    line.advance(0.001)
+    board.power_on()
+    line.advance(0.1)
+    line.host = LineSettings(115200)
+    assert ask(line, "82") == b"r"
+
+
+def garbage(host: int, *, so_ground: bool) -> bytes:
+    """Return what a host at this rate hears when it sends every byte there is."""
+    board = a_board()
+    board.so_ground = so_ground
+    line = Line([board])
+    line.host = LineSettings(host)
+    for byte in range(256):
+        line.send(bytes([byte]))
+        line.advance(0.02)
+    return line.receive()
+
+
+def test_board_with_so_grounded_sends_nothing() -> None:
+    rates = [rate for rate in baud_rates() if rate >= 9600 and rate != 19200]
+    assert any(garbage(rate, so_ground=False) for rate in rates)
+    assert not any(garbage(rate, so_ground=True) for rate in rates)

@@ -1,0 +1,167 @@
+"""What stops motors by itself: silence, line errors, faults, too much current; joint mode."""
+
+import pytest
+
+from tests.devices.trex.simulator.ports import SETTLED
+from trex_gui.core.errors import ResultCode
+from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.signals import Signal
+
+FORWARD, REVERSE, BRAKE = Direction.FORWARD, Direction.REVERSE, Direction.BRAKE
+
+
+def write(board: Board, key: str, value: int) -> None:
+    """Write a parameter and wait until it is stored."""
+    spec = board.memory.parameters[key]
+    assert board.set_parameter(spec.number, value) is ResultCode.OK
+    board.advance(0.005)
+
+
+@pytest.fixture
+def rc() -> Board:
+    """A board in RC mode that has left safe-start."""
+    board = Board(mode="rc")
+    board.advance(SETTLED)
+    assert not board.safe_start
+    return board
+
+
+class TestSafety:
+    def test_motors_stop_at_serial_timeout(self) -> None:
+        board = Board()
+        write(board, "serial_timeout", 5)
+        board.hear()
+        board.serial.drive(1, FORWARD, 100)
+        board.serial.drive_aux(100)
+        board.advance(0.49)
+        assert board.motors[0].speed == 100
+        board.advance(0.02)
+        assert (board.motors[0].direction, board.aux.speed) == (BRAKE, 0)
+        assert board.serial.take_uart_errors() == UartError.TIMEOUT
+        assert board.serial.take_status() == Status.UART_ERROR
+
+    def test_timeout_is_latched_once_per_silence(self) -> None:
+        board = Board()
+        write(board, "serial_timeout", 1)
+        board.hear()
+        board.advance(0.2)
+        assert board.serial.take_uart_errors()
+        board.advance(1)
+        assert not board.serial.take_uart_errors()
+        board.hear()
+        board.advance(0.2)
+        assert board.serial.take_uart_errors()
+
+    def test_bytes_defer_timeout_and_next_command_restarts_motor(self) -> None:
+        board = Board()
+        write(board, "serial_timeout", 1)
+        board.serial.drive(1, FORWARD, 100)
+        for _ in range(50):
+            board.hear()
+            board.advance(0.09)
+        assert board.motors[0].speed == 100
+        board.advance(0.1)
+        assert board.motors[0].direction is BRAKE
+        board.hear()
+        board.serial.drive(1, REVERSE, 5)
+        assert (board.motors[0].direction, board.motors[0].speed) == (REVERSE, 5)
+
+    def test_old_setpoint_is_not_resumed_after_serial_timeout(self) -> None:
+        eeprom = Eeprom()
+        eeprom.write("serial_timeout", 5)
+        board = Board(mode="rc", eeprom=eeprom)
+        board.advance(SETTLED)
+        board.hear()
+        board.serial.drive(1, FORWARD, 77)
+        board.advance(2)
+        assert not board.serial.uart_errors  # the channels are in control
+        board.connect(5, Signal.pulses(1000))
+        board.advance(0.03)
+        assert board.motors[0].direction is BRAKE
+        assert board.serial.uart_errors == UartError.TIMEOUT
+
+    @pytest.mark.parametrize(("setting", "speed"), [(0, 100), (1, 127)])
+    def test_line_error_stops_motor_only_if_configured(self, setting: int, speed: int) -> None:
+        board = Board()
+        write(board, "uart_error_shutdown", setting)
+        board.serial.drive(1, FORWARD, 100)
+        board.report_error(UartError.FRAMING)
+        stopped = board.motors[0].direction is BRAKE
+        assert (stopped, board.motors[0].speed) == (bool(setting), speed)
+        assert board.serial.status == Status.UART_ERROR
+
+    def test_line_error_does_not_stop_motor_driven_by_stick(self, rc: Board) -> None:
+        rc.connect(1, Signal.pulses(2000))
+        rc.advance(0.05)
+        assert rc.motors[0].direction is FORWARD
+        rc.report_error(UartError.FORMAT)
+        assert rc.motors[0].direction is FORWARD
+
+    def test_status_and_error_bytes_are_cleared_separately(self) -> None:
+        board = Board()
+        board.report_error(UartError.CRC)
+        assert board.serial.take_status() == Status.UART_ERROR
+        assert board.serial.take_status() == 0
+        assert board.serial.take_uart_errors() == UartError.CRC
+        assert board.serial.take_uart_errors() == 0
+
+    def test_fault_is_latched_again_while_it_lasts(self) -> None:
+        board = Board()
+        board.set_fault(2, fault=True)
+        assert board.serial.take_status() == Status.MOTOR2_FAULT
+        board.advance(0.01)
+        assert board.serial.take_status() == Status.MOTOR2_FAULT
+        board.set_fault(2, fault=False)
+        board.advance(0.01)
+        assert board.serial.take_status() == 0
+
+
+class TestCurrents:
+    def test_current_limiter_slows_overloaded_motor(self) -> None:
+        board = Board()
+        write(board, "motor1_current_limit", 20)  # 40 counts, 6 A
+        write(board, "motor1_current_limit_p", 1)
+        write(board, "motor1_acceleration", 20)
+        board.physics[0].load = 12.0
+        board.serial.drive(1, FORWARD, 127, accelerate=True)
+        board.advance(5)
+        assert board.serial.take_status() == Status.MOTOR1_OVER_LIMIT
+        assert 15 < board.motors[0].speed < 110
+        assert 4 < board.physics[0].current < 8
+
+    @pytest.mark.parametrize(("mode", "rate"), [("rc", 80), ("analog", 50)])
+    def test_currents_update_at_documented_rate(self, mode: str, rate: int) -> None:
+        board = Board(mode=mode)
+        board.physics[0].forced = 1.0
+        board.advance(1 / rate + 0.001)
+        assert board.physics[0].reading == 7
+        board.physics[0].forced = 2.0
+        board.advance(1 / rate - 0.003)
+        assert board.physics[0].reading == 7
+        board.advance(0.003)
+        assert board.physics[0].reading == 13
+
+    def test_joint_mode_has_one_motor_and_no_currents(self) -> None:
+        eeprom = Eeprom()
+        eeprom.write("motor_mode", 1)
+        board = Board(eeprom=eeprom)
+        board.serial.drive(1, FORWARD, 100)
+        board.serial.drive(2, FORWARD, 100)
+        board.force_current(1, 5.0)
+        board.advance(0.5)
+        assert (board.motors[0].speed, board.motors[1].speed) == (100, 0)
+        assert [physics.reading for physics in board.physics] == [0, 0]
+
+    def test_sticks_drive_one_motor_in_joint_mode(self) -> None:
+        eeprom = Eeprom()
+        eeprom.write("motor_mode", 1)
+        board = Board(eeprom=eeprom, mode="rc", mix=True)
+        board.advance(SETTLED)
+        for channel in (1, 2):
+            board.connect(channel, Signal.pulses(2000))
+        board.advance(0.05)
+        assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
+        assert board.motors[1].direction is BRAKE

@@ -1,0 +1,223 @@
+"""What a receiver makes of levels: at the same rate everything, at another something else."""
+
+from itertools import pairwise, permutations
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from trex_gui.core.simulator.sampling import Heard, Receiver, levels
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+
+PLAIN = LineSettings()
+settings = st.builds(
+    LineSettings,
+    st.sampled_from(baud_rates()),
+    st.sampled_from(Detection),
+    st.sampled_from((1, 2)),
+)
+
+
+def heard(receiver: Receiver, data: bytes, sender: LineSettings, gap: float = 0.0) -> list[Heard]:
+    """Send bytes, with a gap of so many bytes' time between them, and let the wire rest."""
+    result: list[Heard] = []
+    at = 0.0
+    for byte in data:
+        result += receiver.hear(at, byte, sender, sender.baud)
+        at += sender.seconds(1) * (1 + gap)
+    result += receiver.rest(at + 1)
+    return result
+
+
+def values(sender: LineSettings, own: LineSettings, data: bytes) -> list[tuple[int, str | None]]:
+    receiver = Receiver(own, own.baud)
+    return [
+        (each.value, each.error.name if each.error else None)
+        for each in heard(receiver, data, sender)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("line", "bits"),
+    [
+        (LineSettings(), "0 1000 0011 1"),
+        (LineSettings(stop_bits=2), "0 1000 0011 11"),
+        (LineSettings(detection=Detection.CRC7), "0 1000 0011 1"),
+        (LineSettings(detection=Detection.EVEN), "0 1000 0011 1 1"),
+        (LineSettings(detection=Detection.ODD), "0 1000 0011 0 1"),
+        (LineSettings(detection=Detection.ODD, stop_bits=2), "0 1000 0011 0 11"),
+    ],
+)
+def test_byte_has_start_data_parity_and_stop_bits(line: LineSettings, bits: str) -> None:
+    assert levels(0xC1, line) == [int(bit) for bit in bits if bit != " "]
+
+
+@given(line=settings, data=st.binary(max_size=20), gap=st.sampled_from([0.0, 0.05, 3.0]))
+def test_receiver_at_same_rate_decodes_every_byte(
+    line: LineSettings, data: bytes, gap: float
+) -> None:
+    got = heard(Receiver(line, line.baud), data, line, gap)
+    assert bytes(each.value for each in got) == data
+    assert all(each.error is None for each in got)
+
+
+@given(line=settings, data=st.binary(min_size=1, max_size=20), off=st.floats(-0.03, 0.03))
+def test_receiver_tolerates_three_percent_rate_error(
+    line: LineSettings, data: bytes, off: float
+) -> None:
+    sender = LineSettings(round(line.baud * (1 + off)), line.detection, line.stop_bits)
+    got = heard(Receiver(line, line.baud), data, sender)
+    assert bytes(each.value for each in got) == data
+    assert all(each.error is None for each in got)
+
+
+@given(data=st.binary(min_size=1, max_size=20), line=settings)
+def test_byte_is_complete_just_after_middle_of_stop_bit(data: bytes, line: LineSettings) -> None:
+    bit = 1 / line.baud
+    first_stop = line.bits_per_byte - line.stop_bits
+    for index, each in enumerate(heard(Receiver(line, line.baud), data, line)):
+        begin = index * line.seconds(1)
+        assert each.at == pytest.approx(begin + (first_stop + 0.55) * bit)
+
+
+@pytest.mark.parametrize(
+    ("sender", "own", "data", "result"),
+    [
+        # A byte at half the rate: the start bit is two of ours, then each bit is there twice.
+        (9600, 19200, "FF", [(0xFE, None)]),
+        (9600, 19200, "00", [(0x00, "FRAMING")]),
+        (4800, 19200, "FF", [(0xF8, None)]),
+        (14400, 115200, "FF", [(0x80, None)]),
+        (1200, 115200, "FF", [(0x00, "FRAMING")]),
+        # Half as fast again.
+        (28800, 19200, "81", [(0xF0, None)]),
+        (28800, 19200, "81 48", [(0x30, None), (0xFD, None)]),
+        # At six times the rate the byte is over before our first data bit.
+        (115200, 19200, "00", [(0xFF, None)]),
+    ],
+)
+def test_byte_at_another_rate_is_decoded_differently(
+    sender: int, own: int, data: str, result: list[tuple[int, str | None]]
+) -> None:
+    got = values(LineSettings(sender), LineSettings(own), bytes.fromhex(data))
+    assert got == result
+
+
+def test_too_short_start_bit_is_ignored() -> None:
+    assert values(LineSettings(115200), LineSettings(9600), b"\xff\xff") == []
+
+
+def test_rate_difference_merges_or_splits_bytes() -> None:
+    fast, slow = LineSettings(115200), LineSettings(9600)
+    assert len(values(fast, slow, bytes(8))) < 8
+    assert len(values(slow, fast, b"\x55")) > 1
+
+
+def test_break_is_one_framing_error(pairs: list[tuple[int, int]]) -> None:
+    for slow, fast in pairs:
+        if fast > 2 * slow:
+            got = values(LineSettings(slow), LineSettings(fast), b"\x00")
+            assert got == [(0x00, "FRAMING")]
+
+
+@pytest.fixture
+def pairs() -> list[tuple[int, int]]:
+    return list(permutations(baud_rates(), 2))
+
+
+@pytest.mark.parametrize(
+    ("sender", "own", "error"),
+    [
+        (Detection.EVEN, Detection.ODD, UartError.PARITY),
+        (Detection.ODD, Detection.EVEN, UartError.PARITY),
+    ],
+)
+def test_opposite_parity_is_detected_in_every_byte(
+    sender: Detection, own: Detection, error: UartError
+) -> None:
+    data = bytes(range(256))
+    got = heard(Receiver(LineSettings(detection=own), 19200), data, LineSettings(detection=sender))
+    assert bytes(each.value for each in got) == data
+    assert {each.error for each in got} == {error}
+
+
+def test_receiver_does_not_wait_for_second_stop_bit() -> None:
+    own = LineSettings(stop_bits=2)
+    assert values(PLAIN, own, bytes(range(256))) == [(value, None) for value in range(256)]
+
+
+@given(
+    sender=settings,
+    own=settings,
+    data=st.binary(max_size=20),
+    gap=st.floats(0, 3),
+)
+def test_received_bytes_are_valid_and_spaced_in_time(
+    sender: LineSettings, own: LineSettings, data: bytes, gap: float
+) -> None:
+    receiver = Receiver(own, own.baud)
+    got = heard(receiver, data, sender, gap)
+    assert receiver.due is None
+    assert all(0 <= each.value <= 255 for each in got)
+    assert all(each.error in {None, UartError.FRAMING, UartError.PARITY} for each in got)
+    length = 9.4 / own.baud  # a byte's bits but half of the stop bit
+    assert all(after.at - before.at > length for before, after in pairwise(got))
+
+
+@given(sender=settings, own=settings, byte=st.integers(0, 255))
+def test_due_time_of_begun_byte_is_correct(
+    sender: LineSettings, own: LineSettings, byte: int
+) -> None:
+    receiver = Receiver(own, own.baud)
+    early = list(receiver.hear(0.0, byte, sender, sender.baud))
+    due = receiver.due
+    if due is None:
+        assert list(receiver.rest(10.0)) == []
+    else:
+        assert list(receiver.rest(due - 1e-9)) == []
+        last = list(receiver.rest(due + 1e-9))
+        assert [each.at for each in last] in ([], [pytest.approx(due)])  # or a false start
+        assert receiver.due is None
+    assert all(each.at < receiver.known_until for each in early)
+
+
+def samples_an_edge(sender: LineSettings, own: LineSettings) -> bool:
+    """Whether the middle of some bit lies exactly between two of the sender's bits."""
+    return any((2 * bit + 1) * sender.baud % (2 * own.baud) == 0 for bit in range(12))
+
+
+@given(sender=settings, own=settings, data=st.binary(max_size=6))
+def test_isolated_byte_is_always_decoded_the_same(
+    sender: LineSettings, own: LineSettings, data: bytes
+) -> None:
+    assume(not samples_an_edge(sender, own))
+    receiver = Receiver(own, own.baud)
+    for byte in data * 2:
+        alone = receiver.hear_alone(byte, sender, sender.baud)
+        fresh = Receiver(own, own.baud).hear_alone(byte, sender, sender.baud)
+        assert [(each.value, each.error) for each in alone] == [
+            (each.value, each.error) for each in fresh
+        ]
+        assert receiver.due is None
+
+
+@given(
+    data=st.binary(min_size=1, max_size=8),
+    rates=st.sampled_from(list(permutations(baud_rates(), 2))),
+    begin=st.floats(0, 1000),
+)
+def test_decoding_does_not_depend_on_send_time(
+    data: bytes, rates: tuple[int, int], begin: float
+) -> None:
+    def sent_at(moment: float) -> list[tuple[int, UartError | None]]:
+        sender, own = LineSettings(rates[0]), LineSettings(rates[1])
+        receiver = Receiver(own, own.baud)
+        got: list[Heard] = []
+        for byte in data:
+            got += receiver.hear(moment, byte, sender, sender.baud)
+            moment += sender.seconds(1)
+        got += receiver.rest(moment + 1)
+        return [(each.value, each.error) for each in got]
+
+    assert sent_at(begin) == sent_at(0)

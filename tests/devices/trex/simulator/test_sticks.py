@@ -1,0 +1,209 @@
+"""Sticks that drive, safe-start before it, and the channel that hands control over."""
+
+import pytest
+
+from tests.devices.trex.simulator.ports import SETTLED
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.signals import Signal
+
+FORWARD, REVERSE, BRAKE = Direction.FORWARD, Direction.REVERSE, Direction.BRAKE
+
+PULSES = 0.03
+"""Seconds in which every input has had its pulse and the motors have been updated."""
+
+
+def put(board: Board, channel: int, text: str) -> None:
+    board.connect(channel, Signal.parse(text, board.channels.source))
+
+
+def waits(board: Board) -> bool:
+    return board.safe_start
+
+
+def take_over(board: Board) -> None:
+    """Wait for the very update in which serial takes control."""
+    for _ in range(12):
+        if board.serial.in_control:
+            break
+        board.advance(0.0025)
+    assert board.override
+    assert board.serial.in_control
+
+
+@pytest.fixture
+def rc() -> Board:
+    """A board in RC mode that has left safe-start."""
+    board = Board(mode="rc")
+    board.advance(SETTLED)
+    assert not board.safe_start
+    return board
+
+
+class TestChannelControl:
+    def test_safe_start_ends_when_all_channels_are_at_rest(self) -> None:
+        board = Board(mode="rc")
+        put(board, 2, "1900us")
+        board.power_cycle()
+        board.advance(0.1)
+        assert waits(board)
+        assert board.motors[1].direction is BRAKE
+        put(board, 2, "1500us")
+        assert waits(board)
+        board.advance(PULSES)
+        assert not waits(board)
+        put(board, 2, "1900us")
+        board.advance(PULSES)
+        assert not waits(board)
+        assert board.motors[1].direction is FORWARD
+
+    @pytest.mark.parametrize("tick", range(8))  # of the inputs' 20 ms
+    @pytest.mark.parametrize(
+        ("channel", "text"),
+        [(1, "invalid"), (1, "1300us"), (2, "1900us"), (3, "1900us"), (5, "1000us")],
+    )
+    def test_safe_start_waits_while_channel_is_unsafe(
+        self, channel: int, text: str, tick: int
+    ) -> None:
+        board = Board(mode="rc")
+        put(board, channel, text)
+        board.advance(tick * 0.0025)
+        board.power_cycle()
+        for _ in range(400):
+            board.advance(0.0025)
+            assert waits(board)
+            assert board.motors[1].direction is BRAKE
+            assert board.aux.speed == 0
+
+    @pytest.mark.parametrize("kind", ["silent", "1500us lost 0.6"])
+    def test_late_signal_does_not_end_safe_start_with_moved_stick(self, kind: str) -> None:
+        for seed in range(20):
+            board = Board(mode="rc", seed=seed)
+            put(board, 1, kind)
+            put(board, 2, "1900us")
+            board.advance(SETTLED)
+            put(board, 1, "1500us")
+            board.advance(1)
+            assert waits(board)
+            assert board.motors[1].direction is BRAKE
+
+    def test_safe_start_ignores_invalid_optional_channel(self) -> None:
+        board = Board(mode="rc")
+        put(board, 2, "invalid")
+        board.power_cycle()
+        board.advance(1)
+        assert not waits(board)
+
+    def test_losing_required_channel_stops_motor(self, rc: Board) -> None:
+        put(rc, 2, "2000us")
+        rc.advance(0.1)
+        assert rc.motors[1].speed == 127
+        put(rc, 1, "silent")
+        rc.advance(0.48)
+        assert not waits(rc)
+        rc.advance(0.04)
+        assert waits(rc)
+        assert (rc.motors[1].direction, rc.motors[1].speed) == (BRAKE, 127)
+        put(rc, 1, "1500us")
+        rc.advance(PULSES)
+        assert waits(rc)  # channel 2 is not at rest
+        put(rc, 2, "1500us")
+        assert waits(rc)
+        rc.advance(PULSES)
+        assert not waits(rc)
+
+    def test_sticks_drive_motors_with_their_ramps(self) -> None:
+        eeprom = Eeprom()
+        eeprom.write("motor1_acceleration", 50)
+        board = Board(mode="rc", eeprom=eeprom)
+        board.advance(SETTLED)
+        put(board, 1, "1000us")
+        put(board, 3, "2000us")
+        speeds = []
+        for _ in range(10):
+            board.advance(0.01)
+            speeds.append(board.motors[0].speed)
+        driven = [speed for speed in speeds if speed != 127]  # full brake until the pulse
+        assert driven == list(range(5, 5 * len(driven) + 5, 5))
+        assert len(driven) >= 8
+        assert board.motors[0].direction is REVERSE
+        assert board.aux.speed == 127
+
+    def test_deadband_applies_configured_brake(self) -> None:
+        eeprom = Eeprom()
+        eeprom.write("motor1_deadband_brake_pwm", 33)
+        board = Board(mode="rc", eeprom=eeprom)
+        board.advance(SETTLED)
+        assert (board.motors[0].direction, board.motors[0].speed) == (BRAKE, 33)
+
+    def test_mix_jumper_acts_at_once(self, rc: Board) -> None:
+        put(rc, 2, "1750us")
+        rc.advance(PULSES)
+        rc.mix = True
+        first, second, *_ = rc.remapped
+        assert first == second > 0
+        rc.advance(0.02)
+        assert rc.motors[0].speed == rc.motors[1].speed == first
+
+    def test_analog_mode_reads_voltages(self) -> None:
+        board = Board(mode="analog")
+        board.advance(SETTLED)
+        assert not waits(board)
+        put(board, 1, "5V")
+        assert board.motors[0].direction is BRAKE
+        board.advance(0.03)
+        assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
+
+    @pytest.mark.parametrize("mode", ["rc", "analog"])
+    def test_motors_wait_after_power_up_until_channels_are_known(self, mode: str) -> None:
+        board = Board(mode=mode)
+        board.advance(0.09)
+        assert waits(board)
+        assert board.motors[0].direction is BRAKE
+        board.advance(SETTLED)
+        assert not waits(board)
+
+
+class TestSerialOverride:
+    def test_channel_5_hands_control_to_latest_serial_setpoints(self, rc: Board) -> None:
+        rc.serial.drive(1, FORWARD, 10)
+        rc.serial.drive(1, FORWARD, 77)
+        rc.serial.drive(2, REVERSE, 55, accelerate=True)
+        rc.serial.drive_aux(44)
+        rc.advance(0.1)
+        assert rc.motors[0].direction is BRAKE
+        put(rc, 5, "1000us")
+        assert not rc.override
+        take_over(rc)
+        assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 77)
+        assert rc.aux.speed == 44
+        rc.advance(0.01)
+        assert (rc.motors[1].direction, rc.motors[1].speed) == (REVERSE, 55)
+
+    def test_serial_override_stops_motor_without_setpoint(self, rc: Board) -> None:
+        put(rc, 1, "2000us")
+        rc.advance(0.05)
+        assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 127)
+        put(rc, 5, "1000us")
+        rc.advance(PULSES)
+        assert (rc.motors[0].direction, rc.motors[0].speed) == (BRAKE, 127)
+
+    def test_sticks_regain_control_after_override(self, rc: Board) -> None:
+        rc.serial.drive(1, FORWARD, 77)
+        put(rc, 5, "1000us")
+        put(rc, 1, "1000us")
+        rc.advance(PULSES)
+        assert rc.serial.in_control
+        assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 77)
+        put(rc, 5, "2000us")
+        rc.advance(PULSES)
+        assert not rc.show()["serial_controls"]
+        assert (rc.motors[0].direction, rc.motors[0].speed) == (REVERSE, 127)
+
+    def test_serial_mode_ignores_override_channel(self) -> None:
+        board = Board()
+        put(board, 5, "1000us")
+        board.advance(0.1)
+        assert not board.override
+        assert board.serial.in_control

@@ -1,0 +1,125 @@
+"""A parameter table of its own, for tests of the table and its editors."""
+
+from PySide6.QtCore import QModelIndex, QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import LEFT, WidgetDriver
+from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
+from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.model.settings.linter import Adviser
+from trex_gui.devices.trex.protocol.parameters import ParameterSet
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
+
+
+class ParametersDriver(WidgetDriver):
+    """A table of parameters on a draft of settings.
+
+    Attributes:
+        rejected: the messages about input that was rejected.
+    """
+
+    def __init__(self, qtbot: QtBot) -> None:
+        self.draft = SettingsDraft()
+        self.model = self.draft.parameters
+        self.table = ParameterTable(self.draft, Adviser(self.draft))
+        super().__init__(self.table, qtbot)
+        self.rejected: list[str] = []
+        self.table.refused.connect(self.rejected.append)
+        qtbot.addWidget(self.table)
+        self.table.resize(1050, 700)
+        self.table.show()
+        self.view = self.find(ParameterView, "parametersView")
+
+    def load(self, specs: ParameterSet, **other: int) -> None:
+        """Load a board with factory defaults, except for some."""
+        values = {spec.key: spec.default for spec in specs.readable} | other
+        self.model.load(specs, values, {}, power_cycled=True)
+        self.draft.loaded.emit()
+
+    def open_file(self, specs: ParameterSet, **given: int) -> None:
+        """Load a settings file with these parameters only."""
+        self.draft.take_settings(Settings(specs.model, specs.firmware, given))
+
+    # --- Rows ---------------------------------------------------------------------------
+
+    @property
+    def rows(self) -> ParameterFilter:
+        rows = self.view.model()
+        assert isinstance(rows, ParameterFilter)
+        return rows
+
+    @property
+    def headings(self) -> list[QModelIndex]:
+        return [self.rows.index(row, 0) for row in range(self.rows.rowCount())]
+
+    @property
+    def open_groups(self) -> list[str]:
+        return [row.data(Role.GROUP) for row in self.headings if self.view.isExpanded(row)]
+
+    @property
+    def current(self) -> str:
+        """The key of the current parameter."""
+        return self.table.current_key
+
+    def search(self, words: str) -> None:
+        """Replace the words in the search field."""
+        self.type_into("parameterSearch", words, enter=False)
+        if not words:
+            QTest.keyClick(self.find(QWidget, "parameterSearch"), Qt.Key.Key_Delete)
+
+    def place_of(self, index: QModelIndex) -> QPoint:
+        self.view.scrollTo(index)
+        return self.view.visualRect(index).center()
+
+    def click_cell(self, key: str, column: Column) -> None:
+        place = self.place_of(self.rows.index_of(key, column))
+        QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
+
+    def go_to(self, key: str, column: Column = Column.VALUE) -> None:
+        self.view.setCurrentIndex(self.rows.index_of(key, column))
+
+    def press(self, key: Qt.Key, modifier: Qt.KeyboardModifier | None = None) -> None:
+        QTest.keyClick(self.view, key, modifier or Qt.KeyboardModifier.NoModifier)
+
+    def focus_view(self) -> None:
+        self.table.activateWindow()
+        self.view.setFocus()
+        self.wait(self.view.hasFocus)
+
+    # --- Editors ------------------------------------------------------------------------
+
+    def open_with_mouse(self, key: str, column: Column = Column.VALUE) -> QWidget:
+        """Double-click a cell; return the editor that opens."""
+        place = self.place_of(self.rows.index_of(key, column))
+        QTest.mouseClick(self.view.viewport(), LEFT, pos=place)
+        QTest.mouseDClick(self.view.viewport(), LEFT, pos=place)
+        return self.editor(key)
+
+    def open_with_keys(self, key: str) -> QWidget:
+        """Press F2 on a parameter; return the editor that opens."""
+        self.go_to(key)
+        self.press(Qt.Key.Key_F2)
+        return self.editor(key)
+
+    def editor(self, key: str) -> QWidget:
+        editor = self.view.indexWidget(self.rows.index_of(key))
+        assert editor is not None, key
+        return editor
+
+    def is_editing(self, key: str) -> bool:
+        return self.view.indexWidget(self.rows.index_of(key)) is not None
+
+    def close_editor(self, key: str) -> None:
+        QTest.keyClick(self.editor(key), Qt.Key.Key_Escape)
+        self.wait_for_no_editor(key)
+
+    def wait_for_no_editor(self, key: str) -> None:
+        self.wait(lambda: not self.is_editing(key))
+
+    def wait_for_value(self, key: str, wire: int | None) -> None:
+        self.wait(lambda: self.model.value_of(key) == wire)

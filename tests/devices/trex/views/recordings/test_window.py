@@ -1,0 +1,240 @@
+"""The window that shows a recording."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QLocale, Qt, QThread
+from PySide6.QtGui import QAccessible, QAction, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QListView,
+    QProgressBar,
+    QPushButton,
+    QSlider,
+    QToolButton,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
+
+from tests.devices.trex.recording.samples import HEADER, an_hour, read, write, write_an_hour_of_csv
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.recordings.playback import Playback
+from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.recording.files import open_recording
+from trex_gui.devices.trex.recording.recording import Marker, Record, SettingsSeen, Wish
+from trex_gui.devices.trex.views.recordings.window import PlaybackWindow
+from trex_gui.ui.playback.formats import size_text, time_text
+from trex_gui.ui.plotting.plot import TracePlot
+
+T0 = HEADER.clock
+LATER = "product: TReX\ndevice_number: 9\n"
+
+
+def _minute() -> list[Record]:
+    extra: list[Record] = [
+        Wish(T0 + 20.0, 1, Drive.at(-55)),
+        SettingsSeen(T0 + 30.0, LATER),
+        Marker(T0 + 30.0, "apply", "Apply: Device Number"),
+        Marker(T0 + 45.0, "fault", "Motor 1 fault"),
+    ]
+    plain = [r for r in an_hour(60) if not isinstance(r, Wish | Marker)]
+    return sorted([*plain, *extra], key=lambda record: record.time)
+
+
+class RecordingWindow(WidgetDriver):
+    """The window of a recording."""
+
+    def __init__(self, window: PlaybackWindow, qtbot: QtBot) -> None:
+        super().__init__(window, qtbot)
+        self.window = window
+        self.playback = window.playback
+
+    @classmethod
+    def open(cls, playback: Playback, qtbot: QtBot) -> "RecordingWindow":
+        """Show a recording that is being read."""
+        window = cls(PlaybackWindow(playback, Device()), qtbot)
+        qtbot.addWidget(window.window)
+        window.window.show()
+        return window
+
+    @property
+    def plot(self) -> TracePlot:
+        return self.find_only(TracePlot)
+
+    def is_playing(self) -> bool:
+        return self.playback.playing
+
+
+@pytest.fixture
+def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindow:
+    write(tmp_path / "minute.trexrec", _minute())
+    window = RecordingWindow.open(Playback.open(tmp_path / "minute.trexrec"), qtbot)
+    window.wait(lambda: window.playback.is_loaded)
+    return window
+
+
+def test_values_follow_slider_keys_and_events(window: RecordingWindow) -> None:
+    assert "TReX 1.2, recorded" in window.text("recordingHeading")
+    assert "0:00:59" in window.text("recordingHeading")
+    assert window.window.windowTitle().startswith("minute.trexrec")
+
+    slider = window.find(QSlider, "timeSlider")
+    slider.setValue(2500)
+    assert window.playback.position == pytest.approx(T0 + 25)
+    assert window.text("timeLabel").startswith("0:00:25.0 / ")
+    assert window.text("motor1WishAtPosition") == "−55"
+    assert window.text("motor2WishAtPosition") == "–"
+    assert window.text("channel1PhysicalAtPosition") in {"1499 µs", "1500 µs", "1501 µs"}
+    assert window.text("channel5RawAtPosition") == "no signal"
+    assert window.text("motor1CurrentAtPosition").endswith(" A")
+    assert "serial commands reach the motors" in window.text("controlAtPosition")
+    assert window.plot.cursor_time == window.playback.position
+
+    for key, position in (
+        (Qt.Key.Key_End, window.playback.end),
+        (Qt.Key.Key_Home, T0),
+        (Qt.Key.Key_Right, T0 + 1),
+        (Qt.Key.Key_PageUp, T0 + 11),
+    ):
+        QTest.keyClick(slider, key)
+        assert window.playback.position == pytest.approx(position), key
+
+    events = window.find(QListView, "eventList")
+    model = events.model()
+    rows = [str(model.index(row, 0).data()) for row in range(model.rowCount())]
+    assert [row.split("  ")[1] for row in rows] == ["Apply: Device Number", "Motor 1 fault"]
+    events.setFocus()
+    events.setCurrentIndex(model.index(1, 0))
+    events.activated.emit(model.index(1, 0))
+    assert window.playback.position == pytest.approx(T0 + 45)
+
+    for place, settings in ((10, HEADER.settings), (40, LATER)):
+        window.playback.set_position(T0 + place)
+        with window.qtbot.waitSignal(window.window.settings_wanted) as wanted:
+            window.click("settingsInForceButton")
+        assert wanted.args == [settings, f"minute at 0:00:{place}"]
+
+
+def test_play_button_plays_and_pauses_at_the_selected_speed(window: RecordingWindow) -> None:
+    speed, button = window.combo("speedCombo"), window.button("playButton")
+    speed.setCurrentIndex(speed.count() - 1)
+    assert window.playback.speed == 16
+    window.click("playButton")
+    assert window.is_playing()
+    assert button.text() == "&Pause"
+    window.wait(lambda: window.playback.position > T0 + 1)
+    window.click("playButton")
+    assert not window.is_playing()
+    assert button.text() == "&Play"
+
+
+def test_shown_span_is_exported_as_csv_and_pictures(
+    window: RecordingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window.plot.show_span(T0 + 10, T0 + 20)
+    with window.qtbot.waitSignal(window.playback.exported, timeout=20_000):
+        window.window.export(tmp_path / "span.csv")
+    file = open_recording(tmp_path / "span.csv")
+    times = [record.time for record in read(file)]
+    assert T0 + 10 <= min(times) < T0 + 10.1
+    assert T0 + 19.9 < max(times) <= T0 + 20
+    file.close()
+    window.window.export(window.playback.path)
+    assert "cannot be written over" in window.text("bannerText")
+
+    window.plot.show_span(T0, T0 + 59)  # with events
+    button = window.find(QToolButton, "pictureButton")
+    names = {action.objectName() for action in button.menu().actions() if action.text()}
+    assert names == {"exportPngAction", "exportSvgAction", "exportLightAction"}
+    proposed: list[str] = []
+
+    def choose(_parent: QWidget, _title: str, name: str, _kinds: str) -> tuple[str, str]:
+        proposed.append(Path(name).name)
+        return str(tmp_path / Path(name).name), ""
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
+    for kind in ("Png", "Svg"):
+        window.find(QAction, f"export{kind}Action").trigger()
+        assert f"minute.{kind.lower()}" in window.text("bannerText")
+    assert proposed == ["minute.png", "minute.svg"]
+    assert not QImage(str(tmp_path / "minute.png")).isNull()
+    assert "<svg" in (tmp_path / "minute.svg").read_text(encoding="utf-8")
+
+
+def test_window_is_complete_once_the_recording_is_loaded(window: RecordingWindow) -> None:
+    assert not window.has("recordingProgress")
+    assert not window.has("cancelRecordingButton")
+    assert window.is_enabled("exportSpanButton")
+    assert window.plot.source is window.playback.traces
+    assert "curves show" not in window.text("recordingHeading")
+
+    for kind in (QPushButton, QToolButton, QSlider, QComboBox, QListView):
+        for widget in window.find_all(kind):
+            if widget.isVisible():
+                interface = QAccessible.queryAccessibleInterface(widget)
+                assert interface.text(QAccessible.Text.Name), widget.objectName()
+
+
+def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:
+    """Open a recording; return its window when some of it was read and not all.
+
+    A computer that stands still for a moment has read it all then; so it is tried again.
+    """
+    for _ in range(4):
+        window = RecordingWindow.open(Playback.open(path), qtbot)
+        assert not window.is_enabled("exportSpanButton")
+        assert not window.is_enabled("pictureButton")
+        bar = window.find(QProgressBar, "recordingProgress")
+        window.wait(lambda: bar.value() > 0 or window.playback.is_loaded)  # noqa: B023
+        if not window.playback.is_loaded:
+            return window
+        window.window.close()
+    raise AssertionError(path)
+
+
+@pytest.mark.realtime
+def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "long.csv"
+    write_an_hour_of_csv(path, 10)
+    window = half_read(path, qtbot)
+    assert window.has("recordingProgress")
+    bar = window.find(QProgressBar, "recordingProgress")
+    assert bar.text().startswith("Reading, ")
+    assert not window.playback.is_loaded
+    (thread,) = window.playback.findChildren(QThread)
+    with qtbot.waitSignal(window.window.closed):
+        window.click("cancelRecordingButton")
+    window.wait(lambda: not isValid(thread) or thread.isFinished())
+    assert not window.playback.is_loaded
+
+
+def test_missing_part_of_a_recording_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "long.trexrec"
+    write(path, _minute())
+    playback = Playback(open_recording(path, head_only=True), path, most_rows=4100)
+    playback.start_reading()
+    window = RecordingWindow.open(playback, qtbot)
+    window.wait(lambda: playback.is_loaded)
+    last, there = QLocale().toString(4100), QLocale().toString(playback.drawn[1])
+    heading = f"The curves show its last {last} of {there} samples"
+    assert heading in window.text("recordingHeading")
+    window.window.close()
+
+    cut = tmp_path / "cut.trexrec"
+    write(cut, _minute(), finish=False)
+    cut.write_bytes(cut.read_bytes()[:-100])
+    damaged = RecordingWindow.open(Playback.open(cut), qtbot)
+    damaged.wait_for_text("bannerText", "not whole")
+    assert "It was not ended" in damaged.text("bannerText")
+    damaged.window.close()
+
+
+def test_times_and_sizes_are_rounded_for_display() -> None:
+    assert time_text(3725.25, tenths=True) == "1:02:05.2"
+    assert time_text(59.99) == "0:00:59"
+    assert size_text(4_300_000) == "4.3 MB"
+    assert size_text(56_000) == "56 kB"

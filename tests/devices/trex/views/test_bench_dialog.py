@@ -1,0 +1,348 @@
+"""The window of bench tests, its button to hold, and what it shows."""
+
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QAccessible, QImage, QKeyEvent, QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractSpinBox,
+    QApplication,
+    QCheckBox,
+    QComboBox,
+    QDoubleSpinBox,
+    QSpinBox,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from tests.devices.trex.bench.runs import run_of
+from tests.support.pages.bench_dialog import BenchTestDialog
+from tests.support.window import LEFT, WidgetDriver
+from trex_gui.devices.trex.bench.profile import Profile, Shape
+from trex_gui.devices.trex.bench.run import End
+from trex_gui.devices.trex.model.bench.bench import Bench
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.views.bench.dialog import BenchDialog
+from trex_gui.devices.trex.views.bench.figures_table import FiguresTable
+from trex_gui.devices.trex.views.bench.hold_button import HoldButton
+from trex_gui.devices.trex.views.bench.plot import BenchPlot
+from trex_gui.ui.theme.theme import theme
+
+# --- The button -------------------------------------------------------------------------
+
+
+class HoldButtonDriver(WidgetDriver):
+    """A button to hold, in a window with another field.
+
+    Attributes:
+        signals: "held" and "let go", in the order in which the button emitted them.
+    """
+
+    def __init__(self, qtbot: QtBot) -> None:
+        window = QWidget()
+        super().__init__(window, qtbot)
+        window.resize(300, 120)
+        self.other_field = QSpinBox(window)
+        self.other_field.move(0, 70)
+        self.widget = HoldButton("Hold", window)
+        self.widget.resize(200, 60)
+        self.signals: list[str] = []
+        self.widget.held.connect(lambda: self.signals.append("held"))
+        self.widget.let_go.connect(lambda: self.signals.append("let go"))
+        qtbot.addWidget(window)
+        window.show()
+        window.activateWindow()
+        self.widget.setFocus()
+        self.wait(self.widget.hasFocus)
+
+    def press(self) -> None:
+        QTest.mousePress(self.widget, LEFT)
+
+    def release(self) -> None:
+        QTest.mouseRelease(self.widget, LEFT)
+
+    def move(self, to: QPoint) -> None:
+        """Move with the button of the mouse down."""
+        event = QMouseEvent(
+            QEvent.Type.MouseMove,
+            QPointF(to),
+            QPointF(self.widget.mapToGlobal(to)),
+            LEFT,
+            LEFT,
+            Qt.KeyboardModifier.NoModifier,
+        )
+        QCoreApplication.sendEvent(self.widget, event)
+
+    def send_space(self, kind: QEvent.Type, *, repeated: bool = False) -> None:
+        none = Qt.KeyboardModifier.NoModifier
+        event = QKeyEvent(kind, Qt.Key.Key_Space, none, " ", repeated)
+        QCoreApplication.sendEvent(self.widget, event)
+
+
+@pytest.fixture
+def hold_button(qtbot: QtBot) -> HoldButtonDriver:
+    return HoldButtonDriver(qtbot)
+
+
+def test_button_is_held_from_press_to_release(hold_button: HoldButtonDriver) -> None:
+    hold_button.press()
+    assert hold_button.signals == ["held"]
+    assert hold_button.widget.is_held
+    hold_button.release()
+    assert hold_button.signals == ["held", "let go"]
+
+
+def test_space_bar_holds_button_and_repeats_are_ignored(hold_button: HoldButtonDriver) -> None:
+    hold_button.send_space(QEvent.Type.KeyPress)
+    for _ in range(3):
+        hold_button.send_space(QEvent.Type.KeyRelease, repeated=True)
+        hold_button.send_space(QEvent.Type.KeyPress, repeated=True)
+    assert hold_button.signals == ["held"]
+    hold_button.send_space(QEvent.Type.KeyRelease)
+    assert hold_button.signals == ["held", "let go"]
+
+
+def test_returning_mouse_does_not_hold_a_released_button(
+    hold_button: HoldButtonDriver,
+) -> None:
+    hold_button.press()
+    hold_button.move(QPoint(500, 500))
+    assert hold_button.signals == ["held", "let go"]
+    hold_button.move(QPoint(10, 10))
+    assert not hold_button.widget.is_held
+    hold_button.release()
+    assert hold_button.signals == ["held", "let go"]
+
+
+LOSSES: dict[str, Callable[[HoldButtonDriver], object]] = {
+    "the focus goes elsewhere": lambda hold_button: hold_button.other_field.setFocus(),
+    "it is greyed": lambda hold_button: hold_button.widget.setEnabled(False),
+    "it is hidden": lambda hold_button: hold_button.widget.hide(),
+    "its window is hidden": lambda hold_button: hold_button.root.hide(),
+    "another window comes forward": lambda hold_button: QCoreApplication.sendEvent(
+        hold_button.widget, QEvent(QEvent.Type.WindowDeactivate)
+    ),
+    "the mouse is taken away": lambda hold_button: QCoreApplication.sendEvent(
+        hold_button.widget, QEvent(QEvent.Type.UngrabMouse)
+    ),
+    "the touch is cancelled": lambda hold_button: QCoreApplication.sendEvent(
+        hold_button.widget, QEvent(QEvent.Type.TouchCancel)
+    ),
+}
+
+
+@pytest.mark.parametrize("loss", LOSSES)
+def test_loss_of_input_releases_button(hold_button: HoldButtonDriver, loss: str) -> None:
+    hold_button.press()
+    LOSSES[loss](hold_button)
+    assert hold_button.signals == ["held", "let go"]
+
+
+def test_disabled_button_cannot_be_held(hold_button: HoldButtonDriver) -> None:
+    hold_button.widget.setEnabled(False)
+    hold_button.press()
+    assert hold_button.signals == []
+
+
+# --- The window -------------------------------------------------------------------------
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[BenchTestDialog]:
+    theme().install(qapp)
+    device = Device()
+    bench = Bench(device)
+    dialog = BenchDialog(device, bench)
+    qtbot.addWidget(dialog)
+    dialog.open_bench()
+    yield BenchTestDialog(dialog, device, bench, qtbot)
+    dialog.close()
+
+
+def test_unconnected_dialog_disables_button_and_says_why(dialog: BenchTestDialog) -> None:
+    assert not dialog.is_enabled("benchHoldButton")
+    assert "Connect to a board" in dialog.note
+
+
+def test_stop_button_stops_on_press(dialog: BenchTestDialog) -> None:
+    stop = dialog.button("benchStopButton")
+    stop.setEnabled(True)
+    assert not dialog.motors.locked_for
+    QTest.mousePress(stop, LEFT)
+    assert dialog.motors.locked_for
+
+
+def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:
+    dialog.select("benchMotor", 2)
+    dialog.select("benchShape", Shape.SINE)
+    dialog.select("benchDirection", -1)
+    dialog.find(QSpinBox, "benchSpeed").setValue(70)
+    dialog.find(QDoubleSpinBox, "benchDuration").setValue(6.5)
+    dialog.find(QDoubleSpinBox, "benchPeriod").setValue(1.25)
+    dialog.select("benchSent", False)
+    dialog.find(QDoubleSpinBox, "benchAbort").setValue(7.5)
+    dialog.find(QCheckBox, "benchAbortAtLimit").setChecked(True)
+    plan = dialog.bench.plan
+    assert plan.motor == 2
+    assert plan.profile == Profile(shape=Shape.SINE, speed=-70, duration=6.5, period=1.25)
+    assert not plan.accelerate
+    assert plan.abort_current == 7.5
+    assert plan.abort_at_limit
+
+
+def test_period_is_enabled_for_ramp_but_not_for_step(dialog: BenchTestDialog) -> None:
+    period = dialog.find(QDoubleSpinBox, "benchPeriod")
+    assert not period.isEnabled()
+    dialog.select("benchShape", Shape.RAMP)
+    assert period.isEnabled()
+    assert "rises" in period.toolTip()
+
+
+def test_speed_is_limited_to_the_ceiling(dialog: BenchTestDialog) -> None:
+    dialog.motors.set_ceiling(50)
+    assert dialog.find(QSpinBox, "benchSpeed").maximum() == 50
+
+
+def test_plan_is_plotted_before_it_runs(dialog: BenchTestDialog) -> None:
+    plot = dialog.plot
+    dialog.find(QDoubleSpinBox, "benchDuration").setValue(9.4)
+    dialog.wait(lambda: plot.seconds == pytest.approx(10))
+
+
+READINGS = [(index / 80, 12.0 if index < 10 else 4.0) for index in range(160)]
+GENTLER = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
+
+
+def test_result_is_shown_beside_the_previous_one(dialog: BenchTestDialog) -> None:
+    dialog.bench.keep(run_of(READINGS))
+    assert [dialog.figure(0, column) for column in range(3)] == ["12.00 A", "–", "–"]
+    dialog.bench.keep(run_of(GENTLER))
+    assert [dialog.figure(0, column) for column in range(3)] == ["6.00 A", "12.00 A", "−6.00 A"]
+    assert dialog.figure(1, 0) == "4.00 A"
+    plot = dialog.plot
+    dialog.wait(lambda: plot.highest >= 12.0)
+
+
+def test_reference_run_can_be_selected(dialog: BenchTestDialog) -> None:
+    for readings in (READINGS, GENTLER, GENTLER):
+        dialog.bench.keep(run_of(readings))
+    compare = dialog.combo("benchCompare")
+    assert dialog.figure(0, 1) == "6.00 A"
+    compare.setCurrentIndex(compare.count() - 1)  # the oldest
+    assert dialog.figure(0, 1) == "12.00 A"
+    compare.setCurrentIndex(1)  # nothing
+    assert dialog.figure(0, 1) == "–"
+
+
+def test_settling_band_can_be_selected(dialog: BenchTestDialog) -> None:
+    rising = [(index / 80, index / 40) for index in range(80)]
+    dialog.bench.keep(run_of(rising + [(1 + index / 80, 2.0) for index in range(80)]))
+    assert dialog.figure(5, 0) == "850 ms"  # two counts are more than a tenth of 2 A
+    dialog.find(QSpinBox, "benchBand").setValue(50)
+    assert dialog.figure(5, 0) == "500 ms"
+    header = dialog.find(FiguresTable, "benchFigures").verticalHeaderItem(5)
+    assert header is not None
+    assert header.text() == "Settled within 50 % after"
+
+
+def test_reason_for_an_abort_is_shown(dialog: BenchTestDialog) -> None:
+    reason = "Motor 1 drew 12.00 A, more than the 10 A to abort at."
+    dialog.bench.keep(run_of(READINGS, ended=0.5, end=End.ABORTED, reason=reason))
+    note = dialog.note
+    assert f"Aborted after 0.50 s: {reason}" in note
+
+
+def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> None:
+    dialog.bench.keep(run_of(READINGS))
+    path = tmp_path / "test.csv"
+    dialog.files.save(dialog.bench.runs[0], path)
+    assert "Saved as test.csv" in dialog.note
+    dialog.files.open(path)
+    assert len(dialog.bench.runs) == 2
+    assert dialog.figure(0, 2) == "+0.00 A"
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"product: TReX\n", "a bench test begins with"),
+        (b"\xff\xfe\x00", "it is no text"),
+        (None, "was not opened"),
+    ],
+)
+def test_invalid_file_is_rejected_with_the_reason(
+    dialog: BenchTestDialog, tmp_path: Path, content: bytes | None, words: str
+) -> None:
+    path = tmp_path / "other.csv"
+    if content is not None:
+        path.write_bytes(content)
+    dialog.files.open(path)
+    assert words in dialog.note
+    assert dialog.bench.runs == ()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="every folder can be written to")
+def test_run_is_saved_as_a_picture_of_its_plot(dialog: BenchTestDialog, tmp_path: Path) -> None:
+    dialog.bench.keep(run_of(READINGS))
+    dialog.files.save(dialog.bench.runs[0], tmp_path / "test.PNG")
+    picture = QImage(str(tmp_path / "test.PNG"))
+    plot = dialog.plot
+    assert picture.size() == plot.size() * plot.devicePixelRatio()
+    assert "Saved as test.PNG" in dialog.note
+    dialog.files.save(dialog.bench.runs[0], tmp_path / "nowhere" / "test.png")
+    assert "test.png was not saved" in dialog.note
+
+
+def test_failed_save_is_reported(dialog: BenchTestDialog, tmp_path: Path) -> None:
+    dialog.files.save(run_of(READINGS), tmp_path / "nowhere" / "test.csv")
+    assert "test.csv was not saved" in dialog.note
+
+
+def test_escape_keeps_the_dialog_open(dialog: BenchTestDialog) -> None:
+    dialog.press_escape()
+    assert dialog.root.isVisible()
+
+
+def test_every_control_has_an_accessible_name(dialog: BenchTestDialog) -> None:
+    kinds = (QAbstractButton, QComboBox, QAbstractSpinBox, FiguresTable, BenchPlot)
+    found = [
+        widget
+        for widget in dialog.find_all(QWidget)
+        if isinstance(widget, kinds) and widget.objectName().startswith("bench")
+    ]
+    assert len(found) >= 17
+    for widget in found:
+        interface = QAccessible.queryAccessibleInterface(widget)
+        assert interface is not None
+        assert interface.text(QAccessible.Text.Name), widget.objectName()
+
+
+def test_plot_shows_values_under_the_mouse(dialog: BenchTestDialog) -> None:
+    dialog.bench.keep(run_of(READINGS))
+    plot = dialog.plot
+    dialog.wait(lambda: plot.highest >= 12.0)
+    viewport = dialog.find(QWidget, "benchCurrents")
+    where = QPointF(viewport.width() / 2, viewport.height() / 2)
+    none = Qt.MouseButton.NoButton
+    event = QMouseEvent(
+        QEvent.Type.MouseMove,
+        where,
+        QPointF(viewport.mapToGlobal(where.toPoint())),
+        none,
+        none,
+        Qt.KeyboardModifier.NoModifier,
+    )
+    QCoreApplication.sendEvent(viewport, event)
+    assert dialog.text("benchValues").endswith("+40  4.00 A")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_dialog_is_drawn_in_both_schemes(dialog: BenchTestDialog, scheme: str) -> None:
+    theme().set_scheme("dark" if scheme == "dark" else "light")
+    dialog.bench.keep(run_of(READINGS))
+    assert not dialog.root.grab().isNull()

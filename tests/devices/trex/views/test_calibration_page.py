@@ -1,0 +1,464 @@
+"""The page on which channels are calibrated, by itself, on a simulated board."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QLineEdit,
+    QListWidget,
+    QSpinBox,
+    QTabBar,
+)
+from pytestqt.qtbot import QtBot
+
+from tests.support.pages.calibration import CalibrationPage, calibration_page
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.core.errors import Rejected, ResultCode
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.simulator.mapping import ChannelSetup
+from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.ui.theme.theme import theme
+
+FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
+
+
+@pytest.fixture
+def unconnected_page(qtbot: QtBot) -> Iterator[CalibrationPage]:
+    with calibration_page(qtbot) as page:
+        yield page
+
+
+@pytest.fixture
+def page(unconnected_page: CalibrationPage, quick_simulator: SimulatedDevice) -> CalibrationPage:
+    unconnected_page.connect(quick_simulator.url)
+    return unconnected_page
+
+
+# --- The numbers ------------------------------------------------------------------------
+
+
+def test_values_can_be_typed_in_any_unit(page: CalibrationPage) -> None:
+    for typed, count in (("1520", 3800), ("1.52 ms", 3800), ("3801 counts", 3801)):
+        page.type_into("neutralEdit", typed)
+        assert page.shown().neutral == count, typed
+        assert page.text("neutralCounts") == f"= {count} counts", typed
+        page.device.undo.undo()
+        assert page.shown().neutral == 3750
+    page.type_into("deadbandEdit", "1 count")
+    assert page.text("deadbandCounts") == "= 1 count"
+
+
+def test_steps_in_one_field_are_undone_together(page: CalibrationPage) -> None:
+    page.widget.activateWindow()
+    undo = page.device.undo
+    deadband, maximum = (page.find(QSpinBox, f"{name}Edit") for name in ("deadband", "maximum"))
+    deadband.setFocus()
+    for key in (Qt.Key.Key_Up, Qt.Key.Key_Up, Qt.Key.Key_Down):
+        QTest.keyClick(deadband, key)
+    assert page.shown().deadband == FACTORY.deadband + 1
+    QTest.keyClick(deadband, Qt.Key.Key_PageUp)
+    QTest.keyPress(deadband, Qt.Key.Key_Up)  # and held: what Qt makes of that
+    held = QKeyEvent(
+        QEvent.Type.KeyPress, Qt.Key.Key_Up, Qt.KeyboardModifier.NoModifier, "", True, 5
+    )
+    QApplication.sendEvent(deadband, held)
+    QTest.keyRelease(deadband, Qt.Key.Key_Up)
+    assert page.shown().deadband >= FACTORY.deadband + 13
+    assert undo.count() == 1
+
+    maximum.setFocus()
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    assert undo.count() == 2
+    page.type_into("maximumEdit", "4990 counts")
+    assert undo.count() == 3
+    QTest.keyClick(maximum, Qt.Key.Key_Down)
+    assert undo.count() == 4
+    for maximum_then in (4990, FACTORY.maximum - 2, FACTORY.maximum):
+        undo.undo()
+        assert page.shown().maximum == maximum_then
+    undo.undo()
+    assert page.shown() == FACTORY
+    assert not undo.canUndo()
+
+    for field in (deadband, maximum, deadband):  # leaving a field ends its steps
+        field.setFocus()
+        QTest.keyClick(field, Qt.Key.Key_Up)
+        QTest.keyClick(field, Qt.Key.Key_Up)
+    assert undo.count() == 3
+
+
+def test_impossible_values_are_rejected_with_a_note(page: CalibrationPage) -> None:
+    page.type_into("minimumEdit", "1600")
+    assert page.note == "Minimum (1600 µs) cannot be above neutral (1500 µs)."
+    assert page.marked_handle == "minimum"
+    assert page.plot.message == page.note
+    assert page.find(QSpinBox, "minimumEdit").text() == "1000 µs"
+    page.type_into("maximumEdit", "1.2 ms")
+    assert "Maximum (1200 µs) cannot be below neutral" in page.note
+    assert page.marked_handle == "maximum"
+    page.type_into("neutralEdit", "nonsense")
+    assert "no value" in page.note
+    assert page.marked_handle == ""
+    page.type_into("minimumEdit", "1600")
+    page.select_channel(2)
+    assert page.marked_handle == ""
+    page.select_channel(1)
+    assert page.device.pending == 0
+
+    page.drag_handle(Handle.MINIMUM, 4200)
+    assert page.shown().minimum == page.shown().neutral
+    page.type_into("neutralEdit", "1520")
+    assert "The deadband (30 µs to each side of neutral)" in page.note
+    assert "problem" in page.row(1)
+
+
+def test_values_beyond_the_input_range_are_marked(page: CalibrationPage) -> None:
+    page.type_into("maximumEdit", "6000")
+    assert page.note.startswith("Maximum (6000 µs) is beyond")
+    assert "problem" in page.row(1)
+    page.type_into("maximumEdit", "2500")
+    assert "problem" not in page.row(1)
+    page.type_into("minimumEdit", "100")
+    assert page.note.startswith("Minimum (100 µs) is beyond")
+
+
+# --- The handles ------------------------------------------------------------------------
+
+
+def test_blocked_handle_shows_the_reason(page: CalibrationPage) -> None:
+    page.drag_handle(Handle.MAXIMUM, 7000, release=False)
+    assert page.note == "A pulse cannot be longer than 2500 µs."
+    assert page.plot.message == page.note
+    page.release_handle()
+    assert page.shown().maximum == 6250
+    assert "cannot" not in page.note
+
+    page.type_into("minimumEdit", "1500")
+    concern = page.note
+    assert "reaches minimum" in concern
+    page.drag_handle(Handle.MINIMUM, 4100, release=False)
+    assert page.note == "Minimum cannot pass neutral."
+    assert page.marked_handle == "minimum"
+    page.release_handle()
+    assert page.note == concern
+    assert page.plot.message == ""
+
+    page.drag_handle(Handle.MAXIMUM, 3000, release=False)
+    assert page.note == "Minimum and maximum must differ."
+    page.disconnect()
+    assert "No board answers" in page.note
+
+
+def test_trex_jr_is_calibrated_like_a_trex(
+    unconnected_page: CalibrationPage, start_simulator: StartSimulator
+) -> None:
+    page = unconnected_page
+    page.connect(start_simulator("--unpaced", "--model", "trexjr").url)
+    page.select_channel(5)
+    page.drag_handle(Handle.MAXIMUM, 5200)
+    edited = page.shown(5)
+    assert edited != FACTORY
+    page.apply()
+    assert page.device.calibrations.stored(5) == edited
+
+
+def test_disconnected_page_is_read_only(page: CalibrationPage) -> None:
+    page.type_into("minimumEdit", "1100")
+    page.disconnect()
+    for name in ("minimumEdit", "reversedBox", "learnButton", "learnAllButton"):
+        assert not page.is_enabled(name), name
+    for name in ("changeButton", "discardChannelButton"):
+        assert not page.is_enabled(name), name
+    assert "No board answers" in page.note
+    assert "N/A" in page.row(1)
+    assert page.plot.dot is None
+    before = page.shown()
+    page.drag_handle(Handle.MAXIMUM, 5200)
+    assert page.shown() == before
+    page.select_source(1)
+    assert page.text("otherSourceWords") == "No board answers."
+    assert not page.has("switchSourceButton")
+
+
+# --- Live inputs ------------------------------------------------------------------------
+
+
+def test_live_dot_follows_the_stick(
+    page: CalibrationPage, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("channel 1 1800us")
+    page.wait(lambda: "1800 µs (4500 counts)" in page.live)
+    remapped = ChannelSetup((FACTORY,) * 5).remapped([4500] * 5)[0]
+    assert page.plot.dot == (4500, remapped)
+    assert f"output {remapped}" in page.live
+    assert "1800 µs" in page.row(1)
+    page.click("parabolicBox")
+    gentle = ChannelSetup((FACTORY,) * 5, parabolic=1).remapped([4500] * 5)[0]
+    assert page.plot.dot == (4500, gentle)
+    quick_simulator.do("channel 1 invalid")
+    page.wait(lambda: "no signal" in page.row(1))
+    page.wait(lambda: page.plot.dot is None)
+    page.wait(lambda: "no signal" in page.live)
+
+
+def test_hidden_page_is_not_updated(
+    page: CalibrationPage, quick_simulator: SimulatedDevice
+) -> None:
+    page.widget.hide()
+    before = page.row(1)
+    quick_simulator.do("channel 1 1900us")
+    page.wait(lambda: page.device.telemetry.raw_of(1) == 4750)
+    samples = page.device.telemetry.samples
+    page.wait(lambda: page.device.telemetry.samples > samples + 5)
+    assert page.row(1) == before
+    page.widget.show()
+    assert "1900 µs" in page.row(1)
+
+
+def test_mix_jumper_is_shown_when_a_stick_reveals_it(
+    page: CalibrationPage, quick_simulator: SimulatedDevice
+) -> None:
+    assert "with the mix jumper on it steers" in page.text("channelDoes")
+    quick_simulator.do("channel 1 1800us")
+    page.wait_for_text("channelDoes", "drives motor 1 (the mix jumper is off)")
+    quick_simulator.do("jumper mix on")
+    page.wait_for_text("channelDoes", "steers (the mix jumper is on)")
+    quick_simulator.do("channel 1 1500us")
+    page.select_channel(2)
+    assert "forward and back (the mix jumper is on)" in page.text("channelDoes")
+    quick_simulator.do("channel 2 1700us")
+    quick_simulator.do("jumper mix off")
+    page.wait_for_text("channelDoes", "drives motor 2 (the mix jumper is off)")
+    quick_simulator.do("channel 2 1500us")
+    page.disconnect()
+    page.connect(quick_simulator.url)
+    assert "with the mix jumper on it" in page.text("channelDoes")
+
+
+# --- Switches and the menu --------------------------------------------------------------
+
+
+def test_check_boxes_edit_parameter_bits(
+    page: CalibrationPage, quick_simulator: SimulatedDevice
+) -> None:
+    page.select_channel(3)
+    for name in ("reversed", "parabolic", "ignored", "required"):
+        box = page.button(f"{name}Box")
+        assert not box.isChecked()
+        box.click()
+        assert page.device.parameters.value_of(f"{name}_channels") in {4, 5}
+        page.device.undo.undo()
+        assert not box.isChecked()
+        page.device.undo.redo()
+        assert box.isChecked()
+    assert "edited" in page.row(3)
+    assert "ignored" in page.text("channelDoes")
+    page.select_channel(1)
+    assert not page.button("reversedBox").isChecked()
+    assert page.button("requiredBox").isChecked()
+    page.select_channel(3)
+    page.apply()
+    stored = quick_simulator.show()["parameters"]
+    assert stored["reversed_channels"] == stored["parabolic_channels"] == 4
+    assert stored["required_channels"] == 5
+
+
+def test_switching_point_follows_the_calibration(page: CalibrationPage) -> None:
+    page.select_channel(4)
+    assert "below about 1250 µs" in page.text("channelDoes")
+    page.button("reversedBox").click()
+    assert "above about 1750 µs" in page.text("channelDoes")
+    page.type_into("maximumEdit", "2100")
+    assert "above about 1800 µs" in page.text("channelDoes")
+
+
+def test_calibration_is_copied_made_symmetric_and_reset(page: CalibrationPage) -> None:
+    undo = page.device.undo
+    page.type_into("minimumEdit", "1100")
+    edited = page.shown()
+    steps = undo.count()
+    page.action("copyTo3").trigger()
+    assert page.shown(3) == edited
+    page.action("copyToAll").trigger()
+    assert all(page.shown(channel) == edited for channel in CHANNELS)
+    assert undo.count() == steps + 2
+    undo.undo()
+    assert page.shown(2) == FACTORY
+    for key, expected in (
+        ("symmetricSmaller", Calibration(2750, 3750, 4750, 75)),
+        ("symmetricLarger", Calibration(2500, 3750, 5000, 75)),
+        ("resetCalibration", FACTORY),
+    ):
+        page.action(key).trigger()
+        assert page.shown() == expected, key
+        undo.undo()
+
+    page.type_into("minimumEdit", "1500")
+    steps = undo.count()
+    shorter = page.action("symmetricSmaller")
+    assert not shorter.isEnabled()
+    assert "too little for every output" in shorter.toolTip()
+    shorter.trigger()
+    assert undo.count() == steps
+    undo.undo()
+    assert shorter.isEnabled()
+
+    page.button("reversedBox").click()
+    page.click("discardChannelButton")
+    assert page.shown() == FACTORY
+    assert not page.button("reversedBox").isChecked()
+    assert page.shown(3) == edited
+    assert not page.is_enabled("discardChannelButton")
+    undo.undo()
+    assert page.shown() == edited
+    assert page.button("reversedBox").isChecked()
+
+
+def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_path: Path) -> None:
+    path, files = tmp_path / "mine.txt", page.widget.files
+    page.type_into("minimumEdit", "1100")
+    edited = page.shown()
+    files.save_file(path)
+    page.device.discard_edits()
+    with page.qtbot.waitSignal(page.widget.told) as told:
+        files.load_file(path)
+    assert told.args[0].startswith("1 calibration of mine.txt is an edit now.")
+    assert page.shown() == edited
+
+    page.type_into("minimumEdit", "1150")
+    page.action("copyToAll").trigger()
+    files.save_file(path)
+    page.device.discard_edits()
+    with page.qtbot.waitSignal(page.widget.told) as told:
+        files.load_file(path)
+    assert told.args[0].startswith("5 calibrations of mine.txt are edits now.")
+    assert page.shown(5).minimum == 2875
+    with page.qtbot.waitSignal(page.widget.refused) as refused:
+        files.load_file(tmp_path / "none.txt")
+    assert "none.txt was not taken" in refused.args[0]
+
+
+# --- Sources and modes ------------------------------------------------------------------
+
+
+def test_inactive_source_is_shown_and_can_be_activated(
+    page: CalibrationPage, quick_simulator: SimulatedDevice
+) -> None:
+    bar = page.find(QTabBar, "sourceTabs")
+    assert bar.tabText(0) == "RC pulses (in force)"
+    page.select_source(1)
+    assert "None of them were seen" in page.text("otherSourceWords")
+    for name in ("minimumEdit", "neutralEdit", "maximumEdit", "deadbandEdit", "changeButton"):
+        assert not page.is_enabled(name), name
+    for name in ("learnButton", "learnAllButton", "reversedBox", "ignoredBox"):
+        button = page.button(name)
+        assert not button.isEnabled(), name
+        assert button.toolTip().startswith("The board reads RC pulses now."), name
+        assert "let the board read analog voltages first" in button.toolTip(), name
+    for name in ("requiredBox", "inputTrace"):
+        assert not page.has(name), name
+
+    page.click("switchSourceButton")
+    assert page.device.parameters.pending == (("channel_input_source", 1),)
+    assert "apply this edit" in page.text("otherSourceWords")
+    page.apply()
+    assert "once it is switched off and on" in page.text("otherSourceWords")
+    assert page.widget.source is InputSource.ANALOG
+    with page.qtbot.waitSignal(page.widget.power_cycle_requested):
+        page.click("switchSourceCycleButton")
+
+    quick_simulator.do("power cycle")
+    page.wait(lambda: bar.tabText(1) == "Analog voltages (in force)")
+    for name in ("minimumEdit", "learnButton", "reversedBox"):
+        assert page.is_enabled(name), name
+    assert page.find(QSpinBox, "maximumEdit").text() == "5.000 V"
+    assert not page.button("learnButton").toolTip()
+    assert "forward and reverse" in page.button("reversedBox").toolTip()
+    assert not page.has("requiredBox")
+    quick_simulator.do("channel 1 2.5V")
+    page.wait(lambda: "2.50 V" in page.live)
+    page.type_into("minimumEdit", "500 mV")
+    assert page.shown().minimum == 102
+
+    page.select_source(0)
+    assert "what was last seen" in page.text("otherSourceWords")
+    assert page.find(QSpinBox, "neutralEdit").text() == "1500 µs"
+    assert not page.is_enabled("neutralEdit")
+    assert page.device.pending == 1
+
+
+def test_rc_mode_explains_why_nothing_can_be_stored(
+    unconnected_page: CalibrationPage, start_simulator: StartSimulator
+) -> None:
+    page = unconnected_page
+    page.connect(start_simulator("--unpaced", "--mode", "rc").url)
+    assert page.text("channelDoes").startswith("Channel 1 drives motor 1")
+    assert "serial mode only" in page.note
+    page.type_into("minimumEdit", "1100")
+    page.apply()
+    assert "code 3" in page.note
+    assert "problem" in page.row(1)
+    page.type_into("minimumEdit", "1104")
+    assert "code 3" not in page.note
+    page.select_source(1)
+    assert "mode jumper to analog" in page.text("otherSourceWords")
+    assert not page.has("switchSourceButton")
+
+
+def test_value_that_the_board_rejects_is_explained(page: CalibrationPage) -> None:
+    page.device.calibrations.edit(2, Calibration(2400, 3700, 5100, 60))
+    error = Rejected("Calibration of channel 2", ResultCode.BAD_VALUE)
+    page.device.applied.emit((Written("channel 2", error=error),))
+    assert "problem" in page.row(2)
+    assert "problem" not in page.row(1)
+    assert "code 2" not in page.note
+    page.select_channel(2)
+    assert "code 2" in page.note
+    assert "minimum is not above neutral" in page.note
+    page.device.undo.undo()
+    assert "problem" not in page.row(2)
+
+
+# --- The widgets ------------------------------------------------------------------------
+
+
+def test_learn_buttons_request_one_channel_or_all(page: CalibrationPage) -> None:
+    requested: list[object] = []
+    page.widget.learn_requested.connect(requested.append)
+    page.select_channel(2)
+    page.click("learnButton")
+    page.click("learnAllButton")
+    assert requested == [(2,), CHANNELS]
+
+
+def test_plot_follows_the_theme(page: CalibrationPage) -> None:
+    page.type_into("minimumEdit", "1100")
+    for scheme in ("light", "dark", "light"):
+        theme().set_scheme(scheme)
+        picture = page.plot.grab().toImage()
+        assert theme().color("plot_background").name() in {
+            picture.pixelColor(x, picture.height() // 3).name() for x in range(picture.width())
+        }, scheme
+
+
+def test_every_control_has_an_accessible_name(page: CalibrationPage) -> None:
+    for kind in (QAbstractButton, QSpinBox, QListWidget, QTabBar, CurvePlot):
+        for widget in page.find_all(kind):
+            if isinstance(widget.parentWidget(), QTabBar):
+                continue  # the arrows of a bar that is too narrow
+            text = widget.text() if isinstance(widget, QAbstractButton) else ""
+            assert widget.accessibleName() or text, widget.objectName()
+    for editor in page.find_all(QLineEdit):
+        box = editor.parentWidget()
+        assert box is not None
+        assert box.accessibleName()

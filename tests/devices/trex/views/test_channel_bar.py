@@ -1,0 +1,282 @@
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.views.output_bar import OutputBar
+from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.bar import Bar, BarState
+
+RC = DEFAULT_CALIBRATION[InputSource.RC]
+
+
+@pytest.fixture(autouse=True)
+def _light(qapp: QApplication) -> None:
+    theme().install(qapp)
+    theme().set_scheme("light")
+
+
+@pytest.fixture
+def bar(qtbot: QtBot) -> ChannelBar:
+    widget = ChannelBar()
+    qtbot.addWidget(widget)
+    widget.resize(500, widget.sizeHint().height())
+    widget.set_calibration(RC)
+    widget.set_connected(True)
+    return widget
+
+
+@pytest.fixture
+def output(qtbot: QtBot) -> OutputBar:
+    widget = OutputBar()
+    qtbot.addWidget(widget)
+    widget.resize(400, widget.sizeHint().height())
+    widget.set_connected(True)
+    return widget
+
+
+def colours(widget: Bar, left: float, right: float) -> set[str]:
+    """All colours along the middle of the track, from `left` to `right`, ends left out."""
+    picture: QImage = widget.grab().toImage()
+    y = widget._track().center().y()
+    return {picture.pixelColor(x, y).name() for x in range(round(left) + 2, round(right) - 2)}
+
+
+def named(name: str) -> str:
+    return theme().color(name).name()
+
+
+def test_value_below_neutral_fills_to_the_left(bar: ChannelBar) -> None:
+    bar.set_raw(2800)
+    edge = bar.x_of(RC.neutral - RC.deadband)
+    assert colours(bar, bar.x_of(2800), edge) == {named("bar_negative")}
+    assert named("bar") not in colours(bar, bar.x_of(2000), bar.x_of(5500))
+
+
+def test_value_above_neutral_fills_to_the_right(bar: ChannelBar) -> None:
+    bar.set_raw(4700)
+    edge = bar.x_of(RC.neutral + RC.deadband)
+    assert colours(bar, edge, bar.x_of(4700)) == {named("bar")}
+    assert named("bar_negative") not in colours(bar, bar.x_of(2000), bar.x_of(5500))
+
+
+def test_track_beyond_the_value_is_not_filled(bar: ChannelBar) -> None:
+    bar.set_raw(4000)
+    assert colours(bar, bar.x_of(4000), bar.x_of(RC.maximum)) == {named("track")}
+
+
+def test_fill_within_the_deadband_is_neutral(bar: ChannelBar) -> None:
+    wide = Calibration(2500, 3750, 5000, 500)
+    bar.set_calibration(wide)
+    bar.set_raw(4200)
+    assert colours(bar, bar.x_of(3750), bar.x_of(4200)) == {named("neutral")}
+    shown = colours(bar, bar.x_of(2000), bar.x_of(5500))
+    assert shown.isdisjoint({named("bar"), named("bar_negative")})
+    assert bar.accessibleDescription() == "1680 µs, neutral"
+
+
+def test_deadband_above_neutral_is_shaded(bar: ChannelBar) -> None:
+    bar.set_calibration(Calibration(2500, 3750, 5000, 500))
+    bar.set_raw(2600)
+    assert colours(bar, bar.x_of(3750), bar.x_of(4250)) == {named("deadband")}
+
+
+def test_value_has_a_pointer(bar: ChannelBar) -> None:
+    bar.set_raw(3000)
+    x = round(bar.x_of(3000))
+    picture = bar.grab().toImage()
+    assert picture.pixelColor(x, bar._track().center().y()) == theme().color("pointer")
+    under = bar._track().bottom() + 4
+    assert picture.pixelColor(x, under).lightness() < theme().color("window").lightness() / 2
+
+
+def test_minimum_neutral_and_maximum_are_marked(bar: ChannelBar) -> None:
+    bar.set_raw(3000)
+    picture = bar.grab().toImage()
+    y = bar._track().top() - 2
+    for count in (RC.minimum, RC.neutral, RC.maximum):
+        x = round(bar.x_of(count))
+        near = [picture.pixelColor(x + d, y) for d in (-1, 0, 1)]
+        assert theme().color("mark") in near
+
+
+@pytest.mark.parametrize("raw", [None, 3000])
+def test_disconnected_bar_shows_no_value(bar: ChannelBar, raw: int | None) -> None:
+    bar.set_raw(raw)
+    bar.set_connected(False)
+    assert bar.state is BarState.DISCONNECTED
+    shown = colours(bar, bar.x_of(2000), bar.x_of(5500))
+    assert shown == {named("track_off"), named("mark")}
+    assert bar.accessibleDescription() == "not connected"
+
+
+def test_new_connection_starts_without_a_value(bar: ChannelBar) -> None:
+    bar.set_raw(3000)
+    bar.set_connected(False)
+    bar.set_connected(True)
+    assert bar.state is BarState.WAITING
+    assert bar.accessibleDescription() == "no data yet"
+
+
+def test_missing_signal_is_hatched_and_described(bar: ChannelBar) -> None:
+    bar.set_raw(4000)
+    bar.set_raw(None)
+    assert bar.state is BarState.NO_SIGNAL
+    assert bar.accessibleDescription() == "no signal"
+    shown = colours(bar, bar.x_of(2600), bar.x_of(3200))
+    assert len(shown) > 2
+    assert shown.isdisjoint({named("bar"), named("bar_negative"), named("track")})
+
+
+def test_axis_widens_for_a_value_outside(bar: ChannelBar) -> None:
+    bar.set_raw(5600)
+    assert bar.axis == (2000, 5750)
+    bar.set_raw(3750)
+    assert bar.axis == (2000, 5750)  # stays: it must not breathe with the stick
+
+
+@pytest.mark.parametrize(("raw", "axis"), [(9000, (2000, 6250)), (10, (1250, 5500))])
+def test_axis_ends_at_the_measurable_limit(
+    bar: ChannelBar, raw: int, axis: tuple[int, int]
+) -> None:
+    bar.set_raw(raw)
+    assert bar.axis == axis
+    track = bar._track()
+    assert bar.x_of(raw) in {track.left(), track.left() + track.width()}
+    bar.grab()
+
+
+def test_axis_follows_the_calibration(bar: ChannelBar) -> None:
+    bar.set_calibration(Calibration(1500, 3750, 6000, 75))
+    assert bar.axis == (1500, 6000)
+    bar.set_calibration(RC)
+    assert bar.axis == (2000, 5500)
+
+
+def test_voltages_have_their_own_axis(bar: ChannelBar) -> None:
+    bar.set_raw(3000)
+    bar.set_source(InputSource.ANALOG)
+    bar.set_calibration(DEFAULT_CALIBRATION[InputSource.ANALOG])
+    assert bar.state is BarState.WAITING
+    bar.set_raw(1023)
+    assert bar.axis == (0, 1023)
+    assert bar.accessibleDescription() == "5.00 V, 2.50 V above neutral"
+
+
+def test_accessible_description_names_the_direction(bar: ChannelBar) -> None:
+    bar.set_raw(2500)
+    assert bar.accessibleDescription() == "1000 µs, 500 µs below neutral"
+    bar.set_calibration(None)
+    assert bar.accessibleDescription() == "1000 µs"
+
+
+@pytest.mark.parametrize("width", [1, 60, 120, 200, 2000])
+@pytest.mark.parametrize(
+    "calibration",
+    [
+        RC,
+        None,
+        Calibration(3700, 3700, 3710, 0),
+        Calibration(0, 0, 16383, 16383),
+        Calibration(5000, 3000, 1000, 5),
+    ],
+)
+def test_bar_is_painted_at_any_width_and_calibration(
+    bar: ChannelBar, width: int, calibration: Calibration | None
+) -> None:
+    bar.set_calibration(calibration)
+    bar.resize(width, bar.height())
+    for raw in (3000, 3705, None):
+        bar.set_raw(raw)
+        assert not bar.grab().isNull()
+
+
+@pytest.mark.parametrize("make", [ChannelBar, OutputBar])
+def test_bar_follows_the_theme(qtbot: QtBot, make: Callable[[], Bar]) -> None:
+    widget = make()
+    qtbot.addWidget(widget)
+    widget.resize(300, widget.sizeHint().height())
+    widget.grab()
+    theme().set_scheme("dark")
+    middle = widget._track().center()
+    assert QColor(widget.grab().toImage().pixel(middle.x() // 2, middle.y())) == theme().color(
+        "track_off"
+    )
+
+
+@pytest.mark.parametrize("make", [ChannelBar, OutputBar])
+def test_bar_grows_with_the_font(qtbot: QtBot, make: Callable[[], Bar]) -> None:
+    widget = make()
+    qtbot.addWidget(widget)
+    before = widget.sizeHint()
+    font = widget.font()
+    font.setPointSizeF(font.pointSizeF() * 2)
+    widget.setFont(font)
+    assert widget.sizeHint().height() > before.height() * 1.5
+    assert widget.sizeHint().width() > before.width() * 1.5
+
+
+def test_bar_without_its_number_is_longer(bar: ChannelBar) -> None:
+    before = bar._track().width()
+    bar.set_value_shown(False)
+    assert bar._track().width() > before
+    bar.set_raw(3000)
+    bar.grab()
+
+
+def test_output_bar_fills_to_the_side_of_its_sign(output: OutputBar) -> None:
+    output.set_value(-100)
+    assert colours(output, output.x_of(-100), output.x_of(0)) == {named("bar_negative")}
+    assert colours(output, output.x_of(0), output.x_of(127)) == {named("track")}
+    output.set_value(100)
+    assert colours(output, output.x_of(0), output.x_of(100)) == {named("bar")}
+    assert colours(output, output.x_of(-127), output.x_of(0)) == {named("track")}
+
+
+def test_zero_output_has_no_fill(output: OutputBar) -> None:
+    output.set_value(0)
+    assert colours(output, output.x_of(-127), output.x_of(0)) == {named("track")}
+    assert colours(output, output.x_of(0), output.x_of(127)) == {named("track")}
+
+
+@pytest.mark.parametrize(
+    ("value", "spoken"), [(64, "+64 of 127"), (0, "0 of 127"), (-64, "\N{MINUS SIGN}64 of 127")]
+)
+def test_output_is_described_for_screen_readers(output: OutputBar, value: int, spoken: str) -> None:
+    output.set_value(value)
+    assert output.accessibleDescription() == spoken
+
+
+def test_output_without_signal_has_no_value(output: OutputBar) -> None:
+    output.set_value(None)
+    assert output.state is BarState.NO_SIGNAL
+    assert output.value is None
+    output.grab()
+
+
+def test_auxiliary_output_fills_from_the_left(qtbot: QtBot) -> None:
+    auxiliary = OutputBar(label="Auxiliary", bipolar=False)
+    qtbot.addWidget(auxiliary)
+    auxiliary.resize(400, auxiliary.sizeHint().height())
+    auxiliary.set_connected(True)
+    auxiliary.set_value(60)
+    assert auxiliary.x_of(0) == auxiliary._track().left()
+    assert colours(auxiliary, auxiliary.x_of(0), auxiliary.x_of(60)) == {named("bar")}
+    assert colours(auxiliary, auxiliary.x_of(60), auxiliary.x_of(127)) == {named("track")}
+    assert auxiliary.accessibleName() == "Auxiliary"
+
+
+def test_motor_bar_keeps_its_colour_in_reverse(qtbot: QtBot) -> None:
+    motor = OutputBar(label="Motor 2", color="motor2")
+    qtbot.addWidget(motor)
+    motor.resize(400, motor.sizeHint().height())
+    motor.set_connected(True)
+    motor.set_value(-100)
+    assert colours(motor, motor.x_of(-100), motor.x_of(0)) == {named("motor2")}
+    motor.set_label("Left")
+    assert motor.accessibleName() == "Left"

@@ -1,0 +1,139 @@
+"""Nothing in a comparison is cut short: what is about to be written can be read in full."""
+
+from dataclasses import replace
+from functools import partial
+
+import pytest
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QCheckBox, QSplitter, QTableView, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.devices.trex.settings.samples import factory
+from tests.support.pages.settings import ComparisonDialog
+from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.settings.document import specs_for
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+
+BEFORE = factory()
+TICK, SIGN = 20, 20
+
+
+def _length(spec: ParameterSpec, wire: int) -> int:
+    return len(spec.text(wire))
+
+
+def worst() -> Comparison:
+    """The longest text that each setting has, a whole calibration and one not known before."""
+    longest = {
+        spec.key: max(spec.valid, key=partial(_length, spec))
+        for spec in specs_for(BEFORE.product, BEFORE.firmware).readable
+    }
+    whole = Calibration(2600, 3700, 4900, 61)
+    before = {p: c for p, c in BEFORE.calibrations.items() if p != (InputSource.RC, 3)}
+    after = {**BEFORE.calibrations, (InputSource.RC, 2): whole, (InputSource.RC, 3): whole}
+    return compare(
+        replace(BEFORE, calibrations=before),
+        replace(BEFORE, parameters=longest, calibrations=after),
+    )
+
+
+def cut_short(table: QTableView) -> list[str]:
+    """Return the texts that their cells do not hold, measured without the view's own help."""
+    bold = table.font()
+    bold.setBold(True)
+    model, cut = table.model(), []
+    for row in range(model.rowCount()):
+        for column in range(model.columnCount()):
+            index = model.index(row, column)
+            cell, text = table.visualRect(index), str(index.data())
+            shown = cell.left() >= 0 and cell.right() < table.viewport().width()
+            sign = TICK if column in {ComparisonColumn.SETTING, ComparisonColumn.OUTCOME} else 0
+            is_bold = column == ComparisonColumn.AFTER and index.data(ComparisonRole.CHANGED)
+            metrics = QFontMetrics(bold if is_bold else table.font())
+            room = QRect(0, 0, cell.width() - 6 - sign, 10_000)
+            needed = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, text)
+            if not shown or needed.width() > room.width() or needed.height() > cell.height():
+                cut.append(text)
+    return cut
+
+
+@pytest.fixture
+def view(qtbot: QtBot) -> ComparisonView:
+    view = ComparisonView()
+    qtbot.addWidget(view)
+    view.resize(860, 400)  # inside a dialog that is 880 wide
+    view.show_comparison(worst(), "On the board", "Factory default")
+    view.show()
+    return view
+
+
+@pytest.fixture
+def driver(view: ComparisonView, qtbot: QtBot) -> ComparisonDialog:
+    return ComparisonDialog(view, qtbot)
+
+
+def test_longest_rows_are_readable(driver: ComparisonDialog) -> None:
+    texts = {str(driver.table.model().index(row, 2).data()) for row in range(40)}
+    assert any("stop bit" in text for text in texts)
+    assert cut_short(driver.table) == []
+
+
+def test_matching_rows_are_readable(driver: ComparisonDialog) -> None:
+    driver.find(QCheckBox, "showEqualBox").setChecked(True)
+    assert cut_short(driver.table) == []
+
+
+def test_rejection_reasons_are_readable(view: ComparisonView, driver: ComparisonDialog) -> None:
+    why = "The board refused it: Channels 1, 2 and 3 drive the motors, but not in this mode."
+    view.show_outcomes({row.key: why for row in view.table.comparison.rows})
+    assert cut_short(driver.table) == []
+    view.freeze("Before", "Written")
+    assert cut_short(driver.table) == []
+
+
+def test_rows_stay_readable_when_a_column_is_narrowed(driver: ComparisonDialog) -> None:
+    table = driver.table
+    table.setColumnWidth(ComparisonColumn.AFTER, 90)
+    assert cut_short(driver.table) == []
+
+
+def test_rows_grow_when_the_view_is_narrowed(
+    view: ComparisonView, driver: ComparisonDialog
+) -> None:
+    before = driver.table.verticalHeader().length()
+    view.resize(640, 400)
+    assert driver.table.verticalHeader().length() > before
+    assert cut_short(driver.table) == []
+
+
+def test_rows_stay_readable_when_a_splitter_is_moved(qtbot: QtBot) -> None:
+    splitter = QSplitter()
+    qtbot.addWidget(splitter)
+    view = ComparisonView(splitter)
+    splitter.addWidget(QWidget(splitter))
+    splitter.resize(1200, 400)
+    splitter.show()
+    view.show_comparison(worst(), "Now", "File")
+    splitter.setSizes([640, 560])
+    assert cut_short(ComparisonDialog(view, qtbot).table) == []
+
+
+def test_renewed_comparison_is_readable(view: ComparisonView, driver: ComparisonDialog) -> None:
+    view.show_comparison(compare(BEFORE, BEFORE), "Now", "File")
+    view.renew(worst())
+    assert cut_short(driver.table) == []
+
+
+def test_calibration_has_a_line_for_each_field(driver: ComparisonDialog) -> None:
+    model = driver.table.model()
+    row = next(r for r in range(model.rowCount()) if "RC channel 2" in model.index(r, 0).data())
+    after = str(model.index(row, ComparisonColumn.AFTER).data())
+    wire = str(model.index(row, ComparisonColumn.WIRE).data())
+    assert after.splitlines()[0] == "minimum 1040 µs"
+    assert wire.splitlines()[0] == "2500 → 2600"
+    assert len(after.splitlines()) == len(wire.splitlines()) == 4

@@ -1,0 +1,113 @@
+"""The comparison as a person sees and drives it."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QItemSelectionModel, QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QCheckBox
+from pytestqt.qtbot import QtBot
+
+from tests.devices.trex.settings.samples import factory
+from tests.support.pages.settings import ComparisonDialog
+from tests.support.window import LEFT
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+
+BEFORE = factory()
+
+
+def comparison(**values: int) -> Comparison:
+    return compare(BEFORE, replace(BEFORE, parameters={**BEFORE.parameters, **values}))
+
+
+@pytest.fixture
+def view(qtbot: QtBot) -> ComparisonView:
+    view = ComparisonView()
+    qtbot.addWidget(view)
+    view.resize(800, 400)
+    view.show_comparison(comparison(serial_timeout=5, motor1_acceleration=9), "Now", "File")
+    view.show()
+    return view
+
+
+@pytest.fixture
+def driver(view: ComparisonView, qtbot: QtBot) -> ComparisonDialog:
+    return ComparisonDialog(view, qtbot)
+
+
+def test_summary_counts_the_changes(driver: ComparisonDialog) -> None:
+    assert "2 will change" in driver.text("comparisonSummary")
+    assert not driver.has("comparisonLeftOut")
+
+
+def test_click_on_a_check_box_clears_it(
+    view: ComparisonView, driver: ComparisonDialog, qtbot: QtBot
+) -> None:
+    table = driver.table
+    place = table.visualRect(table.model().index(0, 0))
+    box = QPoint(place.left() + 10, place.center().y())
+    with qtbot.waitSignal(view.ticked_changed) as changed:
+        QTest.mouseClick(table.viewport(), LEFT, pos=box)
+    assert changed.args == [1]
+    assert len(view.table.ticked) == 1
+
+
+@pytest.mark.parametrize("column", [0, 2])
+def test_space_bar_toggles_the_row_from_any_column(
+    view: ComparisonView, driver: ComparisonDialog, column: int
+) -> None:
+    table = driver.table
+    table.selectionModel().setCurrentIndex(
+        table.model().index(1, column), QItemSelectionModel.SelectionFlag.SelectCurrent
+    )
+    QTest.keyClick(table, Qt.Key.Key_Space)
+    assert len(view.table.ticked) == 1
+    QTest.keyClick(table, Qt.Key.Key_Space)
+    assert len(view.table.ticked) == 2
+
+
+def test_buttons_check_all_rows_or_none(view: ComparisonView, driver: ComparisonDialog) -> None:
+    driver.click("tickNoneButton")
+    assert not view.table.ticked
+    driver.click("tickAllButton")
+    assert len(view.table.ticked) == 2
+
+
+def test_matching_rows_are_shown_on_demand(view: ComparisonView, driver: ComparisonDialog) -> None:
+    driver.find(QCheckBox, "showEqualBox").setChecked(True)
+    assert driver.table.model().rowCount() == len(view.table.comparison.rows)
+
+
+def test_view_without_check_boxes_hides_their_buttons(
+    view: ComparisonView, driver: ComparisonDialog
+) -> None:
+    view.show_comparison(comparison(serial_timeout=5), "Now", "File", with_ticks=False)
+    assert not driver.has("tickAllButton")
+    assert not view.table.ticked
+
+
+def test_renewal_keeps_the_current_row_and_column_widths(
+    view: ComparisonView, driver: ComparisonDialog
+) -> None:
+    table = driver.table
+    table.selectRow(1)
+    key = table.currentIndex().data()
+    table.setColumnWidth(0, 321)
+    view.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1), "Renewed.")
+    assert table.currentIndex().data() == key
+    assert table.columnWidth(0) == 321
+    assert driver.text("comparisonSummary") == "Renewed."
+
+
+def test_empty_view_shows_the_reason(view: ComparisonView, driver: ComparisonDialog) -> None:
+    view.show_nothing("Select a snapshot.")
+    assert driver.text("comparisonSummary") == "Select a snapshot."
+    assert driver.table.model().rowCount() == 0
+
+
+def test_left_out_settings_are_listed(view: ComparisonView, driver: ComparisonDialog) -> None:
+    found = replace(comparison(serial_timeout=5), left_out=("Motor Mode is left out.",))
+    view.show_comparison(found, "Now", "File")
+    assert "left out" in driver.text("comparisonLeftOut")
+    assert driver.has("comparisonLeftOut")

@@ -1,0 +1,315 @@
+"""The curve with its handles, by itself."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import LEFT, WidgetDriver
+from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
+from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.devices.trex.views.pages.calibration.input_trace import InputTrace
+from trex_gui.ui.theme.theme import theme
+
+USUAL = ChannelCurve(Calibration(2500, 3750, 5000, 75))
+
+
+@pytest.fixture
+def plot(qapp: QApplication, qtbot: QtBot) -> CurvePlot:
+    theme().install(qapp)
+    theme().set_scheme("light")
+    widget = CurvePlot()
+    qtbot.addWidget(widget)
+    widget.resize(700, 420)
+    widget.show_channel(1, InputSource.RC, USUAL, USUAL, editable=True)
+    widget.show()
+    widget.grab()
+    return widget
+
+
+class CurvePlotDriver(WidgetDriver):
+    """A plot whose handles the mouse drags."""
+
+    def __init__(self, plot: CurvePlot, qtbot: QtBot) -> None:
+        super().__init__(plot, qtbot)
+        self.plot = plot
+
+    @property
+    def viewport(self) -> QWidget:
+        return self.find(QWidget, "curveViewport")
+
+    def place(self, handle: Handle) -> QPoint:
+        return self.plot.place_of(handle).toPoint()
+
+    def press(self, place: QPoint) -> None:
+        QTest.mousePress(self.viewport, LEFT, pos=place)
+
+    def move(self, place: QPoint) -> None:
+        QTest.mouseMove(self.viewport, place)
+
+    def release(self, place: QPoint) -> None:
+        QTest.mouseRelease(self.viewport, LEFT, pos=place)
+
+    def drag_handle(self, handle: Handle, count: int) -> None:
+        """Drag a handle to a count in a few steps."""
+        start = self.place(handle)
+        below = 30 if handle is Handle.NEUTRAL else 0
+        end = QPoint(round(self.plot.x_of(count)), start.y() + below)
+        self.press(start)
+        for step in (0.3, 0.7, 1.0):
+            self.move(start + (end - start) * step)
+        self.release(end)
+
+
+@pytest.fixture
+def driver(plot: CurvePlot, qtbot: QtBot) -> CurvePlotDriver:
+    return CurvePlotDriver(plot, qtbot)
+
+
+@pytest.mark.parametrize(
+    ("handle", "field", "target", "expected"),
+    [
+        (Handle.MINIMUM, "minimum", 2300, 2300),
+        (Handle.NEUTRAL, "neutral", 3600, 3600),
+        (Handle.MAXIMUM, "maximum", 5200, 5200),
+        (Handle.DEADBAND_LOW, "deadband", 3550, 200),
+        (Handle.DEADBAND_HIGH, "deadband", 4000, 250),
+    ],
+)
+def test_dragged_handle_changes_its_value_once_on_release(
+    plot: CurvePlot, driver: CurvePlotDriver, handle: Handle, field: str, target: int, expected: int
+) -> None:
+    wished: list[Calibration] = []
+    previewed: list[Calibration] = []
+    plot.wished.connect(wished.append)
+    plot.previewed.connect(previewed.append)
+    driver.drag_handle(handle, target)
+    assert len(wished) == 1
+    assert len(previewed) == 3
+    assert wished[0] == previewed[-1]
+    pixel = 3700 / driver.viewport.width()
+    assert abs(getattr(wished[0], field) - expected) <= pixel
+    unchanged = replace(USUAL.calibration, **{field: getattr(wished[0], field)})
+    assert wished[0] == unchanged
+
+
+def test_curve_follows_a_held_handle(plot: CurvePlot, driver: CurvePlotDriver) -> None:
+    plot.set_raw(2600)
+    start = driver.place(Handle.MINIMUM)
+    driver.press(start)
+    driver.move(QPoint(round(plot.x_of(2600)), start.y()))
+    assert plot.curve is not None
+    assert abs(plot.curve.calibration.minimum - 2600) < 8
+    assert plot.dot == (2600, plot.curve.output(2600))
+    driver.release(QPoint(round(plot.x_of(2600)), start.y()))
+
+
+def test_handle_blocked_by_another_shows_the_reason(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
+    start = driver.place(Handle.MINIMUM)
+    beyond = QPoint(round(plot.x_of(4200)), start.y())
+    wished: list[Calibration] = []
+    plot.wished.connect(wished.append)
+    driver.press(start)
+    driver.move(beyond)
+    assert plot.message == "Minimum cannot pass neutral."
+    plot.grab()
+    driver.release(beyond)
+    assert plot.message == ""
+    assert wished == [Calibration(3750, 3750, 5000, 75)]
+
+
+def test_handle_back_at_its_start_changes_nothing(
+    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
+) -> None:
+    flat = ChannelCurve(Calibration(3750, 3750, 5000, 75))
+    plot.show_channel(1, InputSource.RC, flat, flat, editable=True)
+    start = driver.place(Handle.MINIMUM)
+    end = QPoint(round(plot.x_of(4100)), start.y())
+    driver.press(start)
+    driver.move(end)
+    assert plot.message == "Minimum cannot pass neutral."
+    with qtbot.assertNotEmitted(plot.wished), qtbot.waitSignal(plot.let_go):
+        driver.release(end)
+    assert plot.message == ""
+
+
+def test_axis_follows_a_handle_up_to_the_input_limits(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
+    for handle, count, reached, words in (
+        (Handle.MAXIMUM, 5800, 5800, ""),
+        (Handle.MAXIMUM, 7000, 6250, "A pulse cannot be longer than 2500 µs."),
+        (Handle.MINIMUM, 1600, 1600, ""),
+        (Handle.MINIMUM, 300, 1250, "A pulse cannot be shorter than 500 µs."),
+    ):
+        start = driver.place(handle)
+        end = QPoint(round(plot.x_of(count)), start.y())
+        driver.press(start)
+        driver.move(end)
+        assert plot.curve is not None
+        assert abs(handle.count(plot.curve.calibration) - reached) < 8
+        assert plot.message == words
+        assert plot.message_at is (handle if words else None)
+        low, high = plot.axis
+        assert low <= handle.count(plot.curve.calibration) <= high
+        shown = round(plot.x_of(handle.count(plot.curve.calibration)))
+        assert 0 < shown < driver.viewport.width(), "the handle can be seen"
+        driver.release(end)
+        assert plot.axis == (2000, 5500), "nobody took the wish"
+
+
+def test_handle_at_the_axis_end_moves_in_small_steps(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
+    start = driver.place(Handle.MAXIMUM)
+    edge = QPoint(round(plot.x_of(5520)), start.y())
+    driver.press(start)
+    counts = []
+    for _ in range(3):
+        driver.move(edge - QPoint(1, 0))
+        driver.move(edge)
+        assert plot.curve is not None
+        counts.append(plot.curve.calibration.maximum)
+    driver.release(edge)
+    assert counts == sorted(counts)
+    assert counts[-1] < 5700
+
+
+def test_rejected_value_is_explained_beside_its_handle(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
+    plot.say_beside(Handle.MINIMUM, "Minimum cannot be there.")
+    assert (plot.message_at, plot.message) == (Handle.MINIMUM, "Minimum cannot be there.")
+    driver.move(QPoint(1, 1))
+    driver.move(driver.place(Handle.NEUTRAL))
+    picture = plot.grab().toImage()
+    box = {
+        picture.pixelColor(x, y).name()
+        for x in range(round(plot.x_of(2500)), round(plot.x_of(3500)))
+        for y in range(picture.height() // 2)
+    }
+    assert theme().color("warning").name() in box
+    driver.press(driver.place(Handle.MAXIMUM))
+    assert plot.message == ""
+    driver.release(driver.place(Handle.MAXIMUM))
+    plot.say_beside(Handle.MINIMUM, "Minimum cannot be there.")
+    plot.show_channel(2, InputSource.RC, USUAL, USUAL, editable=True)
+    assert plot.message_at is None
+
+
+def test_trace_is_tall_enough_and_its_labels_are_legible(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
+    plot.resize(plot.width(), plot.minimumSizeHint().height())
+    picture = plot.grab().toImage()
+    trace = driver.find_only(InputTrace)
+    line = trace.fontMetrics().height()
+    frame = trace.frame
+    assert frame.height() >= 4.5 * line
+    top = trace.mapTo(plot, frame.topLeft().toPoint())
+    background, capital = picture.pixelColor(1, 1), plot.fontMetrics().capHeight()
+    written = [
+        y
+        for y in range(top.y() - line, top.y() + line)
+        if any(picture.pixelColor(x, y) != background for x in range(2, top.x() - 3))
+    ]
+    assert written[-1] - written[0] + 1 >= 0.8 * capital, "as high as a capital letter"
+    assert picture.pixelColor(top.x() // 2, written[0] - 1) == background
+
+
+def test_click_moves_no_handle(plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot) -> None:
+    with qtbot.assertNotEmitted(plot.wished):
+        for handle in Handle:
+            QTest.mouseClick(driver.viewport, LEFT, pos=driver.place(handle) + QPoint(3, 0))
+
+
+def test_read_only_plot_cannot_be_dragged(
+    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
+) -> None:
+    plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
+    with qtbot.assertNotEmitted(plot.previewed):
+        driver.drag_handle(Handle.MAXIMUM, 5200)
+
+
+def test_held_handle_is_released_when_editing_is_disabled(
+    plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
+) -> None:
+    start = driver.place(Handle.MAXIMUM)
+    driver.press(start)
+    driver.move(start + QPoint(20, 0))
+    plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
+    with qtbot.assertNotEmitted(plot.wished):
+        driver.release(start + QPoint(20, 0))
+    assert plot.curve == USUAL
+
+
+def test_nearby_handles_are_distinguished_by_height(
+    plot: CurvePlot, driver: CurvePlotDriver
+) -> None:
+    narrow = ChannelCurve(Calibration(2500, 3750, 5000, 5))
+    plot.show_channel(1, InputSource.RC, narrow, narrow, editable=True)
+    wished: list[Calibration] = []
+    plot.wished.connect(wished.append)
+    driver.drag_handle(Handle.NEUTRAL, 3500)
+    driver.drag_handle(Handle.DEADBAND_HIGH, 4000)
+    assert wished[0].neutral < 3600
+    assert wished[0].deadband == 5
+    assert wished[1].neutral == 3750
+    assert wished[1].deadband > 200
+
+
+def test_mouse_cursor_shows_draggable_handles(driver: CurvePlotDriver) -> None:
+    driver.move(QPoint(1, 1))  # or it was there already and does not move
+    driver.move(driver.place(Handle.NEUTRAL))
+    assert driver.viewport.cursor().shape() is Qt.CursorShape.SizeHorCursor
+    driver.move(driver.place(Handle.NEUTRAL) + QPoint(60, 20))
+    assert driver.viewport.cursor().shape() is Qt.CursorShape.ArrowCursor
+
+
+def test_axis_widens_for_the_calibration(plot: CurvePlot) -> None:
+    assert plot.axis == (2000, 5500)
+    wide = ChannelCurve(Calibration(1500, 3750, 6000, 75))
+    plot.show_channel(1, InputSource.RC, USUAL, wide, editable=True)
+    assert plot.axis[0] < 1500
+    assert plot.axis[1] > 6000
+    plot.show_channel(1, InputSource.ANALOG, None, None, editable=False)
+    assert plot.axis == (0, 1023)
+    plot.grab()
+
+
+def test_missing_signal_hides_the_dot(plot: CurvePlot) -> None:
+    dots = []
+    for raw in (None, 5000, None):
+        plot.set_raw(raw)
+        dots.append(plot.dot)
+    assert dots == [None, (5000, 127), None]
+
+
+def test_complete_plot_is_drawn_in_both_schemes(plot: CurvePlot) -> None:
+    times = np.arange(0, 20, 0.02)
+    counts = 3750 + 900 * np.sin(times)
+    counts[100:150] = np.nan
+    for channel in (4, 5):
+        for scheme in ("light", "dark"):
+            theme().set_scheme(scheme)
+            QApplication.processEvents()  # the palette reaches widgets with the next events
+            edited = ChannelCurve(Calibration(2600, 3700, 5100, 90), channel == 5, True)
+            plot.show_channel(channel, InputSource.RC, USUAL, edited, editable=True)
+            plot.set_raw(4000)
+            plot.set_trace(times, counts, 20.0)
+            picture = plot.grab().toImage()
+            assert picture.pixelColor(1, 1) == theme().color("window")
+            colours = {
+                picture.pixelColor(x, y).name() for x in range(0, 700, 2) for y in range(0, 420, 3)
+            }
+            for name in ("motor1", "motor2", "limit", "mark", "plot_background"):
+                assert theme().color(name).name() in colours, (scheme, name)

@@ -1,0 +1,409 @@
+"""The panel of the Demo TReX: its texts, its LEDs and sliders, and when it is shown."""
+
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSettings, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.virtual_time import VirtualRuntime
+from tests.support.window import WindowDriver
+from trex_gui.composition import Program, build
+from trex_gui.devices.trex.model.demo.snapshot import (
+    DemoJumpers,
+    DemoLeds,
+    DemoMotor,
+    DemoSnapshot,
+    read_snapshot,
+)
+from trex_gui.devices.trex.protocol.flags import Mode
+from trex_gui.devices.trex.simulator.control import control
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.views.demo.panel import DemoPanel
+from trex_gui.devices.trex.views.demo.words import (
+    PACKETS,
+    jumper_hint,
+    led_meaning,
+    led_patterns,
+    motor_text,
+    state_text,
+)
+from trex_gui.ui.devices.ports import Port, PortKind
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.leds import Leds, is_lit
+from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.stick_slider import StickSlider
+
+# --- Words ------------------------------------------------------------------------------
+
+
+def _at_work() -> DemoSnapshot:
+    """A board whose LEDs have shown what is learned, in serial mode."""
+    line = Line([Board()])
+    line.advance(2)
+    return read_snapshot(control(line, "show").removeprefix("ok "))
+
+
+SERIAL = _at_work()
+RC = replace(
+    SERIAL,
+    mode=Mode.RC,
+    jumpers=DemoJumpers("rc", mix=False, so_ground=False),
+    serial_controls=False,
+    leds=DemoLeds("off", "on"),
+)
+
+
+@pytest.mark.parametrize("flicker", ["on", "off"])
+def test_packet_led_is_shown_without_flicker(flicker: str) -> None:
+    assert led_patterns(replace(SERIAL, leds=DemoLeds("on", flicker))) == ("on", PACKETS)
+    assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
+
+
+@pytest.mark.parametrize(
+    ("snapshot", "pattern", "meaning"),
+    [
+        (SERIAL, "on", "serial commands control"),
+        (RC, "on", "the channels control"),
+        (RC, "fast flash", "safe-start, the motors wait"),
+        (RC, PACKETS, "while a packet comes in"),
+        (replace(RC, power=False), "off", "the power is off"),
+        (
+            replace(RC, special_start="learning: take the mix jumper off"),
+            "blink 1/s",
+            "take the Mix jumper off",
+        ),
+    ],
+)
+def test_led_pattern_is_explained(snapshot: DemoSnapshot, pattern: str, meaning: str) -> None:
+    assert meaning in led_meaning(snapshot, pattern)
+
+
+@pytest.mark.parametrize(
+    ("snapshot", "words"),
+    [
+        (SERIAL, "Serial mode. Serial commands"),
+        (replace(SERIAL, mode=Mode.SERIAL_ANALOG), "inputs read as voltages"),
+        (RC, "RC mode. The sticks"),
+        (replace(RC, mode=Mode.ANALOG), "Analog mode."),
+        (replace(RC, safe_start=True), "Safe-start"),
+        (replace(RC, serial_controls=True, override=True), "Channel 5 hands control"),
+        (replace(RC, power=False), "nothing answers"),
+        (replace(SERIAL, special_start="waiting for firmware upgrade"), "Boot loader"),
+        (replace(SERIAL, special_start="dreaming"), "Dreaming."),
+    ],
+)
+def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
+    assert words in state_text(snapshot)
+
+
+@pytest.mark.parametrize(
+    ("snapshot", "hint"),
+    [
+        (SERIAL, ""),
+        (RC, ""),
+        (replace(SERIAL, jumpers=RC.jumpers), "Power cycle to enter RC mode."),
+        (replace(RC, jumpers=SERIAL.jumpers), "Power cycle to enter serial mode."),
+        (replace(SERIAL, jumpers=RC.jumpers, power=False), "Power on to enter RC mode."),
+        (replace(RC, jumpers=DemoJumpers("rc", True, True)), "Power cycle to learn the inputs."),
+        (
+            replace(SERIAL, jumpers=DemoJumpers("serial", True, True)),
+            "Power cycle to start the boot loader.",
+        ),
+        (
+            replace(RC, jumpers=DemoJumpers("rc", True, True), special_start="learning: done"),
+            "",
+        ),
+    ],
+)
+def test_moved_jumper_hints_at_the_power_cycle(snapshot: DemoSnapshot, hint: str) -> None:
+    assert jumper_hint(snapshot) == hint
+
+
+@pytest.mark.parametrize(
+    ("direction", "speed", "text"),
+    [
+        ("forward", 64, "forward 64, 3.1\u00a0A"),
+        ("reverse", 127, "reverse 127, 3.1\u00a0A"),
+        ("brake", 127, "brake 127, 3.1\u00a0A"),
+        ("brake", 0, "coast, 3.1\u00a0A"),
+    ],
+)
+def test_motor_text_names_speed_and_current(direction: str, speed: int, text: str) -> None:
+    motor = DemoMotor(direction, speed, current=3.14, load=3.0, stall=30.0, fault=False)
+    assert motor_text(motor) == text
+
+
+# --- LEDs -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("pattern", "lit", "dark"),
+    [
+        ("blink 1/s", 0.2, 0.7),
+        ("blink 4/s", 0.05, 0.2),
+        ("alternate 1/s", 0.2, 0.7),
+        ("short flash 1/s", 0.05, 0.5),
+        ("fast flash", 0.01, 0.1),
+    ],
+)
+def test_pattern_is_lit_and_dark_in_turn(pattern: str, lit: float, dark: float) -> None:
+    assert is_lit(pattern, lit)
+    assert is_lit(pattern, lit + 3)
+    assert not is_lit(pattern, dark)
+
+
+def test_alternating_leds_are_never_lit_together() -> None:
+    for tenth in range(40):
+        seconds = tenth / 10
+        first = is_lit("alternate 1/s", seconds)
+        assert is_lit("alternate 1/s", seconds, second=True) is not first
+
+
+@pytest.mark.parametrize(("pattern", "lit"), [("on", True), ("off", False), ("purple", False)])
+def test_steady_pattern_does_not_blink(pattern: str, lit: bool) -> None:
+    assert is_lit(pattern, 0.3) is is_lit(pattern, 0.8) is lit
+
+
+def test_leds_blink_and_are_explained(qtbot: QtBot) -> None:
+    leds = Leds()
+    qtbot.addWidget(leds)
+    leds.show()
+    leds.show_patterns(("on", "blink 4/s"), ("on", "blink 4/s"), ("on: because", "blink 4/s: so"))
+    red, green = leds.lamps
+    qtbot.waitUntil(lambda: green.lit)
+    qtbot.waitUntil(lambda: not green.lit)
+    assert red.lit
+    assert red.accessibleName() == red.toolTip() == "Red LED: on: because"
+    assert green.accessibleName() == "Green LED: blink 4/s: so"
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_lit_led_differs_without_colour(qtbot: QtBot, qapp: QApplication, scheme: str) -> None:
+    theme().install(qapp)
+    theme().set_scheme("dark" if scheme == "dark" else "light")
+    leds = Leds()
+    qtbot.addWidget(leds)
+    green = leds.lamps[1]
+    pictures = []
+    for lit in (False, True):
+        green.set_lit(lit)
+        image = green.grab().toImage()
+        middle, side = image.pixelColor(image.rect().center()), image.width() // 3
+        pictures.append((middle.lightness(), image.pixelColor(side, side).lightness()))
+    assert pictures[0] != pictures[1]
+    assert pictures[1][0] != pictures[1][1], "a lit one has a glint"
+    assert pictures[0][0] == pictures[0][1]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="closeEvent of native windows differs")
+def test_hidden_leds_do_not_blink(qtbot: QtBot, virtual_time: VirtualRuntime) -> None:
+    leds = Leds()
+    qtbot.addWidget(leds)
+    leds.show_patterns(("off", "blink 4/s"), ("", ""), ("", ""))
+    with qtbot.waitExposed(leds):
+        leds.show()
+    green = leds.lamps[1]
+    qtbot.waitUntil(lambda: green.lit)
+    QApplication.sendEvent(leds, QEvent(QEvent.Type.HideToParent))
+    leds.hide()
+    lit = green.lit
+    for _ in range(10):
+        virtual_time.advance(0.06)
+        assert green.lit is lit
+
+
+# --- Slider and note --------------------------------------------------------------------
+
+
+@pytest.fixture
+def slider(qtbot: QtBot) -> StickSlider:
+    slider = StickSlider(900, 2100, 1500, "bar")
+    qtbot.addWidget(slider)
+    slider.resize(200, slider.sizeHint().height())
+    slider.show()
+    return slider
+
+
+def test_double_click_moves_slider_to_neutral(slider: StickSlider, qtbot: QtBot) -> None:
+    slider.setValue(2000)
+    with qtbot.waitSignal(slider.valueChanged):
+        QTest.mouseDClick(slider, Qt.MouseButton.LeftButton)
+    assert slider.value() == 1500
+    assert not slider.isSliderDown()
+
+
+def test_follow_emits_nothing_and_keeps_a_held_handle(slider: StickSlider, qtbot: QtBot) -> None:
+    with qtbot.assertNotEmitted(slider.valueChanged):
+        slider.follow(1800)
+        slider.set_scale(900, 2100, 1400)
+    assert slider.value() == 1800
+    slider.setSliderDown(True)
+    slider.follow(1000)
+    assert slider.value() == 1800
+
+
+def wheel(widget: QWidget) -> None:
+    place = QPointF(widget.rect().center())
+    event = QWheelEvent(
+        place,
+        QPointF(widget.mapToGlobal(place.toPoint())),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(widget, event)
+
+
+def test_wheel_moves_a_focused_slider_only(slider: StickSlider, qtbot: QtBot) -> None:
+    slider.clearFocus()
+    wheel(slider)
+    assert slider.value() == 1500
+    slider.activateWindow()
+    slider.setFocus()
+    qtbot.waitUntil(slider.hasFocus)
+    wheel(slider)
+    assert slider.value() > 1500
+
+
+def test_wheel_changes_a_focused_combo_box_only(qtbot: QtBot) -> None:
+    combo = CalmComboBox()
+    qtbot.addWidget(combo)
+    combo.addItems(["a", "b", "c"])
+    combo.setCurrentIndex(1)
+    combo.show()
+    combo.clearFocus()
+    wheel(combo)
+    assert combo.currentIndex() == 1
+    combo.activateWindow()
+    combo.setFocus()
+    qtbot.waitUntil(combo.hasFocus)
+    wheel(combo)
+    assert combo.currentIndex() == 0
+
+
+def test_alarming_note_is_bold_and_coloured(qtbot: QtBot, qapp: QApplication) -> None:
+    theme().install(qapp)
+    note = Note(2)
+    qtbot.addWidget(note)
+    note.show_note("short")
+    assert note.minimumHeight() == 2 * note.fontMetrics().lineSpacing()
+    note.show_note("now!", alarming=True)
+    assert note.font().bold()
+    assert note.palette().color(note.foregroundRole()) == theme().color("warning")
+    note.show_note("calm")
+    assert not note.font().bold()
+    assert note.palette().color(note.foregroundRole()) == theme().color("window_text")
+
+
+# --- Visibility -------------------------------------------------------------------------
+
+
+def panel_of(window: WindowDriver) -> DemoPanel:
+    return window.find(DemoPanel, "demoPanel")
+
+
+@pytest.fixture
+def panel(window: WindowDriver) -> DemoPanel:
+    return panel_of(window)
+
+
+@pytest.fixture
+def restart(program: Program, qtbot: QtBot) -> Callable[[Program], WindowDriver]:
+    """End the program and start it again."""
+
+    def again(before: Program) -> WindowDriver:
+        before.window.close()
+        if before is not program:
+            before.connector.shut_down()
+        after = build()
+        qtbot.addWidget(after.window)
+        after.window.show()
+        return WindowDriver(after, qtbot)
+
+    return again
+
+
+def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel: DemoPanel) -> None:
+    connector, action = window.program.connector, window.action("demo")
+    demo = window.program.ports.demo
+    assert panel.isHidden()
+    assert not action.isEnabled()
+
+    connector.connect_to(demo)
+    assert panel.isVisible()
+    assert window.window.dockWidgetArea(panel) is Qt.DockWidgetArea.RightDockWidgetArea
+    assert action.isEnabled()
+    assert action.isChecked()
+    assert not window.is_enabled("demoInput1"), "the simulator is being started"
+    assert "is being started" in window.text("demoState")
+    connector.disconnect_port()
+    assert panel.isHidden()
+
+    connector.connect_to(demo)
+    assert panel.isVisible()
+    connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
+    assert panel.isHidden()
+
+    connector.connect_to(demo)
+    panel.close()
+    assert not action.isChecked()
+    connector.disconnect_port()
+    connector.connect_to(demo)
+    assert panel.isHidden(), "it was closed"
+    action.trigger()
+    assert panel.isVisible()
+    assert action.isChecked()
+    action.trigger()
+    assert panel.isHidden()
+
+
+def test_panel_is_restored_at_the_next_start(
+    program: Program, panel: DemoPanel, restart: Callable[[Program], WindowDriver]
+) -> None:
+    program.connector.connect_to(program.ports.demo)
+    program.window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, panel)
+
+    window = restart(program)
+    second = window.program
+    assert panel_of(window).isHidden()
+    second.connector.connect_to(second.ports.demo)
+    assert panel_of(window).isVisible()
+    where = second.window.dockWidgetArea(panel_of(window))
+    assert where is Qt.DockWidgetArea.LeftDockWidgetArea
+
+    panel_of(window).close()
+    window = restart(second)
+    third = window.program
+    third.connector.connect_to(third.ports.demo)
+    assert panel_of(window).isHidden(), "it was closed"
+    third.connector.shut_down()
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support")  # said by offscreen
+def test_panel_closes_with_the_connection_and_the_window(
+    window: WindowDriver, panel: DemoPanel
+) -> None:
+    connector, demo = window.program.connector, window.program.ports.demo
+    window.window.setGeometry(0, 0, 780, 620)  # of the 800 that the screen has
+    before = window.window.width()
+    connector.connect_to(demo)
+    window.wait(panel.isVisible)
+    connector.disconnect_port()
+    window.wait(lambda: window.window.width() == before)
+
+    connector.connect_to(demo)
+    panel.setFloating(True)
+    window.window.close()
+    assert panel.isHidden()
+    assert QSettings().value("window/state") is not None

@@ -1,0 +1,264 @@
+"""Pad and slider: what a hand does in them, and every way in which that ends."""
+
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QPointingDevice, QTouchEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QPushButton, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import LEFT, WidgetDriver
+from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
+from trex_gui.devices.trex.views.pages.motors.speed_entry import SpeedEntry
+from trex_gui.devices.trex.views.pages.motors.speed_slider import SpeedSlider
+
+
+class DriveControlsDriver(WidgetDriver):
+    """A pad, a slider and a button in a window.
+
+    Attributes:
+        setpoints: forward and turn, of each signal of the pad.
+        released: "pad" or "slider", for each time that one was let go.
+    """
+
+    def __init__(self, qtbot: QtBot) -> None:
+        self.window = QWidget()
+        super().__init__(self.window, qtbot)
+        qtbot.addWidget(self.window)
+        self.pad = DrivePad(self.window)
+        self.slider = SpeedSlider(-127, self.window)
+        self.other_button = QPushButton("other", self.window)
+        layout = QHBoxLayout(self.window)
+        for widget in (self.pad, self.slider, self.other_button):
+            layout.addWidget(widget)
+        self.setpoints: list[tuple[float, float]] = []
+        self.released: list[str] = []
+        self.pad.steered.connect(self._on_steered)
+        self.pad.released.connect(self._on_pad_released)
+        self.slider.released.connect(self._on_slider_released)
+        self.window.resize(600, 300)
+        with qtbot.waitExposed(self.window):
+            self.window.show()
+        self.window.activateWindow()
+        self.wait(self.window.isActiveWindow)
+
+    def _on_steered(self, forward: float, turn: float) -> None:
+        self.setpoints.append((forward, turn))
+
+    def _on_pad_released(self) -> None:
+        self.released.append("pad")
+
+    def _on_slider_released(self) -> None:
+        self.released.append("slider")
+
+    def hold_pad(self) -> None:
+        QTest.mousePress(self.pad, LEFT, pos=self.pad.rect().center() - QPoint(0, 40))
+
+
+@pytest.fixture
+def controls(qtbot: QtBot) -> DriveControlsDriver:
+    return DriveControlsDriver(qtbot)
+
+
+def test_pad_maps_up_to_forward_and_right_to_right_turn(controls: DriveControlsDriver) -> None:
+    QTest.mousePress(controls.pad, LEFT, pos=controls.pad.rect().center() + QPoint(40, -80))
+    forward, turn = controls.setpoints[-1]
+    assert 0 < turn < forward <= 1
+
+
+def test_position_near_an_axis_snaps_to_it(controls: DriveControlsDriver) -> None:
+    QTest.mousePress(controls.pad, LEFT, pos=controls.pad.rect().center() + QPoint(2, -80))
+    assert controls.setpoints[-1][1] == 0
+
+
+def test_pad_output_is_limited_beyond_its_edge(controls: DriveControlsDriver) -> None:
+    controls.hold_pad()
+    QTest.mouseMove(controls.pad, QPoint(3000, 3000))
+    assert controls.setpoints[-1] == (-1, 1)
+
+
+def test_pad_without_turning_only_drives_straight(controls: DriveControlsDriver) -> None:
+    controls.pad.set_can_turn(False)
+    QTest.mousePress(controls.pad, LEFT, pos=controls.pad.rect().center() + QPoint(60, -60))
+    assert controls.setpoints[-1][0] > 0
+    assert controls.setpoints[-1][1] == 0
+
+
+def cancel_touch(pad: DrivePad) -> None:
+    finger = QTest.createTouchDevice()
+    assert isinstance(finger, QPointingDevice)
+    cancelled = QTouchEvent(QEvent.Type.TouchCancel, finger)
+    QApplication.sendEvent(pad, cancelled)
+
+
+@pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)  # it is disabled
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda controls: QTest.mouseRelease(controls.pad, LEFT, pos=QPoint(5, 5)),
+        lambda controls: QTest.mousePress(controls.pad, Qt.MouseButton.RightButton),
+        lambda controls: controls.other_button.setFocus(),
+        lambda controls: controls.pad.setEnabled(False),
+        lambda controls: controls.window.setEnabled(False),
+        lambda controls: controls.pad.hide(),
+        lambda controls: controls.window.hide(),
+        lambda controls: controls.pad.set_can_turn(False),
+        lambda controls: controls.pad.let_go(),
+        lambda controls: cancel_touch(controls.pad),
+        lambda controls: QApplication.sendEvent(controls.pad, QEvent(QEvent.Type.UngrabMouse)),
+        lambda controls: QApplication.sendEvent(controls.pad, QEvent(QEvent.Type.WindowDeactivate)),
+    ],
+)
+def test_pad_is_released_once_and_then_ignores_the_mouse(
+    controls: DriveControlsDriver, end: Callable[[DriveControlsDriver], object]
+) -> None:
+    controls.hold_pad()
+    end(controls)
+    assert controls.released == ["pad"]
+    count = len(controls.setpoints)
+    QTest.mouseMove(controls.pad, QPoint(20, 20))
+    assert len(controls.setpoints) == count
+    assert "At rest" in controls.pad.accessibleDescription()
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda controls: QTest.mouseRelease(controls.slider, LEFT, pos=QPoint(5, 5)),
+        lambda controls: controls.other_button.setFocus(),
+        lambda controls: controls.slider.setEnabled(False),
+        lambda controls: controls.window.hide(),
+        lambda controls: controls.slider.let_go(),
+        lambda controls: QApplication.sendEvent(controls.slider, QEvent(QEvent.Type.UngrabMouse)),
+    ],
+)
+def test_slider_is_released_once_and_then_ignores_the_mouse(
+    controls: DriveControlsDriver, end: Callable[[DriveControlsDriver], object]
+) -> None:
+    QTest.mousePress(controls.slider, LEFT, pos=QPoint(20, controls.slider.height() // 2))
+    assert controls.slider.held
+    end(controls)
+    assert controls.released == ["slider"]
+    value = controls.slider.value()
+    QTest.mouseMove(controls.slider, QPoint(100, 8))
+    assert controls.slider.value() == value
+
+
+def test_no_single_key_sets_full_speed(controls: DriveControlsDriver) -> None:
+    controls.slider.setFocus()
+    controls.slider.setValue(40)
+    QTest.keyClick(controls.slider, Qt.Key.Key_End)
+    assert controls.slider.value() == 40
+    QTest.keyClick(controls.slider, Qt.Key.Key_Home)
+    assert controls.slider.value() == 0
+
+
+def test_second_finger_changes_nothing(controls: DriveControlsDriver) -> None:
+    finger = QTest.createTouchDevice()
+    assert isinstance(finger, QPointingDevice)
+    centre = controls.pad.rect().center()
+    QTest.touchEvent(controls.pad, finger).press(0, centre - QPoint(0, 60), controls.pad).commit()
+    first = controls.setpoints[-1]
+    both = QTest.touchEvent(controls.pad, finger)
+    both.stationary(0)
+    both.press(1, centre + QPoint(0, 60), controls.pad).commit()
+    assert controls.setpoints[-1] == first
+    assert controls.pad.held
+    one = QTest.touchEvent(controls.pad, finger)
+    one.release(0, centre, controls.pad)
+    one.stationary(1).commit()
+    assert controls.released == ["pad"]
+    QTest.touchEvent(controls.pad, finger).release(1, centre, controls.pad).commit()
+
+
+@pytest.mark.parametrize("button", [Qt.MouseButton.MiddleButton, Qt.MouseButton.RightButton])
+@pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)
+def test_only_left_button_moves_a_slider(
+    controls: DriveControlsDriver, button: Qt.MouseButton
+) -> None:
+    QTest.mousePress(controls.slider, button, pos=QPoint(20, 12))
+    QTest.mouseMove(controls.slider, QPoint(30, 12))
+    QTest.mouseRelease(controls.slider, button, pos=QPoint(30, 12))
+    assert controls.slider.value() == 0
+    assert not controls.slider.held
+
+
+@pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)
+def test_other_mouse_button_does_not_end_a_drag(controls: DriveControlsDriver) -> None:
+    QTest.mousePress(controls.slider, LEFT, pos=QPoint(20, 12))
+    QTest.mouseRelease(controls.slider, Qt.MouseButton.RightButton, pos=QPoint(20, 12))
+    assert controls.slider.held
+
+
+def test_slider_is_released_when_its_key_code_changes(
+    controls: DriveControlsDriver,
+) -> None:
+    controls.slider.setFocus()
+    QTest.keyPress(controls.slider, Qt.Key.Key_PageUp)
+    assert controls.slider.held
+    QTest.keyRelease(controls.slider, Qt.Key.Key_9)
+    assert controls.released == ["slider"]
+
+
+def test_repeated_key_does_not_grab_the_slider_again(controls: DriveControlsDriver) -> None:
+    controls.slider.setFocus()
+    QTest.keyPress(controls.slider, Qt.Key.Key_PageUp)
+    controls.slider.let_go()
+    value = controls.slider.value()
+    key, none = Qt.Key.Key_PageUp, Qt.KeyboardModifier.NoModifier
+    QTest.simulateEvent(controls.slider, True, key, none, "", True)
+    assert controls.slider.value() == value
+    assert not controls.slider.held
+
+
+def typing_in(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
+    entry = SpeedEntry()
+    qtbot.addWidget(entry)
+    entry.setRange(-127, 127)
+    chosen: list[int] = []
+    entry.chosen.connect(chosen.append)
+    entry.show()
+    entry.activateWindow()
+    entry.setFocus()
+    qtbot.waitUntil(entry.hasFocus)
+    entry.show_wish(7)
+    entry.selectAll()
+    QTest.keyClicks(entry, text)
+    return entry, chosen
+
+
+def test_setpoint_does_not_overwrite_a_typed_number(qtbot: QtBot) -> None:
+    entry, chosen = typing_in(qtbot, "10")
+    entry.show_wish(30)
+    assert entry.text() == "10"
+    QTest.keyClick(entry, Qt.Key.Key_Return)
+    assert chosen == [10]
+    entry.show_wish(30)
+    assert entry.text() == "30"
+
+
+def test_retyped_number_is_sent_once(qtbot: QtBot) -> None:
+    entry, chosen = typing_in(qtbot, "7")
+    QTest.keyClick(entry, Qt.Key.Key_Return)
+    QTest.keyClick(entry, Qt.Key.Key_Return)
+    assert chosen == [7]
+
+
+def test_step_is_sent_at_once(qtbot: QtBot) -> None:
+    entry, chosen = typing_in(qtbot, "10")
+    QTest.keyClick(entry, Qt.Key.Key_Up)
+    assert chosen[-1] == 11
+
+
+@pytest.mark.parametrize(
+    "leave",
+    [SpeedEntry.clearFocus, SpeedEntry.hide, SpeedEntry.close],
+)
+def test_unentered_number_is_discarded(qtbot: QtBot, leave: Callable[[SpeedEntry], object]) -> None:
+    entry, chosen = typing_in(qtbot, "100")
+    entry.show_wish(30)
+    leave(entry)
+    assert not chosen
+    assert entry.text() == "30"

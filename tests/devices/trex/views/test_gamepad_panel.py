@@ -1,0 +1,228 @@
+"""The gamepad's place on the Motors page, and its set-up, with a gamepad in a test's hands."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QCheckBox,
+    QComboBox,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from tests.support.pads import PAD, HeldPads
+from tests.support.pages.gamepad_panel import GamepadPanelPage, Y
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
+from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
+from trex_gui.gamepad.profile import Axis, Style
+from trex_gui.gamepad.sdl import HOW_TO_INSTALL, SdlPads
+from trex_gui.ui.widgets.leds import Lamp
+
+HOLD, STOP = 4, 1
+OTHER_X, OTHER_Y = 2, 3
+
+
+Panel = GamepadPanelPage[HeldPads]
+
+
+@pytest.fixture
+def panel(qtbot: QtBot) -> Iterator[Panel]:
+    """The panel in a window of its own, with a gamepad and available motors."""
+    device, pads, window = Device(), HeldPads(PAD), QWidget()
+    qtbot.addWidget(window)
+    panel = Panel(GamepadPanel(device, window, source=pads), device, pads, qtbot)
+    panel.motors.allow(True)
+    QVBoxLayout(window).addWidget(panel.root)
+    window.show()
+    panel.activate()
+    yield panel
+    panel.gamepad.switch_off()
+
+
+@pytest.fixture
+def active_panel(panel: Panel) -> Panel:
+    """A panel that reads the gamepad."""
+    panel.find(QCheckBox, "gamepadBox").setChecked(True)
+    return panel
+
+
+@pytest.fixture
+def set_up(active_panel: Panel) -> Panel:
+    """A panel with its set-up open."""
+    active_panel.open_set_up()
+    return active_panel
+
+
+# --- The panel --------------------------------------------------------------------------
+
+
+def test_inactive_panel_reads_nothing_and_hides_its_controls(panel: Panel) -> None:
+    assert not panel.pads.is_open
+    for name in ("gamepadCombo", "gamepadSetUpButton", "gamepadForward", "gamepadState"):
+        assert not panel.find(QWidget, name).isVisible(), name
+
+
+def test_state_says_what_to_hold_and_how_to_stop(active_panel: Panel) -> None:
+    active_panel.wait_for_state("Press Run motor, then hold button 5 (left shoulder)")
+    active_panel.drive()
+    active_panel.wait_for_state("Let go of button 5 (left shoulder) to stop")
+
+
+def test_hiding_the_panel_while_driving_stops_the_motors(active_panel: Panel) -> None:
+    active_panel.drive()
+    active_panel.root.hide()
+    assert not active_panel.motors.armed
+    assert "Motors page" in active_panel.motors.stop_reason
+
+
+def test_another_window_while_driving_stops_the_motors(active_panel: Panel, qtbot: QtBot) -> None:
+    active_panel.drive()
+    other = QWidget()
+    qtbot.addWidget(other)
+    other.show()
+    other.activateWindow()
+    qtbot.waitUntil(lambda: not active_panel.motors.armed)
+    assert "Another window" in active_panel.motors.stop_reason
+
+
+def test_unfocused_option_allows_driving_in_the_background(
+    active_panel: Panel, qtbot: QtBot
+) -> None:
+    active_panel.click("gamepadUnfocusedBox")
+    active_panel.drive()
+    other = QWidget()
+    qtbot.addWidget(other)
+    other.show()
+    other.activateWindow()
+    qtbot.waitUntil(other.isActiveWindow)
+    assert active_panel.motors.armed
+    active_panel.pads.release(HOLD)
+    qtbot.waitUntil(lambda: not active_panel.motors.holder)
+
+
+def test_unplugged_gamepad_is_reported_and_disarms(active_panel: Panel) -> None:
+    active_panel.drive()
+    active_panel.pads.unplug(PAD)
+    active_panel.wait_for_state("has gone")
+    assert not active_panel.motors.armed
+
+
+def test_bar_shows_the_gamepad_setpoint(active_panel: Panel) -> None:
+    bar = active_panel.find(PartBar, "gamepadForward")
+    active_panel.wait(lambda: bar.accessibleDescription() == "0 %")
+    active_panel.pads.move(Y, -1.0)
+    active_panel.wait(lambda: bar.accessibleDescription() == "+100 %")
+
+
+def test_missing_pygame_shows_how_to_install_it(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "pygame", None)
+    panel = GamepadPanel(Device(), source=SdlPads())
+    qtbot.addWidget(panel)
+    driver = WidgetDriver(panel, qtbot)
+    box = driver.find(QCheckBox, "gamepadBox")
+    box.setChecked(True)
+    assert not box.isChecked()
+    assert HOW_TO_INSTALL in driver.text("gamepadState")
+
+
+def test_every_control_has_an_object_and_accessible_name(set_up: Panel) -> None:
+    controls = (QAbstractButton, QComboBox, QSpinBox, PartBar, Lamp)
+    found = [each for each in set_up.find_all(QWidget) if isinstance(each, controls)]
+    for each in found:
+        if each.objectName().startswith("qt_"):
+            continue
+        assert each.objectName(), each
+        spoken = each.accessibleName() or (each.text() if isinstance(each, QAbstractButton) else "")
+        assert spoken, each.objectName()
+
+
+# --- The set-up -------------------------------------------------------------------------
+
+
+def test_axis_is_detected_by_moving_the_stick(set_up: Panel) -> None:
+    set_up.click("gamepadFirstDetect")
+    assert "Move the stick that shall drive forward" in set_up.text("gamepadSetUpNote")
+    set_up.pads.move(OTHER_Y, -1.0)
+    set_up.wait(lambda: set_up.profile.first == Axis(OTHER_Y, inverted=True))
+    set_up.click("gamepadSecondDetect")
+    set_up.pads.move(OTHER_X, 1.0)
+    set_up.wait(lambda: set_up.profile.second == Axis(OTHER_X))
+
+
+def test_button_is_detected_by_pressing_it(set_up: Panel) -> None:
+    set_up.click("gamepadHoldDetect")
+    set_up.pads.press(6)
+    set_up.wait(lambda: set_up.profile.hold == 6)
+
+
+def test_button_is_never_assigned_to_hold_and_stop(set_up: Panel) -> None:
+    set_up.select_text("gamepadStopCombo", "button 5")
+    assert set_up.profile.stop == HOLD
+    assert set_up.profile.hold is None
+    assert "bumped" in set_up.text("gamepadSetUpNote")
+
+
+def test_set_up_changes_apply_at_once(set_up: Panel) -> None:
+    set_up.select_text("gamepadStyleCombo", "for each motor")
+    set_up.select_text("gamepadSecondCombo", "axis 4")
+    set_up.click("gamepadSecondInvert")
+    for name, value in (("gamepadDeadZoneSpin", 20), ("gamepadExpoSpin", 0)):
+        set_up.find(QSpinBox, name).setValue(value)
+    profile = set_up.profile
+    assert profile.style is Style.TANK
+    assert profile.second == Axis(OTHER_Y, inverted=True)
+    assert (profile.dead_zone, profile.expo) == (0.2, 0.0)
+
+
+def test_defaults_button_restores_the_defaults(set_up: Panel) -> None:
+    before = set_up.profile
+    set_up.select_text("gamepadFirstCombo", "axis 3")
+    assert set_up.profile != before
+    set_up.click("gamepadDefaultsButton")
+    assert set_up.profile == before
+
+
+def test_axis_bar_and_button_lamp_follow_the_gamepad(set_up: Panel) -> None:
+    bar = set_up.find(PartBar, f"gamepadAxisBar{OTHER_X}")
+    lamp = set_up.find(Lamp, "gamepadLamp7")
+    set_up.pads.move(OTHER_X, -0.5)
+    set_up.pads.press(7)
+    set_up.wait(lambda: lamp.lit)
+    assert bar.accessibleDescription() == "−50 %"
+    assert lamp.accessibleDescription() == "pressed"
+
+
+def test_set_up_blocks_driving_but_not_the_stop_button(set_up: Panel) -> None:
+    set_up.motors.arm()
+    set_up.pads.press(HOLD)
+    set_up.pads.move(Y, -1.0)
+    set_up.wait_for_state("being set up")
+    set_up.pads.press(STOP)
+    set_up.wait(lambda: not set_up.motors.armed)
+    assert set_up.motors.drive(1) is None
+
+
+def test_opening_the_set_up_while_driving_stops_the_motors(active_panel: Panel) -> None:
+    active_panel.drive()
+    active_panel.open_set_up()
+    assert not active_panel.motors.armed
+
+
+def test_closing_the_set_up_allows_driving_again(set_up: Panel) -> None:
+    set_up.click("gamepadCloseButton")
+    set_up.activate()  # window managers do it; without a screen there is none
+    set_up.drive()
+
+
+def test_unplugging_disables_the_axis_selection_in_set_up(set_up: Panel) -> None:
+    set_up.click("gamepadFirstDetect")
+    set_up.pads.unplug(PAD)
+    set_up.wait_for_text("gamepadName", "No gamepad")
+    assert not set_up.is_enabled("gamepadFirstCombo")

@@ -1,0 +1,319 @@
+"""The history without a board: looking back, comparing, deleting, keeping."""
+
+from collections.abc import Iterator
+from datetime import timedelta
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QStandardItemModel
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QSpinBox,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from tests.support.pages.settings import HistoryDialog
+from tests.support.snapshots import take
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, History
+from trex_gui.devices.trex.views.history import dialog as history_dialog
+
+MINUTE = timedelta(minutes=1)
+
+
+@pytest.fixture
+def history() -> History:
+    return History()  # in a folder of the test's own
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
+    window = QWidget()
+    qtbot.addWidget(window)
+    dialog = history_dialog.HistoryDialog(Device(), window)
+    window.addAction("History", dialog.open_history).setObjectName("historyAction")
+    yield HistoryDialog(WidgetDriver(window, qtbot))
+    dialog.close()
+
+
+# --- Looking back -----------------------------------------------------------------------
+
+
+def test_empty_history_says_when_snapshots_are_taken(dialog: HistoryDialog) -> None:
+    dialog.open()
+    empty = dialog.find(QLabel, "historyEmpty")
+    dialog.wait(empty.isVisible)
+    assert "Before each Apply" in empty.text()
+    assert not dialog.root.isModal()
+
+
+def test_newest_snapshot_is_compared_with_the_previous_one(
+    dialog: HistoryDialog, history: History
+) -> None:
+    take(history, MINUTE, serial_timeout=5)
+    take(history, serial_timeout=7)
+    dialog.open()
+    assert dialog.values() == {"serial_timeout": ("0.5 s", "0.7 s")}
+    assert "1 setting differs" in dialog.text("comparisonSummary")
+    assert "Apply of 2 settings" in dialog.text("snapshotTitle")
+    assert not dialog.is_enabled("restoreButton")
+    assert "No board is connected" in dialog.text("restoreNote")
+
+
+def test_older_snapshot_shows_what_restoring_it_would_change(
+    dialog: HistoryDialog, history: History
+) -> None:
+    take(history, MINUTE, serial_timeout=5)
+    take(history, serial_timeout=7)
+    dialog.open()
+    dialog.select_snapshot(1)
+    dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
+
+
+def test_two_snapshots_are_compared_from_newer_to_older(
+    dialog: HistoryDialog, history: History
+) -> None:
+    for ago, wire in ((3, 5), (2, 6), (1, 7)):
+        take(history, ago * MINUTE, serial_timeout=wire)
+    dialog.open()
+    dialog.select_snapshot(2, 0)
+    dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
+    dialog.select_snapshot(0, 1, 2)
+    dialog.wait_for_text("comparisonSummary", "two to compare")
+
+
+def test_reference_snapshot_can_be_selected_and_is_kept(
+    dialog: HistoryDialog, history: History
+) -> None:
+    for ago, wire in ((3, 5), (2, 6), (1, 7)):
+        take(history, ago * MINUTE, serial_timeout=wire)
+    dialog.open()
+    box = dialog.combo("compareWithCombo")
+    model = box.model()
+    assert isinstance(model, QStandardItemModel)
+    assert not model.item(0).isEnabled()  # the board
+    box.setCurrentIndex(box.count() - 1)
+    box.activated.emit(box.currentIndex())
+    assert dialog.values() == {"serial_timeout": ("0.5 s", "0.7 s")}
+    dialog.select_snapshot(1)
+    dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.5 s", "0.6 s")})
+
+
+def test_settings_file_can_be_the_reference(
+    dialog: HistoryDialog,
+    history: History,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    snapshot = take(history, serial_timeout=7)
+    path = tmp_path / "rover.txt"
+    path.write_bytes(snapshot.path.read_bytes().replace(b"serial_timeout: 7", b"serial_timeout: 4"))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    dialog.open()
+    dialog.compare_with_file()
+    assert dialog.values() == {"serial_timeout": ("0.4 s", "0.7 s")}
+    assert dialog.combo("compareWithCombo").currentText() == "rover.txt"
+
+
+def test_missing_settings_file_is_reported(
+    dialog: HistoryDialog,
+    history: History,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    take(history)
+    monkeypatch.setattr(
+        QFileDialog, "getOpenFileName", lambda *_: (str(tmp_path / "nowhere.txt"), "")
+    )
+    dialog.open()
+    dialog.compare_with_file()
+    assert "there is no such file" in dialog.banner
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: ("", ""))
+    dialog.compare_with_file()
+
+
+def test_only_snapshot_shows_what_it_contains(dialog: HistoryDialog, history: History) -> None:
+    take(history, serial_timeout=7)
+    dialog.open()
+    assert dialog.values()["serial_timeout"] == ("not given", "0.7 s")
+    assert "no other snapshot of a TReX" in dialog.text("comparisonSummary")
+
+
+def test_snapshot_of_another_product_is_not_compared(
+    dialog: HistoryDialog, history: History
+) -> None:
+    take(history, 2 * MINUTE, model="trexjr")
+    take(history, MINUTE)
+    take(history)
+    dialog.open()
+    dialog.select_snapshot(2)
+    dialog.wait_for_text("comparisonSummary", "no other snapshot of a TReX Jr")
+
+
+def test_damaged_snapshot_is_explained_and_never_offered(
+    dialog: HistoryDialog, history: History
+) -> None:
+    take(history, 2 * MINUTE)
+    take(history, MINUTE).path.write_text("rubbish\n", encoding="utf-8")
+    take(history)
+    dialog.open()
+    dialog.select_snapshot(1)
+    dialog.wait_for_text("comparisonSummary", "is damaged and cannot be restored")
+    assert not dialog.values()
+    assert not dialog.is_enabled("saveSnapshotButton")
+    assert not dialog.is_enabled("restoreButton")
+    assert "damaged" in dialog.snapshots.model().index(1, 0).data(Qt.ItemDataRole.ToolTipRole)
+    dialog.select_snapshot(0)
+    box = dialog.combo("compareWithCombo")
+    dialog.wait(box.isEnabled)
+    assert sum("snapshot of" in box.itemText(row) for row in range(box.count())) == 1
+    dialog.select_snapshot(0, 1)
+    dialog.wait_for_text("comparisonSummary", "is damaged")
+
+
+def test_search_filters_the_list(dialog: HistoryDialog, history: History) -> None:
+    take(history, MINUTE, reason="trexcmd set-settings rover.txt")
+    take(history)
+    dialog.open()
+    search = dialog.find(QLineEdit, "snapshotSearch")
+    QTest.keyClicks(search, "rover")
+    assert dialog.count() == 1
+    QTest.keyClicks(search, "xyz")
+    assert dialog.has("snapshotNoMatch")
+    search.clear()
+    assert dialog.count() == 2
+
+
+def test_snapshot_of_another_program_appears_on_refresh(
+    dialog: HistoryDialog, history: History
+) -> None:
+    take(history, MINUTE, serial_timeout=5)
+    dialog.open()
+    take(history)
+    dialog.widget.refresh()
+    assert dialog.count() == 2
+    assert dialog.selected_row() == 1  # what was looked at stays
+
+
+# --- What a person does -----------------------------------------------------------------
+
+
+def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog, history: History) -> None:
+    for ago in (3, 2, 1):
+        take(history, ago * MINUTE)
+    dialog.open()
+    dialog.select_snapshot(1)
+    dialog.click("deleteSnapshotButton")
+    assert not dialog.question.isWindow()
+    dialog.click("deleteSnapshotButton")
+    names = [button.objectName() for button in dialog.find_all(QPushButton)]
+    assert names.count("historyQuestionYes") == 1
+    dialog.answer(yes=False)
+    assert len(history.snapshots()) == 3
+    gone = history.snapshots()[1]
+    QTest.keyClick(dialog.snapshots, Qt.Key.Key_Delete)
+    dialog.answer(yes=True)
+    assert gone not in history.snapshots()
+    assert len(history.snapshots()) == 2
+    assert dialog.selected_row() == 1  # what took its place
+
+
+def test_deleting_the_last_snapshot_empties_the_history(
+    dialog: HistoryDialog, history: History
+) -> None:
+    take(history)
+    dialog.open()
+    dialog.click("deleteSnapshotButton")
+    dialog.answer(yes=True)
+    dialog.wait(dialog.find(QLabel, "historyEmpty").isVisible)
+
+
+def test_closing_with_an_open_question_deletes_nothing(
+    dialog: HistoryDialog, history: History
+) -> None:
+    take(history)
+    dialog.open()
+    dialog.click("deleteSnapshotButton")
+    dialog.root.close()
+    assert len(history.snapshots()) == 1
+
+
+def test_copy_is_saved_as_a_settings_file(
+    dialog: HistoryDialog,
+    history: History,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    snapshot = take(history)
+    path = tmp_path / "copy.txt"
+    dialog.open()
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    dialog.click("saveSnapshotButton")
+    assert path.read_bytes() == snapshot.path.read_bytes()
+    assert str(path) in dialog.banner
+    lost = tmp_path / "nowhere" / "copy.txt"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(lost), ""))
+    dialog.click("saveSnapshotButton")
+    assert "Nothing was saved" in dialog.banner
+
+
+# --- How many are kept ------------------------------------------------------------------
+
+
+def test_higher_bound_is_set_without_a_question(dialog: HistoryDialog, history: History) -> None:
+    dialog.open()
+    assert not dialog.is_enabled("keptButton")
+    dialog.find(QSpinBox, "keptField").setValue(1000)
+    dialog.click("keptButton")
+    assert history.bound() == Bound(1000)
+    dialog.combo("keptCombo").setCurrentIndex(1)
+    dialog.click("keptButton")
+    assert history.bound() == Bound(None)
+    assert not dialog.is_enabled("keptButton")
+    assert not dialog.question.isVisible()
+
+
+def test_lower_bound_asks_and_says_how_many_are_removed(
+    dialog: HistoryDialog, history: History
+) -> None:
+    for ago in (3, 2, 1):
+        take(history, ago * MINUTE)
+    dialog.open()
+    dialog.find(QSpinBox, "keptField").setValue(1)
+    dialog.click("keptButton")
+    assert dialog.question.text == "Remove the oldest 2 of 3 snapshots for good?"
+    dialog.answer(yes=False)
+    assert (len(history.snapshots()), history.bound()) == (3, Bound())
+    assert dialog.find(QSpinBox, "keptField").value() == 500
+    dialog.find(QSpinBox, "keptField").setValue(1)
+    dialog.click("keptButton")
+    dialog.answer(yes=True)
+    assert (len(history.snapshots()), history.bound()) == (1, Bound(1))
+    assert dialog.count() == 1
+
+
+def test_damaged_bound_is_reported_until_it_is_set(dialog: HistoryDialog, history: History) -> None:
+    take(history)
+    (history.folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
+    dialog.open()
+    assert "none is removed" in dialog.banner
+    dialog.combo("keptCombo").setCurrentIndex(0)
+    dialog.find(QSpinBox, "keptField").setValue(20)
+    dialog.click("keptButton")
+    assert history.bound() == Bound(20)
+    assert dialog.banner == ""
+
+
+def test_bound_set_elsewhere_appears_on_refresh(dialog: HistoryDialog, history: History) -> None:
+    take(history)
+    dialog.open()
+    history.keep(77)
+    dialog.widget.refresh()
+    assert dialog.find(QSpinBox, "keptField").value() == 77

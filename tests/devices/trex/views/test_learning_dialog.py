@@ -1,0 +1,567 @@
+"""The dialog that learns channels, by itself, on a simulated board."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
+
+import pytest
+from PySide6.QtWidgets import QCheckBox, QLabel, QProgressBar, QSpinBox, QTabBar, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.pages.learning import LearningDialog, learning_dialog
+from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.views.learning.channel_rows import ChannelRows
+from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.ui.runtime import now
+from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+SWITCH = THROTTLE = Stick(rest=1100, low=1100, high=1900)
+
+
+@pytest.fixture
+def learning(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[LearningDialog]:
+    with learning_dialog(quick_simulator, qtbot) as dialog:
+        yield dialog
+
+
+# --- The rest positions -----------------------------------------------------------------
+
+
+def test_problem_of_each_rest_position_is_shown(learning: LearningDialog) -> None:
+    drifts = {2: 12.0, 3: -12.0}
+    sticks = {channel: Stick(drift=drift) for channel, drift in drifts.items()}
+    learning.use({1: Stick(), **sticks, 4: Stick(lost=0.75), 5: Stick(connected=False)})
+    put = learning.transmitter.put
+    learning.start_learning(*CHANNELS)
+    started = now()
+    learning.wait_for_text("learnProblem5", "Is the transmitter on")
+    assert now() - started <= 1
+
+    shown: dict[int, str] = {}
+
+    def move(seconds: float) -> None:
+        put(1, 0.4 if 0.3 < seconds < 0.6 else 0.0)
+        for channel in drifts:
+            put(channel, 0.0, seconds)
+        if "Sampling" in learning.head:
+            shown.update({channel: learning.problem(channel) for channel in CHANNELS})
+
+    learning.click("learnNextButton")
+    learning.move_until(lambda: "No channel rests" in learning.head, move)
+    expected = {
+        1: "It moved while it was sampled",
+        2: "It drifted up by",
+        3: "It drifted down by",
+        4: "valid pulse",
+        5: "Is the transmitter on",
+    }
+    for channel, words in expected.items():
+        assert words in learning.problem(channel), channel
+        assert words in shown[channel], f"channel {channel} while it is sampled"
+    assert not learning.can_click("learnNextButton")
+
+    learning.use({channel: Stick() for channel in CHANNELS})
+    learning.click("learnAgainButton")
+    learning.wait_for_head("forward or right first")
+    learning.assert_nothing_changed()
+
+
+def test_noisy_channel_is_left_out_and_drifting_one_is_learned(learning: LearningDialog) -> None:
+    """Neutral is between both ends of the drift, and 1 µs for rounding."""
+    drift, seconds = 1.5, 2.0
+    learning.use({1: Stick(noise=60), 2: Stick(drift=drift)})
+    learning.start_learning(1, 2)
+    learning.click("learnNextButton")
+    learning.move_until(
+        lambda: "Not every channel rests" in learning.head,
+        lambda passed: learning.transmitter.put(2, 0.0, passed),
+    )
+    assert "a deadband that holds it still" in learning.problem(1)
+    assert learning.problem(2) == ""
+
+    learning.sample_rest()
+    assert learning.text("learnTravel1") == "Left out: its rest position is not known."
+    learning.push(1, -1)
+    learning.finish_travel()
+    assert learning.problem(2) == ""
+    learning.take_and_apply()
+    found = learning.device.calibrations.stored(2)
+    assert found is not None
+    assert -1 <= found.neutral / 2.5 - 1500 <= drift * seconds + 1
+    assert found.deadband == 75
+    assert learning.stored()["learned"]["rc"] == 0b10
+
+
+def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog) -> None:
+    learning.use({1: Stick()})
+    learning.transmitter.put(1, 0.2)
+    learning.wait(lambda: learning.device.telemetry.raw_of(1) == 4000)
+    learning.go_to_review(1)
+    words = "After letting go it rests at 1500 µs, not at 1600 µs"
+    assert words in learning.problem(1)
+    assert learning.button("learnTakeRest1").text() == "Take 1500 µs as neutral"
+
+    learning.click("learnTakeRest1")
+    assert learning.problem(1) == ""
+    assert not learning.has("learnTakeRest1")
+    learning.take_and_apply()
+    learning.assert_learned(1)
+
+
+# --- The ends ---------------------------------------------------------------------------
+
+
+def test_problem_of_each_travel_is_shown(learning: LearningDialog) -> None:
+    cases = (
+        (Stick(low=1500, high=1500), "It never moved"),
+        (Stick(low=1450, high=1550), "It went only 50 µs from its rest"),
+        (Stick(low=1500), "It went one way only, never below its rest"),
+        (Stick(low=1440), "The end below is only 60 µs from its rest"),
+        (Stick(rest=1700, low=1650, high=2000), "is not between the ends"),
+        (Stick(low=1500, high=1500), "It never moved"),
+    )
+    learning.use({1: Stick(), 2: Stick()})
+    learning.go_to_travel(1, 2)
+    for first, second in zip(cases[::2], cases[1::2], strict=True):
+        learning.use({1: first[0], 2: second[0]})
+        learning.click("learnAgainButton")
+        learning.push(1, -1)
+        learning.finish_travel()
+        for channel, (_, words) in enumerate((first, second), 1):
+            assert words in learning.problem(channel)
+        assert "Nothing was learned" in learning.head
+        assert not learning.can_click("learnTakeButton")
+        tip = learning.button("learnTakeButton").toolTip()
+        assert tip == "Nothing was learned, so there is nothing to take."
+        learning.click("learnBackButton")
+        learning.wait_for_head("forward or right first")
+
+    learning.use({1: Stick(), 2: Stick(rest=1550)})  # its trim was moved
+    learning.click("learnAgainButton")
+    learning.push(1, -1)
+    learning.finish_travel()
+    assert learning.problem(1) == ""
+    words = "After letting go it rests at 1550 µs, not at 1500 µs"
+    assert words in learning.problem(2)
+    learning.assert_nothing_changed()
+
+
+def test_crosstalk_between_two_axes_reverses_no_channel(learning: LearningDialog) -> None:
+    learning.use({1: Stick(), 2: Stick()}, crosstalk=-0.3)
+    learning.go_to_travel(1, 2)
+    for channel in (2, 1):
+        for position in (1.0, -1.0, 0.0):
+            learning.transmitter.put(channel, position)
+            learning.hold()
+    learning.finish_travel()
+    for channel in (1, 2):
+        assert not learning.button(f"learnReversed{channel}").isChecked()
+        assert learning.text(f"learnReversal{channel}") == ""
+
+
+def test_ends_are_marked_when_they_are_reached(learning: LearningDialog) -> None:
+    learning.use({1: Stick(), 3: THROTTLE})
+    learning.go_to_travel(1, 3)
+    learning.hold()
+    low, high = (learning.find(QWidget, f"learnEnd{end}1") for end in ("Down", "Up"))
+    assert low.isVisible()
+    assert high.isVisible()
+    assert low.accessibleName() == "low end: not reached yet"
+    assert list(learning.bar(1).marks) == ["neutral"]
+
+    places = low.x(), high.x()
+    learning.push(1)
+    learning.wait_for_text("learnTravel1", "High end reached")
+    assert high.accessibleName() == "high end: reached"
+    assert low.accessibleName() == "low end: not reached yet"
+    assert list(learning.bar(1).marks) == ["neutral", "max"]
+    assert (low.x(), high.x()) == places
+    low_end_of_throttle = learning.find(QWidget, "learnEndDown3")
+    assert low_end_of_throttle.accessibleName() == "low end: not needed"
+    assert list(learning.bar(3).marks) == ["neutral", "max"]
+
+    learning.push(-1)
+    learning.wait_for_text("learnTravel1", "Both ends reached")
+    assert list(learning.bar(1).marks) == ["min", "neutral", "max"]
+    learning.click("learnBackButton")
+    learning.wait_for_head("Let go of every stick")
+
+
+def test_buttons_say_what_they_do_in_each_step(learning: LearningDialog) -> None:
+    learning.use({1: Stick(), 2: Stick(connected=False)})
+    again, take = learning.button("learnAgainButton"), learning.button("learnTakeButton")
+    learning.start_learning(1, 2)
+    assert not again.isVisible()
+    bars = learning.find_all(QProgressBar)
+    assert not [bar for bar in bars if bar.isVisible()]
+
+    learning.click("learnNextButton")
+    learning.wait_for_head("Not every channel rests")
+    assert again.text() == "Sample again"
+    learning.sample_rest()
+    assert again.text() == "Forget these ends"
+    assert "rest positions are kept" in again.toolTip()
+
+    learning.push(1, -1)
+    learning.finish_travel()
+    assert again.text() == "Start over"
+    assert again.toolTip()
+    assert "Nothing is written yet" in take.toolTip()
+    learning.find(QCheckBox, "learnInclude1").click()
+    learning.wait_for_head("No channel is ticked")
+    assert not take.isEnabled()
+    assert take.toolTip() == "No channel is ticked."
+
+
+def test_slow_line_needs_ends_to_be_held(simulator: SimulatedDevice, qtbot: QtBot) -> None:
+    simulator.do("eeprom uart_settings 0")
+    simulator.do("power cycle")
+    with learning_dialog(simulator, qtbot, LineSettings(1200)) as learning:
+        learning.use({1: Stick(rest=1523, low=1090, high=1905, noise=1)})
+        put = learning.transmitter.put
+        learning.go_to_travel(1)
+        learning.wait_for_head("over this line (1200 baud) only")
+        assert "Hold each end until it is ticked" in learning.head
+
+        def push_and_pull(seconds: float) -> None:
+            way = 1 if seconds < 3 else -1
+            put(1, way * (1 - abs(seconds % 3 - 1.5) / 1.5))
+
+        started = now()
+        learning.move_until(lambda: now() - started >= 6, push_and_pull)
+        learning.finish_travel()
+        assert "only passed, so" in learning.problem(1)
+        assert not learning.can_click("learnTakeButton")
+        learning.assert_nothing_changed()
+
+        learning.click("learnBackButton")
+        learning.click("learnAgainButton")
+        put(1, 1)
+        for words in ("Hold it there …", "High end reached"):
+            learning.wait_for_text("learnTravel1", words)
+        put(1, -1)
+        learning.wait_for_text("learnTravel1", "Both ends reached")
+        put(1, 0)
+        learning.finish_travel()
+        assert learning.problem(1) == ""
+        learning.take_and_apply()
+        learning.assert_learned(1)
+
+
+def test_joystick_is_learned_in_volts(quick_simulator: SimulatedDevice, qtbot: QtBot) -> None:
+    quick_simulator.do("eeprom channel_input_source 1")
+    quick_simulator.do("power cycle")
+    with learning_dialog(quick_simulator, qtbot) as learning:
+        source = InputSource.ANALOG
+        assert learning.device.calibrations.source is source
+        learning.use({1: Stick(rest=2.45, low=0.6, high=4.4, noise=0.01, source=source)})
+        quick_simulator.do("channel 2 silent")
+        learning.hold()
+        learning.go_to_review(1, 2)
+        assert learning.problem(1) == ""
+        problem = learning.problem(2)
+        assert "Nothing moves on this input: it stays at 0.00 V" in problem
+        assert "Either nothing is connected to it" in problem
+        assert "or what is connected was not moved" in problem
+
+        learning.take_and_apply()
+        learning.assert_learned(1)
+        learning.wait_for_head("Push every stick")
+        assert learning.stored()["learned"]["analog"] == 1
+
+
+# --- The review -------------------------------------------------------------------------
+
+
+def test_review_compares_values_with_stored_ones(learning: LearningDialog) -> None:
+    """What is only edited counts as neither."""
+    device = learning.device
+    stored = device.calibrations.stored(1)
+    assert stored is not None
+    device.calibrations.edit(1, replace(stored, neutral=3900))
+    for key, value in {
+        "reversed_channels": 1,
+        "serial_timeout": 9,
+        "motor1_acceleration": 9,
+    }.items():
+        device.parameters.edit(key, value)
+    learning.use({1: Stick(rest=1520), 2: Stick(forward_is_down=True)})
+    learning.go_to_review(1, 2)
+    texts = [label.text() for label in learning.find_all(QLabel)]
+    assert any("was 1500 µs (3750)" in text for text in texts)
+    assert texts.count("was not reversed") == 2
+    assert "An edit of it that waits for Apply is replaced" in learning.text("learnReasons1")
+    edits = learning.text("learnEarlierEdits")
+    assert edits == "2 earlier edits are in the list of Apply, too."
+
+    assert "so that full output is surely reached" in learning.text("learnCommonReasons")
+    for channel in (1, 2):
+        assert "surely reached" not in learning.text(f"learnReasons{channel}")
+        assert "very same place" not in learning.text(f"learnReasons{channel}")
+    reversal = learning.find(QLabel, "learnReversal2")
+    assert "reversed is suggested" in reversal.text()
+    assert reversal.font().bold()
+    assert learning.stored() == learning.stored_before
+
+
+def test_review_shows_the_curve_before_and_after(learning: LearningDialog) -> None:
+    learning.use({1: Stick(), 2: Stick(rest=1480, low=1050, high=1950, forward_is_down=True)})
+    learning.go_to_review(1, 2)
+    plot = learning.find(CurvePlot, "learnCurve")
+
+    def shown() -> ChannelCurve:
+        assert plot.curve is not None
+        return plot.curve
+
+    assert not shown().reversed_
+    assert learning.text("learnReversal1") == ""
+    learning.find(QTabBar, "learnChannelTabs").setCurrentIndex(1)
+    assert shown().reversed_
+    assert shown().calibration.neutral == 3700
+    assert learning.text("learnCurveBefore") == "as it was"
+
+    learning.transmitter.put(2, -1)
+    learning.wait(lambda: plot.dot == (4875, -127))
+    assert "output proposed −127, as it was +113" in learning.text("learnCurveLive")
+
+    maximum = learning.find(QSpinBox, "learnMaximumEdit2")
+    maximum.setValue(4700)
+    assert shown().calibration.maximum == 4700
+    plot.wished.emit(replace(shown().calibration, maximum=4600))
+    assert maximum.value() == 4600
+    learning.button("learnReversed2").click()
+    assert not shown().reversed_
+
+    maximum.setValue(3000)  # which the board would not take
+    learning.wait(lambda: plot.curve is None)
+    learning.wait_for_head("would not take the values of channel 2")
+    learning.assert_nothing_changed()
+
+
+def test_review_warns_about_implausible_values(learning: LearningDialog) -> None:
+    learning.use({1: Stick(), 5: SWITCH})
+    learning.go_to_review(1, 5)
+    for field, count, words in (
+        ("Deadband", 3000, "there is nothing between 0 and full output"),
+        ("Minimum", 3700, "reaches minimum"),
+        ("Minimum", 1000, "beyond what the input can be"),
+        ("Maximum", 5100, "Maximum is beyond the 2000 µs that was reached"),
+    ):
+        editor = learning.find(QSpinBox, f"learn{field}Edit1")
+        proposed = editor.value()
+        editor.setValue(count)
+        assert words in learning.problem(1)
+        assert learning.can_click("learnTakeButton"), field
+        editor.setValue(proposed)
+        assert learning.problem(1) == ""
+
+    learning.set_value("Minimum", 1, 4000)
+    assert "would not take this: minimum 4000 is above neutral" in learning.problem(1)
+    assert not learning.can_click("learnTakeButton")
+
+    assert "Active above 1495 µs, off at rest (inferred" in learning.text("learnReasons5")
+    assert learning.problem(5) == ""
+    learning.button("learnReversed5").click()
+    assert "It is inactive in all its positions" in learning.problem(5)
+
+
+def test_channels_are_taken_as_the_user_chose(learning: LearningDialog) -> None:
+    learning.use({1: Stick(), 2: Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02)})
+    learning.go_to_review(1, 2)
+    learning.find(QCheckBox, "learnInclude1").click()
+    learning.set_value("Deadband", 2, 3)
+    assert "motor would creep" in learning.problem(2)
+    learning.set_value("Deadband", 2, 100)
+    assert learning.problem(2) == ""
+    learning.assert_nothing_changed()
+
+    learning.take_and_apply()
+    second = learning.device.calibrations.stored(2)
+    assert second is not None
+    assert second.deadband == 100
+    stored, before = learning.stored(), learning.stored_before
+    assert stored["calibrations"]["rc_channel_1"] == before["calibrations"]["rc_channel_1"]
+    assert stored["calibrations"]["rc_channel_2"] != before["calibrations"]["rc_channel_2"]
+    assert stored["writes"] > before["writes"]
+    learning.wait_for_head("What was learned is stored. Push every stick")
+
+
+def test_unchanged_values_go_straight_to_the_test(learning: LearningDialog) -> None:
+    learning.use({1: Stick()})
+    learning.go_to_review(1)
+    learning.take_and_apply()
+    learning.wait_for_head("What was learned is stored")
+    learning.click("learnCancelButton")
+    learning.go_to_review(1)
+    stored = learning.stored()
+    learning.click("learnTakeButton")
+    learning.wait_for_head("These values are stored already. Push every stick")
+    assert learning.device.pending == 0
+    assert learning.stored() == stored
+
+
+# --- Low screens ------------------------------------------------------------------------
+
+
+def test_every_step_fits_a_low_screen(learning: LearningDialog) -> None:
+    """With a font of twice the size, too."""
+    learning.use({channel: Stick() for channel in CHANNELS})
+
+    def assert_fits(step: str) -> None:
+        least = learning.dialog.minimumSizeHint()
+        assert least.width() <= 900, (step, factor)
+        assert least.height() <= 480, (step, factor)
+
+    for factor in (1, 2):
+        learning.scale_font(factor)
+        learning.start_learning(*CHANNELS)
+        assert_fits("rest")
+        learning.sample_rest()
+        assert_fits("travel")
+        learning.push(1, -1)
+        learning.finish_travel()
+        assert_fits("review")
+        learning.click("learnCancelButton")
+        learning.start_test(*CHANNELS)
+        assert_fits("test")
+        learning.dialog.resize(900, 480)
+        learning.push(1, -1)
+        boxes = learning.find_all(ScrollBox)
+        assert [box.isVisible() for box in boxes] == [True]
+        learning.click("learnCancelButton")
+
+
+def test_whole_row_is_visible_on_the_lowest_screen(learning: LearningDialog) -> None:
+    """With a font of twice the size, too."""
+    dialog = learning.dialog
+    learning.use({channel: Stick(connected=False) for channel in CHANNELS})
+    for factor in (1, 2):
+        learning.scale_font(factor)
+        learning.start_learning(*CHANNELS)
+        learning.click("learnNextButton")
+        learning.wait_for_head("No channel rests")
+        for width in (dialog.minimumSizeHint().width(), 900):
+            dialog.resize(width, dialog.minimumSizeHint().height())
+            assert_whole = partial(assert_rows_are_whole, learning, factor, width)
+            learning.qtbot.waitUntil(assert_whole, timeout=1000)  # the layout settles
+        learning.click("learnCancelButton")
+
+
+def assert_rows_are_whole(learning: LearningDialog, factor: int, width: int) -> None:
+    case = f"font {factor} times, {width} pixels wide"
+    box = learning.find_only(ScrollBox)
+    page = box.widget()
+    assert isinstance(page, ChannelRows)
+    for bar in WidgetDriver(page, learning.qtbot).find_all(ChannelBar):
+        assert bar.height() >= bar.sizeHint().height(), case
+    below = 0
+    for channel in CHANNELS:
+        bar, problem = learning.bar(channel), learning.find(Note, f"learnProblem{channel}")
+        assert problem.text(), case
+        assert problem.height() >= problem.heightForWidth(problem.width()), case
+        assert problem.x() + problem.contentsMargins().left() == bar.x() + bar.inset, case
+        assert bar.y() >= below, case
+        below = problem.geometry().bottom()
+    words, first = learning.find(QLabel, "learnNeutral1"), learning.find(Note, "learnProblem1")
+    seen = box.viewport().height()
+    assert words.mapTo(page, words.rect().bottomLeft()).y() < seen, case
+    assert width < 900 or first.geometry().bottom() < seen, case
+
+
+# --- Stops and lost lines ---------------------------------------------------------------
+
+
+def test_running_motors_are_braked_before_learning(learning: LearningDialog) -> None:
+    run_motor(learning)
+    learning.start_learning(1)
+    assert_braked(learning)
+
+
+@pytest.mark.parametrize("fault", ["mute on", "noise 0.5"])
+def test_unconfirmed_stop_blocks_learning(learning: LearningDialog, fault: str) -> None:
+    run_motor(learning)
+    learning.simulator.do(f"line {fault}")
+    learning.dialog.learn((1,))
+    learning.wait(lambda: learning.can_click("learnAgainButton"))
+    reasons = ("not sure that the motors stand", "has stopped answering")
+    assert any(reason in learning.head for reason in reasons), learning.head
+    assert not learning.can_click("learnNextButton")
+    assert not learning.can_click("learnTakeButton")
+
+    learning.simulator.do("line mute off")
+    learning.simulator.do("line noise 0")
+    learning.wait(lambda: learning.device.link is Link.UP)
+    learning.click("learnAgainButton")
+    learning.wait_for_head("Let go of every stick")
+    assert_braked(learning)
+
+
+def run_motor(learning: LearningDialog) -> None:
+    learning.device.motors.arm()
+    learning.device.motors.set_speed(1, 60)
+    learning.wait(lambda: learning.simulator.show()["motors"][0]["speed"] == 60)
+
+
+def assert_braked(learning: LearningDialog) -> None:
+    motors = learning.simulator.show()["motors"]
+    assert [motor["target_direction"] for motor in motors] == ["brake", "brake"]
+    assert not learning.device.motors.armed
+
+
+def test_current_after_the_stop_has_to_be_checked(learning: LearningDialog) -> None:
+    learning.simulator.do("current 1 4.5")  # as another controller on the line would have it
+    learning.dialog.learn((1,))
+    learning.wait_for_head("and yet motor 1 draws 4.5 A. Look at the motors")
+    assert learning.button("learnNextButton").text() == "The motors stand: go on"
+    assert not learning.can_click("learnTakeButton")
+
+    learning.simulator.do("current 1 auto")
+    learning.click("learnAgainButton")
+    assert "Stopping the motors" in learning.head
+    learning.wait_for_head("Let go of every stick")
+    assert learning.button("learnNextButton").text() == "Next"
+
+
+def test_unplugging_ends_each_step_and_changes_nothing(learning: LearningDialog) -> None:
+    learning.use({1: Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02)})
+    settings = learning.device.settings
+    assert settings is not None
+    for step, reason in (
+        (learning.start_learning, "The line to the board is gone. Nothing was changed"),
+        (learning.go_to_travel, "The line to the board is gone. Nothing was changed"),
+        (learning.go_to_review, "The line to the board is gone. Nothing was changed"),
+        (learning.start_test, "The line to the board is gone. The test has ended"),
+    ):
+        step(1)
+        learning.simulator.do("line unplug")
+        learning.wait_for_head(reason)
+        assert not learning.can_click("learnTakeButton"), step
+        assert not learning.can_click("learnNextButton"), step
+        learning.click("learnAgainButton")
+        learning.wait_for_head("Connect to a board first")
+        learning.click("learnCancelButton")
+        assert not learning.dialog.isVisible()
+        learning.assert_nothing_changed()
+
+        learning.simulator.do("line plug")
+        learning.device.connect_to(settings)
+        learning.wait(lambda: learning.device.link is Link.UP)
+
+
+def test_learning_can_be_restarted_after_the_board_was_mute(learning: LearningDialog) -> None:
+    learning.use({1: Stick()})
+    learning.go_to_travel(1)
+    learning.simulator.do("line mute on")
+    learning.wait_for_head("has stopped answering")
+    learning.simulator.do("line mute off")
+    learning.wait(lambda: learning.device.link is Link.UP)
+    learning.click("learnAgainButton")
+    learning.wait_for_head("Let go of every stick")

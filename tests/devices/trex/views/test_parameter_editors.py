@@ -1,0 +1,231 @@
+"""Every parameter of every board, edited through its own editor as a parameters does."""
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QComboBox, QSpinBox, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.devices.trex.views.parameters import ParametersDriver
+from tests.support.window import WidgetDriver
+from trex_gui.devices.trex.model.parameters.parameters import Column
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import channels_in
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.parameters import Kind, ParameterSpec, parameters_of
+
+BOARDS = [(model.key, version) for model in device_table().models for version in model.firmware]
+SPECS = parameters_of("trexjr", "1.2")
+
+
+@pytest.fixture
+def parameters(qtbot: QtBot) -> ParametersDriver:
+    parameters = ParametersDriver(qtbot)
+    parameters.load(SPECS)
+    return parameters
+
+
+def new_in(model_key: str, firmware: str) -> list[ParameterSpec]:
+    """The parameters that are not the same as in an older firmware, where they were tried."""
+    older = [version for key, version in BOARDS if key == model_key and version < firmware]
+    tried = [spec for version in older for spec in parameters_of(model_key, version).readable]
+    return [spec for spec in parameters_of(model_key, firmware).readable if spec not in tried]
+
+
+def test_each_parameter_of_each_board_is_tested() -> None:
+    tried = {(key, spec.key) for key, version in BOARDS for spec in new_in(key, version)}
+    boards = ((key, parameters_of(key, version)) for key, version in BOARDS)
+    assert tried == {(key, spec.key) for key, specs in boards for spec in specs.readable}
+
+
+def values_to_try(spec: ParameterSpec) -> list[int]:
+    """One between, lowest and highest, each another than the one before."""
+    valid = sorted(spec.valid)
+    others = [wire for wire in valid if wire != spec.default]
+    wanted = [others[len(others) // 2], valid[0], valid[-1]]
+    pairs = zip(wanted, [spec.default, *wanted], strict=False)
+    return [wire for wire, before in pairs if wire != before]
+
+
+def type_number(editor: QWidget, text: str) -> None:
+    assert isinstance(editor, QSpinBox)
+    editor.selectAll()
+    QTest.keyClicks(editor, text)
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+
+
+def choose(combo: QComboBox, index: int) -> None:
+    """Walk to an entry with the arrow keys."""
+    while combo.currentIndex() != index:
+        before = combo.currentIndex()
+        down = combo.currentIndex() < index
+        QTest.keyClick(combo, Qt.Key.Key_Down if down else Qt.Key.Key_Up)
+        assert combo.currentIndex() != before
+
+
+def check_channels(editor: WidgetDriver, wire: int) -> None:
+    for channel in range(1, 6):
+        name = f"channel{channel}Box"
+        if editor.button(name).isChecked() != (channel in channels_in(wire)):
+            editor.click(name)
+
+
+def choose_line_settings(editor: WidgetDriver, wire: int) -> None:
+    wanted = LineSettings.from_wire(wire)
+    for name, data in (
+        ("baudField", wanted.baud),
+        ("detectionField", wanted.detection),
+        ("stopBitsField", wanted.stop_bits),
+    ):
+        field = editor.combo(name)
+        choose(field, field.findData(data))
+
+
+def enter(editor: WidgetDriver, spec: ParameterSpec, wire: int) -> None:
+    """Enter a wire value with mouse and keys."""
+    match spec.kind:
+        case Kind.CHOICE:
+            assert isinstance(editor.root, QComboBox)
+            choose(editor.root, editor.root.findData(wire))
+        case Kind.CHANNELS:
+            check_channels(editor, wire)
+        case Kind.UART:
+            choose_line_settings(editor, wire)
+        case _:
+            type_number(editor.root, spec.text(wire))
+
+
+@pytest.mark.parametrize(
+    ("model_key", "firmware"),
+    [
+        *(pytest.param(*board, marks=pytest.mark.slow) for board in BOARDS[:-1]),
+        BOARDS[-1],
+    ],
+)
+def test_each_parameter_takes_its_extreme_values(
+    qtbot: QtBot, model_key: str, firmware: str
+) -> None:
+    parameters = ParametersDriver(qtbot)
+    parameters.load(parameters_of(model_key, firmware))
+    for spec in new_in(model_key, firmware):
+        for number, wire in enumerate(values_to_try(spec)):
+            opening = parameters.open_with_mouse if number % 2 else parameters.open_with_keys
+            enter(WidgetDriver(opening(spec.key), qtbot), spec, wire)
+            parameters.wait_for_value(spec.key, wire)
+            expected = () if wire == spec.default else ((spec.key, wire),)
+            assert parameters.model.pending == expected
+            if parameters.is_editing(spec.key):
+                parameters.close_editor(spec.key)
+        parameters.model.restore(spec.key)
+    assert not parameters.rejected
+
+
+@pytest.mark.parametrize(("model_key", "firmware"), BOARDS)
+def test_each_number_out_of_range_is_rejected_with_its_limits(
+    qtbot: QtBot, model_key: str, firmware: str
+) -> None:
+    parameters = ParametersDriver(qtbot)
+    parameters.load(parameters_of(model_key, firmware))
+    no_numbers = {Kind.CHOICE, Kind.CHANNELS, Kind.UART}
+    for spec in new_in(model_key, firmware):
+        if spec.kind not in no_numbers:
+            type_number(parameters.open_with_mouse(spec.key), "99999")
+            assert parameters.is_editing(spec.key)
+            assert spec.text(spec.maximum) in parameters.rejected[-1]
+            assert spec.name in parameters.rejected[-1]
+            parameters.close_editor(spec.key)
+            assert not parameters.model.pending
+
+
+def test_keys_change_a_number(parameters: ParametersDriver) -> None:
+    editor = parameters.open_with_keys("serial_timeout")
+    for key in (Qt.Key.Key_Up, Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Return):
+        QTest.keyClick(editor, key)
+    parameters.wait_for_value("serial_timeout", 1)
+    parameters.wait_for_no_editor("serial_timeout")
+
+    parameters.go_to("serial_timeout")
+    QTest.keyClicks(parameters.view, "1")
+    editor = parameters.editor("serial_timeout")
+    QTest.keyClicks(editor, ".5 s")
+    QTest.keyClick(editor, Qt.Key.Key_Return)
+    parameters.wait_for_value("serial_timeout", 15)
+    parameters.wait_for_no_editor("serial_timeout")
+
+    editor = parameters.open_with_mouse("serial_timeout")
+    QTest.keyClicks(editor, "5")
+    parameters.close_editor("serial_timeout")
+    assert parameters.model.value_of("serial_timeout") == 15, "Escape keeps the value"
+
+
+def test_acceleration_may_be_typed_as_time_to_full_speed(parameters: ParametersDriver) -> None:
+    key = "motor1_acceleration"
+    for typed, wire in (
+        ("500 ms", 25),
+        ("3.2 s", 4),
+        ("12.7s", 1),
+        ("0,1 s", 127),
+        ("4", 4),
+        ("100 ms", 127),
+    ):
+        type_number(parameters.open_with_mouse(key), typed)
+        parameters.wait_for_no_editor(key)
+        assert parameters.model.value_of(key) == wire, typed
+
+    for typed in ("20 s", "10 ms", "0 s"):
+        parameters.rejected.clear()
+        type_number(parameters.open_with_mouse(key), typed)
+        assert "reaches full speed in 12.7 s to 100 ms" in parameters.rejected[-1], typed
+        assert parameters.is_editing(key), typed
+        parameters.close_editor(key)
+        assert parameters.model.value_of(key) == 127, typed
+
+
+def test_return_keeps_the_acceleration(parameters: ParametersDriver) -> None:
+    for wire in (0, 1, 2, 7, 40, 41, 63, 64, 99, 101, 124, 125, 126, 127):
+        parameters.model.edit("motor1_acceleration", wire)
+        QTest.keyClick(parameters.open_with_keys("motor1_acceleration"), Qt.Key.Key_Return)
+        parameters.wait_for_no_editor("motor1_acceleration")
+        assert parameters.model.value_of("motor1_acceleration") == wire
+
+
+def test_editor_stays_within_the_table(parameters: ParametersDriver) -> None:
+    parameters.table.resize(700, 500)
+    editor = parameters.open_with_mouse("uart_settings", Column.NAME)
+    assert editor.geometry().right() < parameters.view.viewport().width()
+    assert editor.width() >= editor.sizeHint().width()
+
+
+# --- Parameters that a file does not give -----------------------------------------------
+
+
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
+def test_parameter_not_given_takes_only_confirmed_values(parameters: ParametersDriver) -> None:
+    parameters.open_file(SPECS, serial_timeout=5)
+    keys = ("device_number", "motor_mode", "required_channels", "uart_settings")
+    for key in keys:
+        parameters.open_with_mouse(key)
+        parameters.go_to("serial_timeout")
+        parameters.wait_for_no_editor(key)
+    assert not parameters.model.modified
+
+    for key in keys:
+        QTest.keyClick(parameters.open_with_keys(key), Qt.Key.Key_Return)
+        parameters.wait_for_value(key, SPECS[key].default)
+        parameters.wait_for_no_editor(key)
+        parameters.draft.undo.undo()
+        assert not parameters.model.modified, key
+
+    combo = parameters.open_with_mouse("motor_mode")
+    assert isinstance(combo, QComboBox)
+    combo.showPopup()
+    QTest.keyClick(combo.view(), Qt.Key.Key_Return)
+    parameters.wait_for_value("motor_mode", 0)
+    parameters.wait_for_no_editor("motor_mode")
+    parameters.draft.undo.undo()
+
+    editor = WidgetDriver(parameters.open_with_mouse("ignored_channels"), parameters.qtbot)
+    check_channels(editor, 0b101)
+    type_number(parameters.open_with_mouse("device_number"), "9")
+    parameters.wait(lambda: len(parameters.model.pending) == 2)
+    assert dict(parameters.model.pending) == {"ignored_channels": 5, "device_number": 9}

@@ -1,0 +1,428 @@
+"""The window for one settings file, with no board."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtGui import QColor, QTextCursor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QMessageBox,
+    QTableView,
+    QTableWidget,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
+
+from tests.support.bad_files import BAD_FILES, BadFile
+from tests.support.pages.settings import SettingsEditorWindow, answer_questions
+from tests.support.window import LEFT, WidgetDriver
+from trex_gui.core.resource_files import resource
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.views.count_editor import CountEditor
+from trex_gui.devices.trex.views.settings_editor.numbered_text import NumberedText
+from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
+from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.ui.theme.theme import theme
+
+TEXT = (
+    "product: TReX\r\n"
+    "# my rover\r\n"
+    "motor_mode: 0   # two motors\r\n"
+    "rc_channel_2: {minimum: 2600, neutral: 3700, maximum: 4900, deadband: 60}\r\n"
+)
+PARAMETERS, CALIBRATIONS, FINDINGS, TEXT_PAGE = range(4)
+
+
+class EditorDriver(SettingsEditorWindow):
+    """The window of a settings file, with its pages."""
+
+    def __init__(self, editor: SettingsEditor, qtbot: QtBot) -> None:
+        super().__init__(editor, qtbot)
+        self.tabs = editor.tabs
+
+    @property
+    def path(self) -> Path:
+        assert self.document.path is not None
+        return self.document.path
+
+    @property
+    def banner(self) -> str:
+        return self.text("bannerText")
+
+    @property
+    def text_page(self) -> NumberedText:
+        return self.find(NumberedText, "settingsText")
+
+    def value_of(self, key: str) -> int | None:
+        return self.document.draft.parameters.value_of(key)
+
+    def trigger(self, name: str) -> None:
+        """Choose a menu entry."""
+        action = self.action(name)
+        assert action.isEnabled(), name
+        action.trigger()
+
+    def findings(self, panel: str = "findingsPanel") -> list[tuple[str, str]]:
+        """Return line and text of each finding."""
+        table = self.findings_table(panel)
+        cells = [[table.item(row, column) for column in (1, 3)] for row in range(table.rowCount())]
+        return [(line.text(), words.text()) for line, words in cells if line and words]
+
+    def findings_table(self, panel: str = "findingsPanel") -> QTableWidget:
+        part = WidgetDriver(self.find(QWidget, panel), self.qtbot)
+        return part.find(QTableWidget, "findingsTable")
+
+    def select_calibration(self, row: int, column: int = 1) -> QTableView:
+        self.tabs.setCurrentIndex(CALIBRATIONS)
+        view = self.find(QTableView, "calibrationsView")
+        view.setCurrentIndex(view.model().index(row, column))
+        return view
+
+    def type_count(self, row: int, column: int, text: str) -> CountEditor:
+        """Type into a cell of the calibrations and press Return."""
+        view = self.select_calibration(row, column)
+        cells = WidgetDriver(view, self.qtbot)
+        self.wait(lambda: not cells.find_all(CountEditor))
+        view.edit(view.currentIndex())
+        box = cells.find(CountEditor, "countEditor")
+        box.selectAll()
+        QTest.keyClick(box, Qt.Key.Key_Delete)
+        QTest.keyClicks(box, text)
+        QTest.keyClick(box, Qt.Key.Key_Return)
+        QCoreApplication.sendPostedEvents(view.itemDelegate())  # it takes Return a moment later
+        return box
+
+    def compare_dialog(self) -> WidgetDriver:
+        return WidgetDriver(self.find(QDialog, "compareDialog"), self.qtbot)
+
+
+Open = Callable[[str | bytes], EditorDriver]
+
+
+@pytest.fixture
+def device(qapp: QApplication) -> Device:
+    theme().install(qapp)
+    return Device()
+
+
+@pytest.fixture
+def open_text(device: Device, tmp_path: Path, qtbot: QtBot) -> Iterator[Open]:
+    """Open a settings file that contains this."""
+    editors = []
+
+    def opened(data: str | bytes) -> EditorDriver:
+        path = tmp_path / "rover.txt"
+        path.write_bytes(data if isinstance(data, bytes) else data.encode())
+        editor = SettingsEditor(SettingsDocument.open(path), device)
+        editors.append(editor)
+        editor.show()
+        return EditorDriver(editor, qtbot)
+
+    yield opened
+    for editor in editors:
+        if isValid(editor):
+            editor.close_at_once()
+
+
+@pytest.fixture
+def editor(open_text: Open) -> EditorDriver:
+    """The editor of a file without findings."""
+    return open_text(TEXT)
+
+
+def describes(rows: list[tuple[str, str]], bad: BadFile) -> bool:
+    """Return whether one of the findings describes a bad file, in its line."""
+    line = "" if bad.line is None else str(bad.line)
+    return any(line == at and bad.words.lower() in words.lower() for at, words in rows)
+
+
+# --- Pages ------------------------------------------------------------------------------
+
+
+def test_title_and_text_page_follow_edits(editor: EditorDriver) -> None:
+    window, text = editor.editor, editor.text_page
+    assert window.windowTitle() == "rover.txt[*] – TReX settings file"
+    assert not window.isWindowModified()
+    assert text.isReadOnly()
+    editor.edit("motor_mode", 1)
+    editor.wait(window.isWindowModified)
+    editor.wait(lambda: "motor_mode: 1   # two motors" in text.lines)
+    assert "\n".join(text.lines) == editor.document.text.replace("\r\n", "\n")
+    editor.trigger("Undo")
+    editor.wait(lambda: not window.isWindowModified())
+
+
+def test_samples_open_with_every_page(open_text: Open) -> None:
+    for path in resource("samples").glob("*.txt"):
+        editor = open_text(path.read_bytes())
+        for page in range(editor.tabs.count()):
+            assert editor.tabs.isTabEnabled(page), path
+            editor.tabs.setCurrentIndex(page)
+            assert not editor.editor.grab().isNull(), path
+        editor.editor.close_at_once()
+
+
+def test_bad_files_open_as_text_with_findings(open_text: Open) -> None:
+    bad_texts = [bad for bad in BAD_FILES if bad.is_text]
+    assert bad_texts
+    for bad in bad_texts:
+        editor = open_text(bad.data)
+        assert editor.tabs.currentIndex() == TEXT_PAGE, bad.name
+        assert not editor.tabs.isTabEnabled(PARAMETERS), bad.name
+        assert not editor.tabs.isTabEnabled(CALIBRATIONS), bad.name
+        assert not editor.text_page.isReadOnly(), bad.name
+        rows = editor.findings("textFindings")
+        assert describes(rows, bad), bad.name
+        assert rows == editor.findings(), bad.name
+        assert not editor.editor.isWindowModified(), bad.name
+        editor.editor.close_at_once()
+
+
+def test_repaired_text_opens_the_pages(open_text: Open) -> None:
+    editor = open_text("product: TReX\r\nmotor_mode: 9\r\n# mine\r\n")
+    text = editor.text_page
+    text.show_line(2)
+    QTest.keyClick(text, Qt.Key.Key_End)
+    QTest.keyClick(text, Qt.Key.Key_Backspace)
+    editor.click("checkAgainButton")
+    assert not editor.tabs.isTabEnabled(PARAMETERS)
+    QTest.keyClicks(text, "1")
+    assert editor.editor.isWindowModified()
+    editor.click("checkAgainButton")
+    assert editor.tabs.isTabEnabled(PARAMETERS)
+    assert text.isReadOnly()
+    editor.trigger("Save")
+    assert editor.path.read_bytes() == b"product: TReX\r\nmotor_mode: 1\r\n# mine\r\n"
+
+
+def test_typing_is_undone_to_the_byte(open_text: Open) -> None:
+    for text in (
+        "product: TReX\nmotor_mode: 9\n",
+        "a\xa0b\r\nc\rd\n\u2028e",
+        "\ufeffx: [\n",
+        "x: {\x85y\n",
+    ):
+        editor = open_text(text)
+        QTest.keyClicks(editor.text_page, "# ")
+        assert "# " in editor.document.text
+        editor.trigger("Undo")
+        assert editor.document.text == text, repr(text)
+        assert not editor.editor.isWindowModified(), repr(text)
+        editor.editor.close_at_once()
+
+
+def test_finding_shows_its_line_or_is_accepted(open_text: Open) -> None:
+    editor = open_text("product: TReX\n\n\nmotor_mode: 9\n")
+    editor.tabs.setCurrentIndex(FINDINGS)
+    table = editor.findings_table()
+    item = table.item(0, 3)
+    assert item is not None
+    place = table.visualItemRect(item).center()
+    QTest.mouseClick(table.viewport(), LEFT, pos=place)
+    QTest.mouseDClick(table.viewport(), LEFT, pos=place)
+    assert editor.tabs.currentIndex() == TEXT_PAGE
+    assert editor.text_page.textCursor().blockNumber() == 3
+    editor.editor.close_at_once()
+
+    editor = open_text("product: TReX\nrequired_channels: 1\nignored_channels: 1\n")
+    editor.tabs.setCurrentIndex(FINDINGS)
+    rows = editor.findings()
+    row = next(n for n, (_, words) in enumerate(rows) if "required and ignored" in words)
+    assert rows[row][0] == "2"
+    assert editor.tabs.tabText(FINDINGS) == f"Findings ({len(rows)})"
+    editor.findings_table().setCurrentCell(row, 0)
+    WidgetDriver(editor.find(QWidget, "findingsPanel"), editor.qtbot).click("acceptFindingButton")
+    assert editor.value_of("required_channels") == 0
+    editor.wait(lambda: len(editor.findings()) == len(rows) - 1)
+
+
+# --- Calibrations -----------------------------------------------------------------------
+
+
+def test_count_is_typed_in_any_unit(editor: EditorDriver) -> None:
+    calibrations = editor.document.draft.calibrations
+    expected = Calibration(2601, 3700, 4900, 60)
+    for typed in ("1040.4", "1040.4 µs", "1,0404 ms", "2601 counts", "2601 #"):
+        editor.type_count(1, 1, typed)
+        assert calibrations.shown(2, InputSource.RC) == expected, typed
+        editor.trigger("Undo")
+        assert editor.document.text == TEXT, typed
+
+    for typed in ("2.5 V", "fast", "99999", "-1", ""):
+        box = editor.type_count(1, 1, typed)
+        assert box.isVisible(), typed
+        assert "no value here" in editor.text("calibrationsNote"), typed
+        QTest.keyClick(box, Qt.Key.Key_Escape)
+        assert editor.document.text == TEXT, typed
+
+    editor.type_count(1, 1, "1900")
+    assert "minimum 4750 is above neutral 3700" in editor.text("calibrationsNote")
+    assert editor.document.text == TEXT
+
+
+def test_calibrations_are_added_and_left_out(editor: EditorDriver) -> None:
+    calibrations = editor.document.draft.calibrations
+    view = editor.select_calibration(7)
+    assert view.model().index(7, 1).data() == "not given"
+    editor.click("addCalibrationButton")
+    assert calibrations.shown(3, InputSource.ANALOG) == DEFAULT_CALIBRATION[InputSource.ANALOG]
+    editor.select_calibration(1)
+    editor.click("leaveOutCalibrationButton")
+    assert calibrations.shown(2, InputSource.RC) is None
+    assert "# rc_channel_2" in editor.document.text
+    editor.trigger("Undo")
+    editor.trigger("Undo")
+    assert editor.document.text == TEXT
+
+
+# --- Saving and closing -----------------------------------------------------------------
+
+
+def test_file_changed_on_disk_is_overwritten_after_a_question(
+    editor: EditorDriver, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    editor.path.write_text("product: TReX\n# by another program\n", encoding="utf-8")
+    asked = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    editor.trigger("Save")
+    assert "changed by another program" in asked[0]
+    assert "by another program" in editor.path.read_text(encoding="utf-8")
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
+    editor.trigger("Save")
+    assert editor.path.read_bytes() == TEXT.encode()
+
+
+def test_file_is_rewritten_after_a_question(
+    open_text: Open, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    editor = open_text("product: TReX\nfirmware: |\n  1.2")  # cannot be changed in place
+    editor.edit("motor_mode", 1)
+    asked = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    editor.trigger("Save")
+    assert "fresh text" in asked[0]
+    assert editor.document.modified
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
+    editor.trigger("Save")
+    assert "motor_mode: 1" in editor.path.read_text(encoding="utf-8")
+
+
+def test_edits_are_kept_until_saved_or_dropped(
+    editor: EditorDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    editor.edit("motor_mode", 1)
+    assert not editor.editor.save_to(tmp_path / "gone" / "rover.txt")
+    assert "Not saved" in editor.banner
+    assert editor.document.modified
+
+    asked = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    assert not editor.editor.close()
+    assert "rover.txt has changes" in asked[0]
+    assert editor.document.modified
+    answer_questions(monkeypatch, QMessageBox.StandardButton.Save)
+    path = editor.path
+    assert editor.editor.close()
+    assert b"motor_mode: 1" in path.read_bytes()
+
+
+# --- Comparing --------------------------------------------------------------------------
+
+
+def test_files_are_compared_and_values_taken(editor: EditorDriver, tmp_path: Path) -> None:
+    editor.editor.compare_with_file(tmp_path / "nowhere.txt")
+    assert "no such file" in editor.banner
+
+    other = tmp_path / "other.txt"
+    other.write_text("product: TReX\nmotor_mode: 1\nserial_timeout: 5\n", encoding="utf-8")
+    editor.editor.compare_with_file(other)
+    dialog = editor.compare_dialog()
+    assert "3 settings: 3 differ, 0 match" in dialog.text("comparisonSummary")
+    dialog.click("takeValuesButton")
+    assert (editor.value_of("motor_mode"), editor.value_of("serial_timeout")) == (1, 5)
+    assert "2 values were taken from other.txt" in editor.banner
+    dialog.wait_for_text("comparisonSummary", "1 differs, 2 match")
+    editor.trigger("Undo")
+    assert editor.document.text == TEXT
+    dialog.root.close()
+
+
+def test_other_models_give_no_values(open_text: Open, tmp_path: Path) -> None:
+    editor = open_text(TEXT)
+    other = tmp_path / "junior.txt"
+    other.write_text("product: TReX Jr\nmotor_mode: 1\n", encoding="utf-8")
+    editor.editor.compare_with_file(other)
+    dialog = editor.compare_dialog()
+    assert "TReX Jr" in dialog.text("compareTrouble")
+    assert not dialog.has("takeValuesButton")
+    dialog.root.close()
+    editor.editor.close_at_once()
+
+    editor = open_text("product: TReX Jr\nserial_timeout: 5\n")
+    editor.trigger("CompareFactory")
+    dialog = editor.compare_dialog()
+    assert "match" in dialog.text("comparisonSummary")
+    dialog.root.close()
+
+
+# --- Printing ---------------------------------------------------------------------------
+
+
+def settings_in(text: str) -> Settings:
+    settings, _ = read_settings(text)
+    return settings
+
+
+def test_printed_settings_name_every_row(device: Device) -> None:
+    settings = settings_in(TEXT)
+    html = PrintedSettings(settings, "a<b>.txt", ["line 3: odd & strange"]).html()
+    for spec in settings.specs.readable:
+        assert spec.name in html
+        assert spec.key in html
+    assert "a&lt;b&gt;.txt" in html
+    assert "1040 µs (2600)" in html
+    assert "odd &amp; strange" in html
+    assert "<b>" not in html  # everything given is the factory default
+
+    changed = settings_in("product: TReX\nserial_timeout: 5\n")
+    assert "<b>0.5 s</b>" in PrintedSettings(changed, "rover.txt").html()
+
+    theme().set_scheme("dark")
+    document = PrintedSettings(settings, "rover.txt").document()
+    cursor = QTextCursor(document)
+    colours = set()
+    while cursor.movePosition(QTextCursor.MoveOperation.NextWord):
+        colours.add(cursor.charFormat().foreground().color().name())
+    theme().set_scheme("system")
+    assert colours == {QColor(Qt.GlobalColor.black).name()}, "black on paper"
+
+
+def test_pages_are_saved_as_pdf_and_previewed(open_text: Open, tmp_path: Path) -> None:
+    editor = open_text(resource("samples/tank_with_mix.txt").read_bytes())
+    path = tmp_path / "tank.pdf"
+    editor.editor.save_pdf(path)
+    data = path.read_bytes()
+    assert data.startswith(b"%PDF")
+    assert data.rstrip().endswith(b"%%EOF")
+    assert data.count(b"/Type /Page\n") >= 1
+    editor.editor.save_pdf(tmp_path / "gone" / "tank.pdf")
+    assert "Not saved" in editor.banner
+
+    long = tmp_path / "long.pdf"
+    findings = [f"finding {n}" for n in range(200)]
+    PrintedSettings(settings_in(TEXT), "long.txt", findings).save_pdf(long)
+    assert long.read_bytes().count(b"/Type /Page\n") > 2
+
+    dialog = editor.editor.preview()
+    if dialog is None:
+        assert "printing is not installed" in editor.banner
+        return
+    editor.wait(dialog.isVisible)
+    dialog.close()

@@ -1,0 +1,49 @@
+"""Motors left running by a lost connection, and another board connected afterwards."""
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.model.connection import Link
+
+
+def lose(window: WindowDriver, board: SimulatedDevice) -> None:
+    """Unplug a board while its motor runs."""
+    device, motors = window.device, window.motors
+    window.wait(lambda: motors.can_arm)
+    motors.arm()
+    motors.set_speed(1, 60)
+    window.wait(lambda: device.may_move and board.show()["motors"][0]["direction"] == "forward")
+    board.do("line unplug")
+    window.wait(lambda: device.link is Link.NONE)
+    assert device.may_move
+
+
+def test_stop_of_second_board_warns_about_first_board(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    first, second = start_simulator(), start_simulator()
+    window.connect(first.url)
+    failures: list[str] = []
+    window.device.failed.connect(failures.append)
+
+    lose(window, first)
+    failures.clear()
+    window.connect(first.do("line plug").split()[-1])
+    window.wait(lambda: not window.device.may_move)
+    assert first.show()["motors"][0]["direction"] == "brake"
+    assert failures == [], "the board itself has confirmed its stop"
+
+    url = window.device.settings.url if window.device.settings is not None else ""
+    lose(window, first)
+    failures.clear()
+    window.connect(second.url)
+    window.wait(lambda: not window.device.may_move and failures)
+    (failure,) = failures
+    assert url in failure
+    assert "cut the power of the first" in failure
+    window.wait_for_text("bannerText", failure)
+    assert window.has("bannerText")
+
+    window.disconnect()
+    window.connect(second.url)
+    window.wait(lambda: not window.device.may_move)
+    assert failures == [failure], "once"

@@ -1,0 +1,122 @@
+"""Ports that are remote, damaged, or lead to no TReX."""
+
+import socket
+import threading
+from collections.abc import Iterator
+
+import pytest
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.virtual_time import VirtualRuntime
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+
+
+@pytest.fixture
+def unsolicited_sender() -> Iterator[str]:
+    """A device that sends unsolicited data, as a GPS receiver does."""
+    server = socket.create_server(("127.0.0.1", 0))
+    ending = threading.Event()
+
+    def talk() -> None:
+        connection, _ = server.accept()
+        with connection:
+            while not ending.is_set():
+                try:
+                    connection.sendall(b"$GPGGA,123519,4807.038,N\r\n" * 20)
+                except OSError:
+                    return
+
+    thread = threading.Thread(target=talk)
+    thread.start()
+    yield f"socket://127.0.0.1:{server.getsockname()[1]}"
+    ending.set()
+    server.close()
+    thread.join(5)
+
+
+@pytest.mark.parametrize("kind", ["--tcp", "--rfc2217"])
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
+@pytest.mark.realtime
+def test_network_board_connects_and_its_loss_is_reported(
+    kind: str, window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator(kind, "127.0.0.1:0")
+    window.device.connect_to(LinkSettings(simulator.url))
+    window.wait(lambda: window.device.link is Link.UP)
+    simulator.do("line unplug")
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert "gone" in window.text("bannerText")
+
+
+@pytest.mark.realtime
+def test_device_sending_unsolicited_data_is_reported(
+    window: WindowDriver, unsolicited_sender: str
+) -> None:
+    window.device.connect_to(LinkSettings(unsolicited_sender))
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert "not as a TReX does" in window.text("bannerText")
+    assert window.device.shut_down()
+
+
+def test_port_without_a_board_is_reported(window: WindowDriver, simulator: SimulatedDevice) -> None:
+    simulator.do("power off")
+    window.device.connect_to(LinkSettings(simulator.url))
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert "No TReX answers" in window.text("bannerText")
+    assert "power" in window.text("bannerText")
+
+
+def test_wrong_baud_rate_is_named_in_the_message(
+    window: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    window.device.connect_to(LinkSettings(simulator.url, LineSettings(9600)))
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert "9600 baud" in window.text("bannerText")
+
+
+def test_board_set_to_crc_reconnects_with_crc(
+    window: WindowDriver, simulator: SimulatedDevice
+) -> None:
+    window.device.connect_to(LinkSettings(simulator.url))
+    window.wait(lambda: window.device.link is Link.UP)
+    model = window.device.parameters
+    model.setData(model.index_of("uart_settings"), 0x2A)
+    window.device.apply()
+    window.wait(lambda: model.waiting_for_power == ("UART Settings",))
+    simulator.do("power off")
+    simulator.do("power on")
+    settings = LinkSettings(simulator.url, LineSettings(115200, Detection.CRC7))
+    window.device.connect_to(settings)
+    window.wait(lambda: window.device.settings == settings)
+    window.wait(lambda: window.device.link is Link.UP)
+    assert model.waiting_for_power == ()
+
+
+def test_addressed_board_with_echo_connects(
+    window: WindowDriver, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--echo", "--device", "9")
+    window.device.connect_to(LinkSettings(simulator.url, device_number=9))
+    window.wait(lambda: window.device.link is Link.UP)
+    assert window.device.echo
+
+
+def test_driving_continues_over_a_damaged_echo(
+    window: WindowDriver, start_simulator: StartSimulator, virtual_time: VirtualRuntime
+) -> None:
+    simulator = start_simulator("--echo")
+    window.device.connect_to(LinkSettings(simulator.url))
+    window.wait(lambda: window.device.link is Link.UP)
+    window.device.motors.arm()
+    simulator.do("line noise 0.01")
+    for speed in range(1, 60):
+        window.device.motors.set_speed(1, speed)
+        virtual_time.advance(0.01)
+    simulator.do("line noise 0")
+    assert window.device.link is not Link.NONE
+    window.device.motors.stop()
+    window.wait(lambda: not window.device.may_move)
+    assert simulator.show()["motors"][0]["direction"] == "brake"

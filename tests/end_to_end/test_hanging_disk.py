@@ -1,0 +1,75 @@
+"""The program exits cleanly while a thread is blocked writing a file."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.support.matrix import sampled
+
+pytestmark = [
+    pytest.mark.realtime,
+    pytest.mark.skipif(sys.platform == "win32", reason="needs named pipes"),
+]
+
+ROOT = Path(__file__).parents[2]
+
+_SCRIPT = """
+import sys
+from pathlib import Path
+import numpy as np
+from PySide6.QtCore import QTimer
+from trex_gui import app, window
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.model.telemetry import Series
+from trex_gui.devices.trex.model.traces.curves import board_traces
+from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.traces import Traces
+
+build, kept, path = window.build, [], Path(sys.argv[2])
+
+def table(program):
+    from trex_gui.ui.plotting.panel import TracePanel
+    history, times = History(len(Series)), np.arange(1000) / 80
+    history.extend(times, [times] * len(Series))
+    kept.append(panel := TracePanel())
+    panel.set_source(Traces(board_traces(), history))
+    panel.export.save_table(path, -np.inf, np.inf)
+
+def transcript(program):
+    from trex_gui.ui.traffic.saver import TranscriptSaver
+    kept.append(saver := TranscriptSaver(program.device.transcript, program.window))
+    saver.save(path, program.device.transcript.everything.rows)
+
+def built(*_):
+    program = build()
+    def begin():
+        globals()[sys.argv[1]](program)
+        QTimer.singleShot(300, program.window.close)
+    QTimer.singleShot(300, begin)
+    return program
+
+window.build = built
+code = app.main([])
+sys.stdout.write("whole")
+sys.exit(code)
+"""
+
+
+@pytest.mark.parametrize("what", sampled(["table", "transcript"], every=2))
+def test_program_exits_while_a_file_write_blocks(what: str, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "nobody_reads")
+    result = subprocess.run(
+        [sys.executable, "-c", _SCRIPT, what, str(tmp_path / "nobody_reads")],
+        cwd=ROOT,
+        env={**os.environ, "XDG_CONFIG_HOME": str(tmp_path), "TREX_STUDIO_DATA": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=45,
+        check=False,
+    )
+    assert result.returncode == 0, result.stderr
+    assert result.stdout == "", "the interpreter would destroy a thread that runs"
+    assert "Destroyed while" not in result.stderr

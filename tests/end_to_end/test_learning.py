@@ -1,0 +1,158 @@
+"""A user learns the channels of a simulated board in the main window.
+
+What the dialog shows is in tests/views/test_learning_dialog.py and test_stick_test_page.py.
+"""
+
+from collections.abc import Callable
+
+import pytest
+
+from tests.support.pages.learning import LearningDialog
+from tests.support.simulator import SimulatedDevice
+from tests.support.transmitter import Stick
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.views.learning.dialog import LearnDialog
+
+
+@pytest.fixture
+def learning(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -> LearningDialog:
+    window = connected_window
+    dialog = window.find(LearnDialog, "learnDialog")
+    return LearningDialog(dialog, window.device, quick_simulator, window.qtbot)
+
+
+def start_in(learning: LearningDialog, mode: str) -> None:
+    """Move the mode jumper, switch the board off and on, and wait until it is read."""
+    device, simulator = learning.device, learning.simulator
+    simulator.do(f"jumper mode {mode}")
+    simulator.do("power cycle")
+    is_serial = mode == "serial"
+    learning.wait(lambda: device.state is not None and device.state.mode.is_serial is is_serial)
+    learning.wait(lambda: device.telemetry.serial_controls is is_serial)
+
+
+def test_all_channels_are_learned_and_tested(
+    connected_window: WindowDriver, learning: LearningDialog
+) -> None:
+    learning.use(
+        {
+            1: Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02),
+            2: Stick(rest=1480, low=1050, high=1950, noise=1, forward_is_down=True),
+            3: Stick(rest=1100, low=1100, high=1900),
+            4: Stick(rest=1900, low=1100, high=1900, forward_is_down=True),
+            5: Stick(rest=1100, low=1100, high=1900),
+        }
+    )
+    connected_window.trigger("learn")
+    learning.wait_for_head("Let go of every stick")
+    learning.sample_rest()
+    learning.push(1, -1)
+    learning.finish_travel()
+    boxes = [learning.button(f"learnReversed{channel}").isChecked() for channel in CHANNELS]
+    assert boxes == [False, True, False, False, True]
+    assert [learning.problem(channel) for channel in CHANNELS] == [""] * 5
+    learning.assert_nothing_changed()
+
+    learning.click("learnTakeButton")
+    assert not learning.dialog.isVisible()
+    connected_window.click("writeButton")
+    # The test follows by itself.
+    learning.wait_for_head("Push every stick")
+    assert learning.device.pending == 0
+    for channel in CHANNELS:
+        learning.assert_learned(channel)
+    assert learning.stored()["parameters"]["reversed_channels"] == 0b10010
+    assert len(learning.device.history.snapshots()) == 1
+
+    learning.push(1, -1)
+    for channel in CHANNELS:
+        learning.wait_for_text(f"learnTest{channel}", "Good.")
+    learning.wait_for_head("Everything is as it should be")
+    learning.click("learnCancelButton")
+    assert not learning.dialog.isVisible()
+
+
+def test_safe_start_ends_at_the_learned_rest_positions(
+    connected_window: WindowDriver, learning: LearningDialog
+) -> None:
+    """With its factory defaults the board would never release the motors with these sticks."""
+    show = learning.simulator.show
+    learning.use({1: Stick(rest=1600), 2: Stick(rest=1420), 3: Stick(rest=1100, low=1100)})
+    start_in(learning, "rc")
+    learning.hold()
+    assert show()["safe_start"] is True
+    start_in(learning, "serial")
+    learning.go_to_review(1, 2, 3)
+    learning.click("learnTakeButton")
+    connected_window.click("writeButton")
+    learning.wait_for_text("learnSafeStart", "would release the motors")
+    learning.click("learnCancelButton")
+
+    learning.transmitter.put(1, 0.5)
+    start_in(learning, "rc")
+    learning.hold()
+    assert show()["safe_start"] is True
+    learning.transmitter.let_go()
+    learning.wait(lambda: show()["safe_start"] is False)
+    assert show()["aux"]["speed"] == 0
+
+    # A throttle whose trim goes down is no command for full speed.
+    for beyond, most in ((60, 10), (100, 25)):
+        learning.simulator.do(f"channel 3 {1100 - beyond}us")
+        learning.hold()
+        assert 0 < show()["aux"]["speed"] <= most
+
+
+def test_learning_can_be_cancelled_in_each_step(
+    connected_window: WindowDriver, learning: LearningDialog
+) -> None:
+    learning.use({1: Stick(rest=1523, low=1090, high=1905, noise=2, lost=0.02)})
+    cases: tuple[tuple[Callable[[int], None], Callable[[], object]], ...] = (
+        (learning.start_learning, lambda: learning.click("learnCancelButton")),
+        (learning.go_to_travel, learning.dialog.close),
+        (learning.go_to_review, learning.press_escape),
+    )
+    for step, cancel in cases:
+        step(1)
+        cancel()
+        assert not learning.dialog.isVisible(), step
+        learning.assert_nothing_changed()
+        assert learning.device.history.snapshots() == ()
+
+    assert not learning.dialog.isModal()
+    learning.start_learning(1)
+    connected_window.click("stopButton")
+    learning.wait_for_head("Let go of every stick")
+
+
+def test_reviewed_values_are_kept_when_learning_is_reopened(
+    connected_window: WindowDriver, learning: LearningDialog
+) -> None:
+    learning.use({1: Stick()})
+    learning.go_to_review(1)
+    page = connected_window.open_page("calibrationPage")
+    requests: dict[str, Callable[[], None]] = {
+        "page": lambda: page.click("learnButton"),
+        "learn": lambda: connected_window.trigger("learn"),
+        "test": lambda: connected_window.trigger("test_sticks"),
+    }
+    for name, request in requests.items():
+        request()
+        learning.hold()
+        assert learning.can_click("learnTakeButton"), name
+    learning.assert_nothing_changed()
+
+
+def test_learning_does_not_start_in_rc_or_analog_mode(
+    connected_window: WindowDriver, learning: LearningDialog
+) -> None:
+    for mode in ("rc", "analog"):
+        start_in(learning, mode)
+        for action in ("learn", "test_sticks"):
+            connected_window.trigger(action)
+            learning.wait_for_head("take the mode jumper off")
+            learning.click("learnCancelButton")
+    start_in(learning, "serial")
+    connected_window.trigger("test_sticks")
+    learning.wait_for_head("Push every stick")

@@ -1,0 +1,235 @@
+"""The stop button stays visible and works on low screens and behind prompts."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication, QFileDialog, QScrollArea, QSlider, QWidget
+
+from tests.support.held_line import before_storing
+from tests.support.pages.motors import Gesture
+from tests.support.virtual_devices import VirtualSimulator
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.model.device import Link
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets.inline_prompt import Question
+
+LOW = (960, 500)
+HIGH = (960, 800)
+
+
+class AskingWindow(WindowDriver):
+    """The window, its question, and its red button.
+
+    Attributes:
+        may_store: while it is false, the board's line holds the third setting of a write.
+    """
+
+    def __init__(self, window: WindowDriver, simulator: VirtualSimulator) -> None:
+        super().__init__(window.program, window.qtbot)
+        self.simulator = simulator
+        self.may_store = True
+
+    @property
+    def question(self) -> Question:
+        return self.find(Question, "question")
+
+    def is_shown(self) -> bool:
+        return self.window.isVisible()
+
+    def has_question(self) -> bool:
+        return self.question.isVisible()
+
+    def link(self) -> Link:
+        return self.device.link
+
+    def edit(self) -> None:
+        self.device.parameters.edit("serial_timeout", 15)
+
+    def check_that_stop_is_in_sight(self, case: str) -> None:
+        """Check it with the window as low as `LOW`."""
+        self.window.resize(*LOW)
+        assert self.window.minimumSizeHint().height() <= 480, case
+        assert self.window.height() == LOW[1], case
+        stop = self.button("stopButton")
+        place = QRect(stop.mapTo(self.window, QPoint(0, 0)), stop.size())
+        assert stop.isVisible(), case
+        assert self.window.rect().contains(place), case
+
+    def check_that_stop_works(self) -> None:
+        with self.qtbot.waitSignal(self.motors.stop_requested):
+            self.click("stopButton")
+
+    def begin_to_write(self) -> int:
+        """Begin to write a dozen settings, which ends when `may_store` is set."""
+        self.may_store = False
+
+        def wait() -> None:
+            while not self.may_store:
+                runtime().sleep(0.01)
+
+        before_storing(self.simulator, 3, wait)
+        stored = self.device.parameters.all_stored
+        for key in [key for key in stored if key.startswith("motor")][:12]:
+            self.device.parameters.edit(key, 1 - min(1, stored[key]))
+        count = self.device.pending
+        self.device.apply()
+        assert self.device.applying
+        return count
+
+
+@pytest.fixture
+def asking(
+    connected_window: WindowDriver, quick_simulator: VirtualSimulator
+) -> Iterator[AskingWindow]:
+    asking = AskingWindow(connected_window, quick_simulator)
+    yield asking
+    asking.may_store = True
+
+
+# --- Low screens ------------------------------------------------------------------------
+
+
+def test_stop_button_is_visible_on_low_screen(asking: AskingWindow) -> None:
+    asking.edit()
+    tabs = asking.window.pages
+    for index in filter(tabs.isTabVisible, range(tabs.count())):
+        asking.window.resize(*HIGH)
+        tabs.setCurrentIndex(index)
+        asking.check_that_stop_is_in_sight(tabs.tabText(index))
+
+    asking.device.failed.emit("Something went wrong, and it takes a while to say what. " * 6)
+    asking.trigger("reload")
+    asking.check_that_stop_is_in_sight("message and question")
+
+
+def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: AskingWindow) -> None:
+    asking.window.resize(*LOW)
+    asking.trigger("page5")
+    assert asking.find(QWidget, "parametersView").height() > 100
+    area = asking.find(QScrollArea, "parametersPageArea")
+    assert area.verticalScrollBar().maximum() == 0
+
+    asking.trigger("page3")
+    bar = asking.find(QScrollArea, "motorsPageArea").verticalScrollBar()
+    assert bar.maximum() > 0
+    asking.window.resize(*HIGH)
+    assert bar.maximum() == 0
+
+    asking.window.resize(*LOW)
+    asking.click("runButton")
+    slider = asking.find(QSlider, "motor1Slider")
+    asking.wait(slider.isEnabled)
+    slider.setFocus()
+    place = QPointF(slider.rect().center())
+    turn = QWheelEvent(
+        place,
+        QPointF(slider.mapToGlobal(place.toPoint())),
+        QPoint(),
+        QPoint(0, -120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(slider, turn)
+    assert slider.value() == 0
+    assert not turn.isAccepted() or bar.value() > 0
+
+
+# --- Reload and close -------------------------------------------------------------------
+
+
+def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None:
+    asking.edit()
+    asking.trigger("reload")
+    assert "forget the edits" in asking.question.text
+    assert not asking.question.isWindow()
+    asking.check_that_stop_works()
+    asking.click("questionCancel")
+    assert not asking.has_question()
+    assert asking.device.pending == 1
+    asking.trigger("reload")
+    asking.click("reloadYes")
+    assert asking.device.pending == 0
+
+    asking.edit()
+    asking.trigger("reload")
+    asking.trigger("discard")
+    assert not asking.has_question(), "it goes with the edits"
+
+    asking.edit()
+    assert not asking.window.close()
+    assert "not applied" in asking.question.text
+    asking.check_that_stop_works()
+    asking.click("questionCancel")
+    assert asking.is_shown()
+    assert asking.link() is Link.UP
+    assert not asking.window.close()
+    asking.click("closeYes")
+    assert not asking.is_shown()
+
+
+def test_closing_with_edits_offers_to_save_them(
+    asking: AskingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asking.edit()
+    path = tmp_path / "kept.txt"
+    for chosen in ("", str(tmp_path / "no such folder" / "kept.txt"), str(path)):
+        asking.window.close()
+        assert asking.is_shown(), chosen
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, name=chosen: (name, ""))
+        asking.click("saveAndClose")
+        assert asking.is_shown() == (chosen != str(path)), chosen
+    assert "1.5 s" in path.read_text(encoding="utf-8")
+
+
+# --- While settings are being written ---------------------------------------------------
+
+
+def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) -> None:
+    count = asking.begin_to_write()
+    ways: list[Gesture] = [
+        lambda: asking.click("connectButton"),
+        lambda: asking.trigger("disconnect"),
+        lambda: asking.combo("portCombo").activated.emit(0),
+    ]
+    for disconnect in ways:
+        assert not asking.has_question()
+        disconnect()
+        assert asking.has_question()
+        assert "Settings are being written. Disconnect all the same?" in asking.question.text
+        assert asking.link() is Link.UP
+        asking.click("questionCancel")
+    asking.click("connectButton")
+    asking.click("disconnectYes")
+    asking.may_store = True
+    asking.wait(lambda: asking.link() is Link.NONE)
+    assert 0 < asking.device.pending <= count
+
+
+def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
+    asking.begin_to_write()
+    asking.click("connectButton")
+    asking.click("questionCancel")
+    asking.may_store = True
+    asking.wait(lambda: not asking.device.applying)
+    assert asking.device.pending == 0
+    assert asking.link() is Link.UP
+
+    asking.begin_to_write()
+    asking.click("connectButton")
+    asking.may_store = True
+    asking.wait(lambda: not asking.device.applying)
+    asking.wait(lambda: not asking.has_question())
+    assert asking.link() is Link.UP
+
+    asking.begin_to_write()
+    assert not asking.window.close()
+    assert "Settings are being written. Close all the same?" in asking.question.text
+    assert asking.is_shown()
+    asking.may_store = True  # closing waits for what is being stored
+    asking.click("closeYes")
+    assert not asking.is_shown()

@@ -1,0 +1,151 @@
+"""A board whose line settings are unknown is found."""
+
+import sys
+
+import pytest
+from PySide6.QtWidgets import QProgressBar, QToolButton
+
+from tests.support.pages.find_dialog import FindBoardDialog
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from tests.support.window import WindowDriver
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.protocol.commands import SetParameter
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.ui.frame.find_dialog import FindDialog
+from trex_gui.ui.runtime import open_transport
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+EVEN = LineSettings(57600, Detection.EVEN)
+
+
+@pytest.fixture(autouse=True)
+def _no_other_ports(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("serial.tools.list_ports.comports", list)
+
+
+@pytest.fixture
+def dialog(_no_other_ports: None, window: WindowDriver) -> FindBoardDialog:
+    window.trigger("find")
+    dialog = window.find(FindDialog, "findDialog")
+    return FindBoardDialog(dialog, window.program.connector.finder, window.qtbot)
+
+
+def store(simulator: SimulatedDevice, line: LineSettings) -> None:
+    """Store line settings in a board and switch it off and on."""
+    settings = LinkSettings(simulator.url)
+    client = Client(open_transport(settings), settings)
+    client.request(SetParameter(0x7E, line.to_wire()))
+    client.close()
+    simulator.do("power cycle")
+
+
+def test_board_at_unknown_line_settings_is_found_and_connected(
+    window: WindowDriver, dialog: FindBoardDialog, quick_simulator: SimulatedDevice
+) -> None:
+    url = quick_simulator.url
+    store(quick_simulator, LineSettings(57600))
+    progress: list[tuple[str, int]] = []
+    bar = dialog.find(QProgressBar, "findProgress")
+    dialog.finder.progressed.connect(
+        lambda: progress.append((dialog.text("findProgressText"), bar.maximum()))
+    )
+    dialog.search(window, url)
+    assert dialog.is_enabled("findCancelButton")
+    assert not dialog.is_enabled("findStartButton")
+    dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
+    at_115200 = [most for text, most in progress if text.startswith("Looking for TReX at 115200")]
+    assert set(at_115200) == {93}
+    assert dialog.text("findText0").startswith(f"TReX 1.2 on {url} at 57600 8N1, device 7.")
+    dialog.wait_for_end()
+    assert dialog.text("findProgressText") == "1 board found."
+    dialog.click("connectFound0")
+    window.wait(lambda: window.device.link is Link.UP)
+    assert window.device.settings is not None
+    assert window.device.settings.line == LineSettings(57600)
+    assert window.find(QToolButton, "lineButton").text() == "57600 8N1"
+    assert all(motor["direction"] == "brake" for motor in quick_simulator.show()["motors"])
+
+    window.click("findButton")
+    assert f"{url} – connected to this window" in dialog.rows()
+    assert dialog.text("findBusyLabel").startswith(f"{url} is connected to this window")
+    dialog.click("findDisconnectButton")
+    window.wait(lambda: window.device.link is Link.NONE)
+    assert not dialog.has("findBusyLabel")
+    dialog.click("findStartButton")
+    dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
+    dialog.wait_for_end()
+
+
+@pytest.mark.slow
+@pytest.mark.realtime
+@pytest.mark.timeout(120)
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
+def test_board_with_parity_is_found_on_port_that_shows_parity(
+    window: WindowDriver, dialog: FindBoardDialog, start_simulator: StartSimulator
+) -> None:
+    simulator = start_simulator("--unpaced", "--rfc2217", "127.0.0.1:0")
+    store(simulator, EVEN)
+    dialog.finder.start([window.program.ports.add_typed(simulator.url)])
+    assert dialog.has("findCancelButton")
+    dialog.wait_for_end()
+    (finding,) = dialog.finder.findings
+    assert finding.text == f"TReX 1.2 on {simulator.url} at 57600 8E1, device 7."
+    dialog.click("connectFound0")
+    window.wait(lambda: window.device.link is Link.UP)
+    assert window.device.settings is not None
+    assert window.device.settings.line == EVEN
+
+
+def test_search_ends_when_cancelled_or_dialog_closes(
+    window: WindowDriver, dialog: FindBoardDialog, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("power off")
+    dialog.search(window, quick_simulator.url)
+    dialog.wait(lambda: dialog.finder.done > 1)
+    dialog.click("findCancelButton")
+    dialog.wait_for_end()
+    assert dialog.text("findProgressText") == "The search was broken off."
+    assert dialog.is_enabled("findStartButton")
+    assert not dialog.has("findText0")
+
+    dialog.click("findStartButton")
+    assert dialog.is_searching()
+    dialog.click("findCloseButton")
+    dialog.wait_for_end()
+    assert dialog.finder.summary == "The search was broken off."
+
+    dialog.search(window, quick_simulator.url)
+    assert dialog.is_searching()
+    window.window.close()
+    assert not dialog.is_searching()
+    assert not dialog.root.isVisible()
+    quick_simulator.do("power on")
+
+
+def test_search_without_board_reports_why_none_was_found(
+    window: WindowDriver,
+    dialog: FindBoardDialog,
+    quick_simulator: SimulatedDevice,
+) -> None:
+    url = quick_simulator.url
+    quick_simulator.do("power off")
+    window.program.connector.connect_to(window.program.ports.add_typed(url))
+    window.wait_for_text("bannerText", " Find a board (Ctrl+Shift+F) tries every setting.")
+    assert window.device.link is Link.NONE
+
+    dialog.search(window, url)
+    dialog.wait_for_end()
+    assert dialog.text("findText0").startswith(f"No TReX answers on {url} at any")
+    assert not dialog.has("connectFound0")
+    assert dialog.text("findProgressText") == "No board was found."
+
+    other = open_transport(LinkSettings(url))
+    dialog.click("findStartButton")
+    dialog.wait_for_end()
+    other.close()
+    assert "is in use" in dialog.text("findText0")
+    quick_simulator.do("power on")

@@ -1,0 +1,57 @@
+"""A search that a fault of the program ends on one port goes on with the next."""
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from trex_gui.core.discovery import scan
+from trex_gui.core.discovery.prober import Seek, Seeker
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.ui.devices.ports import Port, PortKind
+from trex_gui.ui.devices.scanner import Finder
+from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.workers.scan_worker import FindWorker
+
+
+def at(url: str) -> Port:
+    return Port(PortKind.TYPED, url, url)
+
+
+@pytest.fixture
+def finder(qtbot: QtBot) -> Finder:
+    return Finder(Simulator())
+
+
+def test_internal_error_is_listed_and_the_scan_continues(
+    finder: Finder, quick_simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    def odd(settings: LinkSettings, *, full: bool, known: bool) -> Seeker:
+        raise ZeroDivisionError("on purpose")
+
+    finder.also("odd", Seek("Odd", odd), Simulator(), "the odd one")
+    finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not finder.running)
+    first, second = finder.findings
+    assert "was ended by a fault of the program (ZeroDivisionError: on purpose)" in first.text
+    assert second.text.startswith("There is no port /dev/ttyNothing9.")
+    assert finder.summary == (
+        "No board was found. 1 port was not searched: a fault of the program."
+    )
+
+
+def test_ports_left_unscanned_are_counted(
+    finder: Finder, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(FindWorker, "run", lambda _worker: None)  # as a thread that dies
+    finder.start([at("/dev/ttyNothing8"), at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not finder.running)
+    assert finder.summary == (
+        "No board was found. 2 ports were not searched: a fault of the program."
+    )
+
+
+def test_scan_without_internal_error_mentions_none(finder: Finder, qtbot: QtBot) -> None:
+    assert not scan.PortSearch().is_fault
+    finder.start([at("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not finder.running)
+    assert finder.summary == "No board was found."

@@ -1,0 +1,142 @@
+"""Looking for boards, as the window sees it."""
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.devices.scanner import Finder
+from trex_gui.ui.devices.simulator_process import Simulator
+
+Until = Callable[[Callable[[], bool]], None]
+
+
+@pytest.fixture
+def until(qtbot: QtBot) -> Until:
+    return lambda condition: qtbot.waitUntil(condition, timeout=30_000)
+
+
+@pytest.fixture
+def finder(qtbot: QtBot) -> Iterator[Finder]:
+    simulator = Simulator()
+    finder = Finder(simulator)
+    yield finder
+    assert finder.shut_down()
+    simulator.stop()
+
+
+def at(url: str) -> Port:
+    return Port(PortKind.TYPED, url, url)
+
+
+def test_found_board_is_listed_with_port_and_settings(
+    finder: Finder, quick_simulator: SimulatedDevice, until: Until
+) -> None:
+    port = at(quick_simulator.url)
+    finder.start([port])
+    assert finder.running
+    assert finder.is_searching(port)
+    until(lambda: not finder.running)
+    (finding,) = finder.findings
+    assert finding.port == port
+    assert finding.text == f"TReX 1.2 on {port.url} at 19200 8N1, device 7."
+    assert finding.found is not None
+    assert finder.summary == "1 board found."
+    assert not finder.is_searching(port)
+
+
+def test_scan_reports_progress_until_cancelled(
+    finder: Finder, quick_simulator: SimulatedDevice, until: Until
+) -> None:
+    quick_simulator.do("power off")
+    seen: list[tuple[int, int, str]] = []
+    finder.progressed.connect(lambda: seen.append((finder.done, finder.total, finder.text)))
+    finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
+    until(lambda: len(seen) >= 5)
+    finder.cancel()
+    assert finder.text == "Ending the search …"
+    until(lambda: not finder.running)
+    quick_simulator.do("power on")
+    texts = [text for _, _, text in seen]
+    assert texts[0] == f"Opening {quick_simulator.url} …"
+    assert f"Looking for TReX at 19200 8N1 on {quick_simulator.url} …" in texts
+    assert f"Looking for TReX at 115200 8N1 on {quick_simulator.url} …" in texts
+    assert (1, 176) in [(done, total) for done, total, _ in seen]
+    assert finder.findings == ()
+    assert finder.summary == "The search was broken off."
+    assert finder.text == ""
+
+
+def test_port_that_does_not_open_is_listed_with_the_reason(finder: Finder, until: Until) -> None:
+    finder.start([at("/dev/ttyNothing9")])
+    until(lambda: not finder.running)
+    (finding,) = finder.findings
+    assert finding.found is None
+    assert finding.text.startswith("There is no port /dev/ttyNothing9.")
+    assert finder.summary == "No board was found."
+
+
+def test_second_scan_is_ignored_while_one_runs(
+    finder: Finder, quick_simulator: SimulatedDevice, until: Until
+) -> None:
+    finder.start([])
+    assert not finder.running
+    finder.start([at(quick_simulator.url)])
+    finder.start([at("/dev/ttyNothing9")])
+    until(lambda: not finder.running)
+    assert [finding.port.url for finding in finder.findings] == [quick_simulator.url]
+
+
+def test_scan_emits_nothing_after_shutdown(
+    finder: Finder,
+    quick_simulator: SimulatedDevice,
+    qtbot: QtBot,
+    virtual_time: VirtualRuntime,
+) -> None:
+    quick_simulator.do("power off")
+    finder.start([at(quick_simulator.url)])
+    with qtbot.assertNotEmitted(finder.finished):
+        assert finder.shut_down()
+        virtual_time.advance(0.05)
+    assert not finder.running
+
+
+def test_connecting_to_a_scanned_port_ends_the_scan_first(
+    quick_simulator: SimulatedDevice, until: Until
+) -> None:
+    device, ports = Device(), Ports()
+    connector = Connector(device, ports)
+    port = ports.add_typed(quick_simulator.url)
+    quick_simulator.do("line mute on")
+    connector.finder.start([port])
+    until(lambda: connector.finder.done > 0)
+    quick_simulator.do("line mute off")
+    connector.connect_to(port)
+    assert connector.port is None
+    until(lambda: device.link is Link.UP)
+    assert not connector.finder.running
+    connector.shut_down()
+
+
+def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
+    device, ports = Device(), Ports()
+    connector = Connector(device, ports)
+    connector.simulator.start()
+    until(lambda: connector.simulator.url != "")
+    connector.finder.start([ports.demo])
+    until(lambda: not connector.finder.running)
+    (finding,) = connector.finder.findings
+    assert finding.text == "TReX 1.2 on the simulated board at 19200 8N1, device 7."
+    assert finding.found is not None
+    connector.connect_with(finding.port, finding.found.settings)
+    until(lambda: device.link is Link.UP)
+    assert connector.demo_in_use
+    assert device.settings is not None
+    assert device.settings.line == LineSettings()
+    connector.shut_down()

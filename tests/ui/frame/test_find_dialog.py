@@ -1,0 +1,83 @@
+"""Which ports Find offers, and when."""
+
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import Qt
+from pytestqt.qtbot import QtBot
+from serial.tools.list_ports_common import ListPortInfo
+
+from tests.support.pages.find_dialog import FindBoardDialog
+from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.controller import TrexWay
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.ui.devices.device_manager import Switchboard
+from trex_gui.ui.devices.ports import Ports
+from trex_gui.ui.frame.find_dialog import FindDialog
+
+
+def port_of_this_computer(name: str, description: str) -> ListPortInfo:
+    port = ListPortInfo(name)
+    port.description = description
+    return port
+
+
+@pytest.fixture
+def listed(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
+    found = [port_of_this_computer("/dev/ttyUSB0", "An adapter")]
+    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: found)
+    return found
+
+
+@pytest.fixture
+def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
+    ports = Ports()
+    yield ports
+    ports.deleteLater()
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
+    device = Device()
+    connector = Connector(device, ports)
+    dialog = FindDialog(Switchboard([TrexWay(device, connector)]), ports, connector)
+    qtbot.addWidget(dialog)
+    yield FindBoardDialog(dialog, connector.finder, qtbot)
+    connector.shut_down()
+
+
+def test_every_local_port_is_checked(dialog: FindBoardDialog) -> None:
+    assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": True}
+    assert dialog.is_enabled("findStartButton")
+
+
+def test_network_addresses_are_listed_but_not_checked(
+    dialog: FindBoardDialog, ports: Ports
+) -> None:
+    ports.add_typed("socket://somewhere:1")
+    ports.add_typed("/dev/pts/99")
+    assert dialog.rows() == {
+        "/dev/ttyUSB0  (An adapter)": True,
+        "socket://somewhere:1": False,
+        "/dev/pts/99": True,
+    }
+
+
+def test_check_marks_survive_a_port_refresh(
+    dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
+) -> None:
+    dialog.ports()[0].setCheckState(Qt.CheckState.Unchecked)
+    assert not dialog.is_enabled("findStartButton")
+    listed.append(port_of_this_computer("/dev/ttyUSB1", "n/a"))
+    ports.refresh()
+    assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
+    assert dialog.is_enabled("findStartButton")
+
+
+def test_scan_cannot_start_without_ports(
+    dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
+) -> None:
+    listed.clear()
+    ports.refresh()
+    assert dialog.rows() == {}
+    assert not dialog.is_enabled("findStartButton")

@@ -1,0 +1,86 @@
+from itertools import pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from trex_gui.ui.plotting.axis_ticks import AutoRange, round_up, spread, ticks
+
+
+@pytest.mark.parametrize(
+    ("value", "rounded"),
+    [(0.03, 0.05), (0.1, 0.1), (1.01, 2), (2, 2), (2.1, 5), (5.5, 10), (37, 50)],
+)
+def test_round_up_uses_steps_of_one_two_and_five(value: float, rounded: float) -> None:
+    assert round_up(value) == pytest.approx(rounded)
+
+
+def test_ticks_are_multiples_of_the_step() -> None:
+    assert ticks(0, 1, 0.2) == pytest.approx([0, 0.2, 0.4, 0.6, 0.8, 1.0])
+    assert ticks(-30, 0, 10) == [-30, -20, -10, 0]
+    assert ticks(850, 2150, 500) == [1000, 1500, 2000]
+
+
+def test_labels_with_room_are_not_moved() -> None:
+    assert spread([10, 50, 90], [10, 10, 10], 0, 100, 2) == [10, 50, 90]
+
+
+def test_labels_at_one_position_spread_around_it() -> None:
+    assert spread([50, 50, 50], [10, 20, 10], 0, 100, 2) == [33, 50, 67]
+
+
+def test_labels_stay_within_the_ends() -> None:
+    assert spread([0, 100], [20, 20], 0, 100, 2) == [10, 90]
+    assert spread([99, 100], [20, 20], 0, 100, 2) == [68, 90]
+
+
+def test_labels_without_room_are_not_placed() -> None:
+    assert spread([1, 2, 3], [50, 50, 50], 0, 100, 2) is None
+
+
+@given(centres=st.lists(st.floats(-20, 320), max_size=6).map(sorted), width=st.floats(1, 40))
+def test_labels_never_overlap(centres: list[float], width: float) -> None:
+    placed = spread(centres, [width] * len(centres), 0, 300, 3)
+    assert placed is not None
+    for left, right in pairwise(placed):
+        assert right - left >= width + 3 - 1e-6
+    for centre in placed:
+        assert width / 2 - 1e-6 <= centre <= 300 - width / 2 + 1e-6
+
+
+def test_range_grows_at_once() -> None:
+    scale = AutoRange()
+    assert scale.include(0, 7.2)
+    assert (scale.low, scale.high) == (0, 10)
+
+
+def test_range_shrinks_only_when_data_fits_with_margin() -> None:
+    scale = AutoRange()
+    scale.include(0, 7.2)
+    assert not scale.include(0, 4.6)
+    assert scale.include(0, 3.9)
+    assert scale.high == 5
+
+
+def test_range_does_not_oscillate_at_a_step() -> None:
+    scale = AutoRange()
+    scale.include(0, 5.01)
+    changes = [scale.include(0, high) for high in (4.99, 5.01, 4.9, 5.0, 5.02)]
+    assert not any(changes)
+
+
+def test_range_goes_below_zero_only_for_negative_values() -> None:
+    scale = AutoRange()
+    scale.include(-3, 3)
+    assert (scale.low, scale.high) == (-5, 5)
+    scale.include(0.5, 3)
+    assert scale.low == 0
+
+
+def test_range_never_collapses() -> None:
+    scale = AutoRange()
+    scale.include(0, 0)
+    assert (scale.low, scale.high) == (0, 1)
+    scale.include(0, 300)
+    scale.reset()
+    assert (scale.low, scale.high) == (0, 1)

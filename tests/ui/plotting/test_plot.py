@@ -1,0 +1,509 @@
+"""The plot of any source of traces, and the panel around it."""
+
+import csv
+import math
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QAccessible, QColor, QImage, QMouseEvent, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QLabel,
+    QListView,
+    QTableView,
+    QWidget,
+)
+from pytestqt.modeltest import ModelTester
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import WidgetDriver
+from trex_gui.ui.devices.event_log import Event, EventKind
+from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.source import TraceInfo
+from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.panel import TracePanel
+from trex_gui.ui.plotting.plot import TracePlot
+from trex_gui.ui.plotting.table import Column, TraceTable
+from trex_gui.ui.theme.theme import theme
+
+RATE = 80
+INFOS = [
+    TraceInfo("motor1", "Motor 1", "A", "motor1", "1"),
+    TraceInfo("motor2", "Motor 2", "A", "motor2", "2"),
+    TraceInfo("wish1", "Speed 1 wished", "", "good", "S1", shown=False),
+]
+
+
+class Source(Traces):
+    """A minute of two currents and a speed, with limits and events that a test may add to."""
+
+    def __init__(self, seconds: float = 60) -> None:
+        self.history = History(3)
+        self.events: list[Event] = []
+        self.limits: dict[str, float] = {}
+        super().__init__(INFOS, self.history, self.events, self.limits)
+        self.add(seconds)
+
+    def add(self, seconds: float, first: float = 1.0, second: float = 3.0) -> None:
+        span = self.span
+        begin = span[1] + 1 / RATE if span else 0.0
+        times = begin + np.arange(round(seconds * RATE)) / RATE
+        values = [np.full_like(times, value) for value in (first, second, -100.0)]
+        self.history.extend(times, values)
+
+
+@pytest.fixture
+def source() -> Source:
+    return Source()
+
+
+class TracePanelDriver(WidgetDriver):
+    """The panel with its plot, its table and its list of events."""
+
+    def __init__(self, panel: TracePanel, qtbot: QtBot) -> None:
+        super().__init__(panel, qtbot)
+        self._panel = panel
+        self.plot = panel.plot
+        self.export = panel.export
+
+    @property
+    def table(self) -> QTableView:
+        return self.find(QTableView, "traceTable")
+
+    @property
+    def events(self) -> QListView:
+        return self.find(QListView, "eventList")
+
+    def cell(self, name: str, column: Column) -> str:
+        row = [info.name for info in INFOS].index(name)
+        return str(self.table.model().index(row, column).data())
+
+    def refresh(self) -> None:
+        self._panel.refresh()
+
+
+@pytest.fixture
+def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> Iterator[TracePanelDriver]:
+    theme().install(qapp)
+    theme().set_scheme("light")
+    panel = TracePanel()
+    qtbot.addWidget(panel)
+    panel.resize(900, 500)
+    panel.set_source(source)
+    panel.grab()
+    panel.refresh()
+    yield TracePanelDriver(panel, qtbot)
+    panel.export.finish()
+
+
+@pytest.fixture
+def plot(panel: TracePanelDriver) -> TracePlot:
+    return panel.plot
+
+
+def count(plot: TracePlot, color: str) -> int:
+    """How many pixels of the plot's inside have this colour of the theme."""
+    box = plot._canvas.frame.toRect()
+    box.translate(plot._canvas.pos())
+    picture = plot.grab(box).toImage().convertToFormat(QImage.Format.Format_RGB32)
+    pixels = np.frombuffer(picture.constBits(), dtype=np.uint32)
+    return int(np.count_nonzero(pixels == theme().color(color).rgb()))
+
+
+def x_of(plot: TracePlot, time: float) -> int:
+    return round(plot._canvas.x_of(time - plot.span.end))
+
+
+def is_live(plot: TracePlot) -> bool:
+    return plot.span.live
+
+
+def mouse(
+    plot: TracePlot,
+    kind: QEvent.Type,
+    time: float,
+    button: Qt.MouseButton = Qt.MouseButton.NoButton,
+    modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier,
+) -> None:
+    """Let the mouse do something where the plot shows a time."""
+    at = QPointF(x_of(plot, time), 60)
+    view = plot._canvas.viewport
+    event = QMouseEvent(kind, at, QPointF(view.mapToGlobal(at)), button, button, modifiers)
+    QApplication.sendEvent(view, event)
+
+
+def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModifier) -> None:
+    """Press at one time and let go at another."""
+    press, move, release = (
+        QEvent.Type.MouseButtonPress,
+        QEvent.Type.MouseMove,
+        QEvent.Type.MouseButtonRelease,
+    )
+    left = Qt.MouseButton.LeftButton
+    mouse(plot, press, times[0], left, modifiers)
+    mouse(plot, move, times[1], left, modifiers)
+    mouse(plot, release, times[1], left, modifiers)
+
+
+# --- Curves -----------------------------------------------------------------------------
+
+
+def test_plot_without_samples_shows_a_label(qapp: QApplication, qtbot: QtBot) -> None:
+    plot = TracePlot()
+    qtbot.addWidget(plot)
+    plot.set_source(Source(seconds=0))
+    assert WidgetDriver(plot, qtbot).find(QLabel, "emptyLabel").isVisibleTo(plot)
+    plot.grab()
+
+
+def test_curves_are_drawn_in_their_colours(plot: TracePlot) -> None:
+    assert count(plot, "motor1") > 400
+    assert count(plot, "motor2") > 400
+    assert count(plot, "good") == 0
+
+
+def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> None:
+    long = Source(seconds=0)
+    for _ in range(10):
+        long.add(1250)  # in all a million samples
+    plot.set_source(long)
+    for length in (10, 60, 600, 3600, 12_500):
+        plot.set_window(length)
+        assert 0 < plot.points_drawn <= 2 * 1100, length
+        for name in plot.shown:
+            assert len(plot._layers.curves[name]._item.getData()[0]) <= 1100
+
+
+def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: TracePlot) -> None:
+    view = panel.table
+    index = view.model().index(2, Column.CURVE)
+    checked = Qt.ItemDataRole.CheckStateRole
+    assert view.model().setData(index, Qt.CheckState.Checked, checked)
+    assert "wish1" in plot.shown
+    assert count(plot, "good") > 50  # dotted
+    axis = plot._canvas.plot.getAxis("right")
+    assert axis.isVisible()
+    (shown,) = axis._tickLevels
+    assert [text for _, text in shown] == ["−127", "−64", "0", "64", "127"]
+    assert view.model().setData(index, Qt.CheckState.Unchecked, checked)
+    assert count(plot, "good") == 0
+    assert not axis.isVisible()
+
+
+def test_limit_is_drawn_unless_out_of_range(plot: TracePlot, source: Source) -> None:
+    before = count(plot, "motor1")
+    source.limits["motor1"] = 2.0
+    plot.draw()
+    assert count(plot, "motor1") > before + 200
+    source.limits["motor1"] = 200.0  # beyond what is shown
+    plot.draw()
+    assert count(plot, "motor1") == before
+
+
+def test_plot_follows_the_theme(plot: TracePlot) -> None:
+    theme().set_scheme("dark")
+    assert count(plot, "plot_background") > 10_000
+    assert count(plot, "motor1") > 400
+
+
+def test_gap_in_samples_interrupts_the_line(plot: TracePlot, source: Source) -> None:
+    whole = count(plot, "motor1")
+    last = source.history.times[-1]
+    source.history.append(last + 15, 1.0, 3.0, 0.0)
+    plot.draw()
+    assert 100 < count(plot, "motor1") < 0.7 * whole
+
+
+# --- What part is shown -----------------------------------------------------------------
+
+
+def test_pause_freezes_the_plot_and_the_table(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
+) -> None:
+    pause = panel.button("pauseButton")
+    pause.click()
+    end = plot.span.end
+    source.add(5, first=9)
+    panel.refresh()
+    assert plot.span.end == end
+    assert panel.cell("motor1", Column.PEAK) == "1.00 A"
+    assert pause.text() == "Back to li&ve"
+    pause.click()
+    assert plot.span.end == pytest.approx(end + 5)
+    assert panel.cell("motor1", Column.PEAK) == "9.00 A"
+    assert pause.text() == "Pa&use"
+
+
+def test_window_lengths_range_from_ten_seconds_to_an_hour(
+    panel: TracePanelDriver, plot: TracePlot
+) -> None:
+    box = panel.combo("currentsWindow")
+    texts = [box.itemText(row) for row in range(box.count())]
+    assert texts == ["10 s", "30 s", "1 min", "5 min", "10 min", "30 min", "1 h"]
+    box.activated.emit(6)
+    assert plot.span.length == 3600
+
+
+def test_drag_selects_a_span_and_pause_button_goes_live(
+    panel: TracePanelDriver, plot: TracePlot
+) -> None:
+    drag(plot, (40, 45), Qt.KeyboardModifier.NoModifier)
+    assert plot.span.start == pytest.approx(40, abs=0.1)
+    assert plot.span.end == pytest.approx(45, abs=0.1)
+    assert plot.mark_time is None
+    pause = panel.button("pauseButton")
+    assert pause.isChecked()
+    pause.click()
+    assert plot.span.live
+
+
+def test_shift_drag_pans_the_plot(plot: TracePlot) -> None:
+    plot.show_span(20, 40)
+    drag(plot, (30, 25), Qt.KeyboardModifier.ShiftModifier)
+    assert plot.span.start == pytest.approx(25, abs=0.1)
+    assert plot.span.length == 20
+    assert plot.mark_time is None
+
+
+def test_wheel_zooms_around_the_mouse(plot: TracePlot, qapp: QApplication) -> None:
+    plot.show_span(20, 40)
+    at = QPointF(x_of(plot, 25), 60)
+    wheel = QWheelEvent(
+        at,
+        QPointF(plot.mapToGlobal(at.toPoint())),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    qapp.sendEvent(plot._canvas.viewport, wheel)
+    assert plot.span.length == pytest.approx(16)
+    assert x_of(plot, 25) == pytest.approx(at.x(), abs=2)
+
+
+def test_keys_pan_zoom_and_set_cursor_and_mark(plot: TracePlot) -> None:
+    QTest.keyClick(plot, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
+    assert is_live(plot) is False
+    QTest.keyClick(plot, Qt.Key.Key_L)
+    assert is_live(plot)
+    QTest.keyClick(plot, Qt.Key.Key_Plus)
+    assert plot.span.length < 30
+    QTest.keyClick(plot, Qt.Key.Key_Minus)
+    assert plot.span.length == pytest.approx(30)
+    QTest.keyClick(plot, Qt.Key.Key_Home)
+    assert plot.cursor_time == plot.span.start
+    QTest.keyClick(plot, Qt.Key.Key_M)
+    assert plot.mark_time == plot.span.start
+    QTest.keyClick(plot, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert plot.cursor_time == pytest.approx(plot.span.start + 1.5)
+    assert "+1.500 s from the mark" in plot.accessibleDescription()
+    QTest.keyClick(plot, Qt.Key.Key_M)
+    assert plot.mark_time is None
+
+
+def test_cursor_moved_by_keys_describes_its_values(plot: TracePlot) -> None:
+    assert "Left and Right move the cursor" in plot.accessibleDescription()
+    QTest.keyClick(plot, Qt.Key.Key_Left)
+    assert plot.cursor_time is not None
+    assert plot.cursor_time < plot.span.end
+    assert "Motor 1: 1.00 A\nMotor 2: 3.00 A" in plot.accessibleDescription()
+    plot.set_cursor(None)
+    assert "Motor" not in plot.accessibleDescription()
+
+
+def test_empty_plot_shows_and_describes_its_text(qapp: QApplication, qtbot: QtBot) -> None:
+    plot = TracePlot()
+    qtbot.addWidget(plot)
+    plot.set_source(Source(seconds=0))
+    plot.set_empty_text("Choose a port.")
+    assert plot.accessibleDescription() == "Choose a port."
+    assert WidgetDriver(plot, qtbot).text("emptyLabel") == "Choose a port."
+
+
+# --- Figures ----------------------------------------------------------------------------
+
+
+def test_table_shows_mean_rms_and_charge_of_the_shown_span(
+    panel: TracePanelDriver, plot: TracePlot
+) -> None:
+    plot.show_span(10, 46)
+    assert panel.cell("motor2", Column.MEAN) == "3.000 A"
+    assert panel.cell("motor2", Column.RMS) == "3.000 A"
+    assert panel.cell("motor2", Column.CHARGE) == "30.00 mAh"
+    plot.show_span(10, 28)
+    assert panel.cell("motor2", Column.CHARGE) == "15.00 mAh"
+    assert panel.cell("motor1", Column.CHARGE) == "5.00 mAh"
+    assert panel.cell("wish1", Column.MEAN) == ""  # it is not shown
+
+
+def test_cursor_shows_values_and_difference_from_the_mark(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
+) -> None:
+    source.add(5, first=9)
+    panel.refresh()
+    mouse(plot, QEvent.Type.MouseMove, 50)
+    assert panel.cell("motor1", Column.CURSOR) == "1.00 A"
+    mouse(plot, QEvent.Type.MouseButtonPress, 50, Qt.MouseButton.LeftButton)
+    mouse(plot, QEvent.Type.MouseButtonRelease, 50, Qt.MouseButton.LeftButton)
+    mouse(plot, QEvent.Type.MouseMove, 63)
+    assert panel.cell("motor1", Column.CURSOR) == "9.00 A"
+    assert panel.cell("motor1", Column.DIFFERENCE) == "8.00 A"
+    assert "Motor 1: 9.00 A" in panel.text("cursorReadout")
+    assert "from the mark" in panel.text("cursorReadout")
+
+
+@pytest.mark.parametrize("width", [860, 1040])
+def test_table_fits_beside_the_events_without_scrolling(
+    panel: TracePanelDriver, plot: TracePlot, width: int, qtbot: QtBot
+) -> None:
+    panel.root.show()
+    panel.root.resize(width, 500)
+    plot.set_cursor(30)
+    plot.set_mark(20)
+    if width > 1000:
+        plot.source.limits["motor1"] = 5.0  # type: ignore[union-attr] # a Source of this file
+        panel.button("holdPeaksButton").click()
+    view = panel.table
+    qtbot.waitUntil(lambda: not view.horizontalScrollBar().isVisible())
+    last = max(column for column in Column if not view.isColumnHidden(column))
+    assert view.columnViewportPosition(last) + view.columnWidth(last) <= view.viewport().width()
+    assert panel.events.width() > 60
+
+
+def test_optional_columns_are_hidden_until_needed(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
+) -> None:
+    view = panel.table
+    waiting = (Column.LIMIT, Column.DIFFERENCE, Column.HELD)
+    assert all(view.isColumnHidden(column) for column in waiting)
+    source.limits["motor1"] = 5.0
+    plot.set_mark(20)
+    hold = panel.button("holdPeaksButton")
+    hold.click()
+    assert not any(view.isColumnHidden(column) for column in waiting)
+    hold.click()
+    assert view.isColumnHidden(Column.HELD)
+
+
+def test_empty_event_list_is_described(panel: TracePanelDriver, source: Source) -> None:
+    listed = panel.events
+    assert "No events yet" in listed.accessibleDescription()
+    source.events.append(Event(10.0, EventKind.STOP, "Stop"))
+    panel.refresh()
+    assert "No events" not in listed.accessibleDescription()
+
+
+def test_held_peak_stays_after_its_sample_scrolls_out(
+    panel: TracePanelDriver, source: Source
+) -> None:
+    hold = panel.button("holdPeaksButton")
+    hold.click()
+    source.add(1, first=7.5)
+    source.add(60)
+    panel.refresh()
+    assert panel.cell("motor1", Column.PEAK) == "1.00 A"
+    assert panel.cell("motor1", Column.HELD) == "7.50 A"
+    hold.click()
+    assert panel.cell("motor1", Column.HELD) == ""
+
+
+def test_trace_table_passes_the_model_tester(plot: TracePlot, qtmodeltester: ModelTester) -> None:
+    qtmodeltester.check(TraceTable(plot))  # type: ignore[no-untyped-call]  # it has no types
+
+
+# --- Events -----------------------------------------------------------------------------
+
+
+def test_events_are_marked_listed_and_navigable(
+    panel: TracePanelDriver, plot: TracePlot, source: Source
+) -> None:
+    before = count(plot, "danger")
+    source.events += [
+        Event(20.0, EventKind.LINK, "The board answers again"),
+        Event(45.0, EventKind.STOP, "Stop: the window was closed"),
+    ]
+    panel.refresh()
+    assert count(plot, "danger") > before + 50
+    assert [one.text for _, one in plot._strip.marks] == ["Stop: the window was closed"]
+    listed = panel.events
+    texts = [str(listed.model().index(row, 0).data()) for row in range(2)]
+    assert texts == [
+        "0:20.000  The board answers again",
+        "0:45.000  Stop: the window was closed",
+    ]
+    listed.activated.emit(listed.model().index(0, 0))
+    assert plot.span.start < 20 < plot.span.end
+    assert not plot.span.live
+    assert plot.cursor_time == 20
+
+
+# --- Export -----------------------------------------------------------------------------
+
+
+def test_shown_span_is_exported_with_units_and_events(
+    panel: TracePanelDriver, plot: TracePlot, source: Source, qtbot: QtBot, tmp_path: Path
+) -> None:
+    source.events.append(Event(12.0, EventKind.APPLY, "Apply: Motor 1 Acceleration"))
+    plot.show_span(10, 20)
+    with qtbot.waitSignal(panel.export.told) as reported:
+        panel.export.save_table(tmp_path / "shown.csv", plot.span.start, plot.span.end)
+    assert "801 samples" in str(reported.args)
+    with (tmp_path / "shown.csv").open(newline="") as file:
+        rows = list(csv.reader(file))
+    assert rows[0] == ["time (s)", "motor1 (A)", "motor2 (A)", "wish1", "event"]
+    assert rows[1] == ["10.0000", "1", "3", "-100", ""]
+    assert len(rows) == 802
+    assert [row[0] for row in rows if row[-1]] == ["time (s)", "12.0000"]
+
+
+def test_whole_history_can_be_exported(
+    panel: TracePanelDriver, plot: TracePlot, qtbot: QtBot, tmp_path: Path
+) -> None:
+    plot.show_span(10, 20)
+    with qtbot.waitSignal(panel.export.told):
+        panel.export.save_table(tmp_path / "all.csv", -math.inf, math.inf)
+    assert len((tmp_path / "all.csv").read_text().splitlines()) == 60 * RATE + 1
+
+
+def test_unwritable_file_is_reported(panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path) -> None:
+    with qtbot.waitSignal(panel.export.refused) as refused:
+        panel.export.save_table(tmp_path / "none" / "all.csv", -math.inf, math.inf)
+    assert "was not written" in str(refused.args)
+    with qtbot.waitSignal(panel.export.refused):
+        panel.export.save_picture(tmp_path / "none" / "picture.png")
+    assert "could not be written" in panel.text("currentsNote")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_picture_has_axes_legend_and_a_light_background(
+    panel: TracePanelDriver, tmp_path: Path, scheme: str
+) -> None:
+    theme().set_scheme("dark" if scheme == "dark" else "light")
+    panel.export.save_picture(tmp_path / "picture.png")
+    image = QImage(str(tmp_path / "picture.png"))
+    assert image.width() > 2000
+    assert image.pixelColor(3, 3) == QColor(Qt.GlobalColor.white)
+    panel.export.save_picture(tmp_path / "picture.svg")
+    svg = (tmp_path / "picture.svg").read_text(encoding="utf-8")
+    for text in ("Motor 1", "mean 1.00 A", "peak 3.00 A", "charge", "0:30", "5 A"):
+        assert text in svg, text
+    assert "<polyline" in svg
+    assert "<image" not in svg
+
+
+# --- Everybody --------------------------------------------------------------------------
+
+
+def test_every_control_has_an_accessible_name(panel: TracePanelDriver) -> None:
+    for widget in panel.find_all(QWidget):
+        if widget.focusPolicy() & Qt.FocusPolicy.TabFocus and widget.isVisibleTo(panel.root):
+            if widget.focusProxy() is not None:
+                continue
+            found = QAccessible.queryAccessibleInterface(widget)
+            assert found.text(QAccessible.Text.Name), widget

@@ -1,0 +1,33 @@
+"""Curves as a table for spreadsheets."""
+
+import csv
+import io
+import math
+
+from trex_gui.ui.plotting.trace_csv import write_trace_csv
+
+COLUMNS = [("motor1_current", "A"), ("channel1", "")]
+
+
+def table(rows: list[tuple[float, ...]], events: list[tuple[float, str]]) -> list[list[str]]:
+    file = io.StringIO(newline="")
+    assert write_trace_csv(file, COLUMNS, rows, events, origin=100.0) == len(rows)
+    return list(csv.reader(io.StringIO(file.getvalue())))
+
+
+def test_header_names_curves_and_units() -> None:
+    assert table([], []) == [["time (s)", "motor1_current (A)", "channel1", "event"]]
+
+
+def test_times_are_relative_and_unknown_values_are_empty() -> None:
+    assert table([(100.0, 1.5, -127), (100.0125, math.nan, 3)], [])[1:] == [
+        ["0.0000", "1.5", "-127", ""],
+        ["0.0125", "", "3", ""],
+    ]
+
+
+def test_event_is_written_to_next_sample_row_or_its_own() -> None:
+    events = [(100.1, "Stop"), (100.15, 'Apply: "P", more'), (101.0, "Disconnected")]
+    rows = table([(100.0, 0, 0), (100.2, 0, 0), (100.3, 0, 0)], events)
+    assert [row[-1] for row in rows[1:]] == ["", 'Stop; Apply: "P", more', "", "Disconnected"]
+    assert rows[-1] == ["1.0000", "", "", "Disconnected"]

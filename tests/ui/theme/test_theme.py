@@ -1,0 +1,276 @@
+import tomllib
+
+import pytest
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction, QColor, QIcon, QPalette
+from PySide6.QtWidgets import QApplication, QPushButton, QWidget
+from pytestqt.qtbot import QtBot
+
+from tests.support.window import WidgetDriver
+from trex_gui.core.resource_files import resource
+from trex_gui.ui.theme.icons import application_icon, icon, set_icon
+from trex_gui.ui.theme.theme import Scheme, read_colours, theme, tint
+
+SHOWN = ("light", "dark")
+
+
+@pytest.fixture(autouse=True)
+def _light(qapp: QApplication) -> None:
+    theme().install(qapp)
+    theme().set_scheme("light")
+
+
+def tables(scheme: str) -> dict[str, dict[str, str]]:
+    return tomllib.loads(resource(f"themes/{scheme}.toml").read_text(encoding="utf-8"))
+
+
+def luminance(color: QColor) -> float:
+    """Relative luminance. Ref: WCAG 2.2."""
+    red, green, blue = (
+        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
+        for part in (color.redF(), color.greenF(), color.blueF())
+    )
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(one: QColor, other: QColor) -> float:
+    dark, light = sorted((luminance(one), luminance(other)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+def text_cases() -> list[tuple[str, str, str]]:
+    backgrounds = ("window", "base", "plot_background")
+    return [(s, name, b) for s in SHOWN for name in tables(s)["text"] for b in backgrounds]
+
+
+def graphics_cases() -> list[tuple[str, str, str]]:
+    backgrounds = ("window", "track")
+    return [(s, name, b) for s in SHOWN for name in tables(s)["graphics"] for b in backgrounds]
+
+
+def test_both_schemes_define_the_same_names() -> None:
+    light, dark = tables("light"), tables("dark")
+    assert {t: set(light[t]) for t in light} == {t: set(dark[t]) for t in dark}
+
+
+@pytest.mark.parametrize(("scheme", "name", "background"), text_cases())
+def test_coloured_text_has_enough_contrast(scheme: Scheme, name: str, background: str) -> None:
+    theme().set_scheme(scheme)
+    assert contrast(theme().color(name), theme().color(background)) >= 4.5
+
+
+@pytest.mark.parametrize(("scheme", "name", "background"), graphics_cases())
+def test_graphics_have_enough_contrast(scheme: Scheme, name: str, background: str) -> None:
+    theme().set_scheme(scheme)
+    assert contrast(theme().color(name), theme().color(background)) >= 3
+
+
+@pytest.mark.parametrize("scheme", SHOWN)
+@pytest.mark.parametrize(
+    ("text", "background"),
+    [
+        ("window_text", "window"),
+        ("text", "base"),
+        ("text", "alternate_base"),
+        ("text", "deadband"),
+        ("text", "track_off"),
+        ("button_text", "button"),
+        ("tool_tip_text", "tool_tip_base"),
+        ("highlighted_text", "highlight"),
+        ("link", "base"),
+        ("link", "window"),
+        ("placeholder_text", "base"),
+        ("stop_text", "stop"),
+        ("run_text", "run"),
+    ],
+)
+def test_palette_pairs_have_enough_contrast(scheme: Scheme, text: str, background: str) -> None:
+    theme().set_scheme(scheme)
+    assert contrast(theme().color(text), theme().color(background)) >= 4.5
+
+
+@pytest.mark.parametrize("scheme", SHOWN)
+@pytest.mark.parametrize("pair", [("motor1", "motor2"), ("bar", "bar_negative")])
+@pytest.mark.parametrize(
+    "seen",
+    [
+        # Full protanopia and deuteranopia. Ref: Machado, Oliveira, Fernandes 2009.
+        ((0.152, 1.053, -0.205), (0.115, 0.786, 0.099), (-0.004, -0.048, 1.052)),
+        ((0.367, 0.861, -0.228), (0.280, 0.673, 0.047), (-0.012, 0.043, 0.969)),
+    ],
+)
+def test_colour_pairs_differ_for_the_colour_blind(
+    scheme: Scheme, pair: tuple[str, str], seen: tuple[tuple[float, float, float], ...]
+) -> None:
+    theme().set_scheme(scheme)
+
+    def appearance(color: QColor) -> list[float]:
+        rgb = color.redF(), color.greenF(), color.blueF()
+        return [sum(f * part for f, part in zip(row, rgb, strict=True)) for row in seen]
+
+    one, other = (appearance(theme().color(name)) for name in pair)
+    assert sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5 > 0.2
+
+
+def test_widget_palette_follows_the_scheme(qtbot: QtBot) -> None:
+    widget = QWidget()
+    qtbot.addWidget(widget)
+    with qtbot.waitSignal(theme().changed):
+        theme().set_scheme("dark")
+    qtbot.waitUntil(lambda: widget.palette().window().color() == theme().color("window"))
+    assert theme().is_dark
+    assert theme().scheme == "dark"
+
+
+def test_same_scheme_emits_no_change(qtbot: QtBot) -> None:
+    with qtbot.assertNotEmitted(theme().changed):
+        theme().set_scheme("light")
+
+
+def test_system_scheme_defaults_to_light() -> None:
+    theme().set_scheme("dark")
+    theme().set_scheme("system")
+    assert theme().choice == "system"
+    assert not theme().is_dark
+
+
+def test_second_install_keeps_the_scheme_of_the_system(qapp: QApplication) -> None:
+    theme().set_scheme("dark")
+    theme().install(qapp)
+    theme().set_scheme("system")
+    assert not theme().is_dark
+
+
+def test_unknown_scheme_is_rejected() -> None:
+    with pytest.raises(ValueError, match="no scheme 'sepia'"):
+        theme().set_scheme("sepia")  # type: ignore[arg-type]  # what a settings file may say
+
+
+def test_unknown_colour_is_rejected_by_name() -> None:
+    with pytest.raises(KeyError, match="no colour 'octarine'"):
+        theme().color("octarine")
+
+
+def test_changing_a_returned_colour_keeps_the_theme() -> None:
+    theme().color("motor1").setAlpha(10)
+    assert theme().color("motor1").alpha() == 255
+
+
+@pytest.mark.parametrize("scheme", SHOWN)
+def test_disabled_text_has_its_own_colour(scheme: str) -> None:
+    palette = read_colours(scheme).qpalette()
+    group = QPalette.ColorGroup
+    for role in (QPalette.ColorRole.WindowText, QPalette.ColorRole.ButtonText):
+        assert palette.color(group.Disabled, role) != palette.color(group.Active, role)
+
+
+def painted(button: QPushButton) -> list[QColor]:
+    """The colours down the middle of a button without text, without its frame."""
+    picture = button.grab().toImage()
+    middle = picture.width() // 2
+    return [picture.pixelColor(middle, y) for y in range(4, picture.height() - 4)]
+
+
+@pytest.mark.parametrize("scheme", SHOWN)
+@pytest.mark.parametrize("name", ["stop", "run"])
+@pytest.mark.parametrize("down", [False, True])
+def test_tinted_button_has_its_hue_and_enough_contrast(
+    qtbot: QtBot, scheme: Scheme, name: str, down: bool
+) -> None:
+    button = QPushButton()
+    qtbot.addWidget(button)
+    tint(button, name)
+    theme().set_scheme(scheme)
+    button.resize(100, 30)
+    button.setDown(down)
+    colors = painted(button)
+    wanted = theme().color(name)
+    for color in colors:
+        # 4.5 at the middle, where the text is; the sheen at the top may be a little less.
+        assert contrast(color, theme().color(f"{name}_text")) >= 4.2
+    hue = colors[len(colors) // 2].hsvHue()
+    assert min(abs(hue - wanted.hsvHue()), 360 - abs(hue - wanted.hsvHue())) < 12
+    assert contrast(colors[len(colors) // 2], theme().color(f"{name}_text")) >= 4.5
+
+
+def test_tinted_button_looks_different_when_pressed(qtbot: QtBot) -> None:
+    button = QPushButton()
+    qtbot.addWidget(button)
+    tint(button, "stop")
+    button.resize(100, 30)
+    up = painted(button)
+    button.setDown(True)
+    assert painted(button) != up
+
+
+def test_disabled_tinted_button_looks_like_a_plain_one(qtbot: QtBot) -> None:
+    plain, tinted = QPushButton(), QPushButton()
+    tint(tinted, "stop")
+    for button in (plain, tinted):
+        qtbot.addWidget(button)
+        button.resize(100, 30)
+        button.setEnabled(False)
+    assert painted(plain) == painted(tinted)
+
+
+def test_second_tint_replaces_the_first(qtbot: QtBot) -> None:
+    button = QPushButton()
+    qtbot.addWidget(button)
+    tint(button, "stop")
+    tint(button, "run")
+    theme().set_scheme("dark")
+    names = [child.objectName() for child in WidgetDriver(button, qtbot).find_all(QObject)]
+    assert names.count("tint") == 1
+    assert button.palette().button().color().hsvHue() == pytest.approx(
+        theme().color("run").hsvHue(), abs=3
+    )
+
+
+def icon_names() -> list[str]:
+    names = [path.stem for path in resource("icons").glob("*.svg")]
+    return sorted(set(names) - {"trex-studio"})
+
+
+@pytest.mark.parametrize("name", icon_names())
+def test_every_icon_draws_something(name: str) -> None:
+    for size in (16, 24, 48):
+        picture = icon(name).pixmap(size, size).toImage()
+        inked = sum(
+            picture.pixelColor(x, y).alpha() > 128
+            for x in range(picture.width())
+            for y in range(picture.height())
+        )
+        assert 0.04 < inked / (picture.width() * picture.height()) < 0.9
+
+
+def test_program_has_an_icon() -> None:
+    assert not application_icon().pixmap(64, 64).isNull()
+
+
+def strongest(drawn: QIcon, mode: QIcon.Mode = QIcon.Mode.Normal) -> QColor:
+    """The colour of the most opaque pixel in the middle column."""
+    picture = drawn.pixmap(48, 48, mode).toImage()
+    pixels = (picture.pixelColor(24, y) for y in range(picture.height()))
+    return max(pixels, key=QColor.alpha)
+
+
+def test_icon_follows_the_theme(qtbot: QtBot) -> None:
+    action = QAction()
+    set_icon(action, "power")
+    assert strongest(action.icon()) == theme().color("icon")
+    theme().set_scheme("dark")
+    assert strongest(action.icon()) == theme().color("icon")
+    set_icon(action, "power", "danger")
+    theme().set_scheme("light")
+    assert strongest(action.icon()) == theme().color("danger")
+    assert strongest(action.icon(), QIcon.Mode.Disabled) != theme().color("danger")
+
+
+def test_theme_ignores_a_deleted_button(qtbot: QtBot) -> None:
+    button = QPushButton()
+    set_icon(button, "stop")
+    tint(button, "stop")
+    button.deleteLater()
+    with qtbot.waitSignal(button.destroyed):
+        pass
+    theme().set_scheme("dark")

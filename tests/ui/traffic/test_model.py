@@ -1,0 +1,145 @@
+"""What is kept of a line, and what is told of it."""
+
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.core.transport.traffic_log import Piece, Way
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.session.traffic_decoder import TrexWording
+from trex_gui.ui.traffic.model import MOST_KEPT, Transcript
+from trex_gui.ui.traffic.saver import TranscriptSaver
+from trex_gui.ui.workers.session_thread import SessionThread
+
+POLL, ANSWER = b"\x8f", b"\x02\x00"
+WRITE, STORED = b"\xaf\x07\x0f\x55\x2a", b"\x00"
+
+
+class TranscriptSetup:
+    """A transcript of a line whose traffic a test writes."""
+
+    def __init__(self) -> None:
+        self.line = SessionThread()
+        self.wording = TrexWording()
+        self.transcript = Transcript(self.line, self.wording)
+        self._now = 0.0
+
+    def say(self, sent: bytes, received: bytes = b"") -> None:
+        self._now += 0.01
+        self.line.tape.note(Piece(self._now, Way.SENT, sent))
+        if received:
+            self.line.tape.note(Piece(self._now + 0.005, Way.RECEIVED, received))
+
+    @property
+    def told(self) -> list[str]:
+        self.transcript.pull()
+        return [self.transcript.words_of(row).text for row in self.transcript.telling.rows]
+
+
+@pytest.fixture
+def setup(qtbot: QtBot) -> TranscriptSetup:
+    del qtbot
+    return TranscriptSetup()
+
+
+def test_polls_are_separated_from_commands(setup: TranscriptSetup) -> None:
+    setup.say(POLL, ANSWER)
+    setup.say(WRITE, STORED)
+    setup.say(POLL, ANSWER)
+    assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
+    assert setup.transcript.everything.count == 3
+    assert setup.transcript.faults == 0
+
+
+def test_failed_poll_is_listed_in_its_place(setup: TranscriptSetup) -> None:
+    setup.say(WRITE, STORED)
+    setup.say(POLL)
+    setup.say(POLL, ANSWER)
+    setup.say(WRITE, STORED)
+    told = setup.told
+    assert told[1] == "get currents of both motors → no answer"
+    assert [text.startswith("set") for text in told] == [True, False, True]
+    assert setup.transcript.faults == 1
+
+
+def test_failed_poll_between_two_pulls_is_listed_once(setup: TranscriptSetup) -> None:
+    setup.say(POLL)
+    assert setup.told == []
+    setup.say(POLL, ANSWER)
+    assert setup.told == ["get currents of both motors → no answer"]
+    setup.say(POLL, ANSWER)
+    assert len(setup.told) == 1
+
+
+def test_telemetry_does_not_displace_a_write(setup: TranscriptSetup) -> None:
+    setup.say(WRITE, STORED)
+    for count in range(MOST_KEPT):
+        setup.say(POLL, ANSWER)
+        if count % 100 == 0:
+            setup.transcript.pull()
+    assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
+    everything = setup.transcript.everything
+    assert everything.count == MOST_KEPT + 1
+    assert len(everything.rows) == 0.9 * MOST_KEPT, "many rows go at a time"
+    newest = [row.number for row in everything.since(MOST_KEPT - 1)]
+    assert newest == [MOST_KEPT, MOST_KEPT + 1]
+    assert len(everything.since(0)) == len(everything.rows)
+
+
+def test_units_follow_the_identified_board(setup: TranscriptSetup) -> None:
+    setup.say(POLL, ANSWER)
+    setup.say(POLL, ANSWER)
+    setup.transcript.pull()
+    row = setup.transcript.everything.rows[0]
+    assert "2 counts" in setup.transcript.words_of(row).text
+    setup.wording.board = Signature(device_table().model("trex"), "1.2")
+    setup.transcript.forget_words()
+    assert " A," in setup.transcript.words_of(row).text
+
+
+def test_clear_empties_the_transcript(setup: TranscriptSetup, qtbot: QtBot) -> None:
+    setup.say(POLL)
+    setup.say(WRITE, STORED)
+    setup.transcript.pull()
+    with qtbot.waitSignal(setup.transcript.cleared):
+        setup.transcript.clear()
+    assert setup.told == []
+    assert setup.transcript.faults == 0
+    setup.say(WRITE, STORED)
+    assert len(setup.told) == 1
+
+
+def test_saved_rows_include_bytes_and_meaning(
+    setup: TranscriptSetup, qtbot: QtBot, tmp_path: Path
+) -> None:
+    setup.say(WRITE, STORED)
+    setup.say(POLL)
+    setup.say(POLL, ANSWER)
+    setup.transcript.pull()
+    saver, path = TranscriptSaver(setup.transcript), tmp_path / "line.txt"
+    with qtbot.waitSignal(saver.saved, timeout=15_000) as saved:
+        saver.save(path, setup.transcript.everything.rows)
+    assert saved.args == [3, path]
+    lines = path.read_text(encoding="utf-8").splitlines()
+    body = [line.split("\t") for line in lines if not line.startswith("#")]
+    assert body[0] == ["time", "fault", "sent", "received", "took_ms", "meaning"]
+    assert body[1][1:] == [
+        "", "AF 07 0F 55 2A", "00", "5.0", "set Serial Timeout to 1.5 s (15) → stored",
+    ]  # fmt: skip
+    assert body[2][1:] == ["!", "8F", "", "", "get currents of both motors → no answer"]
+    assert len(body) == 4
+
+
+def test_failed_save_is_reported_and_leaves_no_file(
+    setup: TranscriptSetup, qtbot: QtBot, tmp_path: Path
+) -> None:
+    setup.say(WRITE, STORED)
+    setup.transcript.pull()
+    saver = TranscriptSaver(setup.transcript)
+    with qtbot.waitSignal(saver.failed, timeout=15_000) as failed:
+        saver.save(tmp_path / "no such folder" / "line.txt", setup.transcript.everything.rows)
+    assert "line.txt: It was not written: No such file or directory." in failed.args
+    assert not saver.is_saving
+    assert list(tmp_path.iterdir()) == []

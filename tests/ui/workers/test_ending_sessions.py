@@ -1,0 +1,220 @@
+"""The last word of a session, and requests while it ends."""
+
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.session.request_queue import QueueInbox
+from trex_gui.devices.aracna.model.connection import RobotConnection
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.session.messages import Halt
+from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import Close, Closed
+from trex_gui.ui.devices.ports import Port, PortKind, Ports
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.workers import orphaned_threads
+from trex_gui.ui.workers.scan_worker import FindWorker
+from trex_gui.ui.workers.session_thread import SessionThread
+
+Emit = Callable[[object], None]
+
+
+class Gate:
+    """Holds up a thread of the program until a test opens it."""
+
+    def __init__(self) -> None:
+        self._condition = runtime().condition()
+        self._is_open = False
+
+    def wait(self) -> None:
+        with self._condition:
+            while not self._is_open:
+                self._condition.wait()
+
+    def open(self) -> None:
+        with self._condition:
+            self._is_open = True
+            self._condition.notify()
+
+
+class RecordingSession:
+    """A session that keeps its requests and ends with a given report, once it is released."""
+
+    def __init__(self, last: object = None, until: Gate | None = None) -> None:
+        self.requests: list[object] = []
+        self._last, self._until = last, until
+
+    def make(self, inbox: QueueInbox, emit: Emit) -> "RecordingSession":
+        self._inbox, self._emit = inbox, emit
+        return self
+
+    def run(self) -> None:
+        while (request := self._inbox.get(60)) is not None:
+            self.requests.append(request)
+            if isinstance(request, Close):
+                break
+        if self._until is not None:
+            self._until.wait()
+        if self._last is not None:
+            self._emit(self._last)
+
+
+# --- The last word ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("may_move", [True, False])
+def test_shutdown_records_whether_motors_may_still_move(
+    qtbot: QtBot, virtual_time: VirtualRuntime, may_move: bool
+) -> None:
+    line = SessionThread()
+    line.start(RecordingSession(Closed(None, may_move)).make, may_move=True)
+    with qtbot.assertNotEmitted(line.closed):
+        qtbot.waitUntil(line.shut_down)
+        virtual_time.advance(0.01)
+    assert line.last == Closed(None, may_move)
+
+
+def test_session_without_final_report_keeps_may_move(qtbot: QtBot) -> None:
+    line = SessionThread()
+    line.start(RecordingSession().make, may_move=True)
+    qtbot.waitUntil(line.shut_down)
+    assert line.last is not None
+    assert line.last.may_move
+
+
+def test_late_final_report_of_a_session_is_emitted(qtbot: QtBot) -> None:
+    gate = Gate()
+    line = SessionThread()
+    line.start(RecordingSession(Closed(None, may_move=False), gate).make, may_move=True)
+    assert not line.shut_down()
+    assert line.last is None
+    assert orphaned_threads.any_running()
+    with qtbot.waitSignal(line.closed) as closed:
+        gate.open()
+    assert closed.args == [Closed(None, may_move=False)]
+    qtbot.waitUntil(line.shut_down)
+
+
+def test_final_report_of_old_session_does_not_close_the_new_one(
+    qtbot: QtBot, virtual_time: VirtualRuntime
+) -> None:
+    gate = Gate()
+    line = SessionThread()
+    line.start(RecordingSession(Closed(None), gate).make, may_move=False)
+    assert not line.shut_down()
+    line.start(RecordingSession(Closed(None, may_move=True)).make, may_move=False)
+    with qtbot.assertNotEmitted(line.closed):
+        gate.open()
+        qtbot.waitUntil(lambda: not orphaned_threads.any_running())
+        virtual_time.advance(0.01)
+    assert line.is_open
+    qtbot.waitUntil(line.shut_down)
+    assert line.last == Closed(None, may_move=True)
+
+
+def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
+    """A device whose first motor runs."""
+    device = Device()
+    device.connect_to(LinkSettings(simulator.url))
+    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm)
+    device.motors.arm()
+    device.motors.set_speed(1, 60)
+    qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 60)
+    return device
+
+
+def test_unconfirmed_stop_keeps_may_move_after_shutdown(
+    quick_simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    device = driven(quick_simulator, qtbot)
+    quick_simulator.do("line mute on")
+    qtbot.waitUntil(device.shut_down)
+    assert device.link is Link.NONE
+    assert device.may_move
+
+
+def test_confirmed_stop_clears_may_move_after_shutdown(
+    quick_simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    device = driven(quick_simulator, qtbot)
+    assert device.may_move
+    qtbot.waitUntil(device.shut_down)
+    assert not device.may_move
+
+
+# --- Who waits for whom -----------------------------------------------------------------
+
+
+@pytest.fixture
+def connector(qtbot: QtBot) -> Iterator[Connector]:
+    connector = Connector(Device(), Ports())
+    yield connector
+    qtbot.waitUntil(connector.shut_down)
+
+
+def test_shutdown_closes_the_line_before_waiting_for_a_scan(
+    connector: Connector,
+    quick_simulator: SimulatedDevice,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    device, links = connector._device, list[Link]()
+    close = FindWorker.close
+
+    def note_and_close(worker: FindWorker) -> bool:
+        links.append(device.link)
+        return close(worker)
+
+    device.connect_to(LinkSettings(quick_simulator.url))
+    qtbot.waitUntil(lambda: device.link is Link.UP)
+    monkeypatch.setattr(FindWorker, "close", note_and_close)
+    connector.finder.start([Port(PortKind.TYPED, "/dev/ttyNothing9", "/dev/ttyNothing9")])
+    connector.shut_down()
+    assert links
+    assert Link.UP not in links
+
+
+# --- Requests from other threads --------------------------------------------------------
+
+
+def test_request_is_accepted_while_the_session_ends() -> None:
+    class Ending(SessionThread):
+        """A line whose session ends while a request is submitted."""
+
+        def moves(self, request: object) -> bool:
+            self._worker = None
+            return False
+
+    line, session = Ending(), RecordingSession(Closed(None))
+    line.start(session.make, may_move=False)
+    worker = line._worker
+    assert worker is not None
+    assert line.submit("something")
+    assert worker.close(15_000)
+    assert session.requests == ["something", Close()]
+
+
+def test_halt_from_another_thread_also_closes_the_session(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def end_meanwhile(line: RobotConnection, request: object) -> bool:
+        line._worker = None
+        return False
+
+    robot, session = Robot(), RecordingSession(Closed(None))
+    robot._line.start(session.make, may_move=False)
+    worker = robot._line._worker
+    assert worker is not None
+    monkeypatch.setattr(RobotConnection, "moves", end_meanwhile)
+    thread = threading.Thread(target=robot.halt_now, kwargs={"ending": True})
+    thread.start()
+    thread.join(15)
+    worker.submit(None)  # where nobody has closed it: the thread has to end
+    assert worker.wait(15_000)
+    assert session.requests == [Halt(), Close()]

@@ -1,0 +1,117 @@
+"""A fault of the program in a thread that reads or writes a file is told as a failure."""
+
+import logging
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import BinaryIO
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.recording.recording import Marker
+from trex_gui.ui.traffic.saver import TranscriptSaver
+from trex_gui.ui.workers.file_saver import FileSaver
+from trex_gui.ui.workers.file_worker import Done, FileWorker
+from trex_gui.ui.workers.record_thread import RecordThread
+from trex_gui.ui.workers.record_worker import Writer
+
+
+def fail(_: object) -> int:
+    raise ZeroDivisionError("on purpose")
+
+
+def test_internal_error_in_a_worker_is_reported_and_logged(
+    qtbot: QtBot, caplog: pytest.LogCaptureFixture
+) -> None:
+    worker = FileWorker(fail)
+    with qtbot.waitSignal(worker.done) as done:
+        worker.start()
+    assert worker.wait(15_000)
+    assert isinstance(done.args, list)
+    (outcome,) = done.args
+    assert isinstance(outcome, Done)
+    assert "fault of the program" in str(outcome.error)
+    assert "ZeroDivisionError: on purpose" in caplog.text
+
+
+def test_saver_reports_an_internal_error_and_stays_usable(qtbot: QtBot, tmp_path: Path) -> None:
+    saver = FileSaver()
+    with qtbot.waitSignal(saver.failed) as failed:
+        saver.begin(tmp_path / "line.txt", fail)
+    assert isinstance(failed.args, list)
+    assert failed.args[0].startswith("line.txt was not written. A fault of the program")
+    assert not saver.is_saving
+    with qtbot.waitSignal(saver.saved) as saved:
+        saver.begin(tmp_path / "line.txt", lambda _tell: 3)
+    assert saved.args == [3, tmp_path / "line.txt"]
+
+
+def test_silent_end_of_a_worker_is_reported_as_a_failure(
+    qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(FileWorker, "run", lambda _worker: None)  # as a thread that dies
+    saver = FileSaver()
+    with qtbot.waitSignal(saver.failed) as failed:
+        saver.begin(tmp_path / "line.txt", lambda _tell: 0)
+    assert failed.args == ["line.txt was not written."]
+    assert not saver.is_saving
+
+
+@pytest.mark.skipif(os.name == "nt", reason="names there are text")
+def test_undecodable_port_name_is_saved_in_the_transcript(qtbot: QtBot, tmp_path: Path) -> None:
+    device = Device()
+    device.connect_to(LinkSettings(os.fsdecode(b"/dev/pts/\xe9")))
+    qtbot.waitUntil(lambda: device.link is Link.NONE)
+    saver, path = TranscriptSaver(device.transcript), tmp_path / "line.txt"
+    with qtbot.waitSignal(saver.saved):
+        saver.save(path, device.transcript.everything.rows)
+    assert "There is no port /dev/pts/\\udce9" in path.read_text(encoding="utf-8")
+    qtbot.waitUntil(device.shut_down)
+
+
+class MarkerRecorder(RecordThread[Marker]):
+    """A recorder that can always record."""
+
+    @property
+    def is_there(self) -> bool:
+        return True
+
+
+class FailingWriter:
+    """Writes nothing, and fails at its end."""
+
+    size = 0
+
+    def write(self, records: Sequence[Marker]) -> None:
+        pass
+
+    def flush(self) -> None:
+        pass
+
+    def finish(self) -> None:
+        raise ZeroDivisionError("on purpose")
+
+
+@pytest.mark.parametrize("make", [fail, lambda _file: FailingWriter()], ids=["beginning", "end"])
+def test_internal_error_fails_the_recording(
+    qtbot: QtBot,
+    tmp_path: Path,
+    caplog: pytest.LogCaptureFixture,
+    make: Callable[[BinaryIO], Writer[Marker]],
+) -> None:
+    recorder = MarkerRecorder()
+    told: list[str] = []
+    ended: list[Path] = []
+    recorder.failed.connect(told.append)
+    recorder.ended.connect(ended.append)
+    with caplog.at_level(logging.ERROR):
+        recorder.begin(tmp_path / "a.trexrec", 0.0, make)
+        recorder.stop()
+        qtbot.waitUntil(lambda: recorder.can_record)
+    path = tmp_path / "a.trexrec"
+    assert told == [f"{path} cannot be written: a fault of the program (ZeroDivisionError)."]
+    assert ended == []
+    assert "on purpose" in caplog.text

@@ -1,0 +1,41 @@
+"""Python's collector works in the GUI thread only."""
+
+import gc
+from collections.abc import Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from trex_gui.ui.workers.garbage_collection import GuiThreadCollector
+
+
+class Cycle:
+    """Something that only the collector can free."""
+
+    alive = 0
+
+    def __init__(self) -> None:
+        self.me = self
+        Cycle.alive += 1
+
+    def __del__(self) -> None:
+        Cycle.alive -= 1
+
+
+@pytest.fixture
+def collector(qtbot: QtBot) -> Iterator[GuiThreadCollector]:
+    yield GuiThreadCollector()
+    gc.collect()
+
+
+def test_cycles_stay_until_collected_in_gui_thread(collector: GuiThreadCollector) -> None:
+    gc.collect()
+    for _ in range(2000):
+        Cycle()
+    assert Cycle.alive == 2000
+    collector.collect()
+    assert Cycle.alive < 2000
+
+
+def test_automatic_garbage_collection_is_disabled(collector: GuiThreadCollector) -> None:
+    assert not gc.isenabled()

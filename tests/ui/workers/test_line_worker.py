@@ -1,0 +1,328 @@
+"""A line and its thread: in virtual time, or in a real thread on a real pseudo-terminal."""
+
+import os
+import sys
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.patient import PATIENT, PatientQtBot
+from tests.support.simulator import SimulatedDevice
+from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.protocol.commands import Drive, GetParameter
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import (
+    Ask,
+    Batch,
+    Closed,
+    Connected,
+    Outcome,
+    Progress,
+    Report,
+    SetDrive,
+    Stop,
+    Write,
+)
+from trex_gui.devices.trex.session.session import Session
+from trex_gui.ui.runtime import now, open_transport
+from trex_gui.ui.workers.line_worker import LineWorker
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+
+class Watched:
+    """A worker and everything that it reported."""
+
+    def __init__(self, url: str, qtbot: QtBot) -> None:
+        self.reports: list[Report] = []
+        self.threads: set[threading.Thread] = set()
+        self.url = url
+        timeouts = PATIENT if isinstance(qtbot, PatientQtBot) else Timeouts()
+        settings = LinkSettings(url, timeouts=timeouts)
+        self.worker = LineWorker(lambda inbox, tell: Session(settings, inbox, tell, open_transport))
+        self.worker.reported.connect(self._take)
+        self.qtbot = qtbot
+
+    def _take(self, report: Report) -> None:
+        self.threads.add(threading.current_thread())
+        self.reports.append(report)
+
+    def has(self, kind: type) -> bool:
+        return any(isinstance(report, kind) for report in self.reports)
+
+    def wait(self, kind: type) -> None:
+        self.qtbot.waitUntil(lambda: self.has(kind))
+
+    def close(self) -> float:
+        """Close the line; return how many seconds its thread took to end."""
+        begun = now()
+        assert self.worker.close(15_000)
+        took = now() - begun
+        self.wait(Closed)
+        assert self.end == Closed(None)
+        return took
+
+    def outcome(self, number: int) -> Outcome:
+        """Wait for the outcome of a request."""
+
+        def found() -> list[Outcome]:
+            return [one for one in self.reports if isinstance(one, Outcome) and one.id == number]
+
+        self.qtbot.waitUntil(lambda: bool(found()))
+        (outcome,) = found()
+        return outcome
+
+    @property
+    def end(self) -> Closed:
+        """The last report."""
+        closed = self.reports[-1]
+        assert isinstance(closed, Closed)
+        return closed
+
+
+Watch = Callable[[str], Watched]
+
+
+@pytest.fixture
+def watch(qtbot: QtBot) -> Iterator[Watch]:
+    """Make workers; none may run on when the test is over."""
+    watched: list[Watched] = []
+
+    def make(url: str) -> Watched:
+        watched.append(Watched(url, qtbot))
+        return watched[-1]
+
+    yield make
+    for one in watched:
+        assert one.worker.close(15_000), "the thread lives on"
+
+
+def connected(watch: Watch, url: str) -> Watched:
+    """Return a worker that is connected to a simulated board."""
+    watched = watch(url)
+    watched.worker.start()
+    watched.qtbot.waitUntil(lambda: watched.has(Connected) or watched.has(Closed))
+    assert watched.has(Connected), watched.end
+    return watched
+
+
+@pytest.fixture
+def line(quick_simulator: SimulatedDevice, watch: Watch) -> Watched:
+    """A worker that is connected to a simulated board whose bytes take no time."""
+    return connected(watch, quick_simulator.url)
+
+
+@pytest.fixture
+def paced_line(simulator: SimulatedDevice, watch: Watch) -> Watched:
+    """A worker that is connected to a simulated board whose bytes take their time."""
+    return connected(watch, simulator.url)
+
+
+class Stranger:
+    """A pseudo-terminal with another device behind it."""
+
+    def __init__(self, answer: Callable[[bytes], bytes]) -> None:
+        self.master, self._slave = os.openpty()
+        self.url = os.ttyname(self._slave)
+        self._answer = answer
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    def _run(self) -> None:
+        import tty
+
+        tty.setraw(self._slave)
+        while (data := os.read(self.master, 256)) != b"\0quit":
+            os.write(self.master, self._answer(data))
+
+    def end(self) -> None:
+        import termios
+
+        termios.tcflush(self._slave, termios.TCIOFLUSH)
+        os.write(self._slave, b"\0quit")
+        self._thread.join(5)
+        os.close(self.master)
+        os.close(self._slave)
+
+
+@pytest.fixture
+def stranger() -> Iterator[Callable[[Callable[[bytes], bytes]], Stranger]]:
+    strangers: list[Stranger] = []
+
+    def make(answer: Callable[[bytes], bytes]) -> Stranger:
+        strangers.append(Stranger(answer))
+        return strangers[-1]
+
+    yield make
+    for one in strangers:
+        one.end()
+
+
+Make = Callable[[Callable[[bytes], bytes]], Stranger]
+
+
+# --- Life -------------------------------------------------------------------------------
+
+
+@pytest.mark.realtime
+def test_board_reports_arrive_in_gui_thread(line: Watched) -> None:
+    line.wait(Batch)
+    (connected,) = [one for one in line.reports if isinstance(one, Connected)]
+    assert str(connected.state.signature) == "TReX 1.2"
+    assert line.threads == {threading.main_thread()}
+
+
+def test_closing_ends_thread_within_a_second(paced_line: Watched) -> None:
+    assert paced_line.close() < 1.0
+
+
+@pytest.mark.realtime
+def test_closed_port_can_be_opened_again(line: Watched, watch: Watch) -> None:
+    line.close()
+    assert line.worker.isFinished()
+    connected(watch, line.url)
+
+
+def test_closing_during_connect_ends_within_a_second(
+    simulator: SimulatedDevice, watch: Watch
+) -> None:
+    watched = watch(simulator.url)
+    watched.worker.start()
+    watched.wait(Progress)
+    assert watched.close() < 1.0
+    assert not watched.has(Connected)
+
+
+@pytest.mark.realtime
+def test_closing_right_after_start_ends_thread(
+    quick_simulator: SimulatedDevice, watch: Watch
+) -> None:
+    watched = watch(quick_simulator.url)
+    watched.worker.start()
+    watched.close()
+    assert watched.worker.isFinished()
+
+
+@pytest.mark.realtime
+def test_unstarted_worker_can_be_closed(watch: Watch) -> None:
+    assert watch("/dev/nothing").worker.close()
+
+
+def test_closing_brakes_running_motor(paced_line: Watched, simulator: SimulatedDevice) -> None:
+    def motor() -> tuple[str, int]:
+        shown = simulator.show()["motors"][0]
+        return shown["direction"], shown["speed"]
+
+    paced_line.worker.submit(SetDrive(1, Drive.at(100)))
+    paced_line.qtbot.waitUntil(lambda: motor() == ("forward", 100))
+    assert paced_line.close() < 1.0
+    assert motor() == ("brake", 127)
+
+
+# --- Requests ---------------------------------------------------------------------------
+
+
+def test_each_request_gets_its_outcome(line: Watched) -> None:
+    line.worker.submit(Ask(1, GetParameter(0)))
+    line.worker.submit(Write(2, (("serial_timeout", 9),)))
+    line.worker.submit(Ask(3, GetParameter(7)))
+    line.worker.submit(Stop(4))
+    assert line.outcome(1).value == 7
+    assert line.outcome(2).error is None
+    assert line.outcome(3).value == 9
+    assert line.outcome(4).error is None
+
+
+@pytest.mark.realtime
+def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
+    threads = [
+        threading.Thread(target=line.worker.submit, args=(Ask(number, GetParameter(0)),))
+        for number in range(20)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert {line.outcome(number).value for number in range(20)} == {7}
+
+
+def test_batches_are_limited_to_60_a_second(line: Watched, virtual_time: VirtualRuntime) -> None:
+    def arrived() -> int:
+        return sum(isinstance(one, Batch) for one in line.reports)
+
+    before = arrived()
+    virtual_time.advance(1.0)
+    assert 50 <= arrived() - before <= 60
+
+
+# --- Trouble ----------------------------------------------------------------------------
+
+
+@pytest.mark.realtime
+def test_unplugged_cable_ends_session(line: Watched, quick_simulator: SimulatedDevice) -> None:
+    quick_simulator.do("line unplug")
+    line.wait(Closed)
+    assert isinstance(line.end.error, PortUnavailable)
+    assert "Plug it in, then connect again" in str(line.end.error)
+    assert line.worker.wait(15_000)
+
+
+@pytest.mark.realtime
+def test_ended_simulator_is_reported_as_unavailable_port(
+    line: Watched, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.end()
+    line.wait(Closed)
+    assert isinstance(line.end.error, PortUnavailable)
+
+
+def test_missing_port_is_reported(watch: Watch) -> None:
+    watched = watch("/dev/ttyNothing9")
+    watched.worker.start()
+    watched.wait(Closed)
+    assert "There is no port /dev/ttyNothing9" in str(watched.end.error)
+
+
+@pytest.mark.realtime
+def test_port_in_use_is_reported(line: Watched, watch: Watch) -> None:
+    watched = watch(line.url)
+    watched.worker.start()
+    watched.wait(Closed)
+    assert "is in use" in str(watched.end.error)
+    assert not line.has(Closed)
+
+
+def test_silent_device_is_reported_within_half_a_second(
+    quick_simulator: SimulatedDevice, watch: Watch
+) -> None:
+    quick_simulator.do("power off")
+    watched = watch(quick_simulator.url)
+    begun = now()
+    watched.worker.start()
+    watched.wait(Closed)
+    assert now() - begun < 0.5
+    assert isinstance(watched.end.error, NoReply)
+    assert "No TReX answers" in str(watched.end.error)
+
+
+@pytest.mark.realtime
+def test_other_device_is_reported_as_bad_reply(stranger: Make, watch: Watch) -> None:
+    watched = watch(stranger(lambda _data: b"ERROR: unknown command\r\n").url)
+    watched.worker.start()
+    watched.wait(Closed)
+    assert isinstance(watched.end.error, BadReply)
+    assert "not as a TReX does" in str(watched.end.error)
+
+
+@pytest.mark.realtime
+def test_loopback_plug_is_reported_as_joined_wires(stranger: Make, watch: Watch) -> None:
+    watched = watch(stranger(lambda data: data).url)
+    watched.worker.start()
+    watched.wait(Closed)
+    assert isinstance(watched.end.error, NoReply)
+    assert "TX and RX are joined" in str(watched.end.error)

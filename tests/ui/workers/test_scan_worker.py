@@ -1,0 +1,97 @@
+"""A search in its thread: in virtual time, or in a real thread on a real pseudo-terminal."""
+
+import sys
+import threading
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.core.discovery.prober import Step
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.discovery.prober import SEEK_TREX
+from trex_gui.devices.trex.protocol.commands import SetParameter
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.ui.runtime import now, open_transport
+from trex_gui.ui.workers.scan_worker import Errand, FindWorker, Searched
+
+if sys.platform == "win32":
+    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+
+
+class Watched:
+    """A worker and everything that it told."""
+
+    def __init__(self, *urls: str) -> None:
+        self.steps: list[tuple[int, Step]] = []
+        self.searched: list[Searched] = []
+        self.threads: set[threading.Thread] = set()
+        self.worker = FindWorker([Errand(LinkSettings(url), {"trex": SEEK_TREX}) for url in urls])
+        self.worker.stepped.connect(self._on_stepped)
+        self.worker.searched.connect(self._on_searched)
+
+    def _on_stepped(self, index: int, step: Step) -> None:
+        self.threads.add(threading.current_thread())
+        self.steps.append((index, step))
+
+    def _on_searched(self, searched: Searched) -> None:
+        self.threads.add(threading.current_thread())
+        self.searched.append(searched)
+
+
+def search(qtbot: QtBot, *urls: str) -> Watched:
+    """Search these ports to the end."""
+    watched = Watched(*urls)
+    with qtbot.waitSignal(watched.worker.finished):
+        watched.worker.start()
+    assert watched.worker.wait(15_000)
+    return watched
+
+
+def test_scan_reports_ports_in_order(
+    quick_simulator: SimulatedDevice, start_simulator: StartSimulator, qtbot: QtBot
+) -> None:
+    other = start_simulator("--unpaced", "--model", "trexjr")
+    watched = search(qtbot, quick_simulator.url, "/dev/ttyNothing9", other.url)
+    first, second, third = watched.searched
+    assert first.search.found[0].name == "TReX 1.2"
+    assert isinstance(second.search.error, PortUnavailable)
+    assert third.search.found[0].name == "TReX Jr 1.2"
+    assert {index for index, _ in watched.steps} == {0, 2}
+
+
+@pytest.mark.realtime
+def test_scan_reports_arrive_in_gui_thread(quick_simulator: SimulatedDevice, qtbot: QtBot) -> None:
+    watched = search(qtbot, quick_simulator.url, "/dev/ttyNothing9")
+    assert watched.steps
+    assert [one.index for one in watched.searched] == [0, 1]
+    assert watched.threads == {threading.main_thread()}
+
+
+def test_cancelled_scan_ends_within_a_second(
+    quick_simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    quick_simulator.do("power off")
+    watched = Watched(quick_simulator.url, quick_simulator.url)
+    watched.worker.start()
+    qtbot.waitUntil(lambda: len(watched.steps) >= 2)
+    begun = now()
+    assert watched.worker.close(15_000)
+    assert now() - begun < 1.0
+    (searched,) = watched.searched
+    assert searched.search.cancelled
+
+
+def test_scan_finds_board_at_other_baud_rate(
+    quick_simulator: SimulatedDevice, qtbot: QtBot
+) -> None:
+    settings = LinkSettings(quick_simulator.url)
+    client = Client(open_transport(settings), settings)
+    client.request(SetParameter(0x7E, LineSettings(115200).to_wire()))
+    client.close()
+    quick_simulator.do("power cycle")
+    watched = search(qtbot, quick_simulator.url)
+    (found,) = watched.searched[0].search.found
+    assert found.settings.line.baud == 115200

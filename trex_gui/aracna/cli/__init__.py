@@ -1,1 +1,0 @@
-"""`trexcmd aracna …`: ask an Aracna, move it, play pose files. No Qt."""

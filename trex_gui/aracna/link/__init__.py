@@ -1,1 +1,0 @@
-"""Talking to Aracna: one command in flight, a session, finding it. No Qt."""

@@ -1,1 +1,0 @@
-"""Aracna as the window sees it: Qt objects that mirror the robot."""

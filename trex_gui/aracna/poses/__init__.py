@@ -1,1 +1,0 @@
-"""Poses, sequences and gaits, and the files that they are kept in. No Qt."""

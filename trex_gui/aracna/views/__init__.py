@@ -1,1 +1,0 @@
-"""What people see and touch of Aracna; holds no state of the robot, does no I/O."""

@@ -1,1 +1,0 @@
-"""Recordings of an Aracna as a person looks at them."""

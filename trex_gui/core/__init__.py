@@ -1,0 +1,1 @@
+"""Shared by all devices; no Qt, and nothing of a particular device."""

@@ -1,0 +1,1 @@
+"""What every command line shares: messages, errors, progress, common options."""

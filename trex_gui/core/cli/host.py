@@ -1,0 +1,38 @@
+"""The computer that the program runs on: its serial ports and threads."""
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import click
+
+from trex_gui.core.session.request_queue import Condition
+from trex_gui.core.transport.serial_port import SerialTransport, Transport
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+
+def _start_thread(function: Callable[[], None]) -> Callable[[], None]:
+    thread = threading.Thread(target=function, daemon=True)
+    thread.start()
+    return thread.join
+
+
+@dataclass(frozen=True, slots=True)
+class Host:
+    """What commands use of the computer; a caller may pass another one as click's `obj`.
+
+    Attributes:
+        open_transport: opens a port; raises PortUnavailable.
+        condition: makes what threads wait on for each other.
+        start_thread: runs a function in a thread of its own; returns what waits for its end.
+    """
+
+    open_transport: Callable[[LinkSettings], Transport] = SerialTransport
+    condition: Callable[[], Condition] = threading.Condition
+    start_thread: Callable[[Callable[[], None]], Callable[[], None]] = _start_thread
+
+
+def host() -> Host:
+    """Return the host of the command that runs."""
+    context = click.get_current_context(silent=True)
+    return (context and context.find_object(Host)) or Host()

@@ -1,0 +1,1 @@
+"""Text files that users write: read whole, written whole, errors by line."""

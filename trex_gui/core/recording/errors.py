@@ -1,0 +1,23 @@
+"""What can be wrong with a recording, said with its file and the place in it."""
+
+from trex_gui.core.errors import TrexError
+
+
+class RecordingError(TrexError):
+    """A recording cannot be read or written.
+
+    Attributes:
+        name: the file, as the person knows it.
+        place: where in it, such as `byte 40960` or `line 17`; empty for the file as a whole.
+        message: what is wrong, as a sentence.
+    """
+
+    def __init__(self, name: str, message: str, place: str = "") -> None:
+        self.name = name
+        self.place = place
+        self.message = message
+        super().__init__(name, message, place)
+
+    def __str__(self) -> str:
+        where = f"{self.name}, {self.place}" if self.place else self.name
+        return f"{where}: {self.message}"

@@ -1,0 +1,145 @@
+"""A pseudo-terminal as the host's serial port (Linux, macOS)."""
+
+import contextlib
+import errno
+import fcntl
+import os
+import struct
+import sys
+import termios
+import tty
+from collections.abc import Collection, Iterable
+from pathlib import Path
+
+from trex_gui.core.simulator.endpoint import CHUNK, Arrival, EndpointError, HostSettings
+
+# struct termios2 of Linux, which holds any baud rate: four flag words, the line discipline,
+# 19 control characters, input and output speed.
+_TERMIOS2 = struct.Struct("=4IB19B2I")
+_TCGETS2 = 0x802C542A
+_CFLAG, _OSPEED = 2, -1
+
+_RATES = {
+    getattr(termios, name): int(name[1:])
+    for name in dir(termios)
+    if name[:1] == "B" and name[1:].isdigit()
+}
+
+
+class PtyEndpoint:
+    """A pseudo-terminal and, if wanted, a link to it with a name that lasts.
+
+    The slave end stays open here, so hosts may come and go. Baud rate and stop bits that the
+    host sets are seen; parity is not, the system drops it on pseudo-terminals.
+    """
+
+    def __init__(self, link: Path | None, baud: int) -> None:
+        self._link = link
+        self._baud = baud
+        self._master: int | None = None
+        self._slave: int | None = None
+        self._path = ""
+        self.hosts_left = 0
+        self.plug()
+
+    @property
+    def url(self) -> str:
+        """The path of the link, or of the terminal."""
+        return str(self._link) if self._link is not None else self._path
+
+    def waiting_for(self) -> list[int]:
+        """Wait for bytes from the host."""
+        return [self._master] if self._master is not None else []
+
+    def take(self, ready: Collection[int]) -> Iterable[Arrival]:
+        """Take what the host has sent, with the settings that it has now."""
+        if self._master is None or self._slave is None or self._master not in ready:
+            return
+        try:
+            data = os.read(self._master, CHUNK)
+        except BlockingIOError:
+            return
+        yield _settings(self._slave), data
+
+    def write(self, data: bytes) -> None:
+        """Give bytes to the host; what it does not read is lost in the end, as in a UART."""
+        if self._master is not None:
+            with contextlib.suppress(BlockingIOError):
+                os.write(self._master, data)
+
+    def unplug(self) -> None:
+        """Hang up: the host gets an input/output error."""
+        for end in (self._slave, self._master):
+            if end is not None:
+                os.close(end)
+        self._master = self._slave = None
+        self.hosts_left += 1
+        self._remove_link()
+
+    def plug(self) -> None:
+        """Make a new terminal, behind the same link if there is one."""
+        if self._master is not None:
+            return
+        try:
+            self._master, self._slave = os.openpty()
+        except OSError as error:
+            raise EndpointError(f"there is no pseudo-terminal to be had: {error}") from error
+        os.set_blocking(self._master, False)
+        tty.setraw(self._slave)
+        _set_speed(self._slave, self._baud)
+        self._path = os.ttyname(self._slave)
+        try:
+            self._make_link()
+        except OSError as error:
+            link = self._link
+            self.unplug()
+            raise EndpointError(f"cannot make the link {link}: {error.strerror}") from error
+
+    def close(self) -> None:
+        """Hang up for good and remove the link."""
+        self.unplug()
+
+    def _make_link(self) -> None:
+        if self._link is None:
+            return
+        if self._link.exists() and not self._link.is_symlink():
+            raise FileExistsError(errno.EEXIST, "there is something else of this name")
+        fresh = self._link.with_name(f".{self._link.name}.{os.getpid()}")
+        fresh.unlink(missing_ok=True)
+        fresh.symlink_to(self._path)
+        fresh.replace(self._link)  # never a moment without a link
+
+    def _remove_link(self) -> None:
+        if self._link is None:
+            return
+        with contextlib.suppress(OSError):
+            if str(self._link.readlink()) == self._path:
+                self._link.unlink()
+
+
+def _set_speed(terminal: int, baud: int) -> None:
+    """Let a host that sets nothing (`cat`, `printf`) fit; impossible for unusual rates."""
+    codes = {rate: code for code, rate in _RATES.items()}
+    if baud in codes:
+        settings = termios.tcgetattr(terminal)
+        settings[4] = settings[5] = codes[baud]
+        termios.tcsetattr(terminal, termios.TCSANOW, settings)
+
+
+def _settings(terminal: int) -> HostSettings | None:
+    """Return how the host has set the terminal; `None` where that cannot be seen."""
+    try:
+        if sys.platform == "linux":
+            with contextlib.suppress(OSError):  # some processors number the request otherwise
+                words = _TERMIOS2.unpack(fcntl.ioctl(terminal, _TCGETS2, bytes(_TERMIOS2.size)))
+                return _host_settings(words[_OSPEED], words[_CFLAG])
+        attributes = termios.tcgetattr(terminal)
+    except termios.error:
+        return None
+    return _host_settings(_RATES.get(attributes[5], 0), attributes[2])
+
+
+def _host_settings(baud: int, flags: int) -> HostSettings | None:
+    if baud <= 0:
+        return None
+    return HostSettings(baud, 2 if flags & termios.CSTOPB else 1)

@@ -1,0 +1,123 @@
+"""A serial port over TCP with its settings (RFC 2217): the only way to see the host's parity."""
+
+import struct
+from collections.abc import Iterable
+
+import serial
+from serial.rfc2217 import PortManager
+
+from trex_gui.core.simulator.endpoint import Arrival, HostSettings, TcpEndpoint
+
+_PARITIES = {serial.PARITY_NONE: "none", serial.PARITY_EVEN: "even", serial.PARITY_ODD: "odd"}
+
+
+class _Port:
+    """Stands in for the serial port that pyserial's server would set.
+
+    Settings that no TReX has are refused; the modem lines are always on.
+    """
+
+    cts = dsr = cd = True
+    ri = False
+    xonxoff = rtscts = dtr = rts = break_condition = False
+
+    def __init__(self, baud: int) -> None:
+        self.baudrate = baud
+        self._parity = serial.PARITY_NONE
+        self._stopbits = serial.STOPBITS_ONE
+
+    @property
+    def bytesize(self) -> int:
+        """8."""
+        return serial.EIGHTBITS
+
+    @bytesize.setter
+    def bytesize(self, bits: int) -> None:
+        if bits != serial.EIGHTBITS:
+            raise ValueError("eight data bits")
+
+    @property
+    def parity(self) -> str:
+        """One of pyserial's letters."""
+        return self._parity
+
+    @parity.setter
+    def parity(self, parity: str) -> None:
+        if parity not in _PARITIES:
+            raise ValueError("parity is none, even or odd")
+        self._parity = parity
+
+    @property
+    def stopbits(self) -> float:
+        """1 or 2."""
+        return self._stopbits
+
+    @stopbits.setter
+    def stopbits(self, stopbits: float) -> None:
+        if stopbits not in {serial.STOPBITS_ONE, serial.STOPBITS_TWO}:
+            raise ValueError("one or two stop bits")
+        self._stopbits = int(stopbits)
+
+    def reset_input_buffer(self) -> None:
+        """Nothing waits here."""
+
+    def reset_output_buffer(self) -> None:
+        """Nothing waits here."""
+
+    def settings(self) -> HostSettings:
+        """Return what the host has set."""
+        return HostSettings(self.baudrate, int(self._stopbits), _PARITIES[self._parity])
+
+
+class _Connection:
+    """What pyserial's server writes its own messages to."""
+
+    def __init__(self, endpoint: "Rfc2217Endpoint") -> None:
+        self._endpoint = endpoint
+
+    def write(self, data: bytes) -> None:
+        self._endpoint.write_raw(data)
+
+
+class Rfc2217Endpoint(TcpEndpoint):
+    """A serial port over TCP; baud rate, parity and stop bits are seen."""
+
+    scheme = "rfc2217"
+
+    def __init__(self, host: str, port: int, baud: int) -> None:
+        self._baud = baud
+        self._port_settings = _Port(baud)
+        self._manager: PortManager | None = None
+        super().__init__(host, port)
+
+    def welcome(self) -> None:
+        """Begin the negotiation."""
+        self._port_settings = _Port(self._baud)
+        self._manager = PortManager(
+            self._port_settings,  # type: ignore[arg-type] # the stubs want a real port here
+            _Connection(self),  # type: ignore[arg-type] # and here, where only write is used
+        )
+
+    def arrivals(self, data: bytes) -> Iterable[Arrival]:
+        """Tell data from negotiation; settings count from where they came in between."""
+        if self._manager is None:
+            return
+        try:
+            for byte in self._manager.filter(data):
+                yield self._port_settings.settings(), byte
+        except (struct.error, KeyError, TypeError):
+            self.drop_client()  # what it speaks is not RFC 2217
+
+    def write(self, data: bytes) -> None:
+        """Give bytes to the host, escaped."""
+        if self._manager is not None:
+            self.write_raw(b"".join(self._manager.escape(data)))
+
+    def write_raw(self, data: bytes) -> None:
+        """Give bytes to the host as they are."""
+        super().write(data)
+
+    def drop_client(self) -> None:
+        """Hang up on the host and forget what it had set."""
+        self._manager = None
+        super().drop_client()

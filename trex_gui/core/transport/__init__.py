@@ -1,0 +1,1 @@
+"""Serial ports: opening, ownership, supported rates, traffic log."""

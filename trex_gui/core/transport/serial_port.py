@@ -1,0 +1,377 @@
+"""Bytes out, bytes in: one open port, with every failure as a sentence.
+
+Ports are pyserial's, local or remote, under one small interface, so that a simulated wire
+in virtual time can stand in for them.
+"""
+
+import contextlib
+import errno
+import logging
+import os
+import re
+import select
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Protocol
+
+import serial
+from serial.tools import list_ports
+
+from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
+from trex_gui.core.transport.port_holder import holder_of, is_locked_elsewhere
+from trex_gui.core.transport.port_rates import rates_of
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+
+log = logging.getLogger(__name__)
+
+_SLICE = 0.02
+"""Seconds that one blocking read may last; a deadline is overrun by no more than this."""
+
+_LONGEST_STALE = 0.05
+"""Seconds of bytes that nobody asked for after which a line counts as talking by itself."""
+
+_MANY_READS = 10
+"""And this often there was more: a computer that stood still finds all of it in one or two."""
+
+_NO_ROOM = 1.0
+"""Seconds after which a port that takes no byte is given up."""
+
+_LOCAL_LATENCY = 0.06
+"""Allowance for a local port: two latency timers of a common adapter (16 ms) and the system."""
+
+_REMOTE_LATENCY = 0.5
+"""Allowance for a port behind a network."""
+
+_BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
+
+_HANDING_OVER = 1.5
+"""Seconds for which a port is waited for that another line of this program has locked: one that
+closes takes no longer than its last stop is tried."""
+
+PARITIES = {Detection.EVEN: serial.PARITY_EVEN, Detection.ODD: serial.PARITY_ODD}
+
+
+def latency_of(url: str) -> float:
+    """Return the seconds that a byte may be late on a port for reasons that are not the wire's."""
+    return _REMOTE_LATENCY if "://" in url else _LOCAL_LATENCY
+
+
+class Transport(Protocol):
+    """One open line."""
+
+    @property
+    def latency(self) -> float:
+        """Seconds that a byte may be late for reasons that are not the wire's."""
+        ...
+
+    @property
+    def can_be_tuned(self) -> bool:
+        """Whether `tune` changes how bytes travel."""
+        ...
+
+    def rates(self) -> frozenset[int] | None:
+        """Return the baud rates of a TReX that the port can do; `None`: nobody knows.
+
+        Sends nothing and raises nothing. Only for a port on which nothing was sent yet.
+        """
+        ...
+
+    def tune(self, line: LineSettings) -> None:
+        """Go on with these settings; nothing may be on its way.
+
+        Raises:
+            BadRequest: the port cannot be set so.
+            PortUnavailable: the line is gone.
+        """
+        ...
+
+    def clock(self) -> float:
+        """Seconds on a clock that only goes forward."""
+        ...
+
+    def write(self, data: bytes) -> None:
+        """Hand bytes to the line.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        ...
+
+    def read(self, size: int, seconds: float) -> bytes:
+        """Return `size` bytes, or the fewer that came within `seconds`.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        ...
+
+    def discard(self) -> bytes:
+        """Forget what has come so far, and return it.
+
+        Raises:
+            BadReply: bytes come without end; no TReX sends without being asked.
+            PortUnavailable: the line is gone.
+        """
+        ...
+
+    def wait(self, seconds: float) -> None:
+        """Let time pass."""
+        ...
+
+    def close(self) -> None:
+        """Give the port back; never raises."""
+        ...
+
+
+class SerialTransport:
+    """A port that pyserial opened; `clock` returns seconds and never goes backwards."""
+
+    def __init__(self, settings: LinkSettings, clock: Callable[[], float] = time.monotonic) -> None:
+        self._url = settings.url
+        self._name = settings.name or settings.url
+        self._clock = clock
+        self._port = _open(settings, clock)
+        self._latency = latency_of(settings.url)
+
+    @property
+    def latency(self) -> float:
+        return self._latency
+
+    @property
+    def can_be_tuned(self) -> bool:
+        # Behind a plain network port somebody else has set the rate.
+        return not self._url.startswith("socket://")
+
+    def rates(self) -> frozenset[int] | None:
+        return None if "://" in self._url else rates_of(self._port, baud_rates())
+
+    def tune(self, line: LineSettings) -> None:
+        port = self._port
+        wanted = {
+            "baudrate": line.baud,
+            "parity": _parity(self._url, line),
+            "stopbits": serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE,
+        }
+        try:
+            for name, value in wanted.items():
+                if getattr(port, name) != value:
+                    setattr(port, name, value)
+        except PORT_ERRORS as error:
+            if isinstance(error, ValueError) or _errno(error) in {None, errno.EINVAL}:
+                raise BadRequest(f"the port cannot be set to {line.text()}") from error
+            raise self._gone(error) from error
+
+    def clock(self) -> float:
+        return self._clock()
+
+    def write(self, data: bytes) -> None:
+        try:
+            if self._port.write_timeout == 0:
+                self._write_as_there_is_room(data)
+            else:
+                self._port.write(data)
+        except PORT_ERRORS as error:
+            raise self._gone(error) from error
+
+    def _write_as_there_is_room(self, data: bytes) -> None:
+        """Write all; a time limit of pyserial's is over where this thread was late behind it, too.
+
+        Raises:
+            SerialTimeoutException: the port has taken nothing for `_NO_ROOM`.
+        """
+        while data:
+            _, ready, _ = select.select([], [self._port.fileno()], [], _NO_ROOM)
+            if not ready:
+                raise serial.SerialTimeoutException("the port takes nothing")
+            data = data[self._port.write(data) :]
+
+    def read(self, size: int, seconds: float) -> bytes:
+        received = bytearray()
+        deadline = self._clock() + seconds
+        try:
+            while len(received) < size:
+                received += self._port.read(size - len(received))
+                if self._clock() >= deadline:
+                    # Whoever comes late finds here what came in time.
+                    there = min(self._port.in_waiting, size - len(received))
+                    received += self._port.read(there) if there > 0 else b""
+                    break
+        except PORT_ERRORS as error:
+            raise self._gone(error) from error
+        return bytes(received)
+
+    def discard(self) -> bytes:
+        stale = bytearray()
+        reads = 0
+        deadline = self._clock() + _LONGEST_STALE
+        try:
+            while waiting := self._port.in_waiting:
+                stale += self._port.read(waiting)
+                reads += 1
+                if reads > _MANY_READS and self._clock() > deadline:
+                    raise BadReply(
+                        f"It sends without being asked ({stale[:12].hex(' ').upper()} …)."
+                    )
+        except PORT_ERRORS as error:
+            raise self._gone(error) from error
+        return bytes(stale)
+
+    def wait(self, seconds: float) -> None:
+        if seconds > 0:
+            time.sleep(seconds)
+
+    def close(self) -> None:
+        # pyserial forgets to close the socket of a remote port that the other side has left.
+        remote = getattr(self._port, "_socket", None)
+        with contextlib.suppress(*PORT_ERRORS):
+            self._port.close()
+        if remote is not None:
+            with contextlib.suppress(*PORT_ERRORS):
+                remote.close()
+
+    def _gone(self, error: Exception) -> PortUnavailable:
+        log.info("the line %s is gone: %s", self._url, error)
+        return PortUnavailable(f"The line to {self._name} is gone. Plug it in, then connect again.")
+
+
+def _port_errors() -> tuple[type[Exception], ...]:
+    # pyserial lets these out too: for a bad address, a port closed under it, and what a kind
+    # of port cannot do.
+    kinds: list[type[Exception]] = [
+        serial.SerialException,
+        OSError,
+        ValueError,
+        TypeError,
+        AttributeError,
+        NotImplementedError,
+        re.error,  # of hwgrep://
+    ]
+    with contextlib.suppress(ImportError):
+        import termios  # noqa: PLC0415 - only on POSIX
+
+        kinds.append(termios.error)
+    return tuple(kinds)
+
+
+PORT_ERRORS = _port_errors()
+
+
+def _parity(url: str, line: LineSettings) -> str:
+    """Return pyserial's letter for the parity of a line.
+
+    A pseudo-terminal of Linux has none, and the C library takes asking for it as a mistake
+    whenever nothing else changes.
+    """
+    if Path(url).resolve().is_relative_to("/dev/pts"):
+        return serial.PARITY_NONE
+    return PARITIES.get(line.detection, serial.PARITY_NONE)
+
+
+def _is_file(url: str) -> bool:
+    """Whether a port is a device of a POSIX system, with a file descriptor."""
+    return "://" not in url and sys.platform != "win32"
+
+
+def _open(settings: LinkSettings, clock: Callable[[], float]) -> serial.Serial:
+    line = settings.line
+    try:
+        port = serial.serial_for_url(settings.url, do_not_open=True)
+        port.baudrate = line.baud
+        port.bytesize = serial.EIGHTBITS
+        port.parity = _parity(settings.url, line)
+        port.stopbits = serial.STOPBITS_TWO if line.stop_bits == 2 else serial.STOPBITS_ONE
+        port.timeout = _SLICE
+        if settings.url.startswith("socket://") or _is_file(settings.url):
+            port.write_timeout = 0  # see `_write_as_there_is_room`
+        elif not settings.url.startswith("rfc2217://"):  # which cannot do it
+            port.write_timeout = _NO_ROOM
+        if _is_file(settings.url):
+            port.exclusive = True
+        _open_when_free(port, settings.url, clock)
+    except PORT_ERRORS as error:
+        raise PortUnavailable(why_not_open(settings.url, line, error)) from error
+    # FTDI adapters hold bytes back up to 16 ms; the Linux driver can be asked not to.
+    with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
+        port.set_low_latency_mode(True)
+    return port
+
+
+def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -> None:
+    """Open a port; wait a moment for a line of this program that is about to give it back.
+
+    That one may still be proving that the motors stand. Nobody else is waited for.
+    """
+    deadline = clock() + _HANDING_OVER
+    while True:
+        try:
+            port.open()
+        except PORT_ERRORS as error:
+            is_late = clock() >= deadline
+            if is_late or _errno(error) not in _BUSY or is_locked_elsewhere(url):
+                raise
+            time.sleep(_SLICE)
+        else:
+            return
+
+
+def why_not_open(url: str, line: LineSettings, error: Exception) -> str:
+    """Return a sentence for a port that would not open, with what mends it."""
+    number = _errno(error)
+    if "://" in url:
+        return f"{url} cannot be reached: {_plain(error)}."
+    if number == errno.ENOENT or "FileNotFoundError" in str(error):
+        present = ", ".join(port.device for port in list_ports.comports())
+        return f"There is no port {url}. Ports of this computer: {present or 'none'}."
+    if number in {errno.EACCES, errno.EPERM} and sys.platform == "win32":
+        return f"{url} is in use by another program, or locked by its driver."
+    if number in {errno.EACCES, errno.EPERM}:
+        return f"You may not open {url}. {_permission_cure(url)}"
+    if number in _BUSY:
+        holder = holder_of(url)
+        by = f" by {holder}" if holder else " by another program"
+        return f"{url} is in use{by}. Close it there, then connect again."
+    if isinstance(error, ValueError) or number == errno.EINVAL:
+        return f"{url} cannot be set to {line.text()} ({_plain(error)})."
+    return f"{url} cannot be opened: {_plain(error)}."
+
+
+def _errno(error: Exception) -> int | None:
+    """Dig out the system's error number: pyserial wraps it, and keeps it only sometimes."""
+    seen: BaseException | None = error
+    while seen is not None:
+        number = getattr(seen, "errno", None)
+        if isinstance(number, int):
+            return number
+        if seen.args and isinstance(seen.args[0], int):
+            return seen.args[0]
+        seen = seen.__cause__ or seen.__context__
+    return None
+
+
+def _plain(error: Exception) -> str:
+    """Return the system's words without Python's."""
+    number = _errno(error)
+    if number is not None and number > 0:
+        with contextlib.suppress(ValueError):
+            return os.strerror(number).lower()
+    text = str(error).strip().rstrip(".")
+    return text or type(error).__name__
+
+
+def _permission_cure(url: str) -> str:
+    """Return the command that gives access to this very port."""
+    try:
+        import grp  # noqa: PLC0415 - only on POSIX
+
+        group = grp.getgrgid(Path(url).stat().st_gid).gr_name
+    except (ImportError, KeyError, OSError):
+        group = "dialout"
+    if group == "root":
+        return f"It belongs to root; this opens it until it is unplugged: sudo chmod a+rw {url}"
+    return (
+        f"Join its group, then log out and in again: sudo usermod -aG {group} $USER "
+        f"(or, until it is unplugged: sudo chmod a+rw {url})."
+    )

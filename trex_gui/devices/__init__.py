@@ -1,0 +1,1 @@
+"""One package for each supported device; they never import each other."""

@@ -1,0 +1,1 @@
+"""Finding an Aracna on a port, without moving it."""

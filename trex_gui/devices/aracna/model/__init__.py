@@ -1,0 +1,1 @@
+"""Qt objects that mirror the robot."""

@@ -1,0 +1,123 @@
+"""How things stand between the program and a robot: one line after another."""
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.transport.traffic_log import taped
+from trex_gui.devices.aracna.session.messages import Connected, Halt, Restarted, Silent
+from trex_gui.devices.aracna.session.session import AracnaSession
+from trex_gui.devices.aracna.session.traffic_decoder import AracnaWording
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import Closed
+from trex_gui.ui.runtime import now, open_transport
+from trex_gui.ui.traffic.model import Transcript
+from trex_gui.ui.workers.session_thread import SessionThread
+
+
+class RobotConnection(SessionThread):
+    """The way to one robot, or none.
+
+    Attributes:
+        transcript: every byte that went over its line.
+
+    Signals:
+        changed: `link` or `status`.
+        answered: the robot has said what it is: the `Connected`; before `link` is `UP`.
+        lapsed: it does not listen, or has restarted: what servos hold is not certain any more.
+        left: the line is closed, and nothing of the robot counts any more.
+        failed: why the line is closed, for people.
+    """
+
+    changed = Signal()
+    answered = Signal(object)
+    lapsed = Signal()
+    left = Signal()
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._link = Link.NONE
+        self._status = self.tr("Not connected.")
+        self._next: LinkSettings | None = None
+        self.transcript = Transcript(self, AracnaWording())
+        self.closed.connect(self._on_closed)
+
+    @property
+    def link(self) -> Link:
+        """How things stand."""
+        return self._link
+
+    @property
+    def status(self) -> str:
+        """How things stand, as a sentence."""
+        return self._status
+
+    def open(self, settings: LinkSettings) -> None:
+        """Open a line; one that is open is closed first."""
+        if self.is_open:
+            self.leave()
+            self._next = settings
+            return
+        where = settings.name or settings.url
+        self._stand(Link.OPENING, self.tr("Connecting to {0} …").format(where))
+        self.start(
+            lambda inbox, tell: AracnaSession(
+                settings, inbox, tell, taped(self.tape, open_transport, now)
+            ),
+            may_move=False,
+        )
+
+    def leave(self) -> None:
+        """Send nothing more and close the line; does not wait for it."""
+        self._next = None
+        if self.is_open and self._link is not Link.CLOSING:
+            self.submit(Halt())
+            self.close()
+            self._stand(Link.CLOSING, self.tr("Disconnecting …"))
+
+    def end(self) -> bool:
+        """Close the line for the end of the program; return whether it ended in time."""
+        self._next = None
+        was_open = self.is_open
+        in_time = self.shut_down()
+        if was_open:
+            self.left.emit()
+            self._stand(Link.NONE, self.tr("Not connected."))
+        return in_time
+
+    def follow(self, report: object) -> None:
+        """Take what a report says of the link; one on its way when it was given up says nothing."""
+        if self._link is Link.CLOSING:
+            return
+        match report:
+            case Connected(version=version, motors=motors):
+                self.answered.emit(report)
+                text = self.tr("Connected to Aracna: firmware {0}, {1} motors.")
+                self._stand(Link.UP, text.format(version, motors))
+            case Restarted():
+                self.lapsed.emit()
+                text = self.tr("The board has restarted; it listens again in a second …")
+                self._stand(Link.SILENT, text)
+            case Silent():
+                self.lapsed.emit()
+                self._stand(
+                    Link.SILENT,
+                    self.tr("The robot has stopped answering. Is its power on? Waiting for it …"),
+                )
+            case _:
+                pass
+
+    @Slot(object)
+    def _on_closed(self, last: Closed) -> None:
+        following, self._next = self._next, None
+        self.left.emit()
+        if following is not None:
+            self.open(following)
+            return
+        self._stand(Link.NONE, self.tr("Not connected."))
+        if last.error is not None:
+            self.failed.emit(str(last.error))
+
+    def _stand(self, link: Link, status: str) -> None:
+        self._link, self._status = link, status
+        self.changed.emit()

@@ -1,0 +1,1 @@
+"""Poses, sequences, gaits and their files."""

@@ -1,0 +1,1 @@
+"""Lines, replies, units and joints of Aracna; no I/O, no clock."""

@@ -1,0 +1,79 @@
+"""The eight joints, where they are, and how far they may turn.
+
+Ref: CreativeMachinesLab/aracna `RobotPi/RobotPi.py` (even motors are inner joints),
+`RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (which leg is where,
+given only for the nine-motor ancestor QuadraTot: assumed for Aracna).
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
+
+
+class Kind(Enum):
+    """Which of the two joints of a leg."""
+
+    INNER = "inner"
+    OUTER = "outer"
+
+
+class Side(Enum):
+    """Where a leg is, seen from above with the front up."""
+
+    LEFT_FRONT = "front left"
+    RIGHT_FRONT = "front right"
+    RIGHT_BACK = "back right"
+    LEFT_BACK = "back left"
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """One joint and its motor (0-7); `side` is assumed, `kind` is known."""
+
+    motor: int
+    kind: Kind
+    side: Side
+
+
+_SIDES = (Side.LEFT_FRONT, Side.RIGHT_FRONT, Side.RIGHT_BACK, Side.LEFT_BACK)
+"""Motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 left."""
+
+JOINTS = tuple(
+    Joint(motor, Kind.OUTER if motor % 2 else Kind.INNER, _SIDES[motor // 2])
+    for motor in range(MOTORS)
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How far a joint may turn, 0-1023; `low` is not above `high`."""
+
+    low: int = 0
+    high: int = HIGHEST
+
+    def __post_init__(self) -> None:
+        """Refuse limits that leave no position.
+
+        Raises:
+            ValueError: they do, or are outside 0-1023.
+        """
+        if not 0 <= self.low <= self.high <= HIGHEST:
+            raise ValueError(f"limits are 0 to {HIGHEST} in order, not {self.low} to {self.high}")
+
+    def crop(self, position: float) -> int:
+        """Return the nearest position that is allowed."""
+        return min(max(round(position), self.low), self.high)
+
+    def allow(self, position: int) -> bool:
+        """Whether a position may be sent."""
+        return self.low <= position <= self.high
+
+
+FACTORY_LIMITS = {Kind.INNER: Limits(50, 600), Kind.OUTER: Limits(0, 550)}
+"""They keep a joint from hitting body and screws; legs can still hit each other."""
+
+
+def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
+    """Return the limits tuned on the robot, one a motor."""
+    return tuple(FACTORY_LIMITS[Kind.OUTER if motor % 2 else Kind.INNER] for motor in range(motors))

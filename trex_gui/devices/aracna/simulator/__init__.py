@@ -1,0 +1,1 @@
+"""The simulated Aracna: firmware, servos, UART and wire."""

@@ -1,0 +1,186 @@
+"""The control lines of `trex-sim --aracna`: what people and tests do to robot and wire.
+
+One line in, one line out: `ok ...` or `error ...`. Nothing in here raises.
+"""
+
+import json
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from trex_gui.core.simulator.control_lines import (
+    SWITCH,
+    ControlError,
+    amount,
+    answer,
+    goodbye,
+    number_of,
+    real,
+    require_no_more,
+    wire,
+)
+from trex_gui.devices.aracna.simulator.line import AracnaLine
+from trex_gui.devices.aracna.simulator.servos import Register, Servo
+
+_SERVO_USAGE = (
+    "servo N dead|alive|block|free, servo N load F, servo N lose moving|position|speed [TIMES] "
+    "or servo power off|on"
+)
+
+
+def control(line: AracnaLine, text: str) -> str:
+    """Obey one control line and return the answer, without a line end.
+
+    `quit` only gets its answer, `serving.GOODBYE`.
+    """
+    return answer(partial(_obey, line), text)
+
+
+def _obey(line: AracnaLine, words: list[str]) -> str:
+    known = "known are " + ", ".join(_COMMANDS)
+    if not words:
+        raise ControlError(f"nothing to do; {known}")
+    obey = _COMMANDS.get(words[0].lower())
+    if obey is None:
+        raise ControlError(f"{words[0]!r} is unknown; {known}")
+    return obey(line, [word.lower() for word in words[1:]])
+
+
+def _reset(line: AracnaLine, words: list[str]) -> str:
+    require_no_more("reset", words)
+    if not line.station.powered:
+        raise ControlError("the board has no power; power on starts it")
+    line.station.reset()
+    return "the board starts anew; the servos go on"
+
+
+def _power(line: AracnaLine, words: list[str]) -> str:
+    """Switch board and servos, as the robot's own switch does."""
+    match words:
+        case ["on"]:
+            _power_on(line)
+        case ["off"]:
+            _power_off(line)
+        case ["cycle"]:
+            _power_off(line)
+            _power_on(line)
+        case _:
+            raise ControlError("power on, power off or power cycle")
+    return "power on" if line.station.powered else "power off"
+
+
+def _power_on(line: AracnaLine) -> None:
+    _servo_power(line, on=True)
+    line.station.power_on()
+
+
+def _power_off(line: AracnaLine) -> None:
+    line.station.power_off()
+    _servo_power(line, on=False)
+
+
+def _servo_power(line: AracnaLine, *, on: bool) -> None:
+    for servo in line.servos:
+        servo.set_power(on=on)
+
+
+def _servo(line: AracnaLine, words: list[str]) -> str:
+    match words:
+        case ["power", ("on" | "off") as state]:
+            _servo_power(line, on=SWITCH[state])
+            return f"servo power {state}"
+        case [name, *rest] if name != "power" and rest:
+            servo = line.servos[_motor(line, name)]
+            return f"servo {name} {_one_servo(servo, rest)}"
+    raise ControlError(_SERVO_USAGE)
+
+
+def _one_servo(servo: Servo, words: list[str]) -> str:
+    match words:
+        case [("dead" | "alive") as state]:
+            servo.alive = state == "alive"
+            return state
+        case [("block" | "free") as state]:
+            servo.blocked = state == "block"
+            return "blocked" if servo.blocked else "free"
+        case ["load", part]:
+            servo.load = real(part, "a load", 1)
+            return f"loses {servo.load:g} of its speed"
+        case ["lose", ("moving" | "position" | "speed") as name]:
+            return _lose(servo, Register(name), 1)
+        case ["lose", ("moving" | "position" | "speed") as name, times]:
+            return _lose(servo, Register(name), amount(times, "a number of readings"))
+    raise ControlError(_SERVO_USAGE)
+
+
+def _lose(servo: Servo, register: Register, times: int) -> str:
+    servo.to_fail[register] = times
+    return f"does not answer the next {times} readings of {register.value}"
+
+
+def _wire(line: AracnaLine, words: list[str]) -> str:
+    match words:
+        case ["cut", "off"]:
+            line.faults.to_cut = None
+            return "no answer is cut"
+        case ["cut", number]:
+            line.faults.to_cut = count = amount(number)
+            return f"of what comes after the next {count} bytes the rest of a line gets lost"
+    return wire(line, line.faults, words, "line cut N|off")
+
+
+def _show(line: AracnaLine, words: list[str]) -> str:
+    require_no_more("show", words)
+    return json.dumps(state(line))
+
+
+def _quit(_line: AracnaLine, words: list[str]) -> str:
+    return goodbye(words)
+
+
+def state(line: AracnaLine) -> dict[str, Any]:
+    """Return what `show` shows: board, servos, wire and what was counted."""
+    firmware, faults = line.station.firmware, line.faults
+    return {
+        "aracna": True,
+        "version": firmware.version,
+        "motors": len(line.servos),
+        "state": firmware.state.value,
+        "boots": firmware.boots,
+        "led": firmware.led,
+        "servo_power": all(servo.powered for servo in line.servos),
+        "dead": [number for number, servo in enumerate(line.servos) if not servo.alive],
+        "servos": [_state_of(servo) for servo in line.servos],
+        "counters": {
+            "board": {**firmware.counters, "bytes_missed": line.station.holding.lost},
+            "line": dict(faults.counters),
+        },
+        "line": {"plugged": faults.plugged, "mute": faults.mute, "noise": faults.noise},
+    }
+
+
+def _state_of(servo: Servo) -> dict[str, Any]:
+    return {
+        "position": round(servo.position),
+        "goal": servo.goal,
+        "speed": servo.speed,
+        "moving": servo.moving,
+        "torque": servo.torque,
+        "alive": servo.answers,
+        "blocked": servo.blocked,
+        "load": servo.load,
+    }
+
+
+def _motor(line: AracnaLine, text: str) -> int:
+    return number_of(text, range(len(line.servos)), "a servo")
+
+
+_COMMANDS: dict[str, Callable[[AracnaLine, list[str]], str]] = {
+    "reset": _reset,
+    "power": _power,
+    "servo": _servo,
+    "line": _wire,
+    "show": _show,
+    "quit": _quit,
+}

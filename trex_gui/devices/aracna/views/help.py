@@ -1,0 +1,113 @@
+"""Help on the Aracna: its pages, what its link cannot do, and the keys, as its menus have them."""
+
+from collections.abc import Mapping, Sequence
+from html import escape
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtGui import QKeySequence
+
+from trex_gui.devices.aracna.protocol.lines import BAUD
+from trex_gui.ui.frame.actions import ActionInfo
+from trex_gui.ui.frame.actions import menus as frame_menus
+
+_OF_THE_FRAME = ("connect", "disconnect", "find")
+
+
+def tr(text: str) -> str:
+    """Translate a text of this file."""
+    return QCoreApplication.translate("AracnaHelp", text)
+
+
+def help_text(menus: Mapping[str, Sequence[ActionInfo | str]]) -> str:
+    """Return rich text; keys and names come from the `menus` of the desk."""
+    parts = [
+        _section(tr("The pages"), _pages()),
+        _section(tr("What this robot's link cannot do"), _limits()),
+        _section(tr("Files"), _files()),
+        f"<h3>{escape(tr('Keys'))}</h3>{_keys(menus)}",
+        _section(tr("The line"), _line()),
+    ]
+    return "".join(parts)
+
+
+def _section(title: str, paragraphs: Sequence[str]) -> str:
+    return f"<h3>{escape(title)}</h3>" + "".join(f"<p>{each}</p>" for each in paragraphs)
+
+
+def _pages() -> list[str]:
+    return [
+        tr(
+            "<b>Robot</b> shows the robot from above, and for each joint its slider, its limits "
+            "and what the servo has reported. Sliders say where the motors shall go; <i>Move</i> "
+            "sends them there. With live moves the robot follows while a slider is dragged."
+        ),
+        tr(
+            "<b>Poses</b> keeps poses, puts them into sequences with a time for each step, and "
+            "plays those and the gaits that are built in: once, several times or in a loop."
+        ),
+        tr(
+            "<b>Log</b> lists what happened, and says how the line does. <b>Transcript</b> lists "
+            "every line that goes out and every answer."
+        ),
+    ]
+
+
+def _limits() -> list[str]:
+    return [
+        tr(
+            "There is <b>no stop and no relax</b>. The red button and Esc end the sequence and "
+            "send nothing more; a motion that runs ends only by itself, or by <b>cutting the servo "
+            "power</b>. While it moves the robot hears nothing. Keep steps short and speeds low."
+        ),
+        tr(
+            "Where the motors are is known only from the answer to a move: before the first one "
+            "nobody knows, and it goes slowly. A joint is never sent beyond its limits; legs can "
+            "still collide with each other."
+        ),
+    ]
+
+
+def _files() -> list[str]:
+    return [
+        tr(
+            "Pose files end in <b>.ppr</b>: open them from the menu <i>Poses</i>, or drop one on "
+            "the window. Recordings are CSV files: spreadsheets read them, and so does this window."
+        )
+    ]
+
+
+def _keys(menus: Mapping[str, Sequence[ActionInfo | str]]) -> str:
+    mine = [entry for entries in menus.values() for entry in entries]
+    frame = [entry for entries in frame_menus().values() for entry in entries]
+    rows = [(tr("Esc"), tr("End the sequence and send nothing more; works in every window"))]
+    rows += [_row(entry) for entry in mine if isinstance(entry, ActionInfo) and entry.shortcut]
+    rows += [
+        _row(entry)
+        for entry in frame
+        if isinstance(entry, ActionInfo) and entry.key in _OF_THE_FRAME
+    ]
+    cells = "".join(
+        f"<tr><td><b>{escape(key)}</b>&nbsp;&nbsp;</td><td>{escape(what)}</td></tr>"
+        for key, what in rows
+    )
+    return f"<table cellspacing='3'>{cells}</table>"
+
+
+def _row(entry: ActionInfo) -> tuple[str, str]:
+    keys = QKeySequence(entry.shortcut).toString(QKeySequence.SequenceFormat.NativeText)
+    return keys, entry.text.replace("&", "").removesuffix("…")
+
+
+def _line() -> list[str]:
+    return [
+        tr(
+            "{0} baud, no parity, 1 stop bit; the firmware knows no other. A wire to the board, or "
+            "a pair of radios on the same channel. On some adapters opening the port resets the "
+            "board, which answers about a second later."
+        ).format(BAUD),
+        tr(
+            "What is known of the robot comes from the wiki page “Communication Protocol” of 22 "
+            "September 2012 and from the firmware that its authors have published as "
+            "CreativeMachinesLab/aracna; where they differ, the firmware counts."
+        ),
+    ]

@@ -1,0 +1,52 @@
+"""The menus of an Aracna, in the places of those of a TReX; the same shortcuts where they fit."""
+
+from collections.abc import Mapping, Sequence
+
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtGui import QKeySequence
+
+from trex_gui.ui.frame.actions import SEPARATOR, ActionInfo
+
+
+def tr(text: str) -> str:
+    """Translate a text of this table."""
+    return QCoreApplication.translate("AracnaMenu", text)
+
+
+def menus() -> Mapping[str, Sequence[ActionInfo | str]]:
+    """Return the menus by title; the keys begin with `aracna_`."""
+    undo, redo = QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo
+    return {
+        tr("&Aracna"): (
+            ActionInfo("aracna_move", tr("&Move to the sliders' goals"), "Ctrl+M", "run"),
+            ActionInfo("aracna_present", tr("Sliders to the &present position")),
+            ActionInfo("aracna_centre", tr("Sliders to the &centre")),
+            ActionInfo("aracna_stand", tr("Sliders to &stand")),
+            SEPARATOR,
+            ActionInfo("aracna_play", tr("Pla&y what is chosen on the Poses page"), "Ctrl+R"),
+            ActionInfo("aracna_end", tr("&End sequence after this step"), "Ctrl+E"),
+            SEPARATOR,
+            ActionInfo("aracna_record", tr("&Record…"), "Ctrl+Shift+R", "record"),
+            ActionInfo("aracna_open_recording", tr("Ope&n recording…"), "Ctrl+Shift+O", "plot"),
+            SEPARATOR,
+            ActionInfo("aracna_limits", tr("Reset the joints' &limits")),
+            SEPARATOR,
+            ActionInfo("aracna_page0", tr("R&obot page"), "Ctrl+1"),
+            ActionInfo("aracna_page1", tr("Poses p&age"), "Ctrl+2"),
+            ActionInfo("aracna_page2", tr("Lo&g page"), "Ctrl+3"),
+            ActionInfo("aracna_page3", tr("&Transcript page"), "Ctrl+4"),
+            SEPARATOR,
+            ActionInfo("aracna_demo", tr("&Demo robot"), checkable=True),
+        ),
+        tr("P&oses"): (
+            ActionInfo("aracna_new", tr("&New pose file"), QKeySequence.StandardKey.New, "new"),
+            ActionInfo("aracna_open", tr("&Open pose file…"), "Ctrl+O", "open"),
+            ActionInfo("aracna_save", tr("&Save pose file"), "Ctrl+S", "save"),
+            ActionInfo("aracna_save_as", tr("Save pose file &as…")),
+            SEPARATOR,
+            ActionInfo("aracna_undo", tr("&Undo"), undo, "undo"),
+            ActionInfo("aracna_redo", tr("&Redo"), redo, "redo"),
+            SEPARATOR,
+            ActionInfo("aracna_capture", tr("&Capture the present position as a pose"), "Ctrl+P"),
+        ),
+    }

@@ -1,0 +1,1 @@
+"""Editing and playing poses, sequences and gaits."""

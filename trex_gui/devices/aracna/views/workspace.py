@@ -1,0 +1,243 @@
+"""The desk of an Aracna: its pages, the bar below them, and what its menus do."""
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QSettings, Slot
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
+
+from trex_gui.devices.aracna.model.controller import ARACNA, AracnaWay
+from trex_gui.devices.aracna.model.library import Library
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.poses.ppr import SUFFIX
+from trex_gui.devices.aracna.session.diagnosis import may_be_elsewhere
+from trex_gui.devices.aracna.views.action_bar import RobotBar
+from trex_gui.devices.aracna.views.demo.panel import RobotPanel
+from trex_gui.devices.aracna.views.help import help_text
+from trex_gui.devices.aracna.views.log_page import LogPage
+from trex_gui.devices.aracna.views.menu import menus
+from trex_gui.devices.aracna.views.poses_page import PosesPage
+from trex_gui.devices.aracna.views.recordings import AracnaRecordings
+from trex_gui.devices.aracna.views.robot.page import RobotPage
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.ui.frame.actions import ActionInfo
+from trex_gui.ui.frame.workspace import Desk, FileKind
+from trex_gui.ui.traffic.page import TranscriptPage
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+_PAGE = "aracna/page"
+_POSES = 1
+
+
+class AracnaDesk(Desk):
+    """Everything of the window that is about an Aracna; it holds no state of the robot."""
+
+    def __init__(self, robot: Robot, library: Library, way: AracnaWay, frame: QMainWindow) -> None:
+        super().__init__(ARACNA.key, frame)
+        self._robot = robot
+        self._library = library
+        self._store = QSettings(self)
+        self._was_up = False
+        self._actions: Mapping[str, QAction] = {}
+        self._told_possible: Mapping[str, bool] = {}
+
+        tabs = self.pages
+        tabs.setObjectName("aracnaTabs")
+        tabs.setAccessibleName(self.tr("Pages"))
+        self._page = RobotPage(robot, self)
+        self._poses = PosesPage(robot, library, self)
+        transcript = TranscriptPage(robot.transcript, "aracnaTranscript", self.tr("a robot"), self)
+        pages = {
+            self.tr("Robot"): self._page,
+            self.tr("Poses"): self._poses,
+            self.tr("Log"): LogPage(robot, self),
+            self.tr("Transcript"): transcript,
+        }
+        for title, page in pages.items():
+            tabs.addTab(ScrollBox(page, self), title)
+        self.recordings = AracnaRecordings(robot, self)
+        self.recordings.take_drops(frame, self)
+        bar = RobotBar(robot, self)
+        self._way = way
+        self._demo = RobotPanel(way, frame)
+
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(tabs, 1)
+        layout.addWidget(self.recordings.indicator)
+        layout.addWidget(bar)
+
+        panel = self._poses.panel
+        for told in (robot.told, panel.told, self.recordings.told, transcript.told):
+            told.connect(self.told)
+        for refused in (
+            panel.refused,
+            self.recordings.refused,
+            robot.refused,
+            transcript.refused,
+        ):
+            refused.connect(self.refused)
+        robot.failed.connect(self._on_robot_failed)
+        way.failed.connect(self.refused)
+        way.demo_robot.refused.connect(self.refused)
+        way.changed.connect(self._on_changed)
+        self._demo.wanted_changed.connect(self._on_demo_wanted)
+        robot.link_changed.connect(self._on_link_changed)
+        robot.changed.connect(self._on_changed)
+        robot.limits.changed.connect(self._on_changed)
+        self.recordings.changed.connect(self._on_changed)
+        self._undo_watch = library.undo.indexChanged.connect(self._on_changed)
+
+    @property
+    def stop_text(self) -> str:
+        """Name what there is: this robot has no stop."""
+        return self.tr("&Stop sequence")
+
+    @property
+    def help_title(self) -> str:
+        """Nothing of it is published where it could be linked to."""
+        return self.tr("&Help on the Aracna…")
+
+    @property
+    def help_text(self) -> str:
+        """What its pages and keys do, and what the robot cannot do."""
+        return help_text(self.menus())
+
+    @property
+    def file_kinds(self) -> Sequence[FileKind]:
+        """Pose files; recordings open in windows of their own."""
+        return (FileKind({SUFFIX}, self.tr("a pose file of an Aracna"), self._open_poses),)
+
+    def _open_poses(self, path: Path) -> None:
+        """Open a pose file, after the question that is due, and show what is in it."""
+        if self._poses.panel.files.open_file(path):
+            self.pages.setCurrentIndex(_POSES)
+
+    @property
+    def docks(self) -> Sequence[QDockWidget]:
+        """The panel of the simulated robot."""
+        return (self._demo,)
+
+    # --- What its menus do --------------------------------------------------------------
+
+    def menus(self) -> Mapping[str, Sequence[ActionInfo | str]]:
+        """Return the menus of the robot and of its poses."""
+        return menus()
+
+    def slots(self) -> Mapping[str, Callable[[], object]]:
+        """Return what each of its actions does."""
+
+        def page(index: int) -> Callable[[], object]:
+            return lambda: self.pages.setCurrentIndex(index)
+
+        controls, files, undo = self._page.controls, self._poses.panel.files, self._library.undo
+        return {
+            "aracna_move": self._page.move_now,
+            "aracna_present": controls.take_present,
+            "aracna_centre": controls.centre,
+            "aracna_stand": controls.stand,
+            "aracna_play": self._play,
+            "aracna_end": self._robot.end_play,
+            "aracna_record": self.recordings.toggle,
+            "aracna_open_recording": self.recordings.ask_and_open,
+            "aracna_limits": self._robot.limits.reset,
+            **{f"aracna_page{index}": page(index) for index in range(self.pages.count())},
+            "aracna_new": files.new,
+            "aracna_open": files.ask_and_open,
+            "aracna_save": files.save,
+            "aracna_save_as": files.ask_and_save,
+            "aracna_undo": undo.undo,
+            "aracna_redo": undo.redo,
+            "aracna_capture": self._capture,
+            "aracna_demo": self._demo.toggle,
+        }
+
+    def take_actions(self, actions: Mapping[str, QAction]) -> None:
+        """Take the actions that stand for its slots, and show the page of the last time."""
+        self._actions = actions
+        page = str(self._store.value(_PAGE, 0))
+        self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
+        self._demo.show_if_wanted()
+        self._on_demo_wanted()
+        self._on_changed()
+
+    def possible(self) -> Mapping[str, bool]:
+        """Return which of its actions can be done now."""
+        robot, recorder = self._robot, self.recordings.recorder
+        idle, undo = robot.playing is None, self._library.undo
+        known = any(position is not None for position in robot.present)
+        return {
+            "aracna_move": self._page.controls.can_move,
+            "aracna_present": idle and known,
+            "aracna_centre": idle,
+            "aracna_stand": idle,
+            "aracna_play": self._page.controls.can_move,
+            "aracna_end": not idle and robot.link is Link.UP,
+            "aracna_record": recorder.recording or recorder.can_record,
+            "aracna_limits": not robot.limits.are_factory,
+            "aracna_capture": None not in robot.present,
+            "aracna_undo": undo.canUndo(),
+            "aracna_redo": undo.canRedo(),
+            "aracna_demo": self._way.demo_in_use,
+        }
+
+    def _play(self) -> None:
+        """Play what is chosen, and show which step runs."""
+        self.pages.setCurrentIndex(_POSES)
+        self._poses.panel.play()
+
+    def _capture(self) -> None:
+        """Keep the present position, and let its name be typed."""
+        self.pages.setCurrentIndex(_POSES)
+        self._poses.panel.capture()
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot(str)
+    def _on_robot_failed(self, text: str) -> None:
+        if may_be_elsewhere(text):
+            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
+        self.refused.emit(text)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        up = self._robot.link is Link.UP
+        if up and not self._was_up:
+            self.settled.emit()
+        self._was_up = up
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        """A drag tells of replies thirty times a second; the menus seldom depend on them."""
+        if not self._actions:
+            return
+        recording = self.recordings.recorder.recording
+        text = self.tr("Stop &recording") if recording else self.tr("&Record…")
+        self._actions["aracna_record"].setText(text)
+        if (possible := self.possible()) != self._told_possible:
+            self._told_possible = possible
+            self.possibilities_changed.emit()
+
+    @Slot()
+    def _on_demo_wanted(self) -> None:
+        if self._actions:
+            self._actions["aracna_demo"].setChecked(self._demo.wanted)
+
+    # --- The end ------------------------------------------------------------------------
+
+    def may_close(self, leave: Callable[[], object]) -> bool:
+        """Ask before poses that were not saved are lost."""
+        del leave
+        return self._poses.panel.files.may_close()
+
+    def prepare_to_close(self) -> None:
+        """Remember the page that is shown."""
+        QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
+        self._demo.leave()
+        self._store.setValue(_PAGE, self.pages.currentIndex())
+
+    def finish(self) -> None:
+        """Close the recordings."""
+        self.recordings.close_all()

@@ -1,0 +1,1 @@
+"""The Pololu TReX and TReX Jr dual motor controllers."""

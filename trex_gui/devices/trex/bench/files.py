@@ -1,0 +1,156 @@
+"""A bench test as a text file that a spreadsheet reads, and back.
+
+What the test was stands first, a `# name: value` a line; then a table:
+
+```
+time_s,wish_speed,current_a
+0.0000,40,
+0.0113,40,5.85
+```
+
+A row is a command (no current) or a reading, in the order of time. Speeds are -127 to 127,
+times are seconds since the first command.
+"""
+
+import csv
+import io
+import math
+from collections.abc import Callable, Iterable
+from datetime import datetime
+from typing import TypeVar
+
+from trex_gui.devices.trex.bench.profile import Profile, Shape
+from trex_gui.devices.trex.bench.run import End, Run
+
+_TITLE = "# TReX Studio bench test"
+_COLUMNS = ["time_s", "wish_speed", "current_a"]
+_SETTING = "stored "
+
+ValueT = TypeVar("ValueT")
+
+
+class BenchFileError(Exception):
+    """A file is no bench test; says where and why, for people."""
+
+
+def to_csv(run: Run) -> str:
+    """Return a test as text; times keep a tenth of a millisecond, currents a tenth of a mA."""
+    lines = [_TITLE, *(f"# {name}: {value}" for name, value in _facts(run))]
+    out = io.StringIO("\n".join(lines) + "\n")
+    out.seek(0, io.SEEK_END)
+    table = csv.writer(out, lineterminator="\n")
+    table.writerow(_COLUMNS)
+    commands = [(time, 0, f"{speed}", "") for time, speed in run.wishes]
+    readings = [(time, 1, f"{run.wish_at(time)}", f"{amps:.4f}") for time, amps in run.currents]
+    for time, _, speed, amps in sorted(commands + readings, key=lambda row: row[:2]):
+        table.writerow([f"{time:.4f}", speed, amps])
+    return out.getvalue()
+
+
+def _facts(run: Run) -> Iterable[tuple[str, str]]:
+    profile = run.profile
+    yield "began", run.began.isoformat(timespec="seconds")
+    yield "motor", str(run.motor)
+    yield "shape", profile.shape.value
+    yield "speed", str(profile.speed)
+    yield "duration_s", f"{profile.duration:g}"
+    yield "period_s", f"{profile.period:g}"
+    yield "sent", "accelerate" if run.accelerate else "set"
+    yield "abort_current_a", f"{run.abort_current:g}"
+    yield "ampere_per_count", f"{run.ampere:g}"
+    yield "end", run.end.value
+    yield "ended_s", f"{run.ended:.4f}"
+    if run.reason:
+        yield "reason", " ".join(run.reason.split())
+    for name, text in run.settings:
+        yield _SETTING + name, text
+
+
+def from_csv(text: str) -> Run:
+    """Read back what `to_csv` wrote.
+
+    Raises:
+        BenchFileError: it is something else, or damaged; names the line.
+    """
+    lines = text.removeprefix("\ufeff").splitlines()
+    if not lines or lines[0].strip() != _TITLE:
+        raise BenchFileError(f"line 1: a bench test begins with {_TITLE!r}")
+    facts: dict[str, str] = {}
+    number = 1
+    while number < len(lines) and lines[number].startswith("#"):
+        name, colon, value = lines[number].removeprefix("#").partition(":")
+        if not colon:
+            raise BenchFileError(f"line {number + 1}: a name and a value belong here")
+        facts[name.strip()] = value.strip()
+        number += 1
+    wishes, currents = _table(lines, number)
+    try:
+        profile = Profile(
+            shape=_fact(facts, "shape", Shape),
+            speed=_fact(facts, "speed", int),
+            duration=_fact(facts, "duration_s", _number),
+            period=_fact(facts, "period_s", _number),
+        )
+    except ValueError as error:
+        raise BenchFileError(str(error)) from error
+    motor = _fact(facts, "motor", int)
+    if motor not in {1, 2}:
+        raise BenchFileError(f"motor: 1 or 2 belongs here, not {motor}")
+    return Run(
+        motor=motor,
+        profile=profile,
+        accelerate=_fact(facts, "sent", str) == "accelerate",
+        abort_current=_fact(facts, "abort_current_a", _number),
+        ampere=_fact(facts, "ampere_per_count", _number),
+        began=_fact(facts, "began", datetime.fromisoformat),
+        end=_fact(facts, "end", End),
+        reason=facts.get("reason", ""),
+        ended=_fact(facts, "ended_s", _number),
+        wishes=wishes,
+        currents=currents,
+        settings=tuple(
+            (name.removeprefix(_SETTING), value)
+            for name, value in facts.items()
+            if name.startswith(_SETTING)
+        ),
+    )
+
+
+def _fact(facts: dict[str, str], name: str, read: Callable[[str], ValueT]) -> ValueT:
+    if name not in facts:
+        raise BenchFileError(f"the line “# {name}: …” is missing")
+    try:
+        return read(facts[name])
+    except ValueError as error:
+        raise BenchFileError(f"{name}: “{facts[name]}” is no value for it") from error
+
+
+def _number(text: str) -> float:
+    """Return a number that can be drawn: not NaN, nor infinite."""
+    value = float(text)
+    if not math.isfinite(value):
+        raise ValueError(f"{text} is no measurement")
+    return value
+
+
+def _table(
+    lines: list[str], first: int
+) -> tuple[tuple[tuple[float, int], ...], tuple[tuple[float, float], ...]]:
+    try:
+        rows = list(csv.reader(lines[first:]))
+    except csv.Error as error:
+        raise BenchFileError(f"line {first + 1} or below: {error}") from error
+    if not rows or rows[0] != _COLUMNS:
+        raise BenchFileError(f"line {first + 1}: the columns {', '.join(_COLUMNS)} belong here")
+    wishes: list[tuple[float, int]] = []
+    currents: list[tuple[float, float]] = []
+    for number, row in enumerate(rows[1:], first + 2):
+        try:
+            time, speed, amps = row
+            if amps:
+                currents.append((_number(time), _number(amps)))
+            else:
+                wishes.append((_number(time), int(speed)))
+        except ValueError as error:
+            raise BenchFileError(f"line {number}: “{','.join(row)}” is no row of it") from error
+    return tuple(wishes), tuple(currents)

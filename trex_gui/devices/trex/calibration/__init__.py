@@ -1,0 +1,1 @@
+"""From samples of the channel inputs to a calibration."""

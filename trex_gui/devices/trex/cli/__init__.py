@@ -1,0 +1,1 @@
+"""Commands of trexcmd for a TReX."""

@@ -1,0 +1,144 @@
+"""calibration get, calibration set: what the channels' counts mean."""
+
+import json
+import re
+from dataclasses import replace
+from typing import Any
+
+import click
+
+from trex_gui.core.cli.console import Interruption, Usage
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.cli.changes import prepare_one, read_board, say_what_follows
+from trex_gui.devices.trex.cli.common import (
+    identify,
+    json_option,
+    link_options,
+    link_settings,
+    open_line,
+    open_line_to_change,
+)
+from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.writing import write_calibration
+from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
+from trex_gui.devices.trex.protocol.commands import GetCalibratedChannels, GetCalibration, GetMode
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
+from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.rules import Context
+
+_FIELDS = ("minimum", "neutral", "maximum", "deadband")
+_UNITS = {
+    "us": (InputSource.RC, 1.0),
+    "µs": (InputSource.RC, 1.0),
+    "μs": (InputSource.RC, 1.0),
+    "ms": (InputSource.RC, 1000.0),
+    "v": (InputSource.ANALOG, 1.0),
+    "mv": (InputSource.ANALOG, 0.001),
+}
+_VALUE = re.compile(r"(\d+(?:\.\d+)?)\s*([a-zµμ]*)", re.IGNORECASE)
+
+
+@click.group()
+def calibration() -> None:
+    """Show or store channel calibrations, for the input source in force."""
+
+
+@calibration.command("get")
+@link_options
+@json_option
+def get_command(as_json: bool, **options: Any) -> None:
+    """Show the calibration of each channel, in counts and in physical units."""
+    with open_line(link_settings(options)) as client:
+        identify(client)
+        source = ask(client.request, GetMode()).source
+        rows = {channel: ask(client.request, GetCalibration(channel)) for channel in CHANNELS}
+        learned = channels_in(ask(client.request, GetCalibratedChannels()))
+    if as_json:
+        report = {
+            "source": source.value,
+            "unit": source.unit,
+            "channels": [
+                {
+                    "channel": channel,
+                    "differs_from_default": channel in learned,
+                    **{name: getattr(row, name) for name in _FIELDS},
+                    "physical": {name: source.text(getattr(row, name)) for name in _FIELDS},
+                }
+                for channel, row in rows.items()
+            ],
+        }
+        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+        return
+    for channel, row in rows.items():
+        click.echo(_text(channel, row, source) + ("" if channel in learned else "  (default)"))
+
+
+@calibration.command("set")
+@link_options
+@click.argument("channel", type=click.IntRange(CHANNELS[0], CHANNELS[-1]))
+@click.argument("minimum")
+@click.argument("neutral")
+@click.argument("maximum")
+@click.argument("deadband")
+def set_command(channel: int, **options: Any) -> None:
+    """Store the calibration of a channel and read it back.
+
+    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages. A
+    snapshot of what the board stores is kept first; a calibration that it has already is not
+    written.
+    """
+    given = {name: _parse(name, options.pop(name)) for name in _FIELDS}
+    link = link_settings(options)
+    with open_line_to_change(link) as (client, rates):
+        identify(client)
+        state = read_board(client)
+        source = state.source
+        counts = {name: _counts(name, value, source) for name, value in given.items()}
+        wanted = Calibration(**counts)
+        wanted.encode()  # refuses what no board takes, before anything is said or kept
+        there = settings_of(state)
+        is_new = prepare_one(
+            state,
+            replace(there, calibrations={**there.calibrations, (source, channel): wanted}),
+            Context(port_rates=rates, used_by_line=link.line),
+            link,
+            what=f"Calibration of channel {channel}",
+            command=f"trexcmd calibration set {channel}",
+        )
+        if is_new:
+            with Interruption():
+                write_calibration(client.request, channel, wanted, source)
+        click.echo(_text(channel, wanted, source))
+        if is_new:
+            say_what_follows(client, link, state, {})
+
+
+def _parse(name: str, text: str) -> tuple[float, str]:
+    """Read a number and its unit, which may be empty.
+
+    Raises:
+        Usage: it is no such thing.
+    """
+    found = _VALUE.fullmatch(text.strip())
+    unit = found[2].lower() if found else ""
+    if found is None or (unit and unit not in _UNITS) or (not unit and "." in found[1]):
+        raise Usage(f"{name.upper()} is counts (3750), or like 1500us or 2.5V, not {text!r}.")
+    return float(found[1]), unit
+
+
+def _counts(name: str, value: tuple[float, str], source: InputSource) -> int:
+    number, unit = value
+    if not unit:
+        return int(min(number, HIGHEST_CODED + 1))
+    measured, factor = _UNITS[unit]
+    if measured is not source:
+        raise BadRequest(
+            f"The board measures its inputs as {source.value} now, so {name} is in {source.unit}."
+        )
+    return min(source.counts(number * factor), HIGHEST_CODED + 1)
+
+
+def _text(channel: int, row: Calibration, source: InputSource) -> str:
+    counts = " ".join(str(getattr(row, name)) for name in _FIELDS)
+    physical = " / ".join(source.text(getattr(row, name)) for name in _FIELDS)
+    return f"{channel}\t{counts}\t{physical}"

@@ -1,0 +1,241 @@
+"""What several commands share: the options that say how to reach a board, and the open line."""
+
+import contextlib
+from collections.abc import Callable, Iterator
+from typing import Any, TypeVar
+
+import click
+from click.shell_completion import CompletionItem
+
+from trex_gui.core.cli.console import Refused, Usage
+from trex_gui.core.cli.host import host
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, TrexError
+from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.discovery.diagnosis import why_no_board
+from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+
+FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
+
+
+# --- Options ----------------------------------------------------------------------------
+
+
+def hexadecimal(text: str) -> int:
+    """Read a hexadecimal number.
+
+    Raises:
+        Usage: it is none.
+    """
+    try:
+        return int(text, 16)
+    except ValueError:
+        raise Usage(f"{text!r} is not a hexadecimal number such as 89.") from None
+
+
+def complete_port(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
+    """Offer the ports of this computer."""
+    del ctx, param
+    from serial.tools import list_ports  # noqa: PLC0415 - takes as long as the rest together
+
+    ports = sorted(port.device for port in list_ports.comports())
+    return [port for port in ports if port.startswith(incomplete)]
+
+
+def complete_parameter(
+    ctx: click.Context, param: click.Parameter, incomplete: str
+) -> list[CompletionItem]:
+    """Offer the keys of all parameters; their names stand beside them."""
+    del ctx, param
+    from trex_gui.devices.trex.protocol.device_table import device_table  # noqa: PLC0415
+
+    rows = {row["key"]: row["name"] for row in device_table().rows}
+    return [
+        CompletionItem(key, help=name) for key, name in rows.items() if key.startswith(incomplete)
+    ]
+
+
+def _complete_baud(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
+    del ctx, param
+    return [rate for rate in map(str, baud_rates()) if rate.startswith(incomplete)]
+
+
+port_option = click.option(
+    "--port",
+    envvar="TREX_PORT",
+    metavar="URL",
+    shell_complete=complete_port,
+    help="Port of the board, such as /dev/ttyUSB0, COM3, socket://host:port or "
+    "rfc2217://host:port. TREX_PORT in the environment stands for it.",
+)
+crc_option = click.option("--crc", is_flag=True, help="Every packet ends in a CRC-7.")
+polynomial_option = click.option(
+    "--polynomial",
+    metavar="HEX",
+    default="89",
+    show_default=True,
+    help="CRC-7 polynomial, 80 to FF.",
+)
+timeout_option = click.option(
+    "--timeout",
+    "patience",
+    type=click.FloatRange(0),
+    default=0.0,
+    metavar="S",
+    help="Seconds to wait longer than wire and board need.",
+)
+json_option = click.option("--json", "as_json", is_flag=True, help="JSON instead of text.")
+
+_LINK_OPTIONS = (
+    port_option,
+    click.option(
+        "--baud",
+        type=int,
+        default=19200,
+        show_default=True,
+        shell_complete=_complete_baud,
+        help="Baud rate in bit/s.",
+    ),
+    click.option(
+        "--parity",
+        type=click.Choice(["none", "even", "odd"]),
+        default="none",
+        show_default=True,
+    ),
+    crc_option,
+    polynomial_option,
+    click.option("--stop-bits", type=click.IntRange(1, 2), default=1, show_default=True),
+    click.option(
+        "--device",
+        type=click.IntRange(0, 127),
+        default=7,
+        show_default=True,
+        help="Device number, used with the expanded protocol.",
+    ),
+    click.option(
+        "--protocol",
+        type=click.Choice(["compact", "expanded"]),
+        default="compact",
+        show_default=True,
+        help="Expanded (Pololu) packets reach one board of several.",
+    ),
+    timeout_option,
+)
+
+
+def link_options(function: FunctionT) -> FunctionT:
+    """Add the options that say how to reach the board."""
+    for option in reversed(_LINK_OPTIONS):
+        function = option(function)
+    return function
+
+
+def link_settings(options: dict[str, Any], url: str | None = None) -> LinkSettings:
+    """Make link settings of the common options.
+
+    Raises:
+        Usage: they contradict each other, or there is no port.
+    """
+    url = url or options["port"]
+    if not url:
+        raise Usage("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
+    if options["crc"] and options["parity"] != "none":
+        raise Usage("A TReX has either CRC or parity, not both.")
+    detection = {"none": Detection.NONE, "even": Detection.EVEN, "odd": Detection.ODD}
+    line = LineSettings(
+        options["baud"],
+        Detection.CRC7 if options["crc"] else detection[options["parity"]],
+        options["stop_bits"],
+    )
+    number = options["device"] if options["protocol"] == "expanded" else None
+    try:
+        line.to_wire()
+        polynomial = hexadecimal(options["polynomial"])
+        Framing(number, polynomial)
+    except BadRequest as error:
+        raise Usage(str(error)) from error
+    return LinkSettings(url, line, number, polynomial, Timeouts(extra=options["patience"]))
+
+
+def as_options(settings: LinkSettings) -> str:
+    """Return link settings as options of this program, to paste behind a command."""
+    line = settings.line
+    words = [f"--port {settings.url}", f"--baud {line.baud}"]
+    match line.detection:
+        case Detection.EVEN:
+            words.append("--parity even")
+        case Detection.ODD:
+            words.append("--parity odd")
+        case Detection.CRC7:
+            words.append("--crc")
+            if settings.polynomial != LinkSettings("").polynomial:
+                words.append(f"--polynomial {settings.polynomial:02X}")
+        case _:
+            pass
+    if line.stop_bits == 2:
+        words.append("--stop-bits 2")
+    if settings.device_number is not None:
+        words.append(f"--protocol expanded --device {settings.device_number}")
+    return " ".join(words)
+
+
+# --- The line ---------------------------------------------------------------------------
+
+
+@contextlib.contextmanager
+def refusals() -> Iterator[None]:
+    """Let whatever goes wrong on a line or in a file end the program with a sentence."""
+    try:
+        yield
+    except TrexError as error:
+        raise Refused(error) from error
+
+
+@contextlib.contextmanager
+def open_line(settings: LinkSettings) -> Iterator[Client]:
+    """Open the line; whatever goes wrong on it ends the program with a sentence."""
+    with refusals(), _begun(host().open_transport(settings), settings) as client:
+        yield client
+
+
+@contextlib.contextmanager
+def open_line_to_change(
+    settings: LinkSettings,
+) -> Iterator[tuple[Client, frozenset[int] | None]]:
+    """Open the line as `open_line` does; tell the baud rates that the port can do as well.
+
+    `None` in their place: nobody knows.
+    """
+    with refusals():
+        transport = host().open_transport(settings)
+        rates = transport.rates()  # nothing may have been sent yet
+        with _begun(transport, settings) as client:
+            yield client, rates
+
+
+@contextlib.contextmanager
+def _begun(transport: Transport, settings: LinkSettings) -> Iterator[Client]:
+    client = Client(transport, settings)
+    try:
+        client.detect_echo()
+        yield client
+        client.drain()
+    finally:
+        client.close()
+
+
+def identify(client: Client) -> Signature:
+    """Return which board answers.
+
+    Raises:
+        NoReply, BadReply: none does; says what to look at.
+    """
+    try:
+        return ask(client.request, GetSignature())
+    except (NoReply, BadReply) as error:
+        raise why_no_board(client.settings, echo=client.echo, error=error) from error

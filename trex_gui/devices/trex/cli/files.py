@@ -1,0 +1,301 @@
+"""get-settings, set-settings, check-settings, diff: a board's settings as a file."""
+
+import json
+from dataclasses import replace
+from typing import Any
+
+import click
+
+from trex_gui import __version__
+from trex_gui.core.cli.console import Interruption, ProgressLine, Usage, refuse, say
+from trex_gui.core.files.errors import Finding, SettingsError, Severity
+from trex_gui.devices.trex.cli.changes import (
+    read_board,
+    require_serial_mode,
+    say_changes,
+    say_what_follows,
+    warn,
+)
+from trex_gui.devices.trex.cli.common import (
+    identify,
+    json_option,
+    link_options,
+    link_settings,
+    open_line,
+    open_line_to_change,
+    refusals,
+)
+from trex_gui.devices.trex.cli.settings_io import FILE, content_of, name_of, read_file, save_file
+from trex_gui.devices.trex.cli.snapshots import keep
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.writing import NotTried, Written, write_all
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.settings.comparison import Comparison, Row, compare
+from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
+from trex_gui.devices.trex.settings.edit_in_place import amend
+from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.rules import Context, advise
+from trex_gui.devices.trex.settings.writer import write_settings
+
+
+@click.command("get-settings")
+@link_options
+@click.argument("file", type=FILE)
+def get_settings(file: str, **options: Any) -> None:
+    """Save the board's settings to FILE; - is standard output.
+
+    All parameters, and the calibrations of the input source in force: the board does not show
+    the others. A file that is there already is replaced.
+    """
+    with open_line(link_settings(options)) as client:
+        state = read_board(client)
+    settings = settings_of(state)
+    text = write_settings(settings, title_lines=[f"Read from the board by trexcmd {__version__}"])
+    for key, reason in state.unread.items():
+        say(f"Warning: {key} could not be read and is left out: {reason}")
+    save_file(file, text)
+    if file != "-":
+        say(
+            f"{len(settings.parameters)} parameters and {len(settings.calibrations)} calibrations "
+            f"of {state.signature} saved to {file}."
+        )
+
+
+@click.command("set-settings")
+@link_options
+@click.argument("file", type=FILE)
+@click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
+def set_settings(file: str, dry_run: bool, **options: Any) -> None:
+    """Give the board the settings of FILE; - is standard input.
+
+    Checks the file, keeps a snapshot of what the board stores, writes only what differs, the
+    serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
+    being written.
+    """
+    wanted = read_file(file)
+    chosen = link_settings(options)
+    with open_line_to_change(chosen) as (client, rates):
+        identify(client)
+        state = read_board(client)
+        wanted = _fitted(file, wanted, state)
+        there = settings_of(state)
+        result = compare(there, wanted)
+        say(f"{result.summary()}.")
+        after = replace(there, parameters={**there.parameters, **wanted.parameters})
+        warn(after, Context(port_rates=rates, used_by_line=chosen.line))
+        if dry_run:
+            _print(result)
+            return
+        if not result.changed:
+            return
+        require_serial_mode(state, "These settings")
+        say_changes(result)
+        keep(there, chosen, f"trexcmd set-settings {name_of(file)}")
+        _write(client, chosen, state, [row for row in result.rows if row.changed])
+
+
+@click.command("check-settings")
+@click.argument("file", metavar="IN", type=FILE)
+@click.argument("out", required=False, type=FILE)
+@json_option
+def check_settings(file: str, out: str | None, as_json: bool) -> None:
+    """Check a settings file without a board; with OUT, write it there as it should be.
+
+    Says on standard error what is wrong, line by line; - is standard input or output. Comments
+    and order stay; only what can be mended is changed, such as a last line without an end.
+    """
+    if as_json and out == "-":
+        raise Usage("--json and OUT cannot both have standard output.")
+    settings: Settings | None = None
+    with refusals():
+        data = content_of(file)
+    try:
+        settings, findings = read_settings(data, name_of(file))
+    except SettingsError as error:
+        findings = error.findings
+    advice = advise(settings) if settings is not None else ()
+    for finding in findings:
+        say(f"{name_of(file)}: {finding}")
+    for odd in advice:
+        say(f"{name_of(file)}: warning: {odd.message}")
+    if as_json:
+        report = {
+            "usable": settings is not None,
+            "findings": [
+                {
+                    "line": finding.line,
+                    "key": finding.key,
+                    "severity": finding.severity.value,
+                    "message": finding.message,
+                }
+                for finding in findings
+            ],
+            "advice": [
+                {"rule": odd.rule, "keys": list(odd.keys), "message": odd.message} for odd in advice
+            ],
+        }
+        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+    if settings is None:
+        errors = sum(finding.severity is Severity.ERROR for finding in findings)
+        refuse(f"{name_of(file)} has {errors} error{'' if errors == 1 else 's'}.")
+    if out is not None:
+        save_file(out, _mended(data, settings))
+
+
+def _mended(data: bytes, settings: Settings) -> str:
+    """Return a file's text as it should be; what a person wrote around the values stays."""
+    try:
+        text = amend(data.decode("utf-8"), settings)
+    except SettingsError as error:
+        say(f"Comments and order could not be kept: {error}")
+        return write_settings(settings)
+    if text.endswith(("\n", "\r")):
+        return text
+    return text + ("\r\n" if "\r\n" in text else "\n")
+
+
+@click.command()
+@link_options
+@click.argument("first", metavar="FILE", type=FILE)
+@click.argument("second", metavar="[FILE]", required=False, type=FILE)
+@json_option
+def diff(first: str, second: str | None, as_json: bool, **options: Any) -> None:
+    """Show how the second FILE differs from the first, or FILE from the board.
+
+    Prints nothing when they are equal; old values stand left of new ones.
+    """
+    if second is not None:
+        before, after = read_file(first), read_file(second)
+        names = (name_of(first), name_of(second))
+    else:
+        wanted = read_file(first)
+        with open_line(link_settings(options)) as client:
+            identify(client)
+            state = read_board(client)
+        before, after = settings_of(state), _visible(wanted, state)
+        names = ("the board", name_of(first))
+    if before.product != after.product:
+        say(
+            f"Warning: these settings are for different models: {names[0]} "
+            f"({before.product.name}) and {names[1]} ({after.product.name})."
+        )
+    result = compare(before, after)
+    say(f"{result.summary()}.")
+    if as_json:
+        rows = [_json_row(row) for row in result.differing]
+        report = {"differing": rows, "left_out": list(result.left_out)}
+        click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+    else:
+        _print(result)
+
+
+# --- The board --------------------------------------------------------------------------
+
+
+def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
+    """Return what of a file's settings can be given to this board.
+
+    Raises:
+        SettingsError: they are for another model, or need another firmware.
+    """
+    board = state.signature
+    if wanted.product != board.model:
+        message = f"these are settings of a {wanted.product.name}, the board is a {board}"
+        raise SettingsError(name_of(file), [Finding(1, "product", message)])
+    known = {spec.key for spec in state.specs.readable}
+    if strangers := [key for key in wanted.parameters if key not in known]:
+        message = f"{board} does not have it"
+        raise SettingsError(name_of(file), [Finding(None, key, message) for key in strangers])
+    if wanted.firmware not in {None, board.firmware}:
+        say(f"Warning: these settings are for firmware {wanted.firmware}, the board is a {board}.")
+    return replace(_visible(wanted, state), firmware=board.firmware)
+
+
+def _visible(wanted: Settings, state: DeviceState) -> Settings:
+    """Leave out the calibrations that the board neither shows nor takes now."""
+    places = wanted.calibrations
+    kept = {at: found for at, found in places.items() if at[0] is state.source}
+    if len(kept) < len(places):
+        others = ", ".join(
+            key for key, at in CALIBRATION_KEYS.items() if at in places.keys() - kept
+        )
+        say(
+            f"Warning: {others} left out: only the calibrations for {state.source.value} inputs, "
+            "the ones in force, can be read and written."
+        )
+    return replace(wanted, calibrations=kept)
+
+
+def _write(client: Client, chosen: LinkSettings, state: DeviceState, rows: list[Row]) -> None:
+    names = {row.key: row.name for row in rows}
+    parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]
+    calibrations: list[tuple[int, Calibration]] = []
+    for row in rows:
+        if isinstance(row.after, Calibration):
+            channel = CALIBRATION_KEYS[row.key][1]
+            calibrations.append((channel, row.after))
+            names[f"channel {channel}"] = row.name
+    with ProgressLine("Writing") as line, Interruption() as interrupted:
+        results = write_all(
+            client.request,
+            state.specs,
+            parameters,
+            calibrations,
+            line,
+            source=state.source,
+            cancelled=interrupted.__bool__,
+        )
+    failed = [result for result in results if result.error is not None]
+    stored = {result.what: result.stored for result in results if result.error is None}
+    _say_failures(failed, names)
+    if failed and stored:
+        say(f"Stored: {', '.join(names[what] for what in stored)}.")
+    say(f"{len(stored)} of {len(results)} changes are stored and read back.")
+    after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
+    say_what_follows(client, chosen, state, after)
+    if failed:
+        begun = "Interrupted: not" if interrupted else "Not"
+        refuse(f"{begun} everything was stored; what was not tried is as it was.")
+
+
+def _say_failures(failed: list[Written], names: dict[str, str]) -> None:
+    """Name what did not stick; what was not tried after a fatal error is only listed."""
+    said: set[int] = set()
+    untried: list[str] = []
+    for result in failed:
+        name, text = names[result.what], str(result.error)
+        if id(result.error) in said or isinstance(result.error, NotTried):
+            untried.append(name)
+            continue
+        said.add(id(result.error))
+        say(text if text.startswith(name) else f"{name}: {text}")
+    if untried:
+        after = " after that" if said else ""
+        say(f"Not tried{after}: {', '.join(untried)}.")
+
+
+# --- Differences ------------------------------------------------------------------------
+
+
+def _print(result: Comparison) -> None:
+    if text := result.report():
+        click.echo(text)
+
+
+def _json_row(row: Row) -> dict[str, Any]:
+    def plain(value: int | Calibration | None) -> Any:
+        if isinstance(value, Calibration):
+            return {name: getattr(value, name) for name in CALIBRATION_FIELDS}
+        return value
+
+    return {
+        "key": row.key,
+        "name": row.name,
+        "before": plain(row.before),
+        "after": plain(row.after),
+        "text_before": row.text_before,
+        "text_after": row.text_after,
+    }

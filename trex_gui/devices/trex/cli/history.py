@@ -1,0 +1,197 @@
+"""history: what boards stored before each change, listed, shown, compared."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import click
+from click.shell_completion import CompletionItem
+
+from trex_gui.core.cli.console import Usage, refuse, say
+from trex_gui.devices.trex.cli.common import json_option, link_options, refusals
+from trex_gui.devices.trex.cli.settings_io import read_file
+from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS
+from trex_gui.devices.trex.settings.history import History, Snapshot
+
+
+def _complete_number(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[Any]:
+    del ctx, param
+    return [
+        CompletionItem(str(number), help=" ".join(_cells(number, snapshot)[1:]))
+        for number, snapshot in enumerate(History().snapshots(), 1)
+        if str(number).startswith(incomplete)
+    ]
+
+
+_HELP = """List what boards stored before each change, the newest first.
+
+Each Apply of the window and each set, set-settings, calibration set and restore-defaults saves a
+snapshot first. To give a board the settings of number 3 again:
+
+\b
+trexcmd history diff 3
+trexcmd set-settings "$(trexcmd history path 3)"
+
+Number 1 is the newest; a new snapshot moves the others on by one.
+"""
+
+
+@click.group(invoke_without_command=True, help=_HELP)
+@json_option
+@click.pass_context
+def history(ctx: click.Context, as_json: bool) -> None:
+    """List what boards stored before each change, the newest first."""
+    if ctx.invoked_subcommand is None:
+        _list(as_json)
+    elif as_json:
+        raise Usage(f"--json belongs behind {ctx.invoked_subcommand}.")
+
+
+def _list(as_json: bool) -> None:
+    history = History()
+    snapshots = history.snapshots()
+    if problem := history.bound().problem:
+        say(f"Warning: {problem}")
+    if as_json:
+        rows = [_json_row(number, found) for number, found in enumerate(snapshots, 1)]
+        click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
+        return
+    if not snapshots:
+        say(
+            "There are no snapshots yet. Before each Apply and before each command that changes "
+            f"settings one is saved in {history.folder}."
+        )
+        return
+    titles = ("", "Time", "Board", "No.", "Adapter", "Before")
+    cells = [titles, *(_cells(number, found) for number, found in enumerate(snapshots, 1))]
+    widths = [max(len(row[column]) for row in cells) for column in range(len(titles))]
+    for row in cells:
+        first = row[0].rjust(widths[0])
+        rest = (text.ljust(width) for text, width in zip(row[1:], widths[1:], strict=True))
+        click.echo("  ".join((first, *rest)).rstrip())
+
+
+@history.command("show")
+@click.argument("which", metavar="N|FILE", shell_complete=_complete_number)
+@json_option
+def show(which: str, as_json: bool) -> None:
+    """Print the settings of a snapshot: its number in the list, or its file."""
+    path = _path_of(which)
+    settings = read_file(str(path))
+    if not as_json:
+        with refusals():
+            click.echo(path.read_bytes().decode("utf-8-sig"), nl=False)
+        return
+    report = {
+        "path": str(path),
+        "product": settings.product.name,
+        "firmware": settings.firmware,
+        "parameters": dict(settings.parameters),
+        "calibrations": {
+            key: {name: getattr(settings.calibrations[place], name) for name in CALIBRATION_FIELDS}
+            for key, place in CALIBRATION_KEYS.items()
+            if place in settings.calibrations
+        },
+    }
+    click.echo(json.dumps(report, indent=2, ensure_ascii=False))
+
+
+@history.command("diff")
+@click.argument("first", metavar="N|FILE", shell_complete=_complete_number)
+@click.argument("second", metavar="[N|FILE]", required=False, shell_complete=_complete_number)
+@link_options
+@json_option
+@click.pass_context
+def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) -> None:
+    """Show how the second snapshot differs from the first, or a snapshot from the board.
+
+    Prints nothing when they are equal. With the board, its values stand left, and right what
+    set-settings with this snapshot would bring back.
+    """
+    from trex_gui.devices.trex.cli import files  # noqa: PLC0415 - the way to a board takes its time
+
+    other = None if second is None else str(_path_of(second))
+    ctx.invoke(files.diff, first=str(_path_of(first)), second=other, **options)
+
+
+@history.command("path")
+@click.argument("number", metavar="N", shell_complete=_complete_number)
+def path(number: str) -> None:
+    """Print where the file of a snapshot lies."""
+    if not number.isdecimal() or len(number) > 9:
+        raise Usage(f"{number!r} is not a number such as 1, the newest snapshot.")
+    click.echo(_path_of(number))
+
+
+@history.command("keep")
+@click.argument("count", metavar="COUNT|all", required=False)
+@click.option("--yes", is_flag=True, help="Do not ask.")
+def keep(count: str | None, yes: bool) -> None:
+    """Set how many snapshots are kept, by the window too, or print how many are.
+
+    Asks before it removes the oldest, which are more than that.
+    """
+    history = History()
+    if count is None:
+        bound = history.bound()
+        if bound.problem:
+            refuse(bound.problem)
+        click.echo("all" if bound.kept is None else bound.kept)
+        return
+    kept = _count(count)
+    if (gone := len(history.beyond(kept))) and not yes:
+        there = len(history.snapshots())
+        which = "the oldest one" if gone == 1 else f"the oldest {gone}"
+        click.confirm(f"Remove {which} of {there} snapshots for good?", abort=True, err=True)
+    with refusals():
+        removed = len(history.keep(kept))
+    if removed:
+        say(f"{removed} snapshot{'' if removed == 1 else 's'} removed.")
+    say("All snapshots are kept." if kept is None else f"The newest {kept} are kept.")
+
+
+def _count(word: str) -> int | None:
+    if word.casefold() == "all":
+        return None
+    if not word.isascii() or not word.isdecimal() or not 1 <= int(word[:8]) < 10**7:
+        raise Usage(f"{word!r} is neither a number of snapshots, at least 1, nor all.")
+    return int(word)
+
+
+def _path_of(word: str) -> Path:
+    """Return the file of a snapshot that was named by its number, or a file by its name."""
+    if not word.isdecimal() or len(word) > 9:
+        return Path(word)
+    history = History()
+    snapshots = history.snapshots()
+    if 1 <= int(word) <= len(snapshots):
+        return snapshots[int(word) - 1].path
+    if not snapshots:
+        refuse(f"There are no snapshots in {history.folder} yet.")
+    return refuse(f"There is no snapshot {word}; they have the numbers 1 to {len(snapshots)}.")
+
+
+def _cells(number: int, snapshot: Snapshot) -> tuple[str, ...]:
+    device = snapshot.device_number
+    return (
+        str(number),
+        snapshot.taken.astimezone().strftime("%Y-%m-%d %H:%M:%S"),
+        f"{snapshot.product} {snapshot.firmware}".strip() if not snapshot.problem else "damaged",
+        "" if device is None else str(device),
+        snapshot.adapter,
+        snapshot.problem or snapshot.reason,
+    )
+
+
+def _json_row(number: int, snapshot: Snapshot) -> dict[str, Any]:
+    return {
+        "number": number,
+        "taken": snapshot.taken.isoformat(),
+        "product": snapshot.product or None,
+        "firmware": snapshot.firmware or None,
+        "device_number": snapshot.device_number,
+        "adapter": snapshot.adapter,
+        "reason": snapshot.reason,
+        "problem": snapshot.problem or None,
+        "path": str(snapshot.path),
+    }

@@ -1,0 +1,88 @@
+"""raw, decode: bytes as they are, and what they mean."""
+
+import re
+from typing import Any
+
+import click
+
+from trex_gui.core.cli.console import Refused, Usage
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.cli.common import (
+    crc_option,
+    hexadecimal,
+    link_options,
+    link_settings,
+    open_line,
+    polynomial_option,
+)
+from trex_gui.devices.trex.protocol.descriptions import describe
+from trex_gui.devices.trex.protocol.parser import Malformed, Packet, PacketParser
+
+_SILENCE = 0.25
+"""Seconds without a byte after which `raw` takes an answer to be whole."""
+
+
+def _bytes(words: tuple[str, ...]) -> bytes:
+    """Read bytes as people write them: `86 1F`, `861f`, `0x86, 0x1F`.
+
+    Raises:
+        Usage: they are none.
+    """
+    text = " ".join(words)
+    try:
+        data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
+    except ValueError as error:
+        raise Usage(f'"{text}" is not hexadecimal bytes such as "86 1F".') from error
+    if not data:
+        raise Usage('Which bytes? Give them in hexadecimal, such as "86 1F".')
+    return data
+
+
+@click.command()
+@link_options
+@click.argument("packet", nargs=-1, required=True)
+def raw(packet: tuple[str, ...], **options: Any) -> None:
+    """Send the bytes of PACKET ("86 1F") as they are, and show what comes back."""
+    data = _bytes(packet)
+    with open_line(link_settings(options)) as client:
+        transport = client.transport
+        transport.discard()
+        transport.write(data)
+        seconds = client.settings.line.seconds(len(data)) + _SILENCE
+        received = bytearray()
+        while chunk := transport.read(1, seconds):
+            received += chunk
+            seconds = _SILENCE
+    click.echo(received.hex(" ").upper())
+
+
+@click.command()
+@click.argument("packet", metavar="HEX", nargs=-1, required=True)
+@crc_option
+@polynomial_option
+def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
+    """Say what packets the bytes HEX are, as a host sends them, in both protocols.
+
+    Units are those of a TReX. Exits with 1 when something is no packet.
+    """
+    data = _bytes(packet)
+    try:
+        parser = PacketParser(hexadecimal(polynomial) if crc else None)
+    except BadRequest as error:
+        raise Usage(str(error)) from error
+    events = parser.feed(data) + parser.flush()
+    rows = [_row(event) for event in events]
+    widths = [max(len(row[column]) for row in rows) for column in (0, 1)]
+    for first, second, words in rows:
+        click.echo(f"{first:{widths[0]}}  {second:{widths[1]}}  {words}")
+    bad = sum(isinstance(event, Malformed) for event in events)
+    if bad:
+        raise Refused(f"{bad} of {len(events)} are no packets.")
+
+
+def _row(event: Packet | Malformed) -> tuple[str, str, str]:
+    raw_text = event.raw.hex(" ").upper()
+    if isinstance(event, Malformed):
+        return raw_text, "bad", event.reason
+    to = "compact" if event.device_number is None else f"to device {event.device_number}"
+    return raw_text, to, describe(event.command)

@@ -1,0 +1,229 @@
+"""stream: what the board measures, line by line, as fast as it is worth asking."""
+
+import contextlib
+import csv
+import json
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, TextIO
+
+import click
+
+from trex_gui.core.cli.console import Interruption, Refused, Usage, say
+from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.client.schedule import Schedule, rates
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    ModeSeen,
+    Raw,
+    Remapped,
+    Sample,
+    StatusNews,
+    StatusReader,
+    poll,
+)
+from trex_gui.devices.trex.protocol.commands import GetMode
+from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
+from trex_gui.devices.trex.recording.columns import (
+    ampere,
+    channel_columns,
+    current_column,
+    measured_columns,
+    news_columns,
+    physical,
+    status_column,
+    uart_column,
+)
+
+_FLUSH = 0.25
+"""Seconds after which what was written can be read by others."""
+
+_SLICE = 0.02
+_FAILURES = 10
+"""Failures one after the other after which the board counts as gone."""
+
+Row = dict[str, float | int | str | None]
+
+
+@click.command()
+@link_options
+@click.option(
+    "--csv",
+    "file",
+    type=click.Path(dir_okay=False, allow_dash=True),
+    metavar="FILE|-",
+    help="Where the CSV goes; - is standard output, which it is anyway.",
+)
+@click.option(
+    "--seconds",
+    type=click.FloatRange(0, min_open=True),
+    metavar="S",
+    help="End after so long; without it, at Ctrl-C.",
+)
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line instead of CSV.")
+def stream(file: str | None, seconds: float | None, as_json: bool, **options: Any) -> None:
+    """Write what the board measures as CSV: a row for each new pair of motor currents.
+
+    The head names the units. Everything else in a row is the newest that is known; error bits
+    stand in the first row after they were read, which clears them in the board.
+    """
+    if as_json and file is not None:
+        raise Usage("--json and --csv exclude each other; --json writes to standard output.")
+    settings = link_settings(options)
+    with open_line(settings) as client, _target(file) as target, Interruption() as interrupted:
+        unit = identify(client).model.current_unit
+        mode = ask(client.request, GetMode())
+        table = _Table(mode, unit)
+        writer = _Writer(target, table, as_json=as_json)
+        reason = ""
+        try:
+            for row in _rows(client, table, seconds, interrupted):
+                writer.write(row, client.transport.clock())
+        except (NoReply, BadReply) as error:
+            reason = f"The board has stopped answering: {error}"
+        except _ModeChanged:
+            reason = "The board's mode has changed; its inputs are something else now."
+        finally:
+            writer.flush()
+            if writer.count:
+                say(f"{writer.count} rows.")
+        if reason:
+            raise Refused(reason)
+
+
+class _ModeChanged(Exception):  # noqa: N818 - no error, an event
+    pass
+
+
+@contextlib.contextmanager
+def _target(file: str | None) -> Iterator[TextIO]:
+    """Open what is written to.
+
+    Raises:
+        Refused: it cannot be written.
+    """
+    if file in {None, "-"}:
+        yield sys.stdout
+        return
+    assert file is not None  # noqa: S101 - for the type checker
+    try:
+        with Path(file).open("w", encoding="utf-8", newline="") as opened:
+            yield opened
+    except OSError as error:
+        raise Refused(f"{file} cannot be written: {error.strerror or error}.") from error
+
+
+@dataclass(slots=True)
+class _Table:
+    """The newest that is known, as one row."""
+
+    mode: Mode
+    unit: float
+    row: Row = field(init=False)
+    _lacks: set[type[Sample]] = field(default_factory=lambda: {Raw, Remapped, Control})
+
+    def __post_init__(self) -> None:
+        self.row = dict.fromkeys(["time_s", *measured_columns(self.mode.source)])
+        self._clear_news()
+
+    def _clear_news(self) -> None:
+        self.row |= dict.fromkeys(news_columns(), 0)
+
+    def take(self, sample: Sample) -> bool:
+        """Take a sample; return whether it completes a row that lacks nothing."""
+        source = self.mode.source
+        self._lacks.discard(type(sample))
+        match sample:
+            case Currents(counts=counts):
+                for motor, count in enumerate(counts, start=1):
+                    self.row[current_column(motor)] = ampere(count, self.unit)
+                return not self._lacks
+            case Raw(counts=raw):
+                for channel, count_or_none in zip(CHANNELS, raw, strict=True):
+                    as_counts, in_unit, _ = channel_columns(source, channel)
+                    self.row[as_counts] = count_or_none
+                    self.row[in_unit] = physical(source, count_or_none)
+            case Remapped(values=values):
+                for channel, value in zip(CHANNELS, values, strict=True):
+                    self.row[channel_columns(source, channel)[2]] = value
+            case Control(by_serial=by_serial):
+                self.row["serial_controls"] = int(by_serial)
+            case ModeSeen():
+                pass
+            case StatusNews(status=status, uart=uart):
+                self.row |= {status_column(bit): 1 for bit in Status if bit & status}
+                self.row |= {uart_column(bit): 1 for bit in UartError if bit & uart}
+        return False
+
+    def finish(self, time: float) -> Row:
+        """Return the row as of now; news are told once."""
+        row = {**self.row, "time_s": round(time, 4)}
+        self._clear_news()
+        return row
+
+
+def _rows(
+    client: Client, table: _Table, seconds: float | None, interrupted: Interruption
+) -> Iterator[Row]:
+    """Ask by the schedule and yield each row that becomes complete."""
+    clock = client.transport.clock
+    reader = StatusReader(clock)
+    schedule = Schedule()
+    begun = clock()
+    schedule.start(rates(table.mode.source), begun)
+    failures = 0
+    while not interrupted and (seconds is None or clock() - begun < seconds):
+        now = clock()
+        topic = schedule.next(now)
+        if topic is None:
+            client.transport.wait(min(_SLICE, schedule.seconds_to_next(now) or 0.0))
+            continue
+        schedule.asked(topic, now)
+        try:
+            sample = poll(client.request, topic, clock, reader)
+            if (
+                isinstance(sample, ModeSeen)
+                and sample.mode is not table.mode
+                and client.request(GetMode()) is sample.mode  # one reading may be damage
+            ):
+                raise _ModeChanged
+            failures = 0
+        except (NoReply, BadReply):
+            failures += 1
+            if failures == _FAILURES:
+                raise
+            continue
+        if sample is not None and table.take(sample):
+            yield table.finish(sample.time - begun)
+
+
+class _Writer:
+    """Writes rows, and lets others see them a few times a second."""
+
+    def __init__(self, target: TextIO, table: _Table, *, as_json: bool) -> None:
+        self.count = 0
+        self._target = target
+        self._as_json = as_json
+        self._flushed_at = 0.0
+        self._csv = csv.DictWriter(target, list(table.row), lineterminator="\n")
+        if not as_json:
+            self._csv.writeheader()
+
+    def write(self, row: Row, now: float) -> None:
+        if self._as_json:
+            self._target.write(json.dumps(row) + "\n")
+        else:
+            self._csv.writerow(row)
+        self.count += 1
+        if now - self._flushed_at >= _FLUSH:
+            self._flushed_at = now
+            self._target.flush()
+
+    def flush(self) -> None:
+        self._target.flush()

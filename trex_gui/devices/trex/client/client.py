@@ -1,0 +1,288 @@
+"""Transactions: one command out, its whole reply in, before anything else is sent.
+
+A TReX is deaf while it answers, so there is never a second request in flight. Deadlines come
+from the bytes on the wire and from what the board needs, not from a flat second.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from trex_gui.core.errors import BadReply, NoReply, ResultCode
+from trex_gui.core.transport.serial_port import Transport
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    GetParameter,
+    Null,
+    ReplyT_co,
+    SetParameter,
+)
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.parameters import parameter_number
+from trex_gui.devices.trex.protocol.parser import Malformed, NeedData, Reply, ReplyParser
+
+_BOARD_DELAY = 0.005
+"""Seconds a board may think about a query: its 1 ms response delay and its 10 ms cycle halved.
+
+Inferred: no source gives more than the response delay.
+"""
+
+_LONGEST_REPLY = 16
+"""Bytes: the ten of five raw channels, a CRC and the echo of the question."""
+
+_NULL = Framing().encode(Null())
+
+_ECHO_PROBES = 2
+"""How often an echo is looked for: one damaged byte must not hide it."""
+
+
+class Requester(Protocol):
+    """Whatever runs transactions: a client, or a session that slips a stop in between."""
+
+    def __call__(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        """Run one transaction and return its reply."""
+        ...
+
+
+@dataclass(slots=True)
+class Counters:
+    """What a client has seen since it was made.
+
+    Attributes:
+        requests: transactions begun.
+        silences: no reply, or not all of it, in time.
+        damaged: replies that could not be one.
+        stale: bytes that belonged to nothing and were thrown away.
+        slowest: the longest round trip that succeeded, in seconds.
+        answers: replies that came whole.
+    """
+
+    requests: int = 0
+    silences: int = 0
+    damaged: int = 0
+    stale: int = 0
+    slowest: float = 0.0
+    answers: int = 0
+
+
+class Client:
+    """Runs transactions on one line.
+
+    Attributes:
+        echo: whether everything sent comes back, as it does on the board's RS-232 side.
+        feeds_timeout: whether the board must hear something while a late answer is awaited, since
+            its serial timeout would stop motors that are driven: a null command.
+    """
+
+    def __init__(self, transport: Transport, settings: LinkSettings, *, echo: bool = False) -> None:
+        self.echo = echo
+        self.feeds_timeout = False
+        self.counters = Counters()
+        self._transport = transport
+        self._settings = settings
+        self._framing = settings.framing
+        self._free_at = transport.clock()
+        self._is_owed = False
+        self._owed = 0  # answers that never came, since one was known to be what it seemed
+
+    @property
+    def settings(self) -> LinkSettings:
+        """How the line was opened."""
+        return self._settings
+
+    @property
+    def transport(self) -> Transport:
+        """The line."""
+        return self._transport
+
+    def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        """Send a command and return what its reply means.
+
+        A motor command has no reply: it returns at once, and the next request waits until
+        its bytes have left.
+
+        Raises:
+            BadRequest: a value does not fit; nothing was sent.
+            NoReply: not everything came in time.
+            BadReply: what came is no reply to this command.
+            PortUnavailable: the line is gone.
+        """
+        try:
+            reply = self._transact(command)
+        except (NoReply, BadReply):
+            if (number := self._new_number(command)) is not None:
+                self._look_for(number)
+            raise
+        if reply is ResultCode.OK and (number := self._new_number(command)) is not None:
+            self._address(number)
+        return reply
+
+    def _transact(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        packet = self._framing.encode(command)
+        line = self._settings.line
+        parser = ReplyParser(command, self._framing, self.echo)
+        self.drain()
+        stale = self._settle() + self._transport.discard()
+        self.counters.requests += 1
+        self.counters.stale += len(stale)
+        begun = self._transport.clock()
+        self._transport.write(packet)
+        self._free_at = begun + line.seconds(len(packet))
+        # What stands in the queue of the port must leave before the board can answer.
+        deadline = self._free_at + self._allowance + command.seconds_to_answer
+        received = b""
+        state = parser.feed()
+        while isinstance(state, NeedData):
+            # The rest of the reply is on its way: it needs at least its time on the wire.
+            wanted = state.size
+            left = deadline + line.seconds(len(received) + wanted) - self._transport.clock()
+            chunk = self._transport.read(wanted, max(left, 0.0))
+            received += chunk
+            state = parser.feed(chunk)
+            if isinstance(state, NeedData) and len(chunk) < wanted:
+                self.counters.silences += 1
+                self._is_owed = True
+                self._owed += 1
+                raise NoReply(self._silence(packet, received))
+        match state:
+            case Malformed(raw, reason):
+                self.counters.damaged += 1
+                # Whatever else is on its way belongs to the same damage.
+                self._transport.wait(line.seconds(16))
+                message = f"The reply {raw.hex(' ').upper()} is damaged: {reason}."
+                raise BadReply(message)
+            case Reply(raw, value):
+                took = self._transport.clock() - begun
+                if self._owed and command.reply_size():
+                    self._check_whose(raw)
+                self.counters.answers += bool(command.reply_size())
+                if command.reply_size() or self.echo:
+                    self.counters.slowest = max(self.counters.slowest, took)
+                    self._free_at = min(self._free_at, self._transport.clock())
+                return value
+
+    def send(self, command: Command[None]) -> None:
+        """Send a command whose arrival something else will prove, whatever the line does.
+
+        With an echo, its bytes are awaited and not judged.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        packet = self._framing.encode(command)
+        self.drain()
+        self.counters.requests += 1
+        self._transport.write(packet)
+        self._free_at = self._transport.clock() + self._settings.line.seconds(len(packet))
+        if self.echo:
+            self._read_echo(packet)
+
+    def detect_echo(self, before: Callable[[], None] | None = None) -> bool:
+        """Find out, with the null command, whether everything sent comes back.
+
+        `before` is called before each probe: something may have to go out first.
+
+        Raises:
+            BadReply: bytes come without end; no TReX sends without being asked.
+            PortUnavailable: the line is gone.
+        """
+        self.echo = False
+        for _ in range(_ECHO_PROBES):
+            if before is not None:
+                before()
+            self.drain()
+            self._transport.discard()
+            self._transport.write(_NULL)
+            if self._read_echo(_NULL) == _NULL:
+                self.echo = True
+                break
+        return self.echo
+
+    def _settle(self) -> bytes:
+        """Let the answer pass that never came in time: it would be taken for the next one.
+
+        It does not hold up a stop, which awaits nothing.
+        """
+        if not self._is_owed:
+            return b""
+        self._is_owed = False
+        if self.feeds_timeout:
+            self._transport.write(_NULL)
+        late = self._transport.read(_LONGEST_REPLY, self._transport.latency)
+        # The rest of it is on its way; what goes on after that is no answer.
+        rest = self._settings.line.seconds(_LONGEST_REPLY) if late else 0.0
+        late += self._transport.read(_LONGEST_REPLY - len(late), rest)
+        if late and self._owed == 1:
+            self._owed = 0
+        return late.removesuffix(_NULL) if self.echo and self.feeds_timeout else late
+
+    def _check_whose(self, answer: bytes) -> None:
+        """Take an answer for that of the last question only if no other one follows it.
+
+        Where answers never came, an adapter or the system may have held them up, and now all of
+        them come: this one would be that of a question of long ago.
+
+        Raises:
+            BadReply: more came.
+            PortUnavailable: the line is gone.
+        """
+        more = self._transport.read(1, self._transport.latency)
+        if more:
+            # Until it is quiet; what goes on for longer is no answer.
+            more += self._transport.read(
+                self._owed * _LONGEST_REPLY,
+                self._owed * self._settings.line.seconds(_LONGEST_REPLY),
+            )
+            more += self._transport.discard()
+        self._owed = 0
+        if more:
+            self.counters.stale += len(answer) + len(more)
+            raise BadReply("Answers were held up and came late: nobody knows which is whose.")
+
+    def _read_echo(self, packet: bytes) -> bytes:
+        seconds = self._settings.line.seconds(len(packet)) + self._allowance
+        return self._transport.read(len(packet), seconds)
+
+    def drain(self) -> None:
+        """Wait until everything that was sent has left the port."""
+        self._transport.wait(self._free_at - self._transport.clock())
+
+    def close(self) -> None:
+        """Give the port back."""
+        self._transport.close()
+
+    @property
+    def _allowance(self) -> float:
+        return self._transport.latency + self._settings.timeouts.extra + _BOARD_DELAY
+
+    def _new_number(self, command: object) -> int | None:
+        """Return the number that a command gives to a board which is addressed by number."""
+        if (
+            isinstance(command, SetParameter)
+            and command.number == parameter_number("device_number")
+            and self._settings.device_number is not None
+        ):
+            return command.value
+        return None
+
+    def _address(self, number: int) -> None:
+        """Address the board by this number from now on."""
+        self._settings = replace(self._settings, device_number=number)
+        self._framing = self._settings.framing
+
+    def _look_for(self, number: int) -> None:
+        """See whether a board whose answer was lost has taken its new number all the same."""
+        before = self._settings.device_number
+        self._address(number)
+        try:
+            self._transact(GetParameter(parameter_number("device_number")))
+        except (NoReply, BadReply):
+            if before is not None:
+                self._address(before)
+
+    def _silence(self, packet: bytes, received: bytes) -> str:
+        sent = packet.hex(" ").upper()
+        if received:
+            return f"Only {received.hex(' ').upper()} came in answer to {sent}."
+        return f"No answer to {sent}."

@@ -1,0 +1,117 @@
+"""Reading everything that a board tells of itself.
+
+Plain functions over a `Requester`, so the command line, the session and tests share them.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.devices.trex.client.client import Requester
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    GetCalibratedChannels,
+    GetCalibration,
+    GetMode,
+    GetParameter,
+    GetSerialControl,
+    GetSignature,
+    ReplyT_co,
+    Signature,
+)
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
+
+Progress = Callable[[int, int, str], None]
+"""Called with steps done, steps in all, and what comes next."""
+
+ATTEMPTS = 3
+"""How often a transaction is tried on a line that damages bytes."""
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceState:
+    """What a board said of itself at one time.
+
+    Attributes:
+        parameters: stored wire value (0-127) by key.
+        calibrations: by channel, for the input source that the mode has in force; the board
+            does not show the other set.
+        calibrated: mask of channels whose calibration differs from the default.
+        unread: why a parameter is missing from `parameters`, by key.
+    """
+
+    signature: Signature
+    mode: Mode
+    serial_controls: bool
+    parameters: Mapping[str, int]
+    calibrations: Mapping[int, Calibration]
+    calibrated: int
+    unread: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def specs(self) -> ParameterSet:
+        """The parameters that this model with this firmware has."""
+        return parameters_of(self.signature.model.key, self.signature.firmware)
+
+    @property
+    def source(self) -> InputSource:
+        """The input source that `calibrations` belong to."""
+        return self.mode.source
+
+
+def no_progress(done: int, total: int, what: str) -> None:
+    """Say nothing."""
+
+
+def ask(request: Requester, command: Command[ReplyT_co]) -> ReplyT_co:
+    """Run a transaction that changes nothing, again when the line damaged it.
+
+    Raises:
+        NoReply, BadReply: three times in a row.
+        PortUnavailable: the line is gone.
+    """
+    for _ in range(ATTEMPTS - 1):
+        try:
+            return request(command)
+        except (NoReply, BadReply):
+            continue
+    return request(command)
+
+
+def read_everything(request: Requester, progress: Progress = no_progress) -> DeviceState:
+    """Read signature, mode, every parameter and the calibrations that the mode shows.
+
+    Raises:
+        NoReply, BadReply: the board does not answer, or is no TReX.
+        PortUnavailable: the line is gone.
+    """
+    progress(0, 1, "signature")
+    signature = ask(request, GetSignature())
+    specs = parameters_of(signature.model.key, signature.firmware).readable
+    total = 4 + len(specs) + len(CHANNELS)
+    progress(1, total, "mode")
+    mode = ask(request, GetMode())
+    progress(2, total, "control")
+    serial_controls = ask(request, GetSerialControl())
+    parameters: dict[str, int] = {}
+    unread: dict[str, str] = {}
+    for done, spec in enumerate(specs, start=3):
+        progress(done, total, spec.name)
+        try:
+            parameters[spec.key] = ask(request, GetParameter(spec.number))
+        except (NoReply, BadReply) as error:
+            # Either the board is gone, and this raises, or it refuses this one parameter.
+            ask(request, GetMode())
+            unread[spec.key] = str(error)
+    calibrations: dict[int, Calibration] = {}
+    for done, channel in enumerate(CHANNELS, start=3 + len(specs)):
+        progress(done, total, f"calibration of channel {channel}")
+        calibrations[channel] = ask(request, GetCalibration(channel))
+    progress(total - 1, total, "learned channels")
+    calibrated = ask(request, GetCalibratedChannels())
+    progress(total, total, "done")
+    return DeviceState(
+        signature, mode, serial_controls, parameters, calibrations, calibrated, unread
+    )

@@ -1,0 +1,346 @@
+"""Writes to EEPROM that count only when they have been read back equal.
+
+Plain functions over a `Requester`, so the command line, the session and tests share them.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Enum, auto
+
+from trex_gui.core.errors import (
+    BadReply,
+    BadRequest,
+    NoReply,
+    PortUnavailable,
+    Rejected,
+    ResultCode,
+    TrexError,
+)
+from trex_gui.devices.trex.client.client import Requester
+from trex_gui.devices.trex.client.reading import ATTEMPTS, Progress, ask, no_progress
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    GetCalibration,
+    GetMode,
+    GetParameter,
+    SetCalibration,
+    SetParameter,
+)
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec
+
+_FAILURES = (BadRequest, Rejected, BadReply, NoReply, PortUnavailable)
+
+_LINE, _POLYNOMIAL = "uart_settings", "crc7_polynomial"
+
+
+class NotTried(TrexError):  # noqa: N818 - nothing went wrong
+    """The writing was ended on purpose before this had its turn; it is as it was."""
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """How one write went: `stored` is the value that was read back, `error` why not.
+
+    `what` is a parameter's key, or `channel N` for a calibration.
+    """
+
+    what: str
+    stored: int | Calibration | None = None
+    error: TrexError | None = None
+
+    @property
+    def channel(self) -> int | None:
+        """The channel whose calibration was written; `None` for a parameter."""
+        kind, _, number = self.what.partition(" ")
+        return int(number) if kind == "channel" else None
+
+
+def write_parameter(request: Requester, spec: ParameterSpec, wire: int) -> int:
+    """Store one parameter and return what was read back: the proof that it is stored.
+
+    A reply that is lost on the way is no failure: only the value read back counts. The
+    factory reset cannot be read back; its result code has to do.
+
+    Raises:
+        BadRequest: the table does not allow the value; nothing was sent.
+        Rejected: the board refused it.
+        BadReply: the value read back is another.
+        NoReply: the board does not answer.
+        PortUnavailable: the line is gone.
+    """
+    command = SetParameter(spec.number, spec.check(wire))
+    if not spec.readable:
+        _write(request, spec.name, command, may_fail=False)
+        return wire
+    stored = wire
+    for _ in range(ATTEMPTS):
+        _write(request, spec.name, command, may_fail=True)
+        # Without CRC the line may have damaged what was read, or what was written: only two
+        # equal readings speak against the write, and a write may be repeated.
+        stored = ask(request, GetParameter(spec.number))
+        if stored == wire or (stored := ask(request, GetParameter(spec.number))) == wire:
+            return wire
+    message = (
+        f"{spec.name} did not stick: wrote {spec.text(wire)}, "
+        f"but the board reads back {spec.text(stored)}"
+    )
+    raise BadReply(message)
+
+
+def write_calibration(
+    request: Requester, channel: int, wanted: Calibration, source: InputSource | None = None
+) -> Calibration:
+    """Store one channel's calibration for the source in force; return what was read back.
+
+    A board that was without power for a moment may read another source now. Then nothing
+    more is written: its calibrations are others.
+
+    Args:
+        request: runs transactions.
+        channel: 1 to 5.
+        wanted: the calibration.
+        source: what it is for; `None` for what the board reads now.
+
+    Raises:
+        BadRequest: minimum, neutral and maximum are not in order; nothing was sent.
+        BadReply: the board reads another source, or another value than was written.
+        Rejected, NoReply, PortUnavailable: as for `write_parameter`.
+    """
+    what = f"Calibration of channel {channel}"
+    command = SetCalibration(channel, wanted)
+    command.data()  # what cannot be sent raises here, before anything is asked
+    source = source or _serial_source(request, what)
+
+    def require_source() -> None:
+        if (now := _serial_source(request, what)) is not source:
+            message = f"{what} is for {source.value} inputs, but the board reads {now.value} now"
+            raise BadReply(message)
+
+    stored = wanted
+    for _ in range(ATTEMPTS):
+        _write(request, what, command, may_fail=True, before=require_source)
+        stored = ask(request, GetCalibration(channel))
+        if stored == wanted or (stored := ask(request, GetCalibration(channel))) == wanted:
+            return wanted
+    message = f"{what} did not stick: the board reads back {stored}"
+    raise BadReply(message)
+
+
+def _serial_source(request: Requester, what: str) -> InputSource:
+    """Return the source of a board in serial mode."""
+    mode = ask(request, GetMode())
+    if not mode.is_serial:
+        raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
+    return mode.source
+
+
+def _nothing() -> None:
+    pass
+
+
+def _never() -> bool:
+    return False
+
+
+def _write(
+    request: Requester,
+    what: str,
+    command: SetParameter | SetCalibration,
+    *,
+    may_fail: bool,
+    before: Callable[[], None] = _nothing,
+) -> None:
+    for attempt in range(ATTEMPTS):
+        before()
+        try:
+            code = request(command)
+        except (NoReply, BadReply):
+            # The packet or its answer was damaged: writing the same value again is harmless.
+            if attempt == ATTEMPTS - 1 and not may_fail:
+                raise
+            continue
+        if code is not ResultCode.OK:
+            raise Rejected(what, code)
+        return
+
+
+def write_all(
+    request: Requester,
+    specs: ParameterSet,
+    parameters: Sequence[tuple[str, int]],
+    calibrations: Sequence[tuple[int, Calibration]] = (),
+    progress: Progress = no_progress,
+    *,
+    source: InputSource | None = None,
+    cancelled: Callable[[], bool] = _never,
+) -> tuple[Written, ...]:
+    """Store calibrations, then parameters by key, and return how each went.
+
+    Calibrations come first, while the board reads the inputs that they are for: `source`, or
+    what it reads when the first is written. Parameters that act at once come next, those that
+    need a power cycle last and the serial settings after all others.
+
+    Power may go at any moment, and a value that was being written is the factory's then. Yet
+    the board must come up at settings at which somebody looks for it: those that it had, those
+    that it was to get, or the factory's. So the polynomial is changed while the stored line
+    settings have no CRC: before them where CRC is switched on, after them where it is switched
+    off. Where it stays on and the line changes too, the factory's line settings are stored
+    meanwhile. Where only the polynomial changes, a power cut in the 4 ms of its write leaves
+    the factory's polynomial on the line as it was, which discovery asks for too.
+
+    Once the line is gone, the board has stopped answering or has said that it is not in
+    serial mode, the rest is not tried: it would fail alike. Nor is it after `cancelled`, but
+    serial settings that belong together are not parted.
+    """
+    total = len(parameters) + len(calibrations)
+    work = _Work(request, specs, total, progress, cancelled, source)
+    for channel, wanted in calibrations:
+        work.store_calibration(channel, wanted)
+    ordered = sorted(parameters, key=lambda item: _write_order(specs, item[0]))
+    serial = [item for item in ordered if item[0] in {_LINE, _POLYNOMIAL}]
+    for key, wire in ordered:
+        if key not in {_LINE, _POLYNOMIAL}:
+            work.store(key, wire)
+    work.store_serial(serial)
+    progress(work.total, work.total, "done")
+    return tuple(work.results)
+
+
+class _Route(Enum):
+    """How the serial settings are changed; the reasons stand in `write_all`."""
+
+    POLYNOMIAL_FIRST = auto()
+    LINE_FIRST = auto()
+    BY_WAY_OF_FACTORY = auto()
+
+
+@dataclass(slots=True)
+class _Work:
+    """What is written one after the other, and how it went so far.
+
+    Attributes:
+        source: which inputs the calibrations are for; `None` before the board was asked.
+        hopeless: why nothing more is tried.
+    """
+
+    request: Requester
+    specs: ParameterSet
+    total: int
+    progress: Progress
+    cancelled: Callable[[], bool]
+    source: InputSource | None
+    results: list[Written] = field(default_factory=list)
+    hopeless: TrexError | None = None
+
+    def store_calibration(self, channel: int, wanted: Calibration) -> None:
+        """Store a calibration, unless that is hopeless."""
+        what = f"channel {channel}"
+
+        def write() -> Calibration:
+            self._say(f"calibration of {what}")
+            SetCalibration(channel, wanted).data()
+            if self.source is None:
+                self.source = _serial_source(self.request, f"Calibration of {what}")
+            return write_calibration(self.request, channel, wanted, self.source)
+
+        self._look_whether_cancelled()
+        self._try(what, write)
+
+    def store(self, key: str, wire: int, *, may_cancel: bool = True) -> None:
+        """Store a parameter, unless that is hopeless."""
+
+        def write() -> int:
+            spec = self.specs[key]
+            self._say(spec.name)
+            return write_parameter(self.request, spec, wire)
+
+        if may_cancel:
+            self._look_whether_cancelled()
+        self._try(key, write)
+
+    def store_serial(self, serial: list[tuple[str, int]]) -> None:
+        """Store line settings and polynomial in the order that keeps the board reachable."""
+        self._look_whether_cancelled()
+        route = _Route.POLYNOMIAL_FIRST
+        if self.hopeless is None and len(dict(serial)) == 2:
+            try:
+                route = self._route(dict(serial))
+                if route is _Route.BY_WAY_OF_FACTORY:
+                    write_parameter(self.request, self.specs[_LINE], self.specs[_LINE].default)
+            except _FAILURES as error:
+                self.hopeless = error
+        if route is _Route.LINE_FIRST:
+            serial.reverse()
+        for key, wire in serial:
+            self.store(key, wire, may_cancel=False)
+        if route is _Route.BY_WAY_OF_FACTORY:
+            self._tell_where_the_line_is_left()
+
+    def _route(self, wanted: Mapping[str, int]) -> "_Route":
+        """Return how to come from the serial settings that are stored to those wanted."""
+        stored = {key: ask(self.request, GetParameter(self.specs[key].number)) for key in wanted}
+        is_possible = not any(self.specs[key].problem(wire) for key, wire in wanted.items())
+        has_crc = _has_crc(stored[_LINE])
+        if not (is_possible and has_crc and stored[_POLYNOMIAL] != wanted[_POLYNOMIAL]):
+            return _Route.POLYNOMIAL_FIRST
+        if not _has_crc(wanted[_LINE]):
+            return _Route.LINE_FIRST
+        is_same = stored[_LINE] == wanted[_LINE]
+        return _Route.POLYNOMIAL_FIRST if is_same else _Route.BY_WAY_OF_FACTORY
+
+    def _tell_where_the_line_is_left(self) -> None:
+        """Add to a failure that the line settings may be neither the old nor the new ones."""
+        spec = self.specs[_LINE]
+        for number, result in enumerate(self.results):
+            if result.what == _LINE and result.error is not None:
+                message = (
+                    f"{result.error} {spec.name} may be the factory's meanwhile: the board, "
+                    f"switched off and on, then runs at {spec.text(spec.default)}"
+                )
+                is_gone = isinstance(result.error, (NoReply, PortUnavailable))
+                kind = type(result.error) if is_gone else BadReply
+                self.results[number] = Written(_LINE, error=kind(message))
+
+    def _say(self, name: str) -> None:
+        self.progress(len(self.results), self.total, name)
+
+    def _look_whether_cancelled(self) -> None:
+        if self.hopeless is None and self.cancelled():
+            self.hopeless = NotTried("The writing was ended before this was tried.")
+
+    def _try(self, what: str, write: Callable[[], int | Calibration]) -> None:
+        result = Written(what, error=self.hopeless)
+        if self.hopeless is None:
+            try:
+                result = Written(what, write())
+            except _FAILURES as error:
+                result = Written(what, error=error)
+                self.hopeless = _if_hopeless(error)
+        self.results.append(result)
+
+
+def _has_crc(wire: int) -> bool:
+    """Whether packets carry a CRC under these line settings; not under unknown ones."""
+    try:
+        return LineSettings.from_wire(wire).detection is Detection.CRC7
+    except BadRequest:
+        return False
+
+
+def _write_order(specs: ParameterSet, key: str) -> tuple[bool, bool, int]:
+    try:
+        spec = specs[key]
+    except BadRequest:
+        return False, False, 0
+    return spec.needs_power_cycle, spec.group == "serial", spec.number
+
+
+def _if_hopeless(error: TrexError) -> TrexError | None:
+    """Return the error when every later write would meet it too."""
+    if isinstance(error, (NoReply, PortUnavailable)):
+        return error
+    if isinstance(error, Rejected) and error.code is ResultCode.NOT_SERIAL_MODE:
+        return error
+    return None

@@ -1,0 +1,1 @@
+"""Settings as programs in C, Python and for Arduino."""

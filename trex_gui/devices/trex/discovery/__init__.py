@@ -1,0 +1,1 @@
+"""Finding a TReX whose line settings are unknown, without moving a motor."""

@@ -1,0 +1,263 @@
+"""Finding a board whose serial settings nobody knows, without moving anything.
+
+Every question is put as `looking` does it: harmless to a board at any settings, whatever was
+asked before.
+"""
+
+import contextlib
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from itertools import product
+
+from trex_gui.core.discovery.prober import Seek, Step, Verdict, never, silent
+from trex_gui.core.discovery.scan import ask_in_order, listen
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.core.transport.serial_port import SerialTransport, Transport
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.reading import ask
+from trex_gui.devices.trex.discovery.probe import (
+    RINSE_LINE,
+    Answer,
+    Attempt,
+    Heard,
+    checksum,
+    put_question,
+    rinse,
+)
+from trex_gui.devices.trex.discovery.results import Found, Search
+from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameters import parameter_number
+
+__all__ = ["SEEK_TREX", "Found", "Search", "Step", "TrexSeeker", "attempts", "find"]
+
+_LIKELY = (19200, 115200, 9600, 38400, 57600)
+
+_NUMBERS = 128
+
+
+def attempts(*, full: bool = False) -> Iterator[Attempt]:
+    """Return every question in the order in which to ask, the likely ones first.
+
+    `full` adds every other CRC-7 polynomial than the factory's, which takes some minutes; ten of
+    them cannot be asked for safely at two of the rates (`looking.UNSAFE`).
+    """
+    rates = sorted(baud_rates(), key=lambda baud: (baud not in _LIKELY, _rank(baud)))
+    for stop_bits in (1, 2):
+        for detection in (Detection.NONE, Detection.EVEN, Detection.ODD):
+            for baud in rates:
+                yield Attempt(LineSettings(baud, detection, stop_bits))
+        for baud in rates:
+            line = LineSettings(baud, Detection.CRC7, stop_bits)
+            yield Attempt(line, (DEFAULT_POLYNOMIAL,))
+    if not full:
+        return
+    alike: dict[int, list[int]] = {}
+    for polynomial in range(0x80, 0x100):
+        if polynomial != DEFAULT_POLYNOMIAL:
+            alike.setdefault(checksum(polynomial), []).append(polynomial)
+    for stop_bits, baud, polynomials in product((1, 2), rates, alike.values()):
+        attempt = Attempt(LineSettings(baud, Detection.CRC7, stop_bits), tuple(polynomials))
+        if not attempt.is_unsafe:
+            yield attempt
+
+
+def _rank(baud: int) -> int:
+    return _LIKELY.index(baud) if baud in _LIKELY else -baud
+
+
+class TrexSeeker:
+    """Looks for boards on one line, and remembers in a search what it saw.
+
+    Attributes:
+        search: what it has seen.
+    """
+
+    def __init__(self, settings: LinkSettings, *, full: bool = False, known: bool = False) -> None:
+        """Look on this port; `full` tries every polynomial and asks for each device number."""
+        del known  # what is asked moves nothing, whoever is there
+        self.search = Search(settings.name or settings.url)
+        self._settings = settings
+        self._full = full
+        plan = list(attempts(full=full))
+        self._plans = (plan[: len(_LIKELY)], plan[len(_LIKELY) :])
+
+    @property
+    def parts(self) -> tuple[int, ...]:
+        """The likely rates, then everything else."""
+        return tuple(len(plan) for plan in self._plans)
+
+    @property
+    def found(self) -> Sequence[Found]:
+        """The boards; more than one only where several share the line."""
+        return self.search.found
+
+    @property
+    def is_over(self) -> bool:
+        """Whether boards have answered."""
+        return bool(self.search.found) or self.search.several is not None
+
+    def verdict(self) -> Verdict:
+        """Say what was tried and heard, where no board was found."""
+        return self.search.judged()
+
+    def overhear(self, line: LineSettings, data: bytes) -> None:
+        """Note what talks without being asked: no TReX does."""
+        if data:
+            self.search.strange.append((line, data))
+
+    def ask(
+        self,
+        wire: Transport,
+        part: int,
+        progress: Callable[[Step], None],
+        cancelled: Callable[[], bool],
+    ) -> None:
+        """Put the questions of a part, until a board has answered.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        plan = self._plans[part]
+        if not wire.can_be_tuned:
+            # A separator that is as fast as the question does not keep two of them apart.
+            self.search.fixed = True
+            plan = [Attempt(LineSettings())] if part == 0 else []
+        for done, attempt in enumerate(plan):
+            if cancelled():
+                self.search.cancelled = True
+                return
+            progress(Step(done, len(plan), attempt.line))
+            heard = self._put(wire, attempt)
+            if heard is not None:
+                self._judge(wire, attempt, heard)
+            if self.is_over:
+                if self._full:
+                    self._ask_each_number(wire, attempt, progress, cancelled)
+                return
+
+    def _put(self, wire: Transport, attempt: Attempt) -> Heard | None:
+        """Ask once; `None`: the port cannot be set so."""
+        try:
+            rinse(wire, self._settings.timeouts.extra)
+            wire.tune(attempt.line)
+        except BadRequest:
+            self.search.skipped.append(attempt.line)
+            return None
+        heard = put_question(wire, attempt, self._settings.timeouts.extra)
+        self.search.echo = self.search.echo or heard.echo
+        return heard
+
+    def _judge(self, wire: Transport, attempt: Attempt, heard: Heard) -> None:
+        found = self._confirm(wire, attempt) if heard.answer is Answer.BOARD else None
+        if found is not None:
+            self.search.found.append(found)
+        elif heard.answer is Answer.SEVERAL:
+            self.search.several = attempt.line
+        elif heard.answer in {Answer.STRANGE, Answer.BOARD}:
+            self.search.strange.append((attempt.line, heard.data))
+
+    def _confirm(self, wire: Transport, attempt: Attempt) -> Found | None:
+        """Ask a board that answered for more, at settings which it now is known to have."""
+        for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
+            settings = replace(
+                self._settings, line=attempt.line, device_number=None, polynomial=polynomial
+            )
+            client = Client(wire, settings, echo=self.search.echo)
+            try:
+                signature = ask(client.request, GetSignature())
+                number = ask(client.request, GetParameter(parameter_number("device_number")))
+                stored = ask(client.request, GetParameter(parameter_number("uart_settings")))
+            except (NoReply, BadReply):
+                continue
+            note = _note(attempt.line, signature, stored)
+            return Found(settings, signature, number, self.search.echo, note)
+        return None
+
+    def _ask_each_number(
+        self,
+        wire: Transport,
+        attempt: Attempt,
+        progress: Callable[[Step], None],
+        cancelled: Callable[[], bool],
+    ) -> None:
+        """Look which device numbers answer; several that do replace what answered for all."""
+        polynomial = self.search.found[0].settings.polynomial if self.search.found else None
+        polynomial = polynomial or (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
+        by_number: list[Found] = []
+        for number in range(_NUMBERS):
+            if cancelled():
+                self.search.cancelled = True
+                break
+            progress(Step(number, _NUMBERS, attempt.line, number))
+            settings = replace(
+                self._settings, line=attempt.line, device_number=number, polynomial=polynomial
+            )
+            client = Client(wire, settings, echo=self.search.echo)
+            with contextlib.suppress(NoReply, BadReply):
+                signature = client.request(GetSignature())
+                by_number.append(Found(settings, signature, number, self.search.echo))
+        if len(by_number) > 1 or not self.search.found:
+            self.search.found = by_number
+
+
+SEEK_TREX = Seek("TReX", TrexSeeker)
+"""How to look for a TReX; it never talks without being asked."""
+
+
+def find(
+    settings: LinkSettings,
+    open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
+    progress: Callable[[Step], None] = silent,
+    cancelled: Callable[[], bool] = never,
+    *,
+    full: bool = False,
+) -> Search:
+    """Look for a TReX alone on a port, whatever it is set to; end with the first that answers.
+
+    Args:
+        settings: the port, and how patient to be; line and framing do not matter.
+        open_wire: opens the port.
+        progress: called before each question.
+        cancelled: asked before each question whether to end.
+        full: try every polynomial, and ask a found line for each device number. All boards
+            on that line must run at its rate then.
+
+    Raises:
+        PortUnavailable: the port cannot be opened, or is gone.
+    """
+    wire = open_wire(replace(settings, line=RINSE_LINE, device_number=None))
+    seeker = TrexSeeker(settings, full=full)
+    try:
+        seeker.overhear(RINSE_LINE, listen(wire))
+        names = {"": SEEK_TREX.name}
+        ask_in_order(wire, {"": seeker}, names, progress=progress, cancelled=cancelled)
+    finally:
+        # A byte that is on its way must not change its rate. And some boards with USB start
+        # their loader when a port is closed at 1200 baud.
+        wire.wait(RINSE_LINE.seconds(2) + wire.latency)
+        with contextlib.suppress(BadRequest, PortUnavailable):
+            wire.tune(LineSettings())
+        wire.close()
+    return seeker.search
+
+
+def _note(line: LineSettings, signature: Signature, stored: int) -> str:
+    """Say how what a board has stored differs from how it was reached."""
+    try:
+        kept = LineSettings.from_wire(stored)
+    except BadRequest:
+        return f"Its UART settings hold {stored:#04x}, which is no setting that is known."
+    if kept == line:
+        return ""
+    real = kept.real_baud(signature.firmware)
+    if real != kept.baud and real == line.baud:
+        return (
+            f"It is set to {kept.baud} baud, which firmware {signature.firmware} runs at half "
+            f"the rate: connect at {line.baud}."
+        )
+    if replace(kept, stop_bits=line.stop_bits) == line:
+        return f"It is set to {kept.stop_bits} stop bits; both numbers work on this line."
+    return f"Switched off and on, it will run at {kept.text()}."

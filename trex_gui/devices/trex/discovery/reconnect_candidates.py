@@ -1,0 +1,72 @@
+"""How a board will be reached once it has been switched off and on."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.crc7 import check_polynomial
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.parameters import parameters_of
+
+REACH = ("device_number", "crc7_polynomial", "uart_settings")
+"""The parameters that decide where a board is."""
+
+POLYNOMIAL_BIT = 0x80
+"""The highest bit of a CRC-7 polynomial; it is always set, and a board does not store it."""
+
+
+def where_to_look(
+    link: LinkSettings, before: Mapping[str, int], after: Mapping[str, int], firmware: str
+) -> tuple[LinkSettings, ...]:
+    """Return where a board may be whose power fails while it is given other settings.
+
+    A value that is being stored is lost then: the factory's stands in its place. The factory's
+    line settings are no part of the answer, since they are always looked at.
+
+    Args:
+        link: how it is reached now.
+        before: wire values by key that it stores.
+        after: those that it is to store.
+        firmware: version.
+    """
+    specs = {spec.key: spec for spec in parameters_of("trex", firmware).readable}
+    changed = [key for key in REACH if key in before and after.get(key) not in {None, before[key]}]
+    ends = [before, {**before, **after}]
+    half_way = [{**end, key: specs[key].default} for end in ends for key in changed]
+    places = dict.fromkeys(
+        place
+        for stored in [*reversed(ends), *half_way]
+        if (place := after_power_cycle(link, stored, firmware)) is not None
+    )
+    places.pop(link, None)
+    return tuple(places)
+
+
+def after_power_cycle(
+    link: LinkSettings, stored: Mapping[str, int], firmware: str
+) -> LinkSettings | None:
+    """Return how to reach a board that stores these parameters from its next start on.
+
+    Args:
+        link: how it is reached now; what `stored` does not say stays as it is.
+        stored: wire values by key.
+        firmware: version; before 1.2 two baud rates come out at half.
+
+    Returns:
+        The settings, with the rate that really is on the line; `None` when the board stores a
+        value that names no baud rate or no polynomial, so that nobody can say.
+    """
+    line, polynomial = link.line, link.polynomial
+    try:
+        if "uart_settings" in stored:
+            kept = LineSettings.from_wire(stored["uart_settings"])
+            line = replace(kept, baud=kept.real_baud(firmware))
+        if "crc7_polynomial" in stored:
+            polynomial = check_polynomial(stored["crc7_polynomial"] | POLYNOMIAL_BIT)
+    except BadRequest:
+        return None
+    number = link.device_number
+    if number is not None:
+        number = stored.get("device_number", number)
+    return replace(link, line=line, polynomial=polynomial, device_number=number)

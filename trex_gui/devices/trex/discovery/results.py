@@ -1,0 +1,120 @@
+"""What a search for a TReX has seen: boards, or what came instead."""
+
+from dataclasses import dataclass, field
+
+from trex_gui.core.discovery.prober import Telling, Verdict
+from trex_gui.devices.trex.protocol.commands import Signature
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+
+_LOADER = b"?"
+"""What a board that waits for firmware answers to anything, behind an echo."""
+
+_SHOWN = 12
+"""Bytes that are shown of what nobody understands."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A board, and how to reach it.
+
+    Attributes:
+        settings: what to connect with; addressed by number only where several boards share
+            the line.
+        signature: which board it is.
+        device_number: the number that it answers to, where it said so.
+        note: what else to know of it, for people; may be empty.
+    """
+
+    settings: LinkSettings
+    signature: Signature
+    device_number: int | None = None
+    echo: bool = False
+    note: str = ""
+
+    @property
+    def name(self) -> str:
+        """Product and firmware, such as `TReX 1.2`."""
+        return str(self.signature)
+
+
+@dataclass(slots=True)
+class Search:
+    """What a search has seen.
+
+    Attributes:
+        found: boards; more than one only where several share the line.
+        echo: whether what was sent came back.
+        strange: what answered otherwise, and at which settings, first things first.
+        several: settings at which several boards answered at once.
+        skipped: settings that the port cannot have.
+        fixed: whether somebody else sets the rate, so that only one question could be asked.
+        cancelled: whether it ended early because it was asked to.
+    """
+
+    url: str
+    found: list[Found] = field(default_factory=list)
+    echo: bool = False
+    strange: list[tuple[LineSettings, bytes]] = field(default_factory=list)
+    several: LineSettings | None = None
+    skipped: list[LineSettings] = field(default_factory=list)
+    fixed: bool = False
+    cancelled: bool = False
+
+    def verdict(self) -> str:
+        """Say what was seen where no board was found, and what to look at."""
+        return self.judged().text
+
+    def judged(self) -> Verdict:
+        """Say what was seen where no board was found, what to look at, and how telling it is."""
+        telling, text = self._what_was_seen()
+        if self.skipped:
+            rates = sorted({line.baud for line in self.skipped})
+            text += (
+                f" The port cannot be set to {', '.join(map(str, rates))} baud, so nothing was "
+                "asked there."
+            )
+        return Verdict(telling, text)
+
+    def _what_was_seen(self) -> tuple[Telling, str]:
+        if self.several is not None:
+            return Telling.KNOWN, (
+                f"Several boards answer at once on {self.url} at {self.several.text()}. "
+                "The full search asks for each device number."
+            )
+        if self.strange:
+            return self._what_came()
+        if self.echo:
+            return Telling.ECHO, (
+                f"No TReX answers on {self.url}: everything sent comes back, and nothing else, at "
+                "every rate. Either this is the RS-232 side of a board that is off, or the "
+                "adapter's TX and RX are joined."
+            )
+        if self.fixed:
+            return Telling.SILENCE, (
+                f"No TReX answers on {self.url}. Its baud rate is set at the other end of the "
+                "network, so only that one could be tried, without parity and without CRC."
+            )
+        return Telling.SILENCE, (
+            f"No TReX answers on {self.url} at any baud rate, with any parity or with CRC. Check "
+            "that the board has power (an LED is lit), that the adapter's TX goes to SI and its "
+            "RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board "
+            "with a CRC polynomial of its own is only found by the full search."
+        )
+
+    def _what_came(self) -> tuple[Telling, str]:
+        if all(data == _LOADER for _, data in self.strange):
+            return Telling.KNOWN, (
+                f"What is connected to {self.url} answers as a TReX that waits for new "
+                "firmware. Take the SO-G jumper off, then switch the board off and on."
+            )
+        line, data = self.strange[0]
+        shown = data[:_SHOWN].hex(" ").upper() + (" …" if len(data) > _SHOWN else "")
+        often = f", and something at {more} more" if (more := len(self.strange) - 1) else ""
+        text = (
+            f"Something is connected to {self.url}, but it does not answer as a TReX does: "
+            f"{shown} came at {line.text()}{often}. Another device, or a line that is disturbed."
+        )
+        if self.echo:
+            text += " What is sent comes back, too."
+        return Telling.STRANGE, text

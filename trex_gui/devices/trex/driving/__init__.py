@@ -1,0 +1,1 @@
+"""Motor output on the line: setpoints, arming, stops and their confirmation."""

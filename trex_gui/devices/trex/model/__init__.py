@@ -1,0 +1,1 @@
+"""Qt objects that mirror the board; no widgets, no I/O."""

@@ -1,0 +1,107 @@
+"""A stop that nobody asked for, in words: what a TReX has proved of it, and never more."""
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.errors import NoReply, TrexError, sentence
+from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.device import Device
+
+
+class UnaskedStop(QObject):
+    """Stops the motors because of something that happened, and follows what becomes of it.
+
+    Of stops that come one upon the other only the newest is told of.
+
+    Signals:
+        told: what has become of the stop, in sentences that begin with its reason.
+    """
+
+    told = Signal(str)
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._newest = 0
+        self._awaited = ""  # the reason of a stop that nothing is known of yet
+        self._unproved = ""  # the reason of a stop whose proof may still come
+        device.link_changed.connect(self._on_link_changed)
+        device.motors.changed.connect(self._on_motors_changed)
+
+    def stop(self, reason: str) -> str:
+        """Stop and disarm, because of `reason`, a clause without a full stop.
+
+        Return what is known of it at once; empty where no board is connected and none was left
+        with motors that may turn.
+        """
+        self._unproved = ""
+        self._newest += 1
+        if self._device.link is Link.NONE:
+            return self._out_of_reach(reason) if self._device.may_move else ""
+        number, self._awaited = self._newest, reason
+        self._device.stop_motors(
+            lambda error: self._on_stopped(number, reason, error), reason=f"{reason}."
+        )
+        return self.tr("{0}. The stop was sent, and is not confirmed yet.").format(reason)
+
+    # --- What has become of it ----------------------------------------------------------
+
+    def _on_stopped(self, number: int, reason: str, error: TrexError | None) -> None:
+        if number != self._newest:
+            return
+        self._awaited = ""
+        if error is None:
+            self.told.emit(self._proved(reason))
+            return
+        if self._device.may_move:
+            self._unproved = reason
+        self.told.emit(self._not_proved(reason, error))
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        """A stop is sent on until it is proved, or the board is back and has proved it.
+
+        But of one that was asked of a line that had just ended nothing is heard.
+        """
+        if self._device.link is Link.NONE:
+            reason, self._awaited, self._unproved = self._awaited, "", ""
+            if reason:
+                self.told.emit(self._closed(reason))
+        elif self._unproved and self._device.link is Link.UP and not self._device.may_move:
+            reason, self._unproved = self._unproved, ""
+            self.told.emit(self._proved(reason))
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        """Who arms the motors has read what was told; the next proof is that of another stop."""
+        if self._device.motors.armed:
+            self._unproved = ""
+
+    # --- In words -----------------------------------------------------------------------
+
+    def _proved(self, reason: str) -> str:
+        """That the board took the stop means most, but not always, that the motors stand."""
+        by_serial = self._device.telemetry.serial_controls
+        if by_serial is None:  # the board is not read yet, or fell silent behind the proof
+            return self.tr("{0}. The board has confirmed the stop.").format(reason)
+        if not by_serial:
+            return f"{reason}. {BEYOND_A_STOP}"
+        return self.tr("{0}, so the motors were stopped.").format(reason)
+
+    def _not_proved(self, reason: str, error: TrexError) -> str:
+        if isinstance(error, NoReply):  # it says what was sent, and what to do
+            return f"{reason}. {sentence(error)}"
+        text = self.tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
+        return text.format(reason, sentence(error))
+
+    def _closed(self, reason: str) -> str:
+        if self._device.may_move:
+            return self._out_of_reach(reason)
+        return self.tr("{0}. The line is closed.").format(reason)
+
+    def _out_of_reach(self, reason: str) -> str:
+        text = self.tr(
+            "{0}. No board is connected that could be stopped, and motors may still turn: cut "
+            "their power."
+        )
+        return text.format(reason)

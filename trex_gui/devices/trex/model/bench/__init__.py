@@ -1,0 +1,1 @@
+"""Bench tests on the board that is connected."""

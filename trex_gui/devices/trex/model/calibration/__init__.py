@@ -1,0 +1,1 @@
+"""The channel calibrations with their edits."""

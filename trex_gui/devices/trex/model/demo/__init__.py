@@ -1,0 +1,1 @@
+"""The simulated board as the window handles it."""

@@ -1,0 +1,411 @@
+"""The board as the window sees it: the connection to it, and the models that mirror it."""
+
+from collections.abc import Callable, Collection, Mapping
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.explanations import who_controls
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.discovery.reconnect_candidates import where_to_look
+from trex_gui.devices.trex.model.board_state import after_writing, in_force
+from trex_gui.devices.trex.model.connection import Connection, Link
+from trex_gui.devices.trex.model.driving.board_stop import SHUTDOWN, why_the_board_stopped
+from trex_gui.devices.trex.model.driving.drive_controller import AfterStop, Driving
+from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.model.errors import ErrorLog
+from trex_gui.devices.trex.model.event_watch import EventWatch
+from trex_gui.devices.trex.model.parameters.parameters import Column
+from trex_gui.devices.trex.model.settings.apply import Apply
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.model.settings.edit_backup import KeptEdits
+from trex_gui.devices.trex.model.settings.pending_reset import ResetOrder
+from trex_gui.devices.trex.model.telemetry import Telemetry
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Closed,
+    Connected,
+    Expect,
+    Occasion,
+    Outcome,
+    Reload,
+    Write,
+)
+from trex_gui.devices.trex.settings.document import calibration_key
+from trex_gui.devices.trex.settings.factory import factory_settings
+from trex_gui.devices.trex.settings.history import History
+from trex_gui.ui.devices.event_log import Events
+from trex_gui.ui.traffic.model import Transcript
+
+_TIMEOUT = "serial_timeout"
+
+__all__ = ["AfterStop", "Device", "Link"]
+
+
+class Device(QObject):
+    """One board, or none.
+
+    Signals:
+        link_changed: `link`, `status` or `settings`.
+        state_changed: `state` was read anew, or forgotten.
+        progressed: steps done, steps in all, what comes next.
+        failed: why a connection ended or something asked did not work, for people.
+        told: what was done without being asked, for people.
+        applied: the `Written` of everything that Apply tried.
+        sampled: a `Batch`; the models of the device have taken it in.
+        pending_changed: how many edits of parameters and calibrations wait for Apply.
+
+    Attributes:
+        draft: what the board stores and the edits of it; `parameters`, `calibrations` and `undo`
+            are its parts.
+        history: what boards stored before each Apply.
+        events: what happened since the line was opened, on the clock of `telemetry`.
+    """
+
+    link_changed = Signal()
+    state_changed = Signal()
+    progressed = Signal(int, int, str)
+    failed = Signal(str)
+    told = Signal(str)
+    applied = Signal(object)
+    sampled = Signal(object)
+    pending_changed = Signal(int)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.telemetry = Telemetry(self)
+        self.errors = ErrorLog(self)
+        self.draft = SettingsDraft(self)
+        self.undo = self.draft.undo
+        self.parameters = self.draft.parameters
+        self.calibrations = self.draft.calibrations
+        self.history = History()
+        self._apply = Apply(self.draft, self.history, self._ask, self)
+        self.motors = Motors(self)
+        self._connection = Connection(self)
+        self._driving = Driving(self.motors, self._connection, self)
+        self.events = Events(self)
+        self._event_watch = EventWatch(self.events, self.motors, self._connection, self)
+        self.telemetry.watch(self.motors)
+        self._kept = KeptEdits(self.history, self)
+        self._reset_order = ResetOrder()
+        self._state: DeviceState | None = None
+
+        self._connection.changed.connect(self.link_changed)
+        self._connection.answered.connect(self._on_answered)
+        self._connection.settled.connect(self._on_settled)
+        self._connection.silenced.connect(self._on_silenced)
+        self._connection.left.connect(self._on_left)
+        self._connection.sampled.connect(self._on_sampled)
+        self._connection.progressed.connect(self.progressed)
+        self._connection.failed.connect(self.failed)
+        self._driving.proved.connect(self.link_changed)
+        self._driving.failed.connect(self.failed)
+        self.draft.pending_changed.connect(self.pending_changed)
+        self.draft.replacing.connect(self._kept.keep)
+        self._kept.told.connect(self.told)
+        self._kept.failed.connect(self.failed)
+        self._apply.started.connect(self.link_changed)
+        self._apply.finished.connect(self._on_applied)
+        self._apply.failed.connect(self._on_apply_failed)
+
+    # --- What is known ------------------------------------------------------------------
+
+    @property
+    def link(self) -> Link:
+        """How things stand."""
+        return self._connection.link
+
+    @property
+    def status(self) -> str:
+        """How things stand, as a sentence."""
+        return self._connection.status
+
+    @property
+    def settings(self) -> LinkSettings | None:
+        """How the line is, or was last, opened."""
+        return self._connection.settings
+
+    @property
+    def timeouts(self) -> Timeouts:
+        """How long to wait on this line."""
+        settings = self._connection.settings
+        return Timeouts() if settings is None else settings.timeouts
+
+    @property
+    def state(self) -> DeviceState | None:
+        """What the board said of itself; `None` while none answers."""
+        return self._state
+
+    @property
+    def transcript(self) -> Transcript:
+        """Every byte that went over its line."""
+        return self._connection.transcript
+
+    @property
+    def echo(self) -> bool:
+        """Whether everything sent comes back: the RS-232 side of the board."""
+        return self._connection.echo
+
+    @property
+    def port_rates(self) -> frozenset[int] | None:
+        """The baud rates that this computer's port can do; `None`: unknown."""
+        return self._connection.port_rates
+
+    @property
+    def counters(self) -> Counters:
+        """What the line has seen since it was opened."""
+        return self._connection.counters
+
+    def key_of(self, what: str) -> str:
+        """Return the key, as a settings file spells it, of what a `Written` is about."""
+        channel = Written(what).channel
+        return what if channel is None else calibration_key(self.calibrations.source, channel)
+
+    def name_of(self, what: str) -> str:
+        """Return the name for people of what a `Written` is about."""
+        index = self.parameters.index_of(what, Column.NAME)
+        return str(index.data()) if index.isValid() else what
+
+    @property
+    def is_joint(self) -> bool:
+        """Whether both drivers work as one motor now, whatever is stored for the next start."""
+        return self.parameters.active_of("motor_mode") == 1
+
+    @property
+    def control_text(self) -> str:
+        """Who controls the motors, as a sentence; empty while no board answers."""
+        if self._state is None or self.link is not Link.UP:
+            return ""
+        seen = self.telemetry.serial_controls
+        by_serial = self._state.serial_controls if seen is None else seen
+        return who_controls(self._state.mode, by_serial, joint=self.is_joint)
+
+    @property
+    def reset_ordered(self) -> bool:
+        """Whether the board was told to put its parameters back when it starts the next time.
+
+        What is written before that is wiped then.
+        """
+        return self._reset_order.stands
+
+    @property
+    def may_move(self) -> bool:
+        """Whether motors were driven and no stop was proved since, connected or not."""
+        return self._driving.may_move
+
+    @property
+    def serial_timeout_s(self) -> float | None:
+        """Seconds of silence after which the board stops its motors by itself, 0 for never.
+
+        `None` while no board answers, or where it was not read.
+        """
+        wire = None if self._state is None else self._state.parameters.get(_TIMEOUT)
+        if self._state is None or wire is None or self.link is not Link.UP:
+            return None
+        return wire * self._state.specs[_TIMEOUT].scale
+
+    @property
+    def timeout_off(self) -> bool:
+        """Whether motors would go on when the cable or this computer fails."""
+        return self.serial_timeout_s == 0
+
+    @property
+    def applying(self) -> bool:
+        """Whether edits are being written."""
+        return self._apply.running
+
+    # --- What a person does -------------------------------------------------------------
+
+    def connect_to(self, settings: LinkSettings) -> None:
+        """Open a line and read everything; ends in `Link.UP` or in `failed`.
+
+        A line that is open is closed first.
+        """
+        self._connection.open(settings, may_move=self.may_move)
+
+    def disconnect_line(self) -> None:
+        """Stop the motors if they were driven, and close the line; does not wait for it."""
+        self._connection.close()
+
+    def shut_down(self) -> bool:
+        """Close the line and wait for it, at most a second; return whether it ended in time.
+
+        For the end of the program only; see `Line.shut_down`.
+        """
+        return self._connection.shut_down()
+
+    def stop_motors(self, then: AfterStop, reason: str = "") -> None:
+        """Stop everything and disarm; `then` is told whether the board has proved it, once.
+
+        Where the line ends before that, `then` is not called; `link_changed` tells.
+        """
+        self._driving.stop(then, reason)
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every motor, from any thread and without telling anybody; see `Line.stop_now`."""
+        self._driving.stop_now(ending=ending)
+
+    def set_serial_timeout(self, seconds: float) -> None:
+        """Write how long the board waits for a byte before it stops its motors, 0 for ever.
+
+        Only that is written, at once, after a snapshot, and read back; `applied` tells how it
+        went.
+
+        Raises:
+            BadRequest: the board cannot wait so long.
+        """
+        if self._state is None or not self._connection.is_open:
+            self.failed.emit(self.tr("No board is connected."))
+            return
+        spec = self._state.specs[_TIMEOUT]
+        self._apply.store(
+            self._state, self.settings, _TIMEOUT, spec.check(round(seconds / spec.scale))
+        )
+
+    def reload(self) -> None:
+        """Read everything from the board again."""
+        self._ask(Reload, self._on_reloaded)
+
+    def apply(self, only: Collection[str] | None = None) -> None:
+        """Write every edit, or those with these keys, and read it back; see `Apply.start`.
+
+        `applied` tells how it went. Before the first byte the line session is told where else
+        to look for the board, since its power may fail right behind the write.
+        """
+        if self._state is not None and self._connection.is_open and not self.reset_ordered:
+            self._expect_after(self.parameters.all_shown)
+            self._apply.start(self._state, self.settings, only)
+
+    def reset_to_factory(self) -> None:
+        """Let the board put every parameter back at its next start; a snapshot is saved first.
+
+        Edits that wait are dropped: they were made to what will be gone. `applied` tells how it
+        went.
+        """
+        if self._state is None or not self._connection.is_open or self.applying:
+            return
+        defaults = factory_settings(self._state.signature.model, self._state.signature.firmware)
+        self._expect_after(defaults.parameters)
+        if self._apply.reset(self._state, self.settings):
+            self.draft.discard_edits()
+
+    def note_power_cycled(self) -> None:
+        """Take a person's word that the board was switched off and on."""
+        self._reset_order.forget()
+        if self._state is not None:
+            self.draft.take_state(self._state, power_cycled=True)
+            self.parameters.note_in_force(in_force(self._state, self.settings))
+            self.state_changed.emit()
+            self.link_changed.emit()
+
+    def _expect_after(self, stored: Mapping[str, int]) -> None:
+        """Look for the board where it will be with these values, too, should it fall silent."""
+        if self._state is None or self.settings is None:
+            return
+        firmware = self._state.signature.firmware
+        self.expect(where_to_look(self.settings, self._state.parameters, stored, firmware))
+
+    def expect(self, settings: tuple[LinkSettings, ...]) -> None:
+        """Name where else to look for the board when it falls silent; replaces what was named."""
+        self._connection.submit(Expect(settings))
+
+    @property
+    def pending(self) -> int:
+        """How many edits of parameters and calibrations wait for Apply."""
+        return self.draft.pending
+
+    def discard_edits(self) -> None:
+        """Go back to what the board stores; one step to undo."""
+        self.draft.discard_edits()
+
+    # --- Requests and their outcomes ----------------------------------------------------
+
+    def _ask(self, make: Callable[[int], Reload | Write], then: Callable[[Outcome], None]) -> None:
+        if not self._connection.ask(make, then):
+            self.failed.emit(self.tr("No board is connected."))
+
+    def _on_reloaded(self, outcome: Outcome) -> None:
+        if outcome.error is not None:
+            self.failed.emit(self.tr("Reading again failed. {0}").format(outcome.error))
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[Written, ...]) -> None:
+        self._note_written(results)
+        self.link_changed.emit()
+        names = tuple(self.name_of(result.what) for result in results)
+        self._event_watch.note_applied(results, names)
+        self.applied.emit(results)
+
+    @Slot(str)
+    def _on_apply_failed(self, reason: str) -> None:
+        self.link_changed.emit()
+        self.failed.emit(reason)
+
+    def _note_written(self, results: tuple[Written, ...]) -> None:
+        """Let `state` say what the board holds now."""
+        if self._state is None:
+            return
+        self._reset_order.note_written(results, self._state.parameters)
+        self._state = after_writing(self._state, results)
+        self._connection.note_stored(self._state.parameters)
+        self.state_changed.emit()
+
+    # --- Reports from the line ----------------------------------------------------------
+
+    @Slot(object)
+    def _on_answered(self, report: Connected) -> None:
+        state, occasion = report.state, report.occasion
+        self._state = state
+        if occasion is Occasion.OPENED:
+            if self.pending and self.parameters.model_key == state.signature.model.key:
+                text = self.tr("Edits made before wait here: {0}. Apply writes them to this board.")
+                self.told.emit(text.format(self.pending))
+            self.telemetry.begin(state.signature.model.current_unit)
+        self.telemetry.note_control(state.serial_controls)
+        self._reset_order.note_read(state.parameters, power_cycled=occasion.power_cycled)
+        self.draft.take_state(state, power_cycled=occasion.power_cycled)
+        self.parameters.note_in_force(in_force(state, report.settings))
+
+    @Slot()
+    def _on_settled(self) -> None:
+        self._follow_control()
+        self.state_changed.emit()
+
+    @Slot(object)
+    def _on_sampled(self, batch: Batch) -> None:
+        for sample in batch.samples:
+            if isinstance(sample, StatusNews):
+                self.errors.take(sample)
+                self._follow_board_stop(sample)
+        self.telemetry.take(batch)
+        self._follow_control()
+        self.sampled.emit(batch)
+
+    def _follow_board_stop(self, news: StatusNews) -> None:
+        """Wish nothing any more of motors that the board has stopped by itself."""
+        errors_stop = bool(self._state and self._state.parameters.get(SHUTDOWN))
+        why = why_the_board_stopped(news, errors_stop=errors_stop)
+        if why and self.motors.text:
+            self.motors.stop(why)
+
+    def _follow_control(self) -> None:
+        self._driving.follow(by_serial=bool(self.telemetry.serial_controls))
+
+    @Slot()
+    def _on_silenced(self) -> None:
+        self.telemetry.forget()
+        self.parameters.set_editable(False)
+
+    @Slot(object)
+    def _on_left(self, _last: Closed | None) -> None:
+        """Know nothing of any board any more."""
+        self._state = None
+        self._apply.forget()
+        self.telemetry.forget()
+        self.parameters.set_editable(False)
+        self.state_changed.emit()

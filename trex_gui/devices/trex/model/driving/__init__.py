@@ -1,0 +1,1 @@
+"""Driving by hand: setpoints from sliders, pad, keys and gamepads."""

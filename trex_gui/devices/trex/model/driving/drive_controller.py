@@ -1,0 +1,193 @@
+"""When the motors may be driven, wishes on their way to the line, and stops with their proof."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.errors import NoReply, TrexError
+from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
+from trex_gui.devices.trex.driving.arming import PULSE_INTERVAL
+from trex_gui.devices.trex.model.connection import Connection, Link
+from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import (
+    Arm,
+    Closed,
+    Connected,
+    Halted,
+    MotorRequest,
+    Occasion,
+    Outcome,
+    Pulse,
+    Stop,
+)
+from trex_gui.ui.runtime import now, runtime
+
+AfterStop = Callable[[TrexError | None], None]
+"""Gets `None` when a stop is proved, else why it is not."""
+
+
+class Driving(QObject):
+    """Stands between the motors that a person drives and the connection to the board.
+
+    Signals:
+        proved: a stop was; `may_move` tells whether a wish was let through meanwhile.
+        failed: why a stop is not proved, or why nobody asked for one, for people.
+    """
+
+    proved = Signal()
+    failed = Signal(str)
+
+    def __init__(
+        self, motors: Motors, connection: Connection, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._motors = motors
+        self._connection = connection
+        self._may_move = False
+        self._was_armed = False
+        self._by_serial = True
+        self._lost_with: LinkSettings | None = None  # the line behind which motors may turn
+        self._after_stop: list[AfterStop] = []
+        self._pulse = runtime().timer(self)
+        self._pulse.setInterval(round(PULSE_INTERVAL * 1000))
+
+        self._pulse.timeout.connect(self._on_pulse_due)
+        motors.changed.connect(self._on_motors_changed)
+        motors.requested.connect(self._on_drive_requested)
+        motors.stop_requested.connect(self._on_stop_requested)
+        connection.answered.connect(self._on_answered)
+        connection.closing.connect(self._on_out_of_reach)
+        connection.silenced.connect(self._on_out_of_reach)
+        connection.left.connect(self._on_left)
+        connection.settled.connect(self._tell_of_the_lost)
+        connection.halted.connect(self._on_halted)
+
+    @property
+    def may_move(self) -> bool:
+        """Whether motors were driven and no stop was proved since, connected or not."""
+        return self._may_move
+
+    def follow(self, *, by_serial: bool) -> None:
+        """Let the motors be armed only while this program's commands reach them.
+
+        Where channels are in control the board keeps a command until channel 5 hands over:
+        what was meant for now would start later.
+        """
+        self._by_serial = by_serial
+        is_up = self._connection.link is Link.UP
+        allowed = is_up and by_serial
+        if allowed != self._motors.can_arm:
+            if not allowed and self._motors.armed and is_up:
+                self._motors.stop(self.tr("Serial commands do not reach the motors any more."))
+            self._motors.allow(allowed)
+
+    def stop_now(self, *, ending: bool = False) -> None:
+        """Stop every motor, from any thread; `Motors.stop` has to follow in that of the window."""
+        self._connection.stop_now(ending=ending)
+
+    def stop(self, then: AfterStop, reason: str = "") -> None:
+        """Stop everything and disarm; `then` is told whether the board has proved it, once.
+
+        Where the line ends before that, `then` is not called.
+        """
+        self._after_stop.append(then)
+        self._motors.stop(reason)
+
+    # --- Wishes and stops ---------------------------------------------------------------
+
+    @Slot(object)
+    def _on_drive_requested(self, wish: MotorRequest) -> None:
+        if self._connection.submit(wish):
+            self._may_move = True
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        armed, was_armed = self._motors.armed, self._was_armed
+        self._was_armed = armed
+        if armed and not was_armed:
+            self._connection.submit(Arm())
+            self._pulse.start()
+        elif not armed:
+            self._pulse.stop()
+
+    @Slot()
+    def _on_pulse_due(self) -> None:
+        self._connection.submit(Pulse(now()))
+
+    @Slot()
+    def _on_stop_requested(self) -> None:
+        waiting, self._after_stop = self._after_stop, []
+
+        def tell(outcome: Outcome) -> None:
+            self._on_stopped(outcome)
+            for then in waiting:
+                then(outcome.error)
+
+        lockout = self._motors.locked_for
+        if not self._connection.ask(lambda number: Stop(number, lockout), tell):
+            for then in waiting:
+                then(NoReply(self.tr("No board is connected.")))
+
+    def _on_stopped(self, outcome: Outcome) -> None:
+        if outcome.error is None:
+            # A wish that was let through meanwhile is a motor that moves again.
+            self._may_move = self._motors.armed
+            self.proved.emit()
+            self._tell_of_the_lost()
+            if self._connection.link is Link.UP and not self._by_serial:
+                self.failed.emit(BEYOND_A_STOP)
+        elif self._connection.link is not Link.CLOSING:
+            self.failed.emit(str(outcome.error))
+
+    @Slot(object)
+    def _on_halted(self, report: Halted) -> None:
+        if report.reason:
+            if report.proved:
+                text = self.tr("{0} The motors were stopped. Press Run motor to go on.")
+            else:
+                text = self.tr("{0} A stop was sent, and is not confirmed yet.")
+            self.failed.emit(text.format(report.reason))
+            self._motors.stop(report.reason)
+        if report.proved:
+            self._may_move = self._motors.armed
+            self.proved.emit()
+            self._tell_of_the_lost()
+
+    # --- The board comes and goes -------------------------------------------------------
+
+    @Slot(object)
+    def _on_answered(self, report: Connected) -> None:
+        if report.occasion is not Occasion.RELOADED:
+            if report.may_move or self._motors.armed:
+                # Armed motors tell nobody: wishes of this moment may be on their way still.
+                restarted = self.tr("The board was restarted, so the motors were stopped.")
+                self._motors.stop(restarted if report.occasion.power_cycled else "")
+            self._may_move = report.may_move
+            self._motors.allow(False)
+
+    @Slot()
+    def _on_out_of_reach(self) -> None:
+        self._motors.allow(False)
+
+    @Slot(object)
+    def _on_left(self, last: Closed | None) -> None:
+        if last is not None:
+            self._may_move = last.may_move
+            if last.may_move and self._lost_with is None:
+                self._lost_with = self._connection.settings
+        self._motors.allow(False)
+
+    @Slot()
+    def _tell_of_the_lost(self) -> None:
+        """A board that stands now need not be the one whose line was lost with turning motors."""
+        lost, now = self._lost_with, self._connection.settings
+        if lost is None or self._may_move or self._connection.link is not Link.UP:
+            return
+        self._lost_with = None
+        if now is not None and now.url != lost.url:
+            text = self.tr(
+                "The line to {0} was lost before a stop was confirmed. The board at this port has "
+                "confirmed one; if it is another board, cut the power of the first."
+            )
+            self.failed.emit(text.format(lost.name or lost.url))

@@ -1,0 +1,294 @@
+"""A gamepad that drives: which one, how it is set up, and when the motors listen to it."""
+
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.driving.gamepad_text import GamepadWords
+from trex_gui.devices.trex.model.driving.momentary_drive import HeldDrive
+from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadSource, PadState
+from trex_gui.gamepad.pilot import Ask, Pilot, Waits
+from trex_gui.gamepad.profile import Profile, default_profile, read_profile
+from trex_gui.ui.runtime import runtime
+
+HOLDER = "gamepad"
+"""The name under which a gamepad holds the motors."""
+
+STEP_MS = 17
+"""How often it is looked at: some 59 times a second, as often as a screen shows anything."""
+
+_NOTHING = Ask(0.0, 0.0, Waits.REST, stop=False)
+
+
+class Gamepad(QObject):
+    """Reads gamepads while it is switched on, and wishes speeds in their name.
+
+    It drives while `attended`; its stop button works all the while that it is switched on.
+    One gamepad is read at a time. What its parts are for is remembered for each kind.
+
+    Signals:
+        changed: which gamepads there are, which is read, its profile, an option, or `text`.
+        moved: `state` and `ask`; many times a second while somebody touches it.
+    """
+
+    changed = Signal()
+    moved = Signal()
+
+    def __init__(self, device: Device, source: PadSource, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._motors = device.motors
+        self._drive_with = HeldDrive(device.motors, HOLDER, self)
+        self._source = source
+        self._store = QSettings(self)
+        self._words = GamepadWords(self)
+        self._on = False
+        self._failure = ""
+        self._gone = ""
+        self._pads: tuple[Pad, ...] = ()
+        self._pad: Pad | None = None
+        self._profile = Profile()
+        self._pilot = Pilot(self._profile)
+        self._state: PadState | None = None
+        self._ask = _NOTHING
+        self._looked = False  # since the pilot began
+        self._unattended = ""
+        self._armed = self._motors.armed
+        self._text = ""
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(STEP_MS)
+        self._timer.timeout.connect(self._on_step)
+        self._motors.changed.connect(self._on_motors_changed)
+        self.destroyed.connect(source.close)
+        self._tell()
+
+    # --- What is known ------------------------------------------------------------------
+
+    @property
+    def on(self) -> bool:
+        """Whether gamepads are read."""
+        return self._on
+
+    @property
+    def failure(self) -> str:
+        """Why gamepads could not be switched on, and what helps; empty when they could."""
+        return self._failure
+
+    @property
+    def has_gone(self) -> bool:
+        """Whether the gamepad that was read has gone, and no other has come."""
+        return bool(self._gone)
+
+    @property
+    def pads(self) -> tuple[Pad, ...]:
+        """The gamepads that are there."""
+        return self._pads
+
+    @property
+    def pad(self) -> Pad | None:
+        """The one that is read."""
+        return self._pad
+
+    @property
+    def profile(self) -> Profile:
+        """What its parts are for."""
+        return self._profile
+
+    @property
+    def state(self) -> PadState | None:
+        """What it shows; `None` while none is read."""
+        return self._state
+
+    @property
+    def ask(self) -> Ask:
+        """What it asks for, whether the motors listen or not."""
+        return self._ask
+
+    @property
+    def drives(self) -> bool:
+        """Whether the motors do what it asks for now."""
+        return self._drive_with.held
+
+    @property
+    def text(self) -> str:
+        """What it does or waits for, as a sentence; empty while it is switched off."""
+        return self._text
+
+    @property
+    def stops_unfocused(self) -> bool:
+        """Whether motors that it drives stop when the window loses the focus."""
+        return bool(self._store.value("gamepad/stops_unfocused", defaultValue=True, type=bool))
+
+    # --- What a person does -------------------------------------------------------------
+
+    def switch_on(self) -> None:
+        """Begin to read gamepads; `failure` tells where that cannot be."""
+        if self._on:
+            return
+        try:
+            self._source.open()
+        except GamepadUnavailable as unavailable:
+            self._failure = str(unavailable)
+        else:
+            self._failure = self._gone = ""
+            self._on = True
+            self._timer.start()
+            self._look()
+        self._tell()
+        self.changed.emit()
+
+    def switch_off(self) -> None:
+        """Read none any more; motors that one drives stop."""
+        self._failure = ""
+        if self._on:
+            self._on = False
+            self._gone = ""
+            self._timer.stop()
+            self._lose(self.tr("Driving with a gamepad was switched off."))
+            self._pads = ()
+            self._take(None)
+            self._source.close()
+        self._tell()
+        self.changed.emit()
+
+    def choose(self, pad: Pad) -> None:
+        """Read this one from now on; motors that another drives stop."""
+        if pad in self._pads and pad != self._pad:
+            self._store.setValue("gamepad/last", pad.guid)
+            self._lose(self.tr("Another gamepad was chosen."))
+            self._take(pad)
+            self._tell()
+            self.changed.emit()
+
+    def set_profile(self, profile: Profile) -> None:
+        """Use the parts of this kind of gamepad so, now and later; motors that it drives stop."""
+        if self._pad is not None and profile != self._profile:
+            self._lose(self.tr("The gamepad was set up anew."))
+            self._store.setValue(f"gamepad/profiles/{self._pad.guid}", profile.to_text())
+            self._use(profile)
+            self._tell()
+            self.changed.emit()
+
+    def set_stops_unfocused(self, stops: bool) -> None:
+        """Let motors that a gamepad drives stop, or not, when the window loses the focus."""
+        self._store.setValue("gamepad/stops_unfocused", stops)
+        self.changed.emit()
+
+    def attend(self, reason: str) -> None:
+        """Say why nobody looks at what the gamepad drives; empty: somebody does.
+
+        Motors that it drives stop with that reason, and none can be driven until it is empty.
+        """
+        if reason != self._unattended:
+            self._unattended = reason
+            if reason:
+                self._lose(reason)
+            self._begin()
+            self._tell()
+            self.changed.emit()
+
+    # --- As time goes -------------------------------------------------------------------
+
+    @Slot()
+    def _on_step(self) -> None:
+        self._look()
+        pad = self._pad
+        if pad is None:
+            self._tell()
+            return
+        state = self._source.read(pad)
+        if state is None:  # gone since the look, or still there and mute: nobody holds it
+            self._miss(pad)
+            self.changed.emit()
+            self._tell()
+            return
+        self._ask = self._pilot.take(state)
+        self._looked = True
+        if self._ask.stop:
+            self._motors.press_stop()
+        else:
+            self._drive()
+        if state != self._state:
+            self._state = state
+            self.moved.emit()
+        self._tell()
+
+    def _look(self) -> None:
+        """Take notice of gamepads that came or went."""
+        pads = self._source.pads()
+        if pads == self._pads:
+            return
+        self._pads = pads
+        if self._pad is not None and self._pad not in pads:
+            self._miss(self._pad)
+        if self._pad is None and pads:
+            last = str(self._store.value("gamepad/last", ""))
+            self._gone = ""
+            self._take(next((pad for pad in pads if pad.guid == last), pads[0]))
+        self.changed.emit()
+
+    def _miss(self, pad: Pad) -> None:
+        """Stop what this one drives, and read it no more; the next look may find another."""
+        self._gone = pad.name
+        self._take(None)
+        self._lose(self.tr("The gamepad “{0}” has gone.").format(self._gone))
+
+    def _drive(self) -> None:
+        if self._unattended or not self._motors.armed:
+            return
+        self._drive_with.joint = self._device.is_joint
+        if not self._ask.drives:
+            self._drive_with.let_go()
+        elif not self._drive_with.steer(self._ask.forward, self._ask.turn):
+            self._begin()  # it is another's turn: later, the button has to be pressed anew
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        if self._motors.armed != self._armed:
+            self._armed = self._motors.armed
+            self._begin()
+            self._tell()
+
+    def _begin(self) -> None:
+        """Let sticks and button prove themselves anew, from the next look on."""
+        self._pilot.begin()
+        self._looked = False
+
+    def _lose(self, reason: str) -> None:
+        self._drive_with.lose(reason)
+
+    def _take(self, pad: Pad | None) -> None:
+        """Read this one, or none, from now on."""
+        self._pad = pad
+        self._state, self._ask = None, _NOTHING
+        if pad is not None:
+            stored = read_profile(str(self._store.value(f"gamepad/profiles/{pad.guid}", "")))
+            fits = stored is not None and stored.fits(pad)
+            self._use(stored if stored is not None and fits else default_profile(pad))
+        self.moved.emit()
+
+    def _use(self, profile: Profile) -> None:
+        self._profile = profile
+        self._pilot = Pilot(profile)
+        self._looked = False
+
+    def _tell(self) -> None:
+        text = self._say()
+        if text != self._text:
+            self._text = text
+            self.changed.emit()
+
+    def _say(self) -> str:
+        words = self._words
+        if not self._on:
+            return self._failure
+        if self._pad is None:
+            return words.gone(self._gone) if self._gone else words.none_there()
+        if self._unattended:
+            return self._unattended
+        if not self._motors.armed:
+            return words.not_armed(self._pad, self._profile)
+        if self._motors.holder and not self.drives:
+            return words.taken()
+        if not self._looked:
+            return self._text
+        return words.waits(self._ask.waits, self._pad, self._profile)

@@ -1,0 +1,100 @@
+"""Notes what happens to a board: stops, Apply, faults, a line that is lost and comes back."""
+
+from PySide6.QtCore import QObject, Slot
+
+from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.connection import Connection
+from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
+from trex_gui.devices.trex.session.messages import Batch, Closed, Connected, Occasion
+from trex_gui.ui.devices.event_log import EventKind, Events
+
+GOES_ON = 1.0
+"""Seconds within which a bit that is seen again is the same event going on.
+
+A fault that lasts latches its bit anew right after each reading, ten times a second.
+"""
+
+_KINDS: dict[Status, EventKind] = {
+    Status.MOTOR1_FAULT: EventKind.FAULT,
+    Status.MOTOR2_FAULT: EventKind.FAULT,
+    Status.MOTOR1_OVER_LIMIT: EventKind.OVER_LIMIT,
+    Status.MOTOR2_OVER_LIMIT: EventKind.OVER_LIMIT,
+}
+_NAMED = 3
+"""Written settings that an event names; the rest are counted."""
+
+
+class EventWatch(QObject):
+    """Stands beside the models of one board and adds to its list of events."""
+
+    def __init__(
+        self, events: Events, motors: Motors, connection: Connection, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._events = events
+        self._motors = motors
+        self._seen: dict[str, float] = {}
+        motors.stop_requested.connect(self._on_stop_requested)
+        connection.answered.connect(self._on_answered)
+        connection.silenced.connect(self._on_silenced)
+        connection.left.connect(self._on_left)
+        connection.sampled.connect(self._on_sampled)
+
+    def note_applied(self, results: tuple[Written, ...], names: tuple[str, ...]) -> None:
+        """Note what Apply has written; `names` are those of `results`, for people."""
+        done = [name for name, one in zip(names, results, strict=True) if one.error is None]
+        failed = len(results) - len(done)
+        text = ", ".join(done[:_NAMED])
+        if len(done) > _NAMED:
+            text = self.tr("{0} and {1} more").format(text, len(done) - _NAMED)
+        if failed:
+            text = self.tr("{0} ({1} failed)").format(text, failed).strip()
+        self._events.add(EventKind.APPLY, self.tr("Apply: {0}").format(text))
+
+    @Slot()
+    def _on_stop_requested(self) -> None:
+        reason = self._motors.stop_reason
+        text = self.tr("Stop: {0}").format(reason) if reason else self.tr("Stop")
+        self._events.add(EventKind.STOP, text)
+
+    @Slot(object)
+    def _on_answered(self, report: Connected) -> None:
+        match report.occasion:
+            case Occasion.OPENED:
+                self._events.clear()
+                self._seen.clear()
+            case Occasion.RETURNED:
+                self._events.add(EventKind.LINK, self.tr("The board answers again"))
+            case Occasion.MODE_CHANGED:
+                self._events.add(EventKind.LINK, self.tr("The board was switched off and on"))
+            case Occasion.RELOADED:
+                pass
+
+    @Slot()
+    def _on_silenced(self) -> None:
+        self._events.add(EventKind.LINK, self.tr("The board stopped answering"))
+
+    @Slot(object)
+    def _on_left(self, _last: Closed | None) -> None:
+        self._events.add(EventKind.LINK, self.tr("Disconnected"))
+
+    @Slot(object)
+    def _on_sampled(self, batch: Batch) -> None:
+        for sample in batch.samples:
+            if isinstance(sample, StatusNews):
+                self._note_bits(sample)
+
+    def _note_bits(self, news: StatusNews) -> None:
+        for bit, kind in _KINDS.items():
+            if news.status & bit:
+                self._note_bit(kind, STATUS_MEANING[bit][0], news.time)
+        if news.uart & UartError.TIMEOUT:
+            self._note_bit(EventKind.TIMEOUT, UART_MEANING[UartError.TIMEOUT][0], news.time)
+
+    def _note_bit(self, kind: EventKind, name: str, time: float) -> None:
+        before = self._seen.get(name)
+        self._seen[name] = time
+        if before is None or time - before > GOES_ON:
+            self._events.add(kind, name, time)

@@ -1,0 +1,1 @@
+"""Learning channels from the sticks, step by step."""

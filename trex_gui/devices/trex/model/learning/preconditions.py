@@ -1,0 +1,109 @@
+"""Whether sticks may be pushed about without moving a motor, and what ends that."""
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.flags import InputSource
+
+
+class LearningGuard(QObject):
+    """Watches a board whose channels are learned or tested.
+
+    In RC and analog mode the sticks drive the motors, and the board takes no settings: there
+    is no learning there, asked or not. Serial override (channel 5) changes nothing about that;
+    the next move of its switch gives the motors back to the sticks.
+    Ref: Pololu TReX User's Guide 4.a; command documentation 0x82, 0xA0-0xA4, 0xAF.
+
+    Signals:
+        broken: why it cannot go on, as a sentence; once, and only between `begin` and `end`.
+
+    Armed motors end it only while sticks are to be moved: who looks at a result may drive.
+    """
+
+    broken = Signal(str)
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._watching = False
+        self._with_motors = False
+        self._source: InputSource | None = None
+
+        device.link_changed.connect(self._on_link_changed)
+        device.state_changed.connect(self._on_state_changed)
+        device.motors.changed.connect(self._on_motors_changed)
+        device.telemetry.updated.connect(self._on_updated)
+
+    @property
+    def source(self) -> InputSource:
+        """What the inputs are read as."""
+        return self._source or self._device.calibrations.source
+
+    def begin(self) -> None:
+        """Watch from now on."""
+        self._watching = True
+        self._source = self._device.calibrations.source
+
+    def end(self) -> None:
+        """Watch no longer."""
+        self._watching = False
+
+    def watch_motors(self, watch: bool) -> None:
+        """Say whether armed motors end it; those that are already do it at once."""
+        self._with_motors = watch
+        self._on_motors_changed()
+
+    def why_not(self) -> str:
+        """Say why nobody should push sticks now; empty when they move nothing."""
+        state = self._device.state
+        if self._device.link is not Link.UP or state is None:
+            return self.tr("Connect to a board first.")
+        if not state.mode.is_serial:
+            mode = state.mode.source.value
+            if self._device.telemetry.serial_controls:
+                why = self.tr(
+                    "The board is in {0} mode. Channel 5 has given the motors to the serial "
+                    "line, but with the next move of its switch the sticks drive the motors "
+                    "again; and the board takes no settings."
+                )
+            else:
+                why = self.tr(
+                    "The board is in {0} mode: the sticks drive the motors, and it takes no "
+                    "settings."
+                )
+            what = self.tr("Switch it off, take the mode jumper off, switch it on.")
+            return f"{why.format(mode)} {what}"
+        if self._device.applying:
+            return self.tr("Settings are being written.")
+        return ""
+
+    def _break(self, text: str) -> None:
+        if self._watching:
+            self.end()
+            self.broken.emit(text)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        link = self._device.link
+        if link is Link.SILENT:
+            self._break(self.tr("The board has stopped answering: its power or its cable was cut."))
+        elif link is not Link.UP:
+            self._break(self.tr("The line to the board is gone."))
+
+    @Slot()
+    def _on_state_changed(self) -> None:
+        state = self._device.state
+        if state is None:
+            self._break(self.tr("The line to the board is gone."))
+        elif not state.mode.is_serial or state.source is not self._source:
+            self._break(self.tr("The board was started in another mode. ") + self.why_not())
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        if self._with_motors and self._device.motors.armed:
+            self._break(self.tr("The motors were armed, so this has ended."))
+
+    @Slot()
+    def _on_updated(self) -> None:
+        if self._device.telemetry.serial_controls is False:
+            self._break(self.tr("The sticks drive the motors now: the channels are in control."))

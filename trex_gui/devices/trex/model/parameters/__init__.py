@@ -1,0 +1,1 @@
+"""The parameters with their edits, as a Qt model."""

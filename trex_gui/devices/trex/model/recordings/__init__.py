@@ -1,0 +1,1 @@
+"""Recording a board and playing a recording back."""

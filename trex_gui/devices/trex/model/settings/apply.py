@@ -1,0 +1,132 @@
+"""Writing edits into the board: a snapshot first, then every value written and read back."""
+
+from collections.abc import Callable, Collection
+from typing import cast
+
+from PySide6.QtCore import QObject, Signal
+
+from trex_gui.core.errors import sentence
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.session.messages import Outcome, Write
+from trex_gui.devices.trex.settings.document import calibration_key
+from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.history import History
+
+Ask = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
+"""Sends a request that it gives a number, and calls back with its outcome."""
+
+
+class Apply(QObject):
+    """One Apply after another; what did not stick stays an edit.
+
+    Signals:
+        started: it is being written.
+        finished: the `Written` of everything that was tried; the draft has taken them in.
+        failed: why nothing, or nothing more, was written, for people.
+    """
+
+    started = Signal()
+    finished = Signal(object)
+    failed = Signal(str)
+
+    def __init__(
+        self, draft: SettingsDraft, history: History, ask: Ask, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._draft = draft
+        self._history = history
+        self._ask = ask
+        self._running = False
+
+    @property
+    def running(self) -> bool:
+        """Whether edits are being written."""
+        return self._running
+
+    def start(
+        self, state: DeviceState, link: LinkSettings | None, only: Collection[str] | None = None
+    ) -> None:
+        """Write the edits, or those of them with the keys that a settings file would give them.
+
+        A snapshot of what the board stores is saved first; without one nothing is written.
+        """
+        parameters = tuple(
+            (key, wire)
+            for key, wire in self._draft.parameters.pending
+            if only is None or key in only
+        )
+        calibrations = tuple(
+            (channel, wanted)
+            for channel, wanted in self._draft.calibrations.pending
+            if only is None or calibration_key(state.source, channel) in only
+        )
+        count = len(parameters) + len(calibrations)
+        reason = self.tr("Apply of 1 setting")
+        if count != 1:
+            reason = self.tr("Apply of {0} settings").format(count)
+        if count:
+            self._write(state, link, reason, parameters, calibrations)
+
+    def store(self, state: DeviceState, link: LinkSettings | None, key: str, wire: int) -> bool:
+        """Write one parameter at once; edits of others go on waiting.
+
+        Return whether it is on its way.
+        """
+        reason = self.tr("{0} set").format(state.specs[key].name)
+        return self._write(state, link, reason, ((key, wire),), ())
+
+    def reset(self, state: DeviceState, link: LinkSettings | None) -> bool:
+        """Let the board put every parameter back to the factory's value at its next start.
+
+        Its answer is the only proof until then: the order cannot be read back. Return whether
+        the order is on its way.
+        """
+        order = state.specs["factory_reset"]
+        reason = self.tr("Reset to the factory's parameters")
+        return self._write(state, link, reason, ((order.key, order.maximum),), ())
+
+    def _write(
+        self,
+        state: DeviceState,
+        link: LinkSettings | None,
+        reason: str,
+        parameters: tuple[tuple[str, int], ...],
+        calibrations: tuple[tuple[int, Calibration], ...],
+    ) -> bool:
+        if self._running or not self._keep(state, link, reason):
+            return False
+        self._running = True
+        self._ask(lambda number: Write(number, parameters, calibrations), self._on_written)
+        if self._running:
+            self.started.emit()
+        return self._running
+
+    def _keep(self, state: DeviceState, link: LinkSettings | None, reason: str) -> bool:
+        """Save what the board stores before it is changed; return whether that worked."""
+        adapter = "" if link is None else link.name or link.url
+        try:
+            self._history.take(settings_of(state), adapter=adapter, reason=reason)
+        except SettingsError as error:
+            text = self.tr("Nothing was written, since no snapshot could be saved first. {0}")
+            self.failed.emit(text.format(sentence(error)))
+            return False
+        return True
+
+    def forget(self) -> None:
+        """Expect no answer any more: the line is closed, which others tell."""
+        self._running = False
+
+    def _on_written(self, outcome: Outcome) -> None:
+        self._running = False
+        if outcome.error is not None:
+            self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
+            return
+        results = cast("tuple[Written, ...]", outcome.value)
+        self._draft.parameters.take_results(results)
+        self._draft.calibrations.take_results(results)
+        self.finished.emit(results)

@@ -1,0 +1,122 @@
+"""Switching a board off and on so that what it stores becomes active, step by step."""
+
+from enum import Enum, auto
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.settings.factory import factory_settings
+from trex_gui.ui.runtime import runtime
+
+_LONG = 10_000
+"""Milliseconds without news after which there is something to say about it."""
+
+
+class Stage(Enum):
+    """How far a power cycle is.
+
+    A silence is taken for a power cut: nothing that the board says tells them apart.
+    """
+
+    NONE = auto()
+    OFF_WANTED = auto()
+    ON_WANTED = auto()
+    BACK = auto()
+    LOST = auto()
+    UNSURE = auto()
+
+
+class PowerCycle(QObject):
+    """Watches the link while a person switches the power; the switch itself is theirs.
+
+    Signals:
+        changed: `stage`, `takes_long`, `expected` or `still_waiting`.
+    """
+
+    changed = Signal()
+
+    def __init__(self, device: Device, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+        self._stage = Stage.NONE
+        self._takes_long = False
+        self._expected: LinkSettings | None = None
+        self._patience = runtime().timer(self)
+        self._patience.setSingleShot(True)
+        self._patience.setInterval(_LONG)
+
+        self._patience.timeout.connect(self._on_patience_ended)
+        device.link_changed.connect(self._on_link_changed)
+
+    @property
+    def stage(self) -> Stage:
+        """How far it is."""
+        return self._stage
+
+    @property
+    def takes_long(self) -> bool:
+        """Whether nothing has happened for so long that a word of help is due."""
+        return self._takes_long
+
+    @property
+    def expected(self) -> LinkSettings | None:
+        """How the board will be reached when it is back, where that is another way than now."""
+        return self._expected
+
+    @property
+    def still_waiting(self) -> tuple[str, ...]:
+        """Names of what is stored and not active."""
+        return self._device.parameters.waiting_for_power
+
+    def begin(self) -> None:
+        """Wait for the power to go off, and on again."""
+        state, settings = self._device.state, self._device.settings
+        if state is None or settings is None or self._device.link is not Link.UP:
+            return
+        signature = state.signature
+        values = state.parameters
+        if self._device.reset_ordered:
+            values = factory_settings(signature.model, signature.firmware).parameters
+        coming = after_power_cycle(settings, values, signature.firmware)
+        self._expected = None if coming == settings else coming
+        self._device.expect(() if self._expected is None else (self._expected,))
+        self._go(Stage.OFF_WANTED)
+
+    def confirm(self) -> None:
+        """Take a person's word that the power was off and is on again."""
+        if self._device.link is Link.UP:
+            self._device.note_power_cycled()
+            self._go(Stage.BACK)
+
+    def end(self) -> None:
+        """Wait for nothing any more."""
+        self._expected = None
+        self._go(Stage.NONE)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        match self._stage, self._device.link:
+            case Stage.OFF_WANTED | Stage.UNSURE, Link.SILENT:
+                self._go(Stage.ON_WANTED)
+            case Stage.ON_WANTED, Link.UP:
+                self._go(Stage.BACK)
+            case Stage.OFF_WANTED | Stage.ON_WANTED | Stage.UNSURE, Link.NONE | Link.CLOSING:
+                self._go(Stage.LOST)
+            case Stage.LOST, Link.UP:
+                self._go(Stage.UNSURE if self.still_waiting else Stage.BACK)
+
+    @Slot()
+    def _on_patience_ended(self) -> None:
+        self._takes_long = True
+        self.changed.emit()
+
+    def _go(self, stage: Stage) -> None:
+        self._stage = stage
+        self._takes_long = False
+        if stage in {Stage.OFF_WANTED, Stage.ON_WANTED}:
+            self._patience.start()
+        else:
+            self._patience.stop()
+        self.changed.emit()

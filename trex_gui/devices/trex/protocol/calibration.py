@@ -1,0 +1,129 @@
+"""Channel calibrations, and the remapping of raw inputs to outputs of -127 to 127.
+
+Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87, 0x90-0x94,
+0xA0-0xA4. The arithmetic between the region limits is inferred: no source gives it.
+"""
+
+from dataclasses import dataclass
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.flags import InputSource
+
+INVALID_RAW = 0xFFFF
+"""What 0x86 answers for a channel whose last pulse was bad or is missing."""
+
+FULL_SCALE = 127
+HIGHEST_CODED = 0x3FFF
+
+
+@dataclass(frozen=True, slots=True)
+class Calibration:
+    """What a channel's raw counts mean; one for RC pulses and one for voltages is kept.
+
+    Counts are 0.4 us (RC) or 4.89 mV (analog). The board takes them only when
+    minimum <= neutral <= maximum and minimum < maximum.
+    """
+
+    minimum: int
+    neutral: int
+    maximum: int
+    deadband: int
+
+    def problem(self) -> str | None:
+        """Say why the board would refuse these values; `None` when it would take them."""
+        for name in ("minimum", "neutral", "maximum", "deadband"):
+            value = getattr(self, name)
+            if not 0 <= value <= HIGHEST_CODED:
+                return f"{name} is {value}; a calibration value is 0 to {HIGHEST_CODED}"
+        if self.minimum > self.neutral:
+            return f"minimum {self.minimum} is above neutral {self.neutral}"
+        if self.neutral > self.maximum:
+            return f"neutral {self.neutral} is above maximum {self.maximum}"
+        if self.minimum == self.maximum:
+            return f"minimum and maximum are both {self.minimum}; they must differ"
+        return None
+
+    def encode(self) -> bytes:
+        """The eight data bytes of 0xA0-0xA4.
+
+        Raises:
+            BadRequest: the board would refuse the values.
+        """
+        if problem := self.problem():
+            raise BadRequest(f"calibration: {problem}")
+        values = (self.minimum, self.neutral, self.maximum, self.deadband)
+        return b"".join(map(encode_14_bits, values))
+
+    @classmethod
+    def from_data(cls, data: bytes) -> "Calibration":
+        """Read the eight data bytes of 0xA0-0xA4, whatever they say."""
+        values = [decode_14_bits(data[i : i + 2]) for i in range(0, 8, 2)]
+        return cls(*values)
+
+    @classmethod
+    def from_reply(cls, reply: bytes) -> "Calibration":
+        """Read the eight bytes that 0x90-0x94 answer: plain little-endian words."""
+        values = [int.from_bytes(reply[i : i + 2], "little") for i in range(0, 8, 2)]
+        return cls(*values)
+
+
+def encode_14_bits(value: int) -> bytes:
+    """Code a 16-bit calibration value as two data bytes: low seven bits, the seven above.
+
+    Inferred: the documentation says "low byte, high byte", but no data byte may exceed 127;
+    this is the only coding that obeys that, and how other controllers of the maker do it.
+
+    Raises:
+        BadRequest: `value` is outside 0-16383.
+    """
+    if not 0 <= value <= HIGHEST_CODED:
+        raise BadRequest(f"a calibration value is 0 to {HIGHEST_CODED}, not {value}")
+    return bytes([value & 0x7F, value >> 7])
+
+
+def decode_14_bits(data: bytes) -> int:
+    """Undo `encode_14_bits`."""
+    return data[0] & 0x7F | (data[1] & 0x7F) << 7
+
+
+DEFAULT_CALIBRATION = {
+    # Inferred: the guide names 1, 1.5 and 2 ms as typical; 30 us of deadband is a guess.
+    InputSource.RC: Calibration(2500, 3750, 5000, 75),
+    # Inferred: the whole span of the converter; the deadband is a guess.
+    InputSource.ANALOG: Calibration(0, 512, 1023, 20),
+}
+
+
+def remap(
+    raw: int | None,
+    calibration: Calibration,
+    *,
+    parabolic: bool = False,
+    reversed_: bool = False,
+    ignored: bool = False,
+) -> int:
+    """Return what a channel's raw count becomes: -127 to 127, before mixing and flip.
+
+    `raw` is in counts; `None` and 0xFFFF (no valid signal) and an ignored channel give 0,
+    the first two being inferred (fail-safe). Full output is reached at minimum and maximum,
+    0 within
+    `deadband` counts of neutral. Between them the output grows with the fraction of the way
+    from the edge of the deadband to the end, or with its square (parabolic), rounded down.
+    """
+    if raw is None or raw == INVALID_RAW or ignored:
+        return 0
+    offset = raw - calibration.neutral
+    distance = abs(offset)
+    if distance <= calibration.deadband:
+        return 0
+    if raw >= calibration.maximum or raw <= calibration.minimum:
+        magnitude = FULL_SCALE
+    else:
+        end = calibration.maximum if offset > 0 else calibration.minimum
+        way = abs(end - calibration.neutral) - calibration.deadband
+        done = distance - calibration.deadband
+        if parabolic:
+            magnitude = FULL_SCALE * done * done // (way * way)
+        else:
+            magnitude = FULL_SCALE * done // way
+    return -magnitude if (offset < 0) != reversed_ else magnitude

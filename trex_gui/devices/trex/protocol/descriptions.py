@@ -1,0 +1,194 @@
+"""Commands of a TReX and what it answers, in words."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from trex_gui.core.errors import ResultCode
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+    GetCalibratedChannels,
+    GetCalibration,
+    GetCurrent,
+    GetCurrents,
+    GetMode,
+    GetParameter,
+    GetRawChannels,
+    GetRemappedChannels,
+    GetSerialControl,
+    GetSignature,
+    GetStatus,
+    GetUartErrors,
+    Null,
+    SetCalibration,
+    SetParameter,
+    Signature,
+)
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.flags import (
+    CHANNELS,
+    STATUS_MEANING,
+    UART_MEANING,
+    Mode,
+    Status,
+    UartError,
+    channels_in,
+)
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
+
+_CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
+
+_QUERIES: dict[type[Command[Any]], str] = {
+    GetSignature: "get signature",
+    GetMode: "get mode",
+    GetSerialControl: "get whether serial controls the motors",
+    GetStatus: "get status bits, and clear them",
+    GetUartErrors: "get UART error bits, and clear them",
+    GetCurrents: "get currents of both motors",
+    GetCalibratedChannels: "get which calibrations differ from the default",
+    Null: "null command: nothing",
+}
+
+_MODES = {
+    Mode.RC: "RC mode",
+    Mode.ANALOG: "analog mode",
+    Mode.SERIAL_RC: "serial mode, RC inputs",
+    Mode.SERIAL_ANALOG: "serial mode, analog inputs",
+}
+
+_RESULTS = {
+    ResultCode.OK: "stored",
+    ResultCode.BAD_PARAMETER: "refused: no such parameter (code 1)",
+    ResultCode.BAD_VALUE: "refused: this value is not allowed (code 2)",
+    ResultCode.NOT_SERIAL_MODE: "refused: not in serial mode (code 3)",
+}
+
+
+def describe(command: Command[Any], board: Signature | None = None) -> str:
+    """Say a command in words; units are those of `board`, else of the newest TReX."""
+    if (text := _QUERIES.get(type(command))) is not None:
+        return text
+    match command:
+        case GetRawChannels():
+            return f"get raw inputs of {_channels(command.channels)}"
+        case GetRemappedChannels():
+            return f"get remapped inputs of {_channels(command.channels)}"
+        case GetCurrent(motor=motor):
+            return f"get current of motor {motor}"
+        case GetCalibration(channel=channel):
+            return f"get calibration of channel {channel}"
+        case SetCalibration(channel=channel, calibration=calibration):
+            return f"set calibration of channel {channel}: {_calibration(calibration)}"
+        case GetParameter(number=number):
+            return f"get {_parameter(number, board)}"
+        case SetParameter(number=number, value=value):
+            return f"set {_parameter(number, board)} to {_value(number, value, board)}"
+        case DriveMotor(motor=motor, drive=drive, accelerate=accelerate):
+            return f"{_verb(accelerate)} motor {motor} to {_drive(drive)}"
+        case DriveBoth(motor1=first, motor2=second, accelerate=accelerate):
+            verb = _verb(accelerate)
+            return f"{verb} motor 1 to {_drive(first)}, motor 2 to {_drive(second)}"
+        case DriveAuxiliary(speed=speed, accelerate=accelerate):
+            return f"{_verb(accelerate)} auxiliary motor to {speed}"
+    return type(command).__name__
+
+
+def describe_reply(command: Command[Any], value: Any, board: Signature | None = None) -> str:
+    """Say in words what a command was answered; `value` is what its `parse` returned.
+
+    Empty for a command that has no answer.
+    """
+    match command, value:
+        case _, Signature():
+            return str(value)
+        case _, Mode():
+            return _MODES[value]
+        case _, ResultCode():
+            return _RESULTS[value]
+        case _, Status():
+            return _bits([name for bit, (name, _) in STATUS_MEANING.items() if bit & value])
+        case _, UartError():
+            return _bits([name for bit, (name, _) in UART_MEANING.items() if bit & value])
+        case _, Calibration():
+            return _calibration(value)
+        case GetSerialControl(), _:
+            return "yes" if value else "no"
+        case ((GetRawChannels() | GetRemappedChannels()), _):
+            return _by_channel(value)
+        case GetCurrent(motor=motor), _:
+            return _current(motor, value, board)
+        case GetCurrents(), _:
+            return ", ".join(_current(motor, count, board) for motor, count in enumerate(value, 1))
+        case GetCalibratedChannels(), _:
+            return _channels(channels_in(value))
+        case GetParameter(number=number), _:
+            return _value(number, value, board)
+    return "" if value is None else str(value)
+
+
+def is_refusal(value: object) -> bool:
+    """Return whether an answer says that the board did not do what was asked."""
+    return isinstance(value, ResultCode) and value is not ResultCode.OK
+
+
+def _bits(names: list[str]) -> str:
+    return ", ".join(names) if names else "none"
+
+
+def _by_channel(values: Mapping[int, int | None]) -> str:
+    said = (
+        f"{channel}: {'no signal' if value is None else value}" for channel, value in values.items()
+    )
+    return ", ".join(said)
+
+
+def _current(motor: int, count: int, board: Signature | None) -> str:
+    if board is None:
+        return f"motor {motor}: {count} counts"
+    return f"motor {motor}: {count * board.model.current_unit:.2f} A"
+
+
+def _calibration(calibration: Calibration) -> str:
+    return ", ".join(f"{name} {getattr(calibration, name)}" for name in _CALIBRATION_FIELDS)
+
+
+def _channels(channels: tuple[int, ...]) -> str:
+    if channels in {(), CHANNELS}:
+        return "all channels" if channels else "no channel"
+    word = "channel" if len(channels) == 1 else "channels"
+    return f"{word} {', '.join(map(str, channels))}"
+
+
+def _verb(accelerate: bool) -> str:
+    return "accelerate" if accelerate else "set"
+
+
+def _drive(drive: Drive) -> str:
+    if drive.is_brake:
+        return f"brake with {drive.speed}" if drive.speed else "coast"
+    return f"{drive.direction.name.lower()} {drive.speed}"
+
+
+def _spec(number: int, board: Signature | None) -> ParameterSpec | None:
+    if board is not None:
+        return parameters_of(board.model.key, board.firmware).number(number)
+    model = device_table().models[0]
+    return parameters_of(model.key, model.firmware[-1]).number(number)
+
+
+def _parameter(number: int, board: Signature | None) -> str:
+    spec = _spec(number, board)
+    whose = "no TReX" if board is None else f"no {board}"
+    return f"parameter {number:#04x}, which {whose} has" if spec is None else spec.name
+
+
+def _value(number: int, value: int, board: Signature | None) -> str:
+    spec = _spec(number, board)
+    if spec is None or not spec.readable:
+        return f"{value:#04x}"
+    text = spec.text(value)
+    return text if text == str(value) else f"{text} ({value})"

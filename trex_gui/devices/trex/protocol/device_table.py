@@ -1,0 +1,136 @@
+"""What the device table says of boards, clocks and rates.
+
+`resources/trex_parameters.toml` is the one place that holds these facts and says which of
+them are inferred; `parameters.py` reads its parameter entries.
+"""
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.resource_files import resource
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """A kind of board.
+
+    Attributes:
+        key: `trex` or `trexjr`, as in command lines.
+        signature: what its answer to 0x81 begins with.
+        signature_size: length of that answer in bytes, version included.
+        current_unit: ampere for each count of 0x8D-0x8F.
+        firmware: the versions known, oldest first.
+        highest_pwm: rating of its motor driver in Hz; `None` where no source gives it.
+    """
+
+    key: str
+    name: str
+    part: str
+    signature: bytes
+    signature_size: int
+    current_unit: float
+    firmware: tuple[str, ...]
+    highest_pwm: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class PwmClock:
+    """How prescaler and PWM maximum make a frequency. Inferred, fits both sourced anchors."""
+
+    clock: int
+    divisors: tuple[int, ...]
+    scale: int
+    offset: int
+
+    def maximum(self, wire: int) -> int:
+        """Return the timer's top for a wire value of a PWM maximum parameter."""
+        return self.scale * wire + self.offset
+
+    def frequency(self, prescaler: int, maximum_wire: int) -> float:
+        """Return the PWM frequency in Hz for two wire values.
+
+        Raises:
+            BadRequest: there is no such prescaler.
+        """
+        if not 0 <= prescaler < len(self.divisors):
+            raise BadRequest(f"PWM prescaler is 0 to {len(self.divisors) - 1}, not {prescaler}")
+        return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceTable:
+    """The whole table; `rows` are its parameter entries as written."""
+
+    models: tuple[Model, ...]
+    baud_rates: tuple[int, ...]
+    half_rates: tuple[int, ...]
+    half_rate_fixed_in: str
+    pwm: PwmClock
+    rows: tuple[dict[str, Any], ...]
+
+    def model(self, key: str) -> Model:
+        """Return the model with this key.
+
+        Raises:
+            BadRequest: there is none.
+        """
+        for model in self.models:
+            if model.key == key:
+                return model
+        known = ", ".join(model.key for model in self.models)
+        raise BadRequest(f"the models are {known}, not {key!r}")
+
+
+_NAMES = {"TReX": "TReX", "TReXJr": "TReX Jr"}
+
+
+def read_table(text: str) -> DeviceTable:
+    """Read the table from the text of its TOML file.
+
+    Raises:
+        tomllib.TOMLDecodeError, KeyError: the table is damaged.
+    """
+    data = tomllib.loads(text)
+    models = tuple(
+        Model(
+            key=key,
+            name=_NAMES.get(row["signature"], row["signature"]),
+            part=row["part"],
+            signature=row["signature"].encode("ascii"),
+            signature_size=row["signature_length"],
+            current_unit=row["current_unit_ma"] / 1000,
+            firmware=tuple(row["firmware"]),
+            highest_pwm=row.get("max_pwm_hz"),
+        )
+        for key, row in data["models"].items()
+    )
+    rates = tuple(data["uart"]["baud_codes"])
+    pwm = data["pwm"]
+    return DeviceTable(
+        models=models,
+        baud_rates=rates,
+        half_rates=tuple(rates[code] for code in data["uart"]["half_rate_bug_codes"]),
+        half_rate_fixed_in=data["uart"]["half_rate_bug_before"],
+        pwm=PwmClock(
+            clock=pwm["clock_hz"],
+            divisors=tuple(pwm["prescaler_divisor"]),
+            scale=pwm["maximum_from_wire"]["scale"],
+            offset=pwm["maximum_from_wire"]["offset"],
+        ),
+        rows=tuple(data["parameter"]),
+    )
+
+
+@cache
+def device_table() -> DeviceTable:
+    """The table that the program ships, read once."""
+    return read_table(resource("trex_parameters.toml").read_text(encoding="utf-8"))
+
+
+@cache
+def version_key(version: str) -> tuple[int, ...]:
+    """Return a key that orders firmware versions: `1.10` comes after `1.9`."""
+    return tuple(int(part) if part.isdigit() else 0 for part in version.split("."))

@@ -1,0 +1,182 @@
+"""The bytes whose bits mean something: status, UART errors, channel masks; and the mode.
+
+Ref: TReX 1.0 command documentation, 0x82, 0x84, 0x85, 0x86, 0x95.
+"""
+
+from collections.abc import Iterable
+from enum import Enum, IntFlag
+
+from trex_gui.core.errors import BadRequest
+
+CHANNELS = (1, 2, 3, 4, 5)
+ALL_CHANNELS = 0x1F
+
+
+class Status(IntFlag):
+    """The status byte (0x84). Latched: reading it clears it."""
+
+    UART_ERROR = 1 << 0
+    MOTOR1_FAULT = 1 << 4
+    MOTOR1_OVER_LIMIT = 1 << 5
+    MOTOR2_FAULT = 1 << 6
+    MOTOR2_OVER_LIMIT = 1 << 7
+
+
+class UartError(IntFlag):
+    """The UART error byte (0x85). Latched: reading it clears it."""
+
+    SEND_OVERRUN = 1 << 0
+    READ_OVERRUN = 1 << 1
+    PARITY = 1 << 2
+    DATA_OVERRUN = 1 << 3
+    FRAMING = 1 << 4
+    CRC = 1 << 5
+    FORMAT = 1 << 6
+    TIMEOUT = 1 << 7
+
+
+STATUS_MEANING: dict[Status, tuple[str, str]] = {
+    Status.MOTOR2_OVER_LIMIT: (
+        "Motor 2 over current limit",
+        "The current of motor 2 passed its limit and the limiter lowered its speed.",
+    ),
+    Status.MOTOR2_FAULT: (
+        "Motor 2 fault",
+        "The driver of motor 2 shut itself down: too hot, short circuit or low voltage.",
+    ),
+    Status.MOTOR1_OVER_LIMIT: (
+        "Motor 1 over current limit",
+        "The current of motor 1 passed its limit and the limiter lowered its speed.",
+    ),
+    Status.MOTOR1_FAULT: (
+        "Motor 1 fault",
+        "The driver of motor 1 shut itself down: too hot, short circuit or low voltage.",
+    ),
+    Status.UART_ERROR: (
+        "UART error",
+        "Something went wrong on the serial line; the UART error bits say what.",
+    ),
+}
+"""Name and explanation of each status bit, highest bit first."""
+
+UART_MEANING: dict[UartError, tuple[str, str]] = {
+    UartError.TIMEOUT: (
+        "Serial timeout",
+        "No byte came for the time of Serial Timeout, so the motors were shut down.",
+    ),
+    UartError.FORMAT: (
+        "Format error",
+        "A packet had an unknown command, a command byte inside it or a bad data byte.",
+    ),
+    UartError.CRC: (
+        "CRC error",
+        "The CRC byte of a packet did not fit it; the packet was discarded.",
+    ),
+    UartError.FRAMING: (
+        "Framing error",
+        "A stop bit was missing: the baud rates differ, or the line is noisy.",
+    ),
+    UartError.DATA_OVERRUN: (
+        "Data overrun",
+        "A byte came while the receive register was still full.",
+    ),
+    UartError.PARITY: (
+        "Parity error",
+        "A byte came with the wrong parity: the parity settings differ, or the line is noisy.",
+    ),
+    UartError.READ_OVERRUN: (
+        "Read buffer overrun",
+        "More bytes came than the board could take; something talks while the board answers.",
+    ),
+    UartError.SEND_OVERRUN: (
+        "Send buffer overrun",
+        "The board had more to answer than its buffer holds.",
+    ),
+}
+"""Name and explanation of each UART error bit, highest bit first."""
+
+
+class InputSource(Enum):
+    """How the channel inputs are measured, and what one raw count is worth.
+
+    Ref: Pololu TReX User's Guide 4.b: 0.4 us for RC pulses, 4.89 mV (5 V / 1023) for voltages.
+    """
+
+    RC = "RC"
+    ANALOG = "analog"
+
+    @property
+    def unit(self) -> str:
+        """The unit a person reads: µs or V."""
+        return "µs" if self is InputSource.RC else "V"
+
+    @property
+    def counts_per_unit(self) -> float:
+        """Raw counts per µs (2.5) or per V (204.6)."""
+        return 2.5 if self is InputSource.RC else 1023 / 5
+
+    @property
+    def highest_count(self) -> int:
+        """The highest raw count that is a value: 6250 (2.5 ms) or 1023 (5 V)."""
+        return 6250 if self is InputSource.RC else 1023
+
+    @property
+    def lowest_count(self) -> int:
+        """The lowest raw count that is a value: 1250 (0.5 ms) or 0.
+
+        Ref: Pololu TReX User's Guide 4.c: shorter and longer pulses are errors.
+        """
+        return 1250 if self is InputSource.RC else 0
+
+    def physical(self, count: float) -> float:
+        """Turn raw counts into µs or V."""
+        return count / self.counts_per_unit
+
+    def counts(self, physical: float) -> int:
+        """Turn µs or V into the nearest raw count."""
+        return round(physical * self.counts_per_unit)
+
+    def text(self, count: float) -> str:
+        """A raw count as a person reads it, such as `1500 µs` or `2.50 V`."""
+        if self is InputSource.RC:
+            return f"{self.physical(count):.0f} µs"
+        return f"{self.physical(count):.2f} V"
+
+
+class Mode(Enum):
+    """The mode as the mode jumper set it at power-up, as 0x82 answers it."""
+
+    RC = "R"
+    ANALOG = "A"
+    SERIAL_RC = "r"
+    SERIAL_ANALOG = "a"
+
+    @property
+    def is_serial(self) -> bool:
+        """Whether the board takes parameters and obeys serial motor commands."""
+        return self in {Mode.SERIAL_RC, Mode.SERIAL_ANALOG}
+
+    @property
+    def source(self) -> InputSource:
+        """How the channel inputs are measured in this mode."""
+        rc = self in {Mode.RC, Mode.SERIAL_RC}
+        return InputSource.RC if rc else InputSource.ANALOG
+
+
+def channels_in(mask: int) -> tuple[int, ...]:
+    """Return the channel numbers (1-5) whose bits are set; bit n is channel n+1."""
+    return tuple(channel for channel in CHANNELS if mask >> (channel - 1) & 1)
+
+
+def channel_mask(channels: Iterable[int]) -> int:
+    """Return the byte (0-0x1F) with the bits of these channels set.
+
+    Raises:
+        BadRequest: a number is not one of 1-5.
+    """
+    mask = 0
+    for channel in channels:
+        if channel not in CHANNELS:
+            raise BadRequest(f"channels are numbered 1 to 5, not {channel}")
+        mask |= 1 << (channel - 1)
+    return mask

@@ -1,0 +1,102 @@
+"""How bytes travel on the line: baud rate, error detection, stop bits (parameter 0x7E).
+
+Ref: Pololu TReX User's Guide 5.a, 5.e; the bit fields partly inferred, see the parameter table.
+"""
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.device_table import device_table, version_key
+
+
+class Detection(IntEnum):
+    """Error detection; the value is the field in bits 6:5 of parameter 0x7E.
+
+    CRC-7's code is sourced. Inferred: none and the parities, from the bits of the board's
+    processor.
+    """
+
+    NONE = 0x00
+    CRC7 = 0x20
+    EVEN = 0x40
+    ODD = 0x60
+
+
+_TWO_STOP_BITS = 0x10
+_BAUD_FIELD = 0x0F
+_DETECTION_FIELD = 0x60
+
+
+def baud_rates() -> tuple[int, ...]:
+    """The eleven baud rates that a TReX can be set to, in the order of their codes."""
+    return device_table().baud_rates
+
+
+@dataclass(frozen=True, slots=True)
+class LineSettings:
+    """One setting of the board's serial line; the default is the factory's."""
+
+    baud: int = 19200
+    detection: Detection = Detection.NONE
+    stop_bits: int = 1
+
+    @classmethod
+    def from_wire(cls, wire: int) -> "LineSettings":
+        """Read the value of parameter 0x7E.
+
+        Raises:
+            BadRequest: the low four bits are not a rate code (0-10), or bit 7 is set.
+        """
+        if not 0 <= wire <= 0x7F:
+            raise BadRequest(f"UART settings are a wire value of 0 to 127, not {wire}")
+        code = wire & _BAUD_FIELD
+        if code >= len(baud_rates()):
+            raise BadRequest(f"UART settings {wire:#04x} name no baud rate")
+        detection = Detection(wire & _DETECTION_FIELD)
+        return cls(baud_rates()[code], detection, 2 if wire & _TWO_STOP_BITS else 1)
+
+    def to_wire(self) -> int:
+        """Return the value for parameter 0x7E.
+
+        Raises:
+            BadRequest: the baud rate or the number of stop bits is not one the board has.
+        """
+        if self.baud not in baud_rates():
+            rates = ", ".join(map(str, baud_rates()))
+            raise BadRequest(f"a TReX runs at {rates} baud, not {self.baud}")
+        if self.stop_bits not in {1, 2}:
+            raise BadRequest(f"1 or 2 stop bits, not {self.stop_bits}")
+        stop = _TWO_STOP_BITS if self.stop_bits == 2 else 0
+        return baud_rates().index(self.baud) | self.detection | stop
+
+    def real_baud(self, firmware: str) -> int:
+        """Return the rate that the board really runs at with this setting, in bit/s.
+
+        Firmware before 1.2 runs at half the chosen rate at two of the rates (forum thread
+        1491).
+        """
+        table = device_table()
+        is_old = version_key(firmware) < version_key(table.half_rate_fixed_in)
+        return self.baud // 2 if is_old and self.baud in table.half_rates else self.baud
+
+    @property
+    def bits_per_byte(self) -> int:
+        """Bits that one byte takes on the wire: start, eight data, parity, stop."""
+        parity = self.detection in {Detection.EVEN, Detection.ODD}
+        return 9 + parity + self.stop_bits
+
+    def seconds(self, size: int, baud: int | None = None) -> float:
+        """Return how long `size` bytes take on the wire."""
+        return size * self.bits_per_byte / (baud or self.baud)
+
+    def text(self) -> str:
+        """Short text for people, such as `19200 baud, no error detection, 1 stop bit`."""
+        words = {
+            Detection.NONE: "no error detection",
+            Detection.CRC7: "CRC-7",
+            Detection.EVEN: "even parity",
+            Detection.ODD: "odd parity",
+        }
+        stop = "1 stop bit" if self.stop_bits == 1 else "2 stop bits"
+        return f"{self.baud} baud, {words[self.detection]}, {stop}"

@@ -1,0 +1,369 @@
+"""The configuration parameters, read from the one table that describes them.
+
+The wire value (0-127) is the truth; text in physical units is derived here and nowhere else.
+"""
+
+import difflib
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cache
+from typing import Any
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
+from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
+
+_NUMBER = re.compile(r"\s*([-+]?\d+(?:[.,]\d*)?|[-+]?[.,]\d+)\s*(.*?)\s*")
+_ROUNDING = 0.01
+"""Part of a step by which a number may lie outside the limits: rounding, not intent."""
+
+_PREFIXES = {"m": 1e-3, "k": 1e3, "": 1.0}
+
+
+class Kind(StrEnum):
+    """How a parameter is coded, and so which editor fits it."""
+
+    NUMBER = "number"
+    CHOICE = "choice"
+    CHANNELS = "channels"
+    ACCELERATION = "acceleration"
+    PWM_MAXIMUM = "pwm_maximum"
+    POLYNOMIAL = "polynomial"
+    UART = "uart"
+    RESET = "reset"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ParameterSpec:
+    """One entry of the parameter table as it holds for one model; no layer repeats it.
+
+    `minimum`, `maximum` and `default` are wire values; physical value = wire * `scale` in
+    `unit`. `inferred` names the fields that no source confirms.
+    """
+
+    number: int
+    key: str
+    name: str
+    kind: Kind
+    description: str
+    group: str
+    subject: str
+    minimum: int
+    maximum: int
+    default: int
+    unit: str = ""
+    scale: float = 1
+    zero: str = ""
+    choices: Mapping[int, str] = field(default_factory=dict)
+    valid: frozenset[int] = frozenset()
+    needs_power_cycle: bool = False
+    since: str = "1.0"
+    inferred: frozenset[str] = frozenset()
+
+    @property
+    def readable(self) -> bool:
+        """Whether 0x9F answers it; the factory reset can only be written."""
+        return self.kind is not Kind.RESET
+
+    @property
+    def limits_confirmed(self) -> bool:
+        """Whether a source confirms the smallest and the largest value."""
+        return not {"min", "max"} & self.inferred
+
+    @property
+    def default_confirmed(self) -> bool:
+        """Whether a source confirms the factory's value."""
+        return "default" not in self.inferred
+
+    def problem(self, wire: int) -> str | None:
+        """Say why this wire value is not allowed; `None` when it is."""
+        if wire in self.valid:
+            return None
+        return f"{self.name} is {self.range_text()}, not {wire}"
+
+    def check(self, wire: int) -> int:
+        """Return `wire` when it is allowed.
+
+        Raises:
+            BadRequest: it is not; names the limits.
+        """
+        if problem := self.problem(wire):
+            raise BadRequest(problem)
+        return wire
+
+    def short_range(self) -> str:
+        """The allowed values in few words, for a table."""
+        match self.kind:
+            case Kind.CHOICE:
+                return ", ".join(self.choices.values())
+            case Kind.CHANNELS:
+                return "any of 1 to 5"
+            case Kind.UART:
+                return "baud, check, stop bits"
+            case _ if self.minimum == self.maximum:
+                return self.text(self.minimum)
+        return f"{self.text(self.minimum)} to {self.text(self.maximum)}"
+
+    def range_text(self) -> str:
+        """The allowed values as a person reads them."""
+        match self.kind:
+            case Kind.CHOICE:
+                return " or ".join(f"{wire} ({word})" for wire, word in self.choices.items())
+            case Kind.CHANNELS:
+                return f"channels 1 to 5 (wire value 0 to {self.maximum})"
+            case Kind.UART:
+                return "a baud rate, error detection and stop bits (low four bits 0 to 10)"
+            case _ if self.minimum == self.maximum:
+                return str(self.minimum)
+        low, high = self.text(self.minimum), self.text(self.maximum)
+        if low == str(self.minimum) and high == str(self.maximum):
+            return f"{low} to {high}"
+        return f"{low} to {high} (wire value {self.minimum} to {self.maximum})"
+
+    def text(self, wire: int) -> str:
+        """Return a wire value in the unit that a person knows; any 0-127, allowed or not."""
+        match self.kind:
+            case Kind.CHANNELS:
+                return _channels_text(wire) if wire <= self.maximum else f"wire {wire}"
+            case Kind.CHOICE:
+                return self.choices.get(wire, f"wire {wire}")
+            case Kind.POLYNOMIAL:
+                return f"0x{0x80 | wire:02X}"
+            case Kind.PWM_MAXIMUM:
+                return str(device_table().pwm.maximum(wire))
+            case Kind.UART:
+                return _uart_text(wire)
+        if wire == 0 and self.zero:
+            return self.zero
+        number = f"{wire * self.scale:.{self.decimals}f}"
+        if "." in number:
+            number = number.rstrip("0").rstrip(".")
+        return f"{number} {self.unit}".rstrip()
+
+    def wire(self, text: str) -> int:
+        """Return the wire value that a person means by `text` ("1.5 s", "1.5", "off").
+
+        A number between two steps goes to the nearer one, but never to a 0 that means off.
+
+        Raises:
+            BadRequest: no value is meant, or one outside the limits; names them.
+        """
+        wanted = text.strip()
+        for wire in sorted(self.valid):
+            if wanted.casefold() == self.text(wire).casefold():
+                return wire
+        is_list = self.kind is Kind.CHANNELS
+        meant = self._wire_of_channels(wanted) if is_list else self._wire_of_number(wanted)
+        if meant is None or meant not in self.valid:
+            given = wanted if len(wanted) <= 40 else f"{wanted[:40]}…"
+            raise BadRequest(f"{self.name} is {self._spoken_range()}, not {given or 'empty'}")
+        return meant
+
+    def _spoken_range(self) -> str:
+        """The allowed values in the words and units that a person types."""
+        if self.kind is Kind.CHOICE:
+            return " or ".join(self.choices.values())
+        if self.kind is Kind.CHANNELS:
+            return "none or some of the channels 1 to 5, such as 1, 3"
+        if self.kind is Kind.UART:
+            return f"written as {self.text(self.default)}, with a baud rate that the board has"
+        return self.short_range()
+
+    @property
+    def decimals(self) -> int:
+        """Decimals that tell neighbouring values apart in the physical unit."""
+        return max(0, math.ceil(-math.log10(self.scale)))
+
+    def _wire_of_number(self, text: str) -> int | None:
+        steps = self._steps(text)
+        if steps is None or not math.isfinite(steps):
+            return None
+        near = round(steps)
+        if not self._has_steps and near != steps:
+            return None
+        if not self.minimum - _ROUNDING <= steps <= self.maximum + _ROUNDING:
+            return None
+        return 1 if self.zero and near == 0 < steps else near
+
+    @property
+    def _has_steps(self) -> bool:
+        """Whether the values are a quantity, so that something lies between two of them."""
+        return bool(self.unit) or self.kind is Kind.PWM_MAXIMUM
+
+    def _steps(self, text: str) -> float | None:
+        """Return the number in `text` in wire steps, which may be broken; `None`: no number."""
+        if self.kind in {Kind.POLYNOMIAL, Kind.UART} and text.lower().startswith("0x"):
+            try:
+                value = float(int(text, 16))
+            except (ValueError, OverflowError):
+                return None
+        else:
+            found = _NUMBER.fullmatch(text)
+            factor = self._unit_factor(found[2]) if found else None
+            if found is None or factor is None:
+                return None
+            value = float(found[1].replace(",", ".")) * factor
+        if self.kind is Kind.PWM_MAXIMUM:
+            pwm = device_table().pwm
+            return (value - pwm.offset) / pwm.scale
+        if self.kind is Kind.POLYNOMIAL and 0x80 <= value <= 0xFF:
+            return value - 0x80
+        return value / self.scale
+
+    def _unit_factor(self, given: str) -> float | None:
+        """Return what a number in the given unit must be multiplied with; `None`: not ours."""
+        if not given or given.casefold() == self.unit.casefold():
+            return 1
+        if self.kind is Kind.ACCELERATION:
+            return None
+        own = next((p for p in ("m", "k") if self.unit.startswith(p) and len(self.unit) > 1), "")
+        base = self.unit.removeprefix(own)
+        for prefix, factor in _PREFIXES.items():
+            if base and given.casefold() == (prefix + base).casefold():
+                return factor / _PREFIXES[own]
+        return None
+
+    @staticmethod
+    def _wire_of_channels(text: str) -> int | None:
+        if text.casefold() in {"none", ""}:
+            return 0
+        words = text.casefold().removeprefix("channel").removeprefix("s")
+        parts = [part for part in re.split(r"[\s,;+]+", words) if part]
+        try:
+            return channel_mask(int(part) for part in parts)
+        except ValueError:
+            return None
+
+
+def _channels_text(mask: int) -> str:
+    channels = channels_in(mask)
+    if not channels:
+        return "none"
+    word = "channel" if len(channels) == 1 else "channels"
+    return f"{word} {', '.join(map(str, channels))}"
+
+
+def _uart_text(wire: int) -> str:
+    try:
+        return LineSettings.from_wire(wire).text()
+    except BadRequest:
+        return f"wire {wire}"
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterSet:
+    """The parameters that one model with one firmware has, in the order of their numbers."""
+
+    model: Model
+    firmware: str
+    specs: tuple[ParameterSpec, ...]
+
+    def __iter__(self) -> Iterator[ParameterSpec]:
+        return iter(self.specs)
+
+    def __len__(self) -> int:
+        return len(self.specs)
+
+    @property
+    def readable(self) -> tuple[ParameterSpec, ...]:
+        """All but the factory reset, which only can be written."""
+        return tuple(spec for spec in self.specs if spec.readable)
+
+    def __getitem__(self, key: str) -> ParameterSpec:
+        """Return the parameter with this key.
+
+        Raises:
+            BadRequest: there is none; guesses which one was meant.
+        """
+        wanted = key.strip().lower().replace("-", "_").replace(" ", "_")
+        for spec in self.specs:
+            if wanted in {spec.key, spec.name.lower().replace("-", "_").replace(" ", "_")}:
+                return spec
+        guess = difflib.get_close_matches(wanted, [spec.key for spec in self.specs], n=1)
+        hint = f"; did you mean {guess[0]}?" if guess else ""
+        message = f"{self.model.name} {self.firmware} has no parameter {key!r}{hint}"
+        raise BadRequest(message)
+
+    def number(self, number: int) -> ParameterSpec | None:
+        """Return the parameter with this number, if there is one."""
+        return next((spec for spec in self.specs if spec.number == number), None)
+
+
+@cache
+def parameters_of(model_key: str, firmware: str) -> ParameterSet:
+    """Return the parameters of a model (`trex`, `trexjr`) with a firmware (`1.2`).
+
+    Raises:
+        BadRequest: there is no such model.
+    """
+    table = device_table()
+    model = table.model(model_key)
+    specs = tuple(
+        _read_spec(row, model)
+        for row in table.rows
+        if model.key in row["models"] and version_key(row["since"]) <= version_key(firmware)
+    )
+    return ParameterSet(model, firmware, specs)
+
+
+@cache
+def parameter_number(key: str) -> int:
+    """Return the number of a parameter, which is the same for every model.
+
+    Raises:
+        BadRequest: the table has no such parameter.
+    """
+    for row in device_table().rows:
+        if row["key"] == key:
+            number: int = row["number"]
+            return number
+    message = f"the table has no parameter {key!r}"
+    raise BadRequest(message)
+
+
+def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
+    scale = row["scale"]
+    source = row["source"]
+    default_source = source.get(f"default_{model.key}", source.get("default", "inferred"))
+    inferred = {name for name, origin in source.items() if origin == "inferred"}
+    inferred.discard("default")
+    if default_source == "inferred":
+        inferred.add("default")
+    kind = Kind(row["kind"])
+    valid = range(row["min"], row["max"] + 1)
+    if kind is Kind.UART:
+        valid_wires = frozenset(wire for wire in valid if _is_line_setting(wire))
+    else:
+        valid_wires = frozenset(valid)
+    return ParameterSpec(
+        number=row["number"],
+        key=row["key"],
+        name=row["name"],
+        kind=kind,
+        description=row["description"],
+        group=row["group"],
+        subject=row.get("subject", row["group"]),
+        minimum=row["min"],
+        maximum=row["max"],
+        default=row.get(f"default_{model.key}", row["min"]),
+        unit=row["unit"],
+        scale=scale[model.key] if isinstance(scale, dict) else scale,
+        zero=row.get("zero", ""),
+        choices={int(wire, 0): word for wire, word in row.get("values", {}).items()},
+        valid=valid_wires,
+        needs_power_cycle=row["needs_reset"],
+        since=row["since"],
+        inferred=frozenset(inferred),
+    )
+
+
+def _is_line_setting(wire: int) -> bool:
+    try:
+        LineSettings.from_wire(wire)
+    except BadRequest:
+        return False
+    return True

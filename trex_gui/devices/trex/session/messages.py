@@ -1,0 +1,226 @@
+"""What goes into a line session and what comes out of it.
+
+Small, frozen and picklable, so that a session can run in a thread or in another process and
+nobody above it notices the difference.
+"""
+
+from dataclasses import dataclass
+from enum import Enum, auto
+
+from trex_gui.core.errors import TrexError
+from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import Sample
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.commands import Command, Drive
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+# --- In ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """Run one command; answered by an `Outcome` with the same `id`."""
+
+    id: int
+    command: Command[object]
+
+
+@dataclass(frozen=True, slots=True)
+class SetDrive:
+    """What motor 1 or 2 shall do from now on; a newer one replaces one that still waits."""
+
+    motor: int
+    drive: Drive
+    accelerate: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SetDrives:
+    """What both motors shall do from now on, in one packet: neither begins before the other."""
+
+    drives: tuple[SetDrive, SetDrive]
+
+
+@dataclass(frozen=True, slots=True)
+class SetAuxiliary:
+    """What the auxiliary motor shall do from now on, 0-127."""
+
+    speed: int
+    accelerate: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """Stop every motor before anything else; answered by an `Outcome` when it is proved.
+
+    Until an `Arm` comes every wish is dropped, and for `lockout` seconds whatever else moves a
+    motor is refused.
+    """
+
+    id: int
+    lockout: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """The motors are armed from here on, until a `Stop`; has no outcome.
+
+    The line is kept busy enough for the board's own serial timeout then, and where neither a
+    `Pulse` nor a wish comes for `Timeouts.heartbeat` seconds, the motors are stopped; `Halted`
+    tells.
+    """
+
+
+@dataclass(frozen=True, slots=True)
+class Pulse:
+    """Whoever has armed the motors is still there; due every `guard.PULSE_INTERVAL` seconds.
+
+    Attributes:
+        sent: when, on the line's clock; `None`: when it is read.
+    """
+
+    sent: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Write:
+    """Store parameters (key, wire value) and calibrations (channel, values).
+
+    See `writing.write_all` for the order and for what an error does to the rest.
+    Answered by an `Outcome` whose value is a tuple of `writing.Written`, one for each.
+    """
+
+    id: int
+    parameters: tuple[tuple[str, int], ...] = ()
+    calibrations: tuple[tuple[int, Calibration], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Reload:
+    """Read everything again; answered by `Connected`, then an `Outcome`."""
+
+    id: int
+
+
+@dataclass(frozen=True, slots=True)
+class Expect:
+    """When the board falls silent, look for it at these settings too; has no outcome.
+
+    Replaces what was expected before; without any settings nothing is expected. A board that
+    comes back elsewhere is expected nowhere else from then on. Where a board stores its UART
+    settings, this belongs before the `Write`: its power may fail right behind it.
+    """
+
+    settings: tuple[LinkSettings, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Close:
+    """Stop the motors if they were driven, give the port back, end."""
+
+
+MotorRequest = SetDrive | SetDrives | SetAuxiliary
+"""What asks motors for something."""
+
+Request = Ask | MotorRequest | Stop | Arm | Pulse | Write | Reload | Expect | Close
+
+# --- Out --------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """A long piece of work is at step `done` of `total`; `what` comes next."""
+
+    done: int
+    total: int
+    what: str
+
+
+class Occasion(Enum):
+    """Why everything was read."""
+
+    OPENED = auto()
+    RETURNED = auto()
+    MODE_CHANGED = auto()
+    RELOADED = auto()
+
+    @property
+    def power_cycled(self) -> bool:
+        """Whether the board's power was off since it was read before, as far as can be told."""
+        return self in {Occasion.RETURNED, Occasion.MODE_CHANGED}
+
+
+@dataclass(frozen=True, slots=True)
+class Connected:
+    """A board answers, and this is what it says; sent again whenever it is read anew.
+
+    Attributes:
+        echo: whether everything sent comes back: the RS-232 side of the board.
+        settings: how the line is set and the board addressed now.
+        may_move: whether motors were driven and no stop was proved since.
+        port_rates: the baud rates that this computer's port can do; `None`: unknown.
+    """
+
+    state: DeviceState
+    echo: bool
+    occasion: Occasion
+    settings: LinkSettings
+    may_move: bool = False
+    port_rates: frozenset[int] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Silent:
+    """The port is there, but the board has stopped answering; the session goes on trying."""
+
+    reason: str
+    counters: Counters
+
+
+@dataclass(frozen=True, slots=True)
+class Halted:
+    """The motors were stopped unasked, or a stop that was not proved has been at last.
+
+    Attributes:
+        reason: why nobody had to ask, for people; empty where it is the late proof of a stop.
+        proved: whether the board's status proves that it has arrived.
+    """
+
+    reason: str
+    proved: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Batch:
+    """Every sample since the last batch; at most one each display frame.
+
+    Times are seconds on the session's clock.
+    """
+
+    samples: tuple[Sample, ...]
+    counters: Counters
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """The end of a request; exactly one for each that has an `id`."""
+
+    id: int
+    value: object = None
+    error: TrexError | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """The session has ended and the port is free; the last message.
+
+    `error` is `None` when it ended as asked. `may_move` says that motors were driven and no
+    stop was proved since.
+    """
+
+    error: TrexError | None
+    may_move: bool = False
+
+
+Report = Progress | Connected | Silent | Halted | Batch | Outcome | Closed

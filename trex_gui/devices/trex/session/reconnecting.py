@@ -1,0 +1,67 @@
+"""The search for a board that has fallen silent and may come back at other settings."""
+
+import logging
+from collections import deque
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.discovery.probe import look_at, places_to_look
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+log = logging.getLogger(__name__)
+
+
+class Search:
+    """Looks at one place after the other, round and round.
+
+    Attributes:
+        has_looked: whether a question went out since the board was there: then one at another
+            rate may have heard other bytes than those that were sent.
+    """
+
+    def __init__(self) -> None:
+        self.has_looked = False
+        self._places: deque[LinkSettings] = deque()
+        self._expected: tuple[LinkSettings, ...] = ()
+
+    @property
+    def is_round_over(self) -> bool:
+        """Whether each place had its turn."""
+        return not self._places
+
+    def begin(self) -> None:
+        """Begin with the first place: the board has just fallen silent."""
+        self._places.clear()
+
+    def end(self) -> None:
+        """Take the board for found."""
+        self.has_looked = False
+
+    def look(self, client: Client, expected: tuple[LinkSettings, ...]) -> Client | None:
+        """Put one question; return who talks to the board from now on, if it answered.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        self.has_looked = True
+        if expected != self._expected:
+            self._places.clear()  # of the others, where it is not expected any more
+            self._expected = expected
+        if not self._places:
+            self._places.extend(places_to_look(client.settings, expected))
+        place, transport = self._places.popleft(), client.transport
+        try:
+            found = look_at(transport, place, echo=client.echo)
+        except BadRequest as error:
+            log.info("%s: %s", place.text(), error)
+            found = False
+        if not found:
+            # A stop must find the line as the board was heard last.
+            transport.tune(client.settings.line)
+            return None
+        if place == client.settings:
+            return client
+        log.info("the board came back at %s", place.text())
+        there = Client(transport, place, echo=client.echo)
+        there.counters = client.counters
+        return there

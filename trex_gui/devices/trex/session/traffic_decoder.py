@@ -1,0 +1,113 @@
+"""What the bytes between a host and a TReX mean, for a transcript."""
+
+from functools import lru_cache
+
+from trex_gui.core.transport.transactions import Exchange, Wording, Words
+from trex_gui.devices.trex.protocol.commands import Command, Signature
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.descriptions import describe, describe_reply, is_refusal
+from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Framing
+from trex_gui.devices.trex.protocol.line_settings import Detection
+from trex_gui.devices.trex.protocol.parser import (
+    Malformed,
+    NeedData,
+    Packet,
+    PacketParser,
+    Reply,
+    ReplyParser,
+)
+
+_POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
+"""Command bytes that a session repeats by itself: what changes while a board runs, and nothing."""
+
+
+class TrexWording(Wording):
+    """Words for both sub-protocols, with and without CRC and echo.
+
+    Attributes:
+        board: which board answers, once that is known: its units and its parameters.
+    """
+
+    def __init__(self) -> None:
+        self.board: Signature | None = None
+
+    def shown(self, data: bytes) -> str:
+        """Hexadecimal, as the documentation writes packets."""
+        return data.hex(" ").upper()
+
+    def is_routine(self, sent: bytes) -> bool:
+        """What is polled, in either sub-protocol."""
+        if sent[0] == EXPANDED_START:
+            return len(sent) > 2 and sent[2] | 0x80 in _POLLED
+        return sent[0] in _POLLED
+
+    def is_whole(self, exchange: Exchange) -> bool:
+        """Whether the reply has its size, behind its echo if there is one."""
+        if not exchange.sent:
+            return False
+        packet = _packets(exchange.sent, _polynomial(exchange.settings))[-1]
+        return isinstance(packet, Packet) and not isinstance(_reply(packet, exchange), NeedData)
+
+    def read(self, exchange: Exchange) -> Words:
+        """Say the packet, and what was answered or what is wrong with that."""
+        if not exchange.sent:
+            return Words("bytes that nobody asked for", is_fault=True)
+        packets = _packets(exchange.sent, _polynomial(exchange.settings))
+        said = "; ".join(map(self._said, packets))
+        packet = packets[-1]
+        if isinstance(packet, Malformed):
+            return Words(said)
+        match _reply(packet, exchange):
+            case Reply(value=value):
+                answer = describe_reply(packet.command, value, self.board)
+                return Words(f"{said} → {answer}" if answer else said, is_refusal(value))
+            case Malformed() if not packet.command.reply_size():
+                text = "bytes that it does not ask for; perhaps a late answer"
+                return Words(f"{said} → {text}", is_fault=True)
+            case Malformed(reason=reason):
+                return Words(f"{said} → damaged: {reason}", is_fault=True)
+            case _ if not exchange.is_over:
+                return Words(said)
+        if not exchange.received:
+            return Words(f"{said} → no answer", is_fault=True)
+        if exchange.received == exchange.sent:
+            return Words(f"{said} → only its echo came back", is_fault=True)
+        return Words(f"{said} → the answer is not complete", is_fault=True)
+
+    def _said(self, packet: Packet | Malformed) -> str:
+        if isinstance(packet, Malformed):
+            return f"no packet of a TReX: {packet.reason}"
+        said = describe(packet.command, self.board)
+        if packet.device_number is None:
+            return said
+        return f"device {packet.device_number}: {said}"
+
+
+@lru_cache(maxsize=256)  # the same few questions all the time
+def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, ...]:
+    parser = PacketParser(polynomial)
+    return (*parser.feed(sent), *parser.flush())
+
+
+def _reply(packet: Packet, exchange: Exchange) -> Reply[object] | NeedData | Malformed:
+    """Judge what came; where nobody knows of an echo, the length tells one from an answer."""
+    framing = Framing(packet.device_number, _polynomial(exchange.settings))
+    if exchange.echo is not None:
+        return _parsed(packet.command, framing, exchange.received, echo=exchange.echo)
+    plain = _parsed(packet.command, framing, exchange.received, echo=False)
+    has_echo = exchange.received[: len(packet.raw)] == packet.raw[: len(exchange.received)]
+    if isinstance(plain, Reply) or not has_echo:
+        return plain
+    return _parsed(packet.command, framing, exchange.received, echo=True)
+
+
+def _parsed(
+    command: Command[object], framing: Framing, received: bytes, *, echo: bool
+) -> Reply[object] | NeedData | Malformed:
+    return ReplyParser(command, framing, echo).feed(received)
+
+
+def _polynomial(settings: LinkSettings | None) -> int | None:
+    if settings is None or settings.line.detection is not Detection.CRC7:
+        return None
+    return settings.polynomial

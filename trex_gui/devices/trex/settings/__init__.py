@@ -1,0 +1,1 @@
+"""Settings files: reading, writing, comparing, checking, history."""

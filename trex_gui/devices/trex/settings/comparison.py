@@ -1,0 +1,213 @@
+"""What differs between two sets of settings, and what one cannot take from the other."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.device_table import Model
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.settings.document import (
+    CALIBRATION_FIELDS,
+    CALIBRATION_KEYS,
+    Settings,
+    specs_for,
+)
+from trex_gui.devices.trex.settings.writer import calibration_text
+
+_NOT_GIVEN = "not given"
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One setting before and after.
+
+    Attributes:
+        key: as a settings file spells it.
+        name: for people.
+        before: wire value or calibration; `None`: not known, or not given.
+        after: likewise; `None` leaves a setting as it is.
+        text_before: `before` in physical units; empty for `None`.
+        text_after: `after` in physical units; empty for `None`.
+    """
+
+    key: str
+    name: str
+    before: int | Calibration | None
+    after: int | Calibration | None
+    text_before: str
+    text_after: str
+
+    @property
+    def changed(self) -> bool:
+        """Whether going from before to after writes this setting."""
+        return self.after is not None and self.before != self.after
+
+    @property
+    def is_missing(self) -> bool:
+        """Whether only the settings before have it: it stays as it is."""
+        return self.after is None
+
+    @property
+    def is_calibration(self) -> bool:
+        return self.key in CALIBRATION_KEYS
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """Every setting that both sides can have and at least one side gives.
+
+    Attributes:
+        rows: in the order of the parameter table, calibrations behind.
+        left_out: sentences: what cannot be carried over to the other product or firmware, and
+            why.
+    """
+
+    rows: tuple[Row, ...]
+    left_out: tuple[str, ...] = ()
+
+    @property
+    def differing(self) -> tuple[Row, ...]:
+        """The rows whose two sides are not equal."""
+        return tuple(row for row in self.rows if row.before != row.after)
+
+    @property
+    def changed(self) -> int:
+        """How many settings will change."""
+        return sum(row.changed for row in self.rows)
+
+    @property
+    def equal(self) -> int:
+        """How many settings match."""
+        return len(self.rows) - len(self.differing)
+
+    @property
+    def missing(self) -> int:
+        """How many settings are given before only and stay as they are."""
+        return sum(row.is_missing for row in self.rows)
+
+    def summary(self) -> str:
+        """Return the counts, such as `29 parameters: 4 will change, 25 match`."""
+        parameters = [row for row in self.rows if not row.is_calibration]
+        calibrations = [row for row in self.rows if row.is_calibration]
+        parts = [_counts("parameter", parameters)]
+        if calibrations:
+            parts.append(_counts("calibration", calibrations))
+        if self.left_out:
+            parts.append(f"{len(self.left_out)} cannot be carried over")
+        return "; ".join(parts)
+
+    def report(self) -> str:
+        """Return a table of the rows that differ, old → new in wire and physical units.
+
+        What cannot be carried over follows, a line each. Ends without a line break; empty when
+        there is nothing to say.
+        """
+        cells = [cell for row in self.differing for cell in _cells(row)]
+        widths = [max((len(cell[column]) for cell in cells), default=0) for column in range(3)]
+        lines = [
+            "  ".join(f"{text:{width}}" for text, width in zip(cell, widths, strict=True)).rstrip()
+            for cell in cells
+        ]
+        return "\n".join([*lines, *self.left_out])
+
+
+def compare(before: Settings, after: Settings) -> Comparison:
+    """Compare what is there (a board, an old file) with what is to be there.
+
+    Rows are equal when their wire values are: those are what a board stores. Where the same wire
+    value means something else to the other model, it is not carried over.
+    """
+    numbers = {spec.number: key for side in (before, after) for key, spec in _specs(side).items()}
+    keys = [key for _, key in sorted(numbers.items())]
+    given = [key for key in keys if key in before.parameters or key in after.parameters]
+    reasons = {key: reason for key in given if (reason := _why_not_carried(key, before, after))}
+    rows = [_parameter_row(key, before, after) for key in given if key not in reasons]
+    return Comparison((*rows, *_calibration_rows(before, after)), tuple(reasons.values()))
+
+
+def _why_not_carried(key: str, before: Settings, after: Settings) -> str:
+    """Say why this parameter of one side is nothing to the other; empty: it is."""
+    for side, other in ((before, after), (after, before)):
+        spec, wire = _specs(side).get(key), side.parameters.get(key)
+        if spec is not None and wire is not None and key not in _specs(other):
+            board = f"a {other.product.name} with firmware {other.specs.firmware}"
+            return f"{spec.name} ({spec.text(wire)}) is left out: {board} does not have it."
+    wire = after.parameters.get(key)
+    if wire is None:
+        return ""
+    new, there = _specs(after)[key], _specs(before)[key]
+    if new.text(wire) == there.text(wire):
+        return ""
+    return (
+        f"{new.name} is left out: {wire} means {new.text(wire)} to a {after.product.name}, but "
+        f"{there.text(wire)} to a {before.product.name}."
+    )
+
+
+def _specs(settings: Settings) -> Mapping[str, ParameterSpec]:
+    return _specs_of(settings.product, settings.firmware)
+
+
+@cache
+def _specs_of(product: Model, firmware: str | None) -> Mapping[str, ParameterSpec]:
+    return {spec.key: spec for spec in specs_for(product, firmware).readable}
+
+
+def _parameter_row(key: str, before: Settings, after: Settings) -> Row:
+    old, new = before.parameters.get(key), after.parameters.get(key)
+    old_spec, new_spec = _specs(before)[key], _specs(after)[key]
+    return Row(
+        key,
+        old_spec.name,
+        old,
+        new,
+        "" if old is None else old_spec.text(old),
+        "" if new is None else new_spec.text(new),
+    )
+
+
+def _calibration_rows(before: Settings, after: Settings) -> Iterator[Row]:
+    for key, place in CALIBRATION_KEYS.items():
+        source, channel = place
+        old, new = before.calibrations.get(place), after.calibrations.get(place)
+        if old is not None or new is not None:
+            yield Row(
+                key,
+                f"Calibration of {source.value} channel {channel}",
+                old,
+                new,
+                "" if old is None else calibration_text(source, old),
+                "" if new is None else calibration_text(source, new),
+            )
+
+
+def _counts(noun: str, rows: list[Row]) -> str:
+    """Return `29 parameters: 4 will change, 25 match`."""
+    changed = sum(row.changed for row in rows)
+    missing = sum(row.is_missing for row in rows)
+    parts = [f"{changed} will change", f"{len(rows) - changed - missing} match"]
+    if missing:
+        parts.append(f"{missing} {_NOT_GIVEN}")
+    return f"{len(rows)} {noun}{'' if len(rows) == 1 else 's'}: {', '.join(parts)}"
+
+
+def _cells(row: Row) -> Iterator[tuple[str, str, str]]:
+    """Yield the lines of a row: key, wire values, physical values."""
+    if isinstance(row.before, Calibration) and isinstance(row.after, Calibration):
+        source, _ = CALIBRATION_KEYS[row.key]
+        for name in CALIBRATION_FIELDS:
+            old, new = getattr(row.before, name), getattr(row.after, name)
+            if old != new:
+                texts = f"{source.text(old)} → {source.text(new)}"
+                yield f"{row.key} {name}", f"{old} → {new}", texts
+        return
+    wires = f"{_wire_text(row.before)} → {_wire_text(row.after)}"
+    texts = f"{row.text_before or _NOT_GIVEN} → {row.text_after or _NOT_GIVEN}"
+    yield row.key, wires, "" if texts == wires else texts
+
+
+def _wire_text(value: int | Calibration | None) -> str:
+    if isinstance(value, Calibration):
+        return " ".join(str(getattr(value, name)) for name in CALIBRATION_FIELDS)
+    return _NOT_GIVEN if value is None else str(value)

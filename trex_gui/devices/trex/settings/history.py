@@ -1,0 +1,308 @@
+"""Snapshots: what a board was set to before each change, kept so that nothing is lost.
+
+A snapshot is a settings file like any other, whose head says when, why and of which board it was
+taken. Files in the folder that are no snapshots are left alone. How many snapshots are kept
+stands in the same folder, in a small text file: for every program that takes some.
+"""
+
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import platformdirs
+
+from trex_gui.core.files.errors import Finding, SettingsError
+from trex_gui.core.files.text_files import load, save, save_new
+from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.settings.document import Settings
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.devices.trex.settings.writer import write_settings
+
+KEPT = 500
+"""How many snapshots are kept unless the person says otherwise: a megabyte or two."""
+
+_NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
+_TIME = "%Y%m%dT%H%M%SZ"
+_HEAD = 4096
+"""Bytes that surely hold the head of a snapshot."""
+
+_HEAD_LINES = 12
+_NOTE = re.compile(r"# (taken|device number|adapter|reason): (.*)")
+_VALUE = re.compile(r"(product|firmware): *['\"]?([^'\"#]*[^'\"# ])")
+
+BOUND_FILE = "history.txt"
+_LARGEST_BOUND_FILE = 4096
+_BOUND = re.compile(r"kept\s*:\s*(all|[1-9][0-9]{0,6})")
+_BOUND_TEXT = """\
+# How many snapshots TReX Studio and trexcmd keep in this folder: a number, or all.
+# While this file cannot be understood, none is removed.
+kept: {}
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """One file of the history; what it holds is read by `History.load`.
+
+    Attributes:
+        path: the file.
+        taken: when, in UTC; the order of the history, with `turn` within a second.
+        turn: 1 for the first of a second.
+        product, firmware: of which board, as the file says; empty where it cannot be read.
+        device_number: the board's number then; `None` when the file does not say.
+        adapter: through which port, for people.
+        reason: what it was taken before.
+        problem: why it is of no use, as far as its head tells; empty for a sound one.
+    """
+
+    path: Path
+    taken: datetime
+    turn: int
+    product: str = ""
+    firmware: str = ""
+    device_number: int | None = None
+    adapter: str = ""
+    reason: str = ""
+    problem: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """How many snapshots a person wants kept.
+
+    Attributes:
+        kept: that many, at least 1; `None` for all of them.
+        problem: why what the person set is not known, as a sentence. Then all are kept.
+    """
+
+    kept: int | None = KEPT
+    problem: str = ""
+
+
+def default_folder() -> Path:
+    """Return the folder of this program's data on this system; it need not exist.
+
+    `TREX_STUDIO_DATA` in the environment names another place than the system's.
+    """
+    given = os.environ.get("TREX_STUDIO_DATA")
+    data = given or platformdirs.user_data_dir("TReX Studio", appauthor=False)
+    return Path(data).absolute() / "snapshots"
+
+
+class History:
+    """The snapshots in one folder.
+
+    Only the bound that the person has set removes snapshots, the oldest first and never the
+    one that was just taken.
+
+    Attributes:
+        folder: where they lie; made with the first one.
+    """
+
+    def __init__(self, folder: Path | None = None) -> None:
+        self.folder = folder or default_folder()
+
+    def take(
+        self, settings: Settings, *, adapter: str, reason: str, now: datetime | None = None
+    ) -> Snapshot:
+        """Save what a board is set to.
+
+        Args:
+            settings: everything that is known of it.
+            adapter: through which port it was read, for people.
+            reason: what comes next, such as `Apply of 3 settings`.
+            now: the time, if it is not the present.
+
+        Raises:
+            SettingsError: it cannot be saved; then nothing must be written to the board.
+        """
+        taken = (now or datetime.now(UTC)).astimezone(UTC).replace(microsecond=0)
+        self._make_folder()
+        firmware = settings.firmware or settings.product.firmware[-1]
+        number = settings.parameters.get("device_number")
+        notes = {
+            "taken": taken.isoformat(),
+            "device number": "" if number is None else str(number),
+            "adapter": adapter,
+            "reason": reason,
+        }
+        lines = [f"{name}: {' '.join(text.split())}" for name, text in notes.items() if text]
+        text = write_settings(settings, title_lines=lines)
+        turn = 1
+        while not save_new(path := self._path(taken, turn, settings.product.key, firmware), text):
+            turn += 1
+        self._remove_oldest(path)
+        return Snapshot(path, taken, turn, settings.product.name, firmware, number, adapter, reason)
+
+    def snapshots(self) -> tuple[Snapshot, ...]:
+        """Return all snapshots, the newest first; one that cannot be read is there too."""
+        found = [_look_at(path, match) for path, match in self._files()]
+        return tuple(sorted(found, key=_age, reverse=True))
+
+    def load(self, snapshot: Snapshot) -> Settings:
+        """Return what a snapshot holds.
+
+        Raises:
+            SettingsError: the file is gone or was damaged; says where.
+        """
+        settings, _ = read_settings(load(snapshot.path), str(snapshot.path))
+        return settings
+
+    def remove(self, snapshot: Snapshot) -> None:
+        """Remove a snapshot because a person wants it; one that is gone already is no error.
+
+        Raises:
+            SettingsError: it cannot be removed.
+        """
+        try:
+            snapshot.path.unlink(missing_ok=True)
+        except OSError as error:
+            why = f"it cannot be removed: {error.strerror or error}"
+            raise SettingsError(str(snapshot.path), [Finding(None, None, why)]) from error
+
+    # --- How many are kept --------------------------------------------------------------
+
+    def bound(self) -> Bound:
+        """Return how many are kept; without a file that says so, as many as `KEPT` says."""
+        path = self.folder / BOUND_FILE
+        try:
+            with path.open("rb") as file:
+                data = file.read(_LARGEST_BOUND_FILE + 1)
+        except FileNotFoundError:
+            return Bound(None, _no_bound(path, "is missing")) if path.is_symlink() else Bound()
+        except OSError as error:
+            return Bound(None, _no_bound(path, f"cannot be read ({error.strerror or error})"))
+        lines = [line.split("#")[0].strip() for line in _text_of(data).splitlines()]
+        words = [line for line in lines if line]
+        match = _BOUND.fullmatch(words[0]) if len(words) == 1 else None
+        if match is None or len(data) > _LARGEST_BOUND_FILE:
+            return Bound(None, _no_bound(path, "is damaged"))
+        return Bound(None if match[1] == "all" else int(match[1]))
+
+    def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
+        """Return the snapshots that `keep` would remove, the newest first."""
+        return () if kept is None else self.snapshots()[kept:]
+
+    def keep(self, kept: int | None) -> tuple[Snapshot, ...]:
+        """Set how many are kept, for every program, and remove the oldest that are more.
+
+        Returns:
+            Those that were removed; one that cannot be removed stays.
+
+        Raises:
+            SettingsError: the bound cannot be saved; then nothing was removed.
+        """
+        if kept is not None and not 1 <= kept < 10**7:
+            raise ValueError(f"a history keeps at least one snapshot, not {kept}")
+        self._make_folder()
+        save(self.folder / BOUND_FILE, _BOUND_TEXT.format("all" if kept is None else kept))
+        return tuple(found for found in self.beyond(kept) if _removed(found.path))
+
+    def _remove_oldest(self, own: Path) -> None:
+        """Keep to the bound, after a snapshot of our own.
+
+        What was saved after it, by another program at the same time, is left to that program:
+        otherwise each of two could remove the other's.
+        """
+        bound = self.bound()
+        if bound.problem or bound.kept is None:
+            return
+        others = [
+            Snapshot(path, *_when(match)) for path, match in self._files() if path.name != own.name
+        ]
+        others.sort(key=_age, reverse=True)
+        for snapshot in others[bound.kept - 1 :]:
+            if _saved(snapshot.path) < _saved(own):
+                _removed(snapshot.path)
+
+    # --- The folder ---------------------------------------------------------------------
+
+    def _make_folder(self) -> None:
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            why = f"the folder for snapshots cannot be made: {error.strerror or error}"
+            raise SettingsError(str(self.folder), [Finding(None, None, why)]) from error
+
+    def _path(self, taken: datetime, turn: int, model: str, firmware: str) -> Path:
+        again = "" if turn == 1 else f"{turn}-"
+        return self.folder / f"{taken.strftime(_TIME)}-{again}{model}-{firmware}.txt"
+
+    def _files(self) -> Iterator[tuple[Path, re.Match[str]]]:
+        try:
+            paths = list(self.folder.iterdir())
+        except OSError:  # not made yet, or not ours to read
+            return
+        for path in paths:
+            if match := _NAME.fullmatch(path.name):
+                yield path, match
+
+
+def _age(snapshot: Snapshot) -> tuple[datetime, int, str]:
+    return snapshot.taken, snapshot.turn, snapshot.path.name
+
+
+def _when(match: re.Match[str]) -> tuple[datetime, int]:
+    try:
+        taken = datetime.strptime(match[1], _TIME).replace(tzinfo=UTC)
+    except ValueError:  # digits that are no date
+        taken = datetime.fromtimestamp(0, UTC)
+    return taken, int(match[2] or 1)
+
+
+def _saved(path: Path) -> tuple[int, str]:
+    """Return when a file was saved, by the clock that all files here share; never equal."""
+    try:
+        return path.stat().st_mtime_ns, path.name
+    except OSError:
+        return 0, path.name
+
+
+def _removed(path: Path) -> bool:
+    """Remove a file; return whether that worked."""
+    try:
+        path.unlink(missing_ok=True)
+    except OSError:
+        return False
+    return True
+
+
+def _text_of(data: bytes) -> str:
+    return data.decode("utf-8-sig", errors="replace")
+
+
+def _no_bound(path: Path, why: str) -> str:
+    return f"{path} {why}: how many snapshots to keep is not known, so none is removed."
+
+
+def _look_at(path: Path, match: re.Match[str]) -> Snapshot:
+    """Read the head of a snapshot, as far as it can be read."""
+    taken, turn = _when(match)
+    problem = ""
+    try:
+        with path.open("rb") as file:
+            lines = _text_of(file.read(_HEAD)).split("\n")
+        head = [line.rstrip("\r") for line in lines[:_HEAD_LINES]] if lines != [""] else []
+    except OSError as error:
+        head = []
+        problem = f"It cannot be read: {error.strerror or error}."
+    notes = {found[1]: found[2] for line in head if (found := _NOTE.fullmatch(line))}
+    values = {found[1]: found[2] for line in head if (found := _VALUE.match(line))}
+    number = notes.get("device number", "")
+    product = values.get("product", "")
+    if not problem and product not in {model.name for model in device_table().models}:
+        problem = "It is empty." if not head else "It does not say of which board it is."
+    return Snapshot(
+        path,
+        taken,
+        turn,
+        product,
+        values.get("firmware", ""),
+        int(number) if number.isascii() and number.isdigit() and len(number) <= 3 else None,
+        notes.get("adapter", ""),
+        notes.get("reason", ""),
+        problem,
+    )

@@ -1,0 +1,291 @@
+"""Settings from text; everything that is wrong is said at once, line by line."""
+
+import difflib
+import re
+from dataclasses import dataclass, field
+from functools import cache
+
+import yaml
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.files.errors import Finding, SettingsError, Severity
+from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
+from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameters import Kind, ParameterSpec, parameters_of
+from trex_gui.devices.trex.settings.document import (
+    CALIBRATION_FIELDS,
+    CALIBRATION_KEYS,
+    Settings,
+    specs_for,
+)
+from trex_gui.devices.trex.settings.plain_yaml import compose, decode, line_of, shortened
+
+MOST_FINDINGS = 100
+"""A file with more is no settings file; the rest is counted."""
+
+_INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
+_FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
+
+
+def read_settings(
+    text: str | bytes, name: str = "settings"
+) -> tuple[Settings, tuple[Finding, ...]]:
+    """Read a settings file.
+
+    Args:
+        text: what the file holds.
+        name: what errors call it.
+
+    Returns:
+        The settings, and warnings that do not keep anyone from using them.
+
+    Raises:
+        SettingsError: they cannot be used; has every error and warning. Without a product
+            nothing can be said of the settings that follow, and without sound YAML nothing of
+            any setting.
+    """
+    content = decode(text, name)
+    reader = _Reader()
+    settings = reader.read(compose(content, name))
+    if content[-1:] not in {"\n", "\r"}:
+        last = len(content.splitlines())
+        reader.warn(last, None, "the last line has no end; was the file cut short?")
+    findings = reader.sorted_findings()
+    if settings is None or any(found.severity is Severity.ERROR for found in findings):
+        raise SettingsError(name, findings)
+    return settings, findings
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    """One `key: value` of a mapping."""
+
+    key: str
+    line: int
+    value: yaml.Node
+
+
+@dataclass(slots=True)
+class _Reader:
+    """Collects settings and findings on one way through the file."""
+
+    findings: list[Finding] = field(default_factory=list)
+    left_out: int = 0
+    parameters: dict[str, int] = field(default_factory=dict)
+    calibrations: dict[tuple[InputSource, int], Calibration] = field(default_factory=dict)
+
+    def error(self, line: int | None, key: str | None, message: str) -> None:
+        if len(self.findings) < MOST_FINDINGS:
+            self.findings.append(Finding(line, key, message))
+        else:
+            self.left_out += 1
+
+    def warn(self, line: int | None, key: str | None, message: str) -> None:
+        self.findings.append(Finding(line, key, message, Severity.WARNING))
+
+    def sorted_findings(self) -> tuple[Finding, ...]:
+        """In the order of the lines, what concerns the whole file last."""
+        found = sorted(self.findings, key=lambda f: (f.line is None, f.line or 0))
+        if self.left_out:
+            found.append(Finding(None, None, f"{self.left_out} more errors are not listed"))
+        return tuple(found)
+
+    def read(self, root: yaml.MappingNode) -> Settings | None:
+        """Return the settings, or `None` where not even the product is known."""
+        entries = self._entries(root, None)
+        product = self._product(entries)
+        if product is None:
+            return None
+        firmware = self._firmware(entries, product)
+        for entry in entries:
+            if entry.key in CALIBRATION_KEYS:
+                self._read_calibration(entry)
+            elif entry.key not in {"product", "firmware"}:
+                self._read_parameter(entry, product, firmware)
+        self._warn_of_missing({entry.key for entry in entries}, product, firmware)
+        return Settings(product, firmware, self.parameters, self.calibrations)
+
+    def _entries(self, node: yaml.MappingNode, owner: str | None) -> list[_Entry]:
+        """Return what a mapping says, the first of each key."""
+        entries: dict[str, _Entry] = {}
+        for key_node, value in node.value:
+            line = line_of(key_node)
+            if not isinstance(key_node, yaml.ScalarNode):
+                self.error(line, owner, "a name belongs before the colon, not a list or a group")
+                continue
+            key = str(key_node.value)
+            if key in entries:
+                first = f"was given in line {entries[key].line} already"
+                in_owner = f"{shortened(key)} {first}"
+                self.error(line, owner or shortened(key), in_owner if owner else first)
+            else:
+                entries[key] = _Entry(key, line, value)
+        return list(entries.values())
+
+    def _product(self, entries: list[_Entry]) -> Model | None:
+        models = device_table().models
+        wanted = " or ".join(f"'product: {model.name}'" for model in models)
+        found = next((entry for entry in entries if entry.key == "product"), None)
+        if found is None:
+            self.error(1, None, f"the first setting is {wanted}; this file has none")
+            return None
+        if found is not entries[0]:
+            self.error(found.line, "product", "must be the first setting of the file")
+        given = _words(found.value)
+        for model in models:
+            if _bare(given) in {_bare(model.name), _bare(model.key)}:
+                if not isinstance(found.value, yaml.ScalarNode) or given != model.name:
+                    message = f"{_names(models)}, not {_shown(found.value)}"
+                    self.error(found.line, "product", f"{message}; did you mean {model.name}?")
+                return model
+        message = f"{_names(models)}, not {_shown(found.value)}"
+        self.error(found.line, "product", f"{message}; these are not settings of a TReX")
+        return None
+
+    def _firmware(self, entries: list[_Entry], product: Model) -> str | None:
+        found = next((entry for entry in entries if entry.key == "firmware"), None)
+        if found is None:
+            return None
+        given = _words(found.value)
+        known = product.firmware
+        if not _FIRMWARE.fullmatch(given):
+            message = f"a version such as {known[-1]}, not {_shown(found.value)}"
+            self.error(found.line, "firmware", message)
+            return None
+        if not version_key(known[0]) <= version_key(given) <= version_key(known[-1]):
+            message = f"versions {known[0]} to {known[-1]} are known, {given} is not"
+            self.warn(found.line, "firmware", message)
+        return given
+
+    def _read_parameter(self, entry: _Entry, product: Model, firmware: str | None) -> None:
+        key = entry.key
+        spec = next((s for s in specs_for(product, firmware) if s.key == key), None)
+        if spec is None:
+            self.error(entry.line, shortened(key), self._why_unknown(key, product, firmware))
+        elif not spec.readable:
+            self.error(entry.line, key, "is an order to the board, not a setting")
+        else:
+            wire = _integer(entry.value)
+            if wire is not None and spec.problem(wire) is None:
+                self.parameters[key] = wire
+            else:
+                message = f"{_range(spec)}, not {_shown(entry.value)}{_hint(spec, entry.value)}"
+                self.error(entry.line, key, message)
+
+    def _why_unknown(self, key: str, product: Model, firmware: str | None) -> str:
+        if firmware is not None and key in _since():
+            since = _since()[key]
+            return f"a {product.name} has it from firmware {since} on, these are for {firmware}"
+        specs = specs_for(product, firmware).readable
+        keys = ["product", "firmware", *(s.key for s in specs), *CALIBRATION_KEYS]
+        is_listed = len(self.findings) < MOST_FINDINGS
+        return f"there is no such setting{_guess(key, keys) if is_listed else ''}"
+
+    def _read_calibration(self, entry: _Entry) -> None:
+        key = entry.key
+        if not isinstance(entry.value, yaml.MappingNode):
+            wanted = "{" + ", ".join(f"{name}: …" for name in CALIBRATION_FIELDS) + "}"
+            self.error(entry.line, key, f"is written {wanted}, not {_shown(entry.value)}")
+            return
+        inner = {part.key: part for part in self._entries(entry.value, key)}
+        values: dict[str, int] = {}
+        for name, part in inner.items():
+            wire = _integer(part.value)
+            if name not in CALIBRATION_FIELDS:
+                guess = _guess(name, CALIBRATION_FIELDS)
+                self.error(part.line, key, f"a calibration has no {shortened(name)!r}{guess}")
+            elif wire is None or not 0 <= wire <= HIGHEST_CODED:
+                message = f"{name} is 0 to {HIGHEST_CODED}, not {_shown(part.value)}"
+                self.error(part.line, key, message)
+            else:
+                values[name] = wire
+        if missing := [name for name in CALIBRATION_FIELDS if name not in inner]:
+            verb = "is" if len(missing) == 1 else "are"
+            self.error(entry.line, key, f"{' and '.join(missing)} {verb} missing")
+        if len(values) < len(CALIBRATION_FIELDS):
+            return
+        calibration = Calibration(**values)
+        if problem := calibration.problem():
+            self.error(entry.line, key, problem)
+        else:
+            self.calibrations[CALIBRATION_KEYS[key]] = calibration
+
+    def _warn_of_missing(self, given: set[str], product: Model, firmware: str | None) -> None:
+        expected = parameters_of(product.key, firmware or product.firmware[0]).readable
+        missing = [spec.key for spec in expected if spec.key not in given]
+        if missing:
+            most = 3
+            names = ", ".join(missing[:most]) + (" …" if len(missing) > most else "")
+            verb = "is" if len(missing) == 1 else "are"
+            message = f"{len(missing)} of {len(expected)} parameters {verb} missing: {names}"
+            self.warn(None, None, message)
+
+
+def _integer(node: yaml.Node) -> int | None:
+    """Return the number that a node plainly is: decimal, or hexadecimal with 0x."""
+    if not isinstance(node, yaml.ScalarNode) or node.style is not None:
+        return None
+    text = str(node.value)
+    if not _INTEGER.fullmatch(text):
+        return None
+    return int(text, 16 if text[1:2] in {"x", "X"} else 10)
+
+
+def _words(node: yaml.Node) -> str:
+    return str(node.value) if isinstance(node, yaml.ScalarNode) else ""
+
+
+def _shown(node: yaml.Node) -> str:
+    """Return what a person sees where a value belongs."""
+    if not isinstance(node, yaml.ScalarNode):
+        return "a list" if isinstance(node, yaml.SequenceNode) else "a group of settings"
+    text = shortened(str(node.value))
+    if node.style is not None:
+        return f"{text} in quotes" if node.style in "'\"" else "a block of text"
+    return text or "nothing"
+
+
+def _range(spec: ParameterSpec) -> str:
+    """The allowed wire values first, for those are what the file holds."""
+    if spec.kind in {Kind.CHOICE, Kind.UART}:
+        return spec.range_text()
+    low, high = spec.text(spec.minimum), spec.text(spec.maximum)
+    meaning = "channels 1 to 5" if spec.kind is Kind.CHANNELS else f"{low} to {high}"
+    wires = f"{spec.minimum} to {spec.maximum}"
+    return wires if meaning == wires else f"{wires} ({meaning})"
+
+
+def _hint(spec: ParameterSpec, node: yaml.Node) -> str:
+    """Return how a physical value, such as `1.5 s`, is written in a settings file."""
+    text = _words(node)
+    if len(text) > len("19200 baud, no error detection, 1 stop bit") or not text.strip():
+        return ""
+    if _INTEGER.fullmatch(text) and _integer(node) is None:  # in quotes
+        return f"; write {text}" if spec.problem(int(text, 0)) is None else ""
+    # 9600 or 1.5 might be meant in any unit; a whole polynomial is known by its highest bit.
+    if spec.kind is not Kind.POLYNOMIAL and not any(c.isalpha() for c in text):
+        return ""
+    try:
+        return f"; {shortened(text)} is written {spec.wire(text)}"
+    except BadRequest:
+        return ""
+
+
+def _guess(key: str, keys: list[str] | tuple[str, ...]) -> str:
+    wanted = shortened(key).strip().lower().replace("-", "_").replace(" ", "_")
+    close = difflib.get_close_matches(wanted, keys, n=1)
+    return f"; did you mean {close[0]}?" if close else ""
+
+
+def _bare(word: str) -> str:
+    return word.replace(" ", "").casefold()
+
+
+def _names(models: tuple[Model, ...]) -> str:
+    return " or ".join(model.name for model in models)
+
+
+@cache
+def _since() -> dict[str, str]:
+    return {row["key"]: row["since"] for row in device_table().rows}

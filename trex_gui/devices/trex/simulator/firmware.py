@@ -1,0 +1,333 @@
+"""What the board is and does: modes, safety, motors. It has never seen a byte.
+
+Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
+"""
+
+from collections import Counter
+from typing import Any
+
+from trex_gui.core.errors import ResultCode
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
+from trex_gui.devices.trex.simulator.channel_control import ChannelControl
+from trex_gui.devices.trex.simulator.channels import Channels
+from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.devices.trex.simulator.memory import Memory
+from trex_gui.devices.trex.simulator.motors import (
+    FULL_SPEED,
+    AuxiliaryMotor,
+    Direction,
+    Motor,
+    MotorSettings,
+)
+from trex_gui.devices.trex.simulator.physics import Drive, Machine
+from trex_gui.devices.trex.simulator.report import report
+from trex_gui.devices.trex.simulator.serial_control import SerialControl
+from trex_gui.devices.trex.simulator.signals import Signal
+from trex_gui.devices.trex.simulator.special import SpecialStart, special_start
+
+MODE_JUMPERS = ("serial", "rc", "analog")
+
+TICK = 0.0025
+"""Seconds between two steps of the simulation: divides every period below."""
+
+_UPDATE_TICKS = 4  # motors and safety, 100 times a second
+_CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
+
+_EPSILON = 1e-9  # seconds; swallows the rounding of summed times
+
+_FAULT = (Status.MOTOR1_FAULT, Status.MOTOR2_FAULT)
+_OVER_LIMIT = (Status.MOTOR1_OVER_LIMIT, Status.MOTOR2_OVER_LIMIT)
+_COUNTERS = (
+    "power_ups",
+    "brown_outs",
+    "bytes_received",
+    "bytes_missed",
+    "bytes_sent",
+    "bytes_garbled",
+    "packets",
+    "packets_for_others",
+)
+
+
+class Board:
+    """One controller with its motors, receiver and jumpers; starts with the power on.
+
+    `advance` is its only clock. Jumpers are plain attributes: `mix` is read all the time,
+    the others at power-up.
+
+    Attributes:
+        model, firmware, eeprom, memory: what it is and remembers.
+        mode_jumper: `serial` (no jumper), `rc` or `analog`.
+        mix, so_ground: whether these jumpers are set.
+        now, powered_at: seconds since the board was made, and when the power came.
+        powered: whether it has power and runs.
+        is_starved: whether it is switched on and waits for a better battery.
+        boots: how often it was powered up; what waits for an answer compares it.
+        mode: as read at power-up.
+        channels, motors, aux: its inputs and outputs.
+        machine: battery and motors; `physics` are its two motors.
+        serial: the serial side of motor control, and the latched bits.
+        sticks: the channels' side of it, with serial override and safe-start.
+        special: the special start that the jumpers asked for; no normal operation then.
+        receiving: whether a packet has begun and not ended (it lights a LED).
+        counters: what happened since it was made.
+    """
+
+    def __init__(
+        self,
+        model: str = "trex",
+        firmware: str = "1.2",
+        *,
+        eeprom: Eeprom | None = None,
+        mode: str = "serial",
+        mix: bool = False,
+        seed: int = 0,
+    ) -> None:
+        self.eeprom = eeprom if eeprom is not None else Eeprom(model)
+        self.model = self.eeprom.model
+        self.firmware = firmware
+        self.memory = Memory(self.eeprom, firmware)
+        if mode not in MODE_JUMPERS:
+            raise ValueError(f"the mode jumper is {', '.join(MODE_JUMPERS)}, not {mode!r}")
+        self.mode_jumper = mode
+        self.mix = mix
+        self.so_ground = False
+        self.now = self.powered_at = 0.0
+        self.powered = False
+        self.boots = 0
+        self.channels = Channels(InputSource.RC, seed)
+        self.machine = Machine(self.model.key, self.model.current_unit, seed)
+        self.physics = self.machine.motors
+        self._jumpers_at_first = (mode, mix)
+        self.is_starved = False
+        self.counters: Counter[str] = Counter(dict.fromkeys(_COUNTERS, 0))
+        self._ticks = 0
+        self.power_on()
+
+    # Power
+
+    def power_on(self) -> None:
+        """Switch on: jumpers are read, stored parameters become active, latches are clear."""
+        self.is_starved = self.machine.is_too_low
+        if self.powered or self.is_starved:
+            return
+        self.powered = True
+        self.powered_at = self.now
+        self.boots += 1
+        self.counters["power_ups"] += 1
+        self.memory.load()
+        self.mode = self._read_mode()
+        self.channels.begin(self.mode.source)
+        self._forget()
+        self.special: SpecialStart | None = special_start(self)
+
+    def power_off(self) -> None:
+        """Switch off: the motors coast, a write that is not finished is lost."""
+        self.is_starved = False
+        self._go_down()
+
+    def _go_down(self) -> None:
+        self.powered = False
+        self.special = None
+        self.memory.lose_write()
+        self.channels.begin(self.mode.source)
+        self._forget()
+        for physics in self.physics:
+            physics.clear_reading()
+
+    def power_cycle(self) -> None:
+        """Switch off and on again."""
+        self.power_off()
+        self.power_on()
+
+    def make_new(self) -> None:
+        """Put everything back to how a new board comes, and start it; only time goes on."""
+        self.power_off()
+        self.eeprom.make_new()
+        self.mode_jumper, self.mix = self._jumpers_at_first
+        self.so_ground = False
+        self.channels.disconnect()
+        self.machine.make_new()
+        self.power_on()
+
+    def _read_mode(self) -> Mode:
+        jumpers = {"rc": Mode.RC, "analog": Mode.ANALOG}
+        return jumpers.get(self.mode_jumper, self.memory.serial_source)
+
+    def _forget(self) -> None:
+        self.motors = (Motor(), Motor())
+        self.aux = AuxiliaryMotor()
+        self.serial = SerialControl(
+            self.motors,
+            self.aux,
+            joint=self.memory.is_joint,
+            in_control=self.powered and self.mode.is_serial,
+        )
+        self.sticks = ChannelControl(self.channels, self.memory, self.mode)
+        self.receiving = False
+
+    @property
+    def is_running(self) -> bool:
+        """Whether it has power and works normally: whether it listens to bytes."""
+        return self.powered and self.special is None
+
+    # Time
+
+    def advance(self, seconds: float) -> None:
+        """Let time pass."""
+        end = self.now + seconds
+        while True:
+            next_tick = (self._ticks + 1) * TICK
+            write_left = self.memory.busy_for
+            until = min(next_tick, self.now + write_left) if write_left else next_tick
+            if until > end + _EPSILON:
+                break
+            self._pass(until)
+            if until == next_tick:
+                self._tick()
+        self._pass(end)
+
+    def _pass(self, until: float) -> None:
+        if until > self.now:
+            seconds, self.now = until - self.now, until
+            self.memory.advance(seconds)
+
+    def _tick(self) -> None:
+        self._ticks += 1
+        if self.powered:
+            self.channels.advance(TICK)
+            if self._ticks % _UPDATE_TICKS == 0:
+                self._update()
+        self.machine.advance(TICK, [_drive(motor) for motor in self.motors])
+        self._watch_supply()
+        if self.powered and self._ticks % _CURRENT_TICKS[self.mode.source] == 0:
+            self._measure_currents()
+
+    def _watch_supply(self) -> None:
+        """Reset when the battery sags too far, and start again when it has recovered."""
+        if self.powered and self.machine.is_too_low:
+            self.counters["brown_outs"] += 1
+            self._go_down()
+            self.is_starved = True
+        elif self.is_starved and not self.machine.is_too_low:
+            self.power_on()
+
+    def _update(self) -> None:
+        """Do what happens 100 times a second."""
+        if self.special is not None:
+            self.special.update(TICK * _UPDATE_TICKS)
+            if self.special.is_over:
+                self.special = None
+            return
+        self._watch()
+        self.serial.watch_silence(self.now, self.memory.active["serial_timeout"])
+        self._latch_faults()
+        for index, (motor, physics) in enumerate(zip(self.motors, self.physics, strict=True)):
+            if motor.update(self._motor_settings(index + 1), physics.reading):
+                self.serial.status |= _OVER_LIMIT[index]
+        self.aux.update(self.memory.active["aux_acceleration"])
+
+    def _motor_settings(self, number: int) -> MotorSettings:
+        active = self.memory.active
+        return MotorSettings(
+            acceleration=active[f"motor{number}_acceleration"],
+            brake_duration=active[f"motor{number}_brake_duration"],
+            current_limit=0 if self.memory.is_joint else active[f"motor{number}_current_limit"],
+            limit_gain=active[f"motor{number}_current_limit_p"],
+        )
+
+    def _measure_currents(self) -> None:
+        for physics in self.physics:
+            if self.memory.is_joint:
+                physics.clear_reading()  # joint mode has no current sensing
+            else:
+                physics.measure()
+
+    # Channels
+
+    @property
+    def remapped(self) -> tuple[int, ...]:
+        """What 0x87 answers, -127 to 127: channels 1 and 2 as motors 1 and 2 would be set."""
+        return self.sticks.remapped(mix=self.mix)
+
+    @property
+    def override(self) -> bool:
+        """Whether channel 5 hands control to the serial port."""
+        return self.sticks.override
+
+    @property
+    def safe_start(self) -> bool:
+        """Whether the motors wait for sticks at rest."""
+        return self.sticks.safe_start
+
+    def connect(self, channel: int, signal: Signal) -> None:
+        """Put a signal on a channel input (1-5); the board measures it in up to 20 ms."""
+        self.channels.connect(channel, signal)
+
+    def _watch(self) -> None:
+        """Decide who controls the motors, and let the channels drive when it is they."""
+        timeout = self.memory.active["serial_timeout"]
+        self.serial.hand_over(self.now, timeout, in_control=self.sticks.watch())
+        if self.serial.in_control:
+            return
+        if self.safe_start:
+            self.serial.stop_motors()
+        else:
+            self.sticks.drive(self.motors, self.aux, mix=self.mix)
+
+    # What the serial port asks for
+
+    def hear(self) -> None:
+        """Note that a byte came, good or bad."""
+        self.counters["bytes_received"] += 1
+        self.serial.hear(self.now)
+
+    def report_error(self, error: UartError) -> None:
+        """Latch an error of the serial line; the motors may stop for it."""
+        shut_down = bool(self.memory.active["uart_error_shutdown"])
+        self.serial.report(error, shut_down=shut_down)
+
+    def set_parameter(self, number: int, value: int) -> ResultCode:
+        """Begin to write a parameter (0xAF); see `Memory.set`."""
+        return self.memory.set(number, value, self.mode)
+
+    def calibration(self, channel: int) -> Calibration:
+        """Return the calibration of a channel (1-5) in the set that acts now."""
+        return self.memory.calibration(self.mode.source, channel)
+
+    def set_calibration(self, channel: int, calibration: Calibration) -> ResultCode:
+        """Begin to write a calibration (0xA0-0xA4); see `Memory.set_calibration`."""
+        return self.memory.set_calibration(channel, calibration, self.mode)
+
+    # What people do to it
+
+    def set_fault(self, number: int, *, fault: bool) -> None:
+        """Make the driver of motor 1 or 2 shut itself down, or recover."""
+        self.physics[number - 1].fault = fault
+        if self.powered:
+            self._latch_faults()
+
+    def force_current(self, number: int, amperes: float | None) -> None:
+        """Make the sensor of motor 1 or 2 show a current; `None` for the real one again."""
+        physics = self.physics[number - 1]
+        physics.forced = amperes
+        if self.powered and not self.memory.is_joint and amperes is not None:
+            physics.measure()
+
+    def _latch_faults(self) -> None:
+        for flag, physics in zip(_FAULT, self.physics, strict=True):
+            if physics.fault:
+                self.serial.status |= flag
+
+    def show(self) -> dict[str, Any]:
+        """Return what the board is doing, ready for JSON."""
+        return report(self)
+
+
+def _drive(motor: Motor) -> Drive:
+    """Return what an output does to its motor; inferred: duty is speed / 127."""
+    share = motor.speed / FULL_SPEED
+    if motor.direction is Direction.BRAKE:
+        return Drive(brake=share)
+    return Drive(share if motor.direction is Direction.FORWARD else -share)

@@ -1,0 +1,247 @@
+"""The two special starts that jumpers ask for: learning the channels, and the boot loader.
+
+Ref: Pololu TReX manual pages 10-11; forum threads 1769 (boot loader) and 4631 (recovery).
+"""
+
+from collections import deque
+from collections.abc import Sequence
+from enum import Enum
+from typing import TYPE_CHECKING, Protocol
+
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.simulator.firmware import Board
+
+_NEUTRALS = 2.0  # seconds of watching
+_SETTLING = 0.1  # inferred: not watched at first, while the pulses of all channels come in
+_EXTREMES = 10.0
+_HELD = 50  # updates, 0.5 s: how long an extreme must be held
+_FLASH = 0.4  # inferred: seconds for each channel's result
+_UNSTEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}
+"""Inferred: counts between highest and lowest that are too much for a stick at rest."""
+
+
+class SpecialStart(Protocol):
+    """What the board does instead of its normal work."""
+
+    @property
+    def name(self) -> str:
+        """What it is doing, for people."""
+
+    @property
+    def leds(self) -> tuple[str, str]:
+        """What the red and the green LED show."""
+
+    @property
+    def is_over(self) -> bool:
+        """Whether normal operation follows without a power cycle."""
+
+    def update(self, seconds: float) -> None:
+        """Do one update, 100 times a second."""
+
+    def answer(self, byte: int) -> bytes:
+        """Return what it says to a byte on the serial line."""
+
+
+def special_start(board: "Board") -> SpecialStart | None:
+    """Return the special start that the jumpers ask for at power-up."""
+    if not (board.mix and board.so_ground):
+        return None
+    return BootLoader(board) if board.mode.is_serial else Learning(board)
+
+
+class BootLoader:
+    """Waits for new firmware; on the way there the serial settings become the factory's.
+
+    The hand-shake is known (mix off, then SO off ground). Inferred: that it is what restores
+    lost serial settings, and that those are UART settings and CRC polynomial.
+    """
+
+    is_over = False
+
+    def __init__(self, board: "Board") -> None:
+        self._board = board
+        self._confirmed = False
+        self._ready = False
+
+    @property
+    def name(self) -> str:
+        """What it is doing, for people."""
+        return "boot loader" if self._ready else "waiting for firmware upgrade"
+
+    @property
+    def leds(self) -> tuple[str, str]:
+        """What the red and the green LED show."""
+        if self._ready:
+            return "off", "short flash 1/s"
+        return ("alternate 4/s",) * 2 if self._confirmed else ("alternate 1/s",) * 2
+
+    def update(self, seconds: float) -> None:  # noqa: ARG002 - waits for people, not for time
+        """Follow the jumpers."""
+        if self._ready:
+            return
+        if not self._confirmed:
+            self._confirmed = not self._board.mix
+        elif not self._board.so_ground:
+            self._ready = True
+            self._board.memory.restore_line_settings()
+
+    def answer(self, byte: int) -> bytes:
+        """Echo what is no piece of firmware with a question mark (forum thread 5011).
+
+        Inferred: it does so at the rate that was set, and takes nothing for firmware.
+        """
+        return bytes([byte]) + b"?" if self._ready else b""
+
+
+class _Step(Enum):
+    READY = "learning: take the mix jumper off"
+    WAITING = "learning: waiting for a signal"
+    NEUTRALS = "learning: neutrals"
+    NEUTRALS_SHOWN = "learning: neutrals learned"
+    EXTREMES = "learning: extremes"
+    DONE = "learning: done"
+
+
+class Learning:
+    """Learns neutral and extremes of every channel from what the sticks do.
+
+    Inferred: how steady a neutral must be, the deadband (the default, or the noise where
+    that is more), and that a channel that fails keeps its values.
+    """
+
+    def __init__(self, board: "Board") -> None:
+        self.is_over = False
+        self._board = board
+        self._step = _Step.READY
+        self._time = 0.0
+        self._watched = {channel: _Watched() for channel in CHANNELS}
+        self._learned: set[int] = set()
+
+    @property
+    def name(self) -> str:
+        """What it is doing, for people."""
+        return self._step.value
+
+    @property
+    def leds(self) -> tuple[str, str]:
+        """What the red and the green LED show."""
+        match self._step:
+            case _Step.READY:
+                return "blink 1/s", "blink 1/s"
+            case _Step.WAITING:
+                return "blink 4/s", "blink 4/s"
+            case _Step.NEUTRALS:
+                return "on", "off"
+            case _Step.EXTREMES:
+                return "on", "on"
+        channel = 1 + int(self._time / _FLASH) % len(CHANNELS)
+        if self._time % _FLASH > _FLASH / 2:
+            return "off", "off"
+        return ("off", "on") if channel in self._learned else ("on", "off")
+
+    def update(self, seconds: float) -> None:
+        """Go on with the step that it is at."""
+        raw = self._board.channels.raw
+        self._time += seconds
+        match self._step:
+            case _Step.READY if not self._board.mix:
+                self._begin(_Step.WAITING)
+            case _Step.WAITING:
+                self._wait(raw)
+            case _Step.NEUTRALS:
+                if self._time > _SETTLING:
+                    self._watch(raw)
+                if self._time >= _NEUTRALS:
+                    self._learn_neutrals()
+            case _Step.NEUTRALS_SHOWN:
+                if self._time >= _FLASH * len(CHANNELS):
+                    self._begin(_Step.EXTREMES if self._learned else _Step.DONE)
+            case _Step.EXTREMES:
+                self._watch(raw)
+                if self._time >= _EXTREMES:
+                    self._learn_extremes()
+            case _:
+                pass
+
+    def answer(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: it does not listen
+        """Say nothing."""
+        return b""
+
+    def _begin(self, step: _Step) -> None:
+        self._step = step
+        self._time = 0.0
+
+    def _wait(self, raw: Sequence[int | None]) -> None:
+        if not self._board.so_ground:
+            self.is_over = True
+        elif self._board.mode is Mode.ANALOG or any(value is not None for value in raw):
+            self._begin(_Step.NEUTRALS)
+
+    def _watch(self, raw: Sequence[int | None]) -> None:
+        for channel, value in zip(CHANNELS, raw, strict=True):
+            self._watched[channel].take(value)
+
+    def _learn_neutrals(self) -> None:
+        limit = _UNSTEADY[self._board.mode.source]
+        for channel, watched in self._watched.items():
+            if watched.settle(limit):
+                self._learned.add(channel)
+        self._begin(_Step.NEUTRALS_SHOWN)
+
+    def _learn_extremes(self) -> None:
+        source = self._board.mode.source
+        for channel in sorted(self._learned):
+            calibration = self._watched[channel].calibration(DEFAULT_CALIBRATION[source].deadband)
+            if calibration is None:
+                self._learned.discard(channel)
+            else:
+                self._board.memory.store_calibration(source, channel, calibration)
+        self._begin(_Step.DONE)
+
+
+class _Watched:
+    """What was seen of one channel."""
+
+    def __init__(self) -> None:
+        self._values: list[int] = []
+        self._is_bad = False
+        self._neutral = 0
+        self._noise = 0
+        self._recent: deque[int] = deque(maxlen=_HELD)
+        self._lowest: int | None = None
+        self._highest: int | None = None
+
+    def take(self, value: int | None) -> None:
+        """Take a measurement, `None` for an error."""
+        if value is None:
+            self._is_bad = True
+            return
+        self._values.append(value)
+        self._recent.append(value)
+        if len(self._recent) == _HELD:  # only what was held counts
+            lowest, highest = max(self._recent), min(self._recent)
+            self._lowest = lowest if self._lowest is None else min(self._lowest, lowest)
+            self._highest = highest if self._highest is None else max(self._highest, highest)
+
+    def settle(self, limit: int) -> bool:
+        """Take what was seen so far as neutral; return whether it was good and steady."""
+        if self._is_bad or not self._values:
+            return False
+        self._noise = max(self._values) - min(self._values)
+        self._neutral = round(sum(self._values) / len(self._values))
+        self._values.clear()
+        return self._noise <= limit
+
+    def calibration(self, deadband: int) -> Calibration | None:
+        """Return what was learned; `None` when the stick hardly moved or the signal was bad."""
+        if self._is_bad or self._lowest is None or self._highest is None:
+            return None
+        lowest = min(self._lowest, self._neutral)
+        highest = max(self._highest, self._neutral)
+        deadband = max(deadband, self._noise)
+        if highest - lowest <= 2 * deadband:
+            return None
+        return Calibration(lowest, self._neutral, highest, deadband)

@@ -1,0 +1,360 @@
+"""How the board reads and answers bytes: packets, checksum, errors. It knows no time.
+
+Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b (protocols), 5.e (CRC-7).
+Nothing here is shared with `protocol.commands`: it is written from the documents.
+"""
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from trex_gui.core.errors import ResultCode
+from trex_gui.devices.trex.protocol.calibration import INVALID_RAW, Calibration
+from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.motors import Direction
+
+RECEIVE_BUFFER = 32
+SEND_BUFFER = 32
+"""Bytes that may wait, received ones for the program and answers for the wire. Inferred: the
+documents name no size; any that holds the longest packet and answer keeps their promise that
+a host which waits for its answers never overruns them."""
+
+_COMMAND_BIT = 0x80
+_EXPANDED = 0x80
+_NULL = 0xFF
+_GAP = -1
+"""Stands in the receive buffer for bytes that were bad or found no room."""
+
+_FORMAT_BYTES = b"\x55\x2a"
+
+
+def remainder(data: bytes, polynomial: int) -> int:
+    """Return the CRC-7 of a packet by the guide's long division (5.e).
+
+    The packet, its first bit in front, is divided with seven zero bits behind it by a
+    polynomial of eight bits (0x80-0xFF); what remains is the checksum.
+    """
+    dividend = int.from_bytes(data) << 7
+    while (excess := dividend.bit_length() - 8) >= 0:
+        dividend ^= polynomial << excess
+    return dividend
+
+
+class SerialPort:
+    """The UART of one board and the program behind it.
+
+    The program pauses for a write to the EEPROM and for the response delay. What comes
+    meanwhile gathers in the receive buffer, and is obeyed while the answer is being sent.
+
+    Attributes:
+        board: whose port it is.
+        outgoing: the send buffer; whoever runs the wire takes the bytes out.
+        pause: seconds until `resume` is due, as of the last byte; 0 while the program runs.
+    """
+
+    def __init__(self, board: Board) -> None:
+        self.board = board
+        self._boot = board.boots
+        self._answer = b""  # what is sent after the pause
+        self._start_over()
+
+    def feed(self, byte: int) -> None:
+        """Take a byte; the answer, if it completes a packet that has one, is in `outgoing`.
+
+        After a `pause` it is there when `resume` has been called.
+        """
+        if not self._listens():
+            if self.board.special is not None:
+                self._send(self.board.special.answer(byte))
+            return
+        self.board.hear()
+        if not self.pause:
+            self._take(byte)
+        elif len(self._buffer) - self._buffer.count(_GAP) < RECEIVE_BUFFER:
+            self._buffer.append(byte)
+        else:
+            self._leave_gap()
+            self.board.report_error(UartError.READ_OVERRUN)
+
+    def feed_error(self, error: UartError) -> None:
+        """Take a byte that the hardware found bad: its packet is lost."""
+        if self._listens():
+            self.board.hear()
+            if self.pause:
+                self._leave_gap()
+            else:
+                self._begin()
+            self.board.report_error(error)
+
+    def _leave_gap(self) -> None:
+        """Note that a byte is missing, so that its packet is not completed by later ones."""
+        if not self._buffer or self._buffer[-1] != _GAP:
+            self._buffer.append(_GAP)
+
+    def resume(self) -> None:
+        """Go on after a pause: answer, then obey what has gathered, until the next pause."""
+        if not self._listens():
+            return
+        self.pause = 0.0
+        self._send(self._answer)
+        self._answer = b""
+        while self._buffer and not self.pause:
+            self._take(self._buffer.popleft())
+
+    def _listens(self) -> bool:
+        """Whether packets are taken; a power-up since the last byte has emptied everything."""
+        if self.board.boots != self._boot:
+            self._boot = self.board.boots
+            self._start_over()
+        return self.board.is_running
+
+    def _start_over(self) -> None:
+        self._buffer: deque[int] = deque()
+        self.outgoing: deque[int] = deque()
+        self.pause = 0.0
+        self._answer = b""
+        self._begin()
+
+    def _begin(self) -> None:
+        """Wait for the first byte of a packet."""
+        self._packet = bytearray()
+        self._is_skipping = False
+        self.board.receiving = False
+
+    def _take(self, byte: int) -> None:
+        if byte == _GAP:
+            self._begin()
+        elif byte & _COMMAND_BIT:
+            self._take_command_byte(byte)
+        elif self._is_skipping:
+            pass  # of a packet for another device, however long it is
+        elif not self._packet:
+            self._reject()  # inferred: a data byte without a packet is a format error
+        else:
+            self._packet.append(byte)
+            self._go_on()
+
+    def _take_command_byte(self, byte: int) -> None:
+        if self._packet:
+            # Inferred: the byte that breaks a packet off begins the next one.
+            self._reject()
+        self._begin()
+        if byte == _NULL:
+            return  # inferred: it carries no CRC either
+        self._packet.append(byte)
+        self.board.receiving = True
+        self._go_on()
+
+    def _go_on(self) -> None:
+        """Look whether the packet is complete, and then do what it says."""
+        head = 1
+        command = self._packet[0]
+        if command == _EXPANDED:
+            head = 3
+            if len(self._packet) >= 2 and self._packet[1] != self._device_number():
+                self.board.counters["packets_for_others"] += 1
+                self._begin()
+                self._is_skipping = True
+                return
+            if len(self._packet) < head:
+                return
+            command = self._packet[2] | _COMMAND_BIT
+            if command == _NULL:
+                self._begin()
+                return
+        known = _COMMANDS.get(command)
+        if known is None:
+            self._reject()
+            return
+        polynomial = self.board.memory.crc_polynomial
+        if len(self._packet) < head + known.size + (polynomial is not None):
+            return
+        packet = bytes(self._packet)
+        self._begin()
+        if polynomial is not None and remainder(packet[:-1], polynomial) != packet[-1]:
+            self.board.report_error(UartError.CRC)
+        else:
+            self._obey(known, command, packet[head : head + known.size])
+
+    def _device_number(self) -> int:
+        return self.board.memory.active["device_number"]
+
+    def _obey(self, known: "_Known", command: int, data: bytes) -> None:
+        try:
+            answer = known.do(self.board, command, data)
+        except _IllogicalData:
+            self._reject()
+            return
+        self.board.counters["packets"] += 1
+        if not answer:
+            return
+        memory = self.board.memory
+        polynomial = memory.crc_polynomial
+        if polynomial is not None:
+            answer += bytes([remainder(answer, polynomial)])
+        self.pause = memory.busy_for + memory.response_delay
+        if self.pause:
+            self._answer = answer
+        else:
+            self._send(answer)
+
+    def _send(self, answer: bytes) -> None:
+        """Put an answer into the send buffer; inferred: what finds no room is lost."""
+        room = SEND_BUFFER - len(self.outgoing)
+        self.outgoing.extend(answer[:room])
+        if len(answer) > room:
+            self.board.report_error(UartError.SEND_OVERRUN)
+
+    def _reject(self) -> None:
+        self._begin()
+        self.board.report_error(UartError.FORMAT)
+
+
+class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
+    """A data byte has a value that makes no sense."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """A command: how many data bytes follow it and what it does.
+
+    `do` gets the board, the command byte (its low bits often say which motor or channel)
+    and the data, and returns the answer, empty for none.
+    """
+
+    size: int
+    do: Callable[[Board, int, bytes], bytes]
+
+
+def _get_signature(board: Board, _command: int, _data: bytes) -> bytes:
+    return board.model.signature + board.firmware.encode("ascii")
+
+
+def _get_mode(board: Board, _command: int, _data: bytes) -> bytes:
+    return board.mode.value.encode("ascii")
+
+
+def _get_serial_controls(board: Board, _command: int, _data: bytes) -> bytes:
+    return bytes([board.serial.in_control])
+
+
+def _get_status(board: Board, _command: int, _data: bytes) -> bytes:
+    return bytes([board.serial.take_status()])
+
+
+def _get_uart_errors(board: Board, _command: int, _data: bytes) -> bytes:
+    return bytes([board.serial.take_uart_errors()])
+
+
+def _wanted(data: bytes) -> list[int]:
+    """Return the indices (0-4) of the channels that a mask asks for."""
+    if data[0] > 0b11111:
+        raise _IllogicalData  # inferred: there are five channels
+    return [index for index in range(5) if data[0] & 1 << index]
+
+
+def _get_raw(board: Board, _command: int, data: bytes) -> bytes:
+    raw = board.channels.raw
+    values = [raw[index] for index in _wanted(data)]
+    return b"".join(
+        (INVALID_RAW if value is None else value).to_bytes(2, "little") for value in values
+    )
+
+
+def _get_remapped(board: Board, _command: int, data: bytes) -> bytes:
+    remapped = board.remapped
+    values = [remapped[index] for index in _wanted(data)]
+    return bytes(abs(value) | (0x80 if value < 0 else 0) for value in values)
+
+
+def _get_current(board: Board, command: int, _data: bytes) -> bytes:
+    return bytes([board.physics[command - 0x8D].reading])
+
+
+def _get_currents(board: Board, _command: int, _data: bytes) -> bytes:
+    return bytes(physics.reading for physics in board.physics)
+
+
+def _get_calibration(board: Board, command: int, _data: bytes) -> bytes:
+    stored = board.calibration(command - 0x90 + 1)
+    values = (stored.minimum, stored.neutral, stored.maximum, stored.deadband)
+    return b"".join(value.to_bytes(2, "little") for value in values)
+
+
+def _get_calibrated(board: Board, _command: int, _data: bytes) -> bytes:
+    return bytes([board.memory.learned(board.mode.source)])
+
+
+def _get_parameter(board: Board, _command: int, data: bytes) -> bytes:
+    value = board.memory.get(data[0])
+    if value is None:
+        raise _IllogicalData  # inferred: a number that is no parameter is illogical data
+    return bytes([value])
+
+
+def _require_format_bytes(data: bytes) -> None:
+    if data[-2:] != _FORMAT_BYTES:
+        raise _IllogicalData
+
+
+def _set_calibration(board: Board, command: int, data: bytes) -> bytes:
+    _require_format_bytes(data)
+    # Inferred: low and high byte carry seven bits each, since no data byte exceeds 127.
+    minimum, neutral, maximum, deadband = (
+        data[index] + 128 * data[index + 1] for index in range(0, 8, 2)
+    )
+    calibration = Calibration(minimum, neutral, maximum, deadband)
+    return _result(board.set_calibration(command - 0xA0 + 1, calibration))
+
+
+def _set_parameter(board: Board, _command: int, data: bytes) -> bytes:
+    _require_format_bytes(data)
+    return _result(board.set_parameter(data[0], data[1]))
+
+
+def _result(code: ResultCode) -> bytes:
+    return bytes([code])
+
+
+def _drive_one(board: Board, command: int, data: bytes) -> bytes:
+    """0xC0-0xCF: bit 3 names the motor, bit 2 asks for a ramp, bits 1:0 are the direction."""
+    number = 2 if command & 0b1000 else 1
+    direction = Direction.from_bits(command)
+    board.serial.drive(number, direction, data[0], accelerate=bool(command & 0b0100))
+    return b""
+
+
+def _drive_both(board: Board, command: int, data: bytes) -> bytes:
+    """0xD0-0xEF: bits 1:0 are the direction of motor 1, bits 3:2 that of motor 2."""
+    accelerate = command >= 0xE0
+    board.serial.drive(1, Direction.from_bits(command), data[0], accelerate=accelerate)
+    board.serial.drive(2, Direction.from_bits(command >> 2), data[1], accelerate=accelerate)
+    return b""
+
+
+def _drive_aux(board: Board, command: int, data: bytes) -> bytes:
+    board.serial.drive_aux(data[0], accelerate=command == 0xF1)
+    return b""
+
+
+_COMMANDS: dict[int, _Known] = {
+    0x81: _Known(0, _get_signature),
+    0x82: _Known(0, _get_mode),
+    0x83: _Known(0, _get_serial_controls),
+    0x84: _Known(0, _get_status),
+    0x85: _Known(0, _get_uart_errors),
+    0x86: _Known(1, _get_raw),
+    0x87: _Known(1, _get_remapped),
+    0x8D: _Known(0, _get_current),
+    0x8E: _Known(0, _get_current),
+    0x8F: _Known(0, _get_currents),
+    **dict.fromkeys(range(0x90, 0x95), _Known(0, _get_calibration)),
+    0x95: _Known(0, _get_calibrated),
+    0x9F: _Known(1, _get_parameter),
+    **dict.fromkeys(range(0xA0, 0xA5), _Known(10, _set_calibration)),
+    0xAF: _Known(4, _set_parameter),
+    **dict.fromkeys(range(0xC0, 0xD0), _Known(1, _drive_one)),
+    **dict.fromkeys(range(0xD0, 0xF0), _Known(2, _drive_both)),
+    **dict.fromkeys(range(0xF0, 0xF2), _Known(1, _drive_aux)),
+}

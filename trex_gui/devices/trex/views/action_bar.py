@@ -1,0 +1,124 @@
+"""The row below the pages, the same on every page: stop, run, apply."""
+
+import math
+
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.views.stop_button import StopButton
+from trex_gui.devices.trex.views.timeout_notice import TimeoutNotice
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import theme, tint
+
+
+class ActionBar(QWidget):
+    """Stop motor in red, Run motor in green, what state they are in, Apply settings.
+
+    Signals:
+        apply_requested: a person wants the edits written.
+    """
+
+    apply_requested = Signal()
+
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._device = device
+
+        self._stop = StopButton(device, "stopButton", self)
+        self._run = QPushButton(self.tr("Run motor"), self)
+        self._run.setObjectName("runButton")
+        self._run.setToolTip(self.tr("Let the sliders of the Motors page move the motors"))
+        font = self._run.font()
+        font.setBold(True)
+        self._run.setFont(font)
+        tint(self._run, "run")
+        set_icon(self._run, "run", "run_text")
+        self._state = QLabel(self)
+        self._state.setObjectName("motorStateLabel")
+        self._state.setWordWrap(True)
+        self._unapplied = QLabel(self.tr("There are unapplied changes."), self)
+        self._unapplied.setObjectName("unappliedLabel")
+        self._apply = QPushButton(self.tr("Apply settings"), self)
+        self._apply.setObjectName("applyButton")
+        self._apply.setToolTip(self.tr("Write the changed parameters into the board (Ctrl+P)"))
+        set_icon(self._apply, "apply")
+        height = 2 * self.fontMetrics().height() + 4
+        for button in (self._stop, self._run, self._apply):
+            button.setMinimumSize(4 * height, height)
+
+        self._notice = TimeoutNotice(device, self)
+
+        layout = QHBoxLayout()
+        layout.addWidget(self._stop)
+        layout.addWidget(self._run)
+        layout.addSpacing(8)
+        layout.addWidget(self._state, 1)
+        layout.addWidget(self._unapplied)
+        layout.addWidget(self._apply)
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.addWidget(self._notice)
+        rows.addLayout(layout)
+
+        self._run.clicked.connect(device.motors.arm)
+        self._apply.clicked.connect(self.apply_requested)
+        device.link_changed.connect(self._on_changed)
+        device.motors.changed.connect(self._on_changed)
+        device.pending_changed.connect(self._on_changed)
+        theme().changed.connect(self._on_theme_changed)
+        self._on_changed()
+        self._on_theme_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        motors, link = self._device.motors, self._device.link
+        self._run.setEnabled(motors.can_arm and not motors.armed and not motors.locked_for)
+        self._state.setText(self._state_text())
+        is_beyond_reach = link is Link.UP and not motors.can_arm and motors.locked_for > 0
+        alarming = motors.armed or self._device.may_move or is_beyond_reach
+        self._show_state(alarming=alarming)
+        pending = self._device.pending > 0
+        self._unapplied.setVisible(pending)
+        self._apply.setEnabled(pending and link is Link.UP and not self._device.applying)
+
+    def _state_text(self) -> str:
+        """What is known of the motors; never more than that."""
+        motors, link = self._device.motors, self._device.link
+        if motors.armed:
+            return self.tr("Armed. Asked: {0}").format(motors.text or self.tr("nothing yet"))
+        if self._device.may_move:
+            if link in {Link.UP, Link.CLOSING}:
+                return self.tr("Stopping …")
+            if link is Link.NONE:
+                return self.tr("The line was lost: motors may still turn. Cut their power.")
+            return self.tr("Not known: motors may still turn. The stop is sent again and again.")
+        if link is Link.UP and not motors.can_arm and motors.locked_for:
+            return self.tr("Channels control the motors: Stop does not reach what they drive.")
+        if motors.locked_for:
+            left = math.ceil(motors.locked_for)
+            return self.tr("Stopped. Motors are locked for {0} s.").format(left)
+        if link is Link.UP and motors.stop_reason:
+            return self.tr("Stopped. {0}").format(motors.stop_reason)
+        if link is Link.UP and motors.can_arm:
+            return self.tr("Not armed: nothing is sent before Run motor.")
+        if link is Link.UP:
+            return self.tr("Channels control the motors; Run motor needs serial control.")
+        return self.tr("Motors: N/A")
+
+    def _show_state(self, *, alarming: bool) -> None:
+        """Let what may move stand out, in weight as well as in colour."""
+        font = self._state.font()
+        font.setBold(alarming)
+        self._state.setFont(font)
+        palette = self.palette()
+        if alarming:
+            palette.setColor(self._state.foregroundRole(), theme().color("warning"))
+        self._state.setPalette(palette)
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        palette = self._unapplied.palette()
+        palette.setColor(self._unapplied.foregroundRole(), theme().color("dirty"))
+        self._unapplied.setPalette(palette)
+        self._on_changed()

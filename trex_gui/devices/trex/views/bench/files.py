@@ -1,0 +1,113 @@
+"""Saving bench tests as files or pictures, and opening files again to compare with."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
+from trex_gui.devices.trex.bench.run import Run
+from trex_gui.devices.trex.model.bench.bench import Bench
+from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
+
+_MOST_LETTERS = 10_000_000
+"""More than the longest test can be: two minutes of readings are half a megabyte."""
+
+
+class BenchFiles(QObject):
+    """Asks for a file and says what became of it; `picture` gives the plot as it is shown.
+
+    Signals:
+        told: what was done, for people.
+        refused: why a file was not opened or saved, for people.
+    """
+
+    told = Signal(str)
+    refused = Signal(str)
+
+    def __init__(self, bench: Bench, window: QWidget, picture: Callable[[], QPixmap]) -> None:
+        super().__init__(window)
+        self._picture = picture
+        self._bench = bench
+        self._window = window
+        self._store = QSettings(self)
+
+    def ask_and_save(self, run: Run) -> None:
+        """Let a person choose where to save a test."""
+        name = f"bench_motor{run.motor}_{run.profile.shape.value}_{run.began:%Y%m%d_%H%M%S}.csv"
+        kinds = self.tr("Bench tests (*.csv);;Pictures (*.png)")
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window, self.tr("Save bench test"), str(self._folder / name), kinds
+        )
+        if chosen:
+            self.save(run, Path(chosen))
+
+    def ask_and_open(self) -> None:
+        """Let a person choose a test that was saved."""
+        chosen, _ = QFileDialog.getOpenFileName(
+            self._window, self.tr("Open bench test"), str(self._folder), self._filter
+        )
+        if chosen:
+            self.open(Path(chosen))
+
+    def save(self, run: Run, path: Path) -> None:
+        """Write a test, or a picture where the name ends in .png; replaces an older file."""
+        try:
+            if path.suffix.lower() == ".png":
+                self._save_picture(path)
+            else:
+                path.write_text(to_csv(run), encoding="utf-8", newline="")
+        except OSError as error:
+            self.refused.emit(
+                self.tr("{0} was not saved. {1}").format(path.name, error.strerror or error)
+            )
+            return
+        remember_folder(self._store, path)
+        self.told.emit(self.tr("Saved as {0}.").format(path.name))
+
+    def _save_picture(self, path: Path) -> None:
+        path.touch()  # which says why when it cannot be; Qt does not
+        if not self._picture().save(str(path), "PNG"):
+            raise OSError(self.tr("The picture could not be written"))
+
+    def open(self, path: Path) -> None:
+        """Read a test and keep it beside those that were run."""
+        try:
+            run = from_csv(_read(path))
+        except OSError as error:
+            self._refuse(path, error.strerror or str(error))
+        except UnicodeDecodeError:
+            self._refuse(path, self.tr("it is no text"))
+        except BenchFileError as error:
+            self._refuse(path, str(error))
+        else:
+            remember_folder(self._store, path)
+            self._bench.keep(run)
+            self.told.emit(self.tr("{0}: {1}.").format(path.name, run.title))
+
+    def _refuse(self, path: Path, why: str) -> None:
+        self.refused.emit(self.tr("{0} was not opened: {1}.").format(path.name, why))
+
+    @property
+    def _folder(self) -> Path:
+        return last_folder(self._store)
+
+    @property
+    def _filter(self) -> str:
+        return self.tr("Bench tests (*.csv);;All files (*)")
+
+
+def _read(path: Path) -> str:
+    """Return what is in a file.
+
+    Raises:
+        OSError, UnicodeDecodeError: it cannot be read, or is no text.
+        BenchFileError: it is far too long.
+    """
+    with path.open(encoding="utf-8") as file:
+        text = file.read(_MOST_LETTERS + 1)
+    if len(text) > _MOST_LETTERS:
+        raise BenchFileError("it is too long for one")
+    return text

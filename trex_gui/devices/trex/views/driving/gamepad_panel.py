@@ -1,0 +1,183 @@
+"""Driving with a gamepad: switching it on, which one, and what it waits for."""
+
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, Slot
+from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QGridLayout,
+    QGroupBox,
+    QHBoxLayout,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.driving.gamepad import Gamepad
+from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
+from trex_gui.devices.trex.views.driving.gamepad_dialog import GamepadDialog
+from trex_gui.gamepad.pads import PadSource
+from trex_gui.gamepad.sdl import SdlPads
+from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.note import Note
+
+
+class GamepadPanel(QGroupBox):
+    """Small while it is switched off; a gamepad drives only while a person can see this page."""
+
+    def __init__(
+        self, device: Device, parent: QWidget | None = None, *, source: PadSource | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("gamepadPanel")
+        self.setTitle(self.tr("Gamepad"))
+        self._device = device
+        self._gamepad = Gamepad(device, source or SdlPads(), self)
+        self._dialog: GamepadDialog | None = None
+
+        self._on = QCheckBox(self.tr("Drive with a &gamepad"), self)
+        self._on.setObjectName("gamepadBox")
+        self._on.setAccessibleName(self.tr("Drive with a gamepad"))
+        self._pads = CalmComboBox(self)
+        self._pads.setObjectName("gamepadCombo")
+        self._pads.setAccessibleName(self.tr("Gamepad"))
+        self._pads.setSizeAdjustPolicy(
+            CalmComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self._pads.setMinimumContentsLength(12)
+        self._set_up = QPushButton(self.tr("Set up…"), self)
+        self._set_up.setObjectName("gamepadSetUpButton")
+        self._set_up.setAccessibleName(self.tr("Set up the gamepad"))
+        self._state = Note(1, self)
+        self._state.setObjectName("gamepadState")
+        self._state.setTextInteractionFlags(
+            Qt.TextInteractionFlag.TextSelectableByMouse
+            | Qt.TextInteractionFlag.TextSelectableByKeyboard
+        )
+        self._forward = PartBar(self.tr("Forward"), self)
+        self._forward.setObjectName("gamepadForward")
+        self._turn = PartBar(self.tr("Turn"), self)
+        self._turn.setObjectName("gamepadTurn")
+        self._unfocused = QCheckBox(self.tr("Stop when the window loses the focus"), self)
+        self._unfocused.setObjectName("gamepadUnfocusedBox")
+        self._unfocused.setAccessibleName(
+            self.tr("Stop what the gamepad drives when the window loses the focus")
+        )
+        self._unfocused.setChecked(self._gamepad.stops_unfocused)
+
+        top = QHBoxLayout()
+        top.addWidget(self._on)
+        top.addWidget(self._pads, 1)
+        top.addWidget(self._set_up)
+        top.addStretch(0)
+        bars = QGridLayout()
+        bars.setHorizontalSpacing(16)
+        bars.addWidget(self._forward, 0, 0)
+        bars.addWidget(self._turn, 0, 1)
+        layout = QVBoxLayout(self)
+        layout.addLayout(top)
+        layout.addWidget(self._state)
+        layout.addLayout(bars)
+        layout.addWidget(self._unfocused)
+
+        self._on.toggled.connect(self._on_toggled)
+        self._pads.activated.connect(self._on_pad_activated)
+        self._set_up.clicked.connect(self._on_set_up_clicked)
+        self._unfocused.toggled.connect(self._gamepad.set_stops_unfocused)
+        self._gamepad.changed.connect(self._on_gamepad_changed)
+        self._gamepad.moved.connect(self._on_gamepad_moved)
+        app = QGuiApplication.instance()
+        if isinstance(app, QGuiApplication):
+            app.focusWindowChanged.connect(self._on_focus_changed)
+            app.applicationStateChanged.connect(self._on_focus_changed)
+        self._on_gamepad_changed()
+        self._attend()
+
+    @property
+    def gamepad(self) -> Gamepad:
+        """What is shown here."""
+        return self._gamepad
+
+    @Slot(bool)
+    def _on_toggled(self, on: bool) -> None:
+        if on:
+            self._gamepad.switch_on()
+        else:
+            self._gamepad.switch_off()
+
+    @Slot(int)
+    def _on_pad_activated(self, index: int) -> None:
+        if 0 <= index < len(self._gamepad.pads):
+            self._gamepad.choose(self._gamepad.pads[index])
+
+    @Slot()
+    def _on_set_up_clicked(self) -> None:
+        if self._dialog is None:
+            self._dialog = GamepadDialog(self._gamepad, self)
+            self._dialog.installEventFilter(self)
+        self._dialog.show()
+        self._dialog.activateWindow()
+        self._attend()
+
+    @Slot()
+    def _on_gamepad_changed(self) -> None:
+        gamepad = self._gamepad
+        with QSignalBlocker(self._on):
+            self._on.setChecked(gamepad.on)
+        pads = gamepad.pads
+        names = [pad.name for pad in pads]
+        if names != [self._pads.itemText(index) for index in range(self._pads.count())]:
+            self._pads.clear()
+            self._pads.addItems(names)
+        if gamepad.pad is not None:
+            self._pads.setCurrentIndex(pads.index(gamepad.pad))
+        self._pads.setVisible(gamepad.on)
+        self._pads.setEnabled(bool(pads))
+        self._set_up.setVisible(gamepad.on)
+        self._set_up.setEnabled(gamepad.pad is not None)
+        for bar in (self._forward, self._turn):
+            bar.setVisible(gamepad.on)
+        self._unfocused.setVisible(gamepad.on)
+        self._state.setVisible(bool(gamepad.text))
+        self._state.show_note(gamepad.text, alarming=bool(gamepad.failure) or gamepad.has_gone)
+        self._state.setAccessibleName(gamepad.text)
+        self._attend()
+        self._on_gamepad_moved()
+
+    @Slot()
+    def _on_gamepad_moved(self) -> None:
+        if self.isVisible():
+            there = self._gamepad.state is not None
+            self._forward.set_part(self._gamepad.ask.forward if there else None)
+            self._turn.set_part(self._gamepad.ask.turn if there else None)
+
+    @Slot()
+    def _on_focus_changed(self) -> None:
+        self._attend()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._attend()
+        self._on_gamepad_moved()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._attend()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._dialog and event.type() in {QEvent.Type.Show, QEvent.Type.Hide}:
+            self._attend()
+        return super().eventFilter(watched, event)
+
+    def _attend(self) -> None:
+        """Let the gamepad drive only where a person can see what it does."""
+        self._gamepad.attend(self._reason())
+
+    def _reason(self) -> str:
+        if self._dialog is not None and self._dialog.isVisible():
+            return self.tr("The gamepad is being set up: it drives nothing meanwhile.")
+        if not self.isVisible():
+            return self.tr("The gamepad drives only while the Motors page is open.")
+        if self._gamepad.stops_unfocused and not self.isActiveWindow():
+            return self.tr("Another window is in front: the gamepad drives nothing meanwhile.")
+        return ""

@@ -1,0 +1,197 @@
+"""Arrow keys or WASD drive while they are held."""
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal, Slot
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QPlainTextEdit,
+    QTextEdit,
+    QWidget,
+)
+
+from trex_gui.devices.trex.model.driving.keys import Heading, HeldKeys
+from trex_gui.devices.trex.model.driving.momentary_drive import HeldDrive
+from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.views.driving.press_monitor import HoldWatch
+
+_HEADINGS: dict[int, Heading] = {
+    Qt.Key.Key_Up: Heading.FORWARD,
+    Qt.Key.Key_W: Heading.FORWARD,
+    Qt.Key.Key_Down: Heading.BACK,
+    Qt.Key.Key_S: Heading.BACK,
+    Qt.Key.Key_Left: Heading.LEFT,
+    Qt.Key.Key_A: Heading.LEFT,
+    Qt.Key.Key_Right: Heading.RIGHT,
+    Qt.Key.Key_D: Heading.RIGHT,
+}
+_NEEDS_KEYS = (
+    *(QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit),
+    *(QAbstractItemView, QComboBox),
+)
+"""Widgets that keep arrows and letters for themselves: text, numbers, tables and lists."""
+
+_OTHER_KEYS = (
+    Qt.KeyboardModifier.ControlModifier
+    | Qt.KeyboardModifier.AltModifier
+    | Qt.KeyboardModifier.MetaModifier
+)
+"""With one of these held it is a shortcut."""
+
+_CHANGING_KEYS: set[int] = {
+    *(Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_Meta, Qt.Key.Key_AltGr),
+    *(Qt.Key.Key_CapsLock, Qt.Key.Key_NumLock, Qt.Key.Key_ScrollLock, Qt.Key.Key_Mode_switch),
+    *(Qt.Key.Key_Super_L, Qt.Key.Key_Super_R, Qt.Key.Key_Hyper_L, Qt.Key.Key_Hyper_R),
+}
+"""Keys that give others another meaning, with which they may go up."""
+
+
+class KeyDriver(QObject):
+    """Sees the keys of the page's window before any widget does.
+
+    While it drives, sliders, buttons and tabs get no arrow keys, wherever the focus is: a robot
+    must not depend on which of them was clicked last. Fields for text and numbers, tables and
+    lists keep theirs. The pad's own arrow keys work without switching this on, until it loses
+    the focus.
+
+    A key is known by its place on the keyboard: it may go up under another name than it went
+    down, after a switch of the layout or with Num Lock. All are let go of when one that is not
+    known goes up, and when a key like Shift comes or goes.
+
+    Signals:
+        steered: forward and turn that the held keys wish for, -1 to 1 each; 0, 0 at the end.
+    """
+
+    steered = Signal(float, float)
+
+    def __init__(self, drive: HeldDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:
+        super().__init__(page)
+        self._drive = drive
+        self._motors = motors
+        self._page = page
+        self._pad = pad
+        self._enabled = False
+        self._keys = HeldKeys()
+        self._modifiers = Qt.KeyboardModifier.NoModifier
+        self._watch = HoldWatch(page)
+
+        self._watch.blinded.connect(self.let_go)
+        motors.changed.connect(self._on_motors_changed)
+        app = QGuiApplication.instance()
+        if isinstance(app, QGuiApplication):
+            app.focusWindowChanged.connect(self._on_focus_window_changed)
+            self._on_focus_window_changed(app.focusWindow())
+        if isinstance(app, QApplication):
+            app.focusChanged.connect(self._on_focus_changed)
+
+    @property
+    def enabled(self) -> bool:
+        """Whether keys drive wherever the focus is."""
+        return self._enabled
+
+    @Slot(bool)
+    def set_enabled(self, enabled: bool) -> None:
+        """Let keys drive wherever the focus is, or only in the pad."""
+        self._enabled = enabled
+        if not enabled:
+            self.let_go()
+
+    @Slot()
+    def let_go(self) -> None:
+        """Let go of every key, whatever the fingers do."""
+        self._forget()
+        self._drive.let_go()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        del watched
+        if isinstance(event, QKeyEvent):
+            if event.type() == QEvent.Type.KeyPress:
+                return self._on_pressed(event)
+            if event.type() == QEvent.Type.KeyRelease:
+                return self._on_released(event)
+        return False
+
+    def _on_pressed(self, event: QKeyEvent) -> bool:
+        if self._keys and (_modifiers(event) != self._modifiers or event.key() in _CHANGING_KEYS):
+            self.let_go()
+        heading = _HEADINGS.get(event.key())
+        if heading is None or event.modifiers() & _OTHER_KEYS or not self._listens():
+            return False
+        if not event.isAutoRepeat():
+            self._modifiers = _modifiers(event)
+            self._keys.press(_place(event), heading)
+            self._steer()
+        return True
+
+    def _on_released(self, event: QKeyEvent) -> bool:
+        if event.isAutoRepeat():
+            return event.key() in _HEADINGS and bool(self._keys)
+        if not self._keys:
+            return False
+        is_known = self._keys.release(_place(event))
+        if is_known and self._keys and _modifiers(event) == self._modifiers:
+            self._steer()
+        else:
+            self.let_go()
+        return is_known
+
+    def _listens(self) -> bool:
+        """Whether a key that goes down is meant for the motors."""
+        if not self._motors.armed or not self._page.isVisible():
+            return False
+        if QApplication.activePopupWidget() or QApplication.activeModalWidget():
+            return False
+        return self._is_at(QApplication.focusWidget())
+
+    def _is_at(self, focus: QWidget | None) -> bool:
+        """Whether keys drive with the focus there."""
+        if focus is self._pad:
+            return True
+        return self._enabled and not isinstance(focus, _NEEDS_KEYS)
+
+    def _steer(self) -> None:
+        if self._drive.steer(*self._keys.wish):
+            self._watch.begin()
+            self.steered.emit(*self._keys.wish)
+        else:
+            self._forget()
+
+    def _forget(self) -> None:
+        had_keys = bool(self._keys)
+        self._keys.clear()
+        self._watch.end()
+        if had_keys:
+            self.steered.emit(0.0, 0.0)
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        if self._keys and not self._drive.held:
+            self._forget()
+
+    @Slot(QWindow)
+    def _on_focus_window_changed(self, window: QWindow | None) -> None:
+        own = self._page.window().windowHandle()
+        if window is not None and window is own:
+            window.removeEventFilter(self)
+            window.installEventFilter(self)
+        elif self._keys:
+            self.let_go()
+
+    @Slot(QWidget, QWidget)
+    def _on_focus_changed(self, _old: QWidget | None, new: QWidget | None) -> None:
+        if self._keys and not self._is_at(new):
+            self.let_go()
+
+
+def _place(event: QKeyEvent) -> int:
+    """Tell a key from others by where it is; by its name where the system does not say."""
+    place = event.nativeScanCode()
+    return -place if place else event.key()
+
+
+def _modifiers(event: QKeyEvent) -> Qt.KeyboardModifier:
+    """Return what is held beside the key; that it is on the keypad is no such thing."""
+    return event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier

@@ -1,0 +1,117 @@
+"""How to talk to the board: baud rate, error detection, stop bits, addressing."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import Slot
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QLabel,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection
+from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
+
+
+class HexSpinBox(QSpinBox):
+    """A spin box for a byte that people write in hexadecimal."""
+
+    def textFromValue(self, val: int) -> str:
+        return f"{val:02X}"
+
+    def valueFromText(self, text: str) -> int:
+        return int(text.removeprefix(self.prefix()), 16)
+
+
+class LineSettingsDialog(QDialog):
+    """Changes how this computer talks; it does not change the board."""
+
+    def __init__(self, settings: LinkSettings, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("lineSettingsDialog")
+        self.setWindowTitle(self.tr("Line settings"))
+        self._settings = settings
+
+        intro = QLabel(
+            self.tr(
+                "These must be the settings that the board has now. A new board talks at 19200 "
+                "baud, without error detection, with one stop bit. Changing them here changes "
+                "nothing in the board."
+            ),
+            self,
+        )
+        intro.setWordWrap(True)
+        self._line = LineSettingsEditor(self)
+        self._line.setObjectName("lineEditor")
+        self._line.set_settings(settings.line)
+        self._polynomial = HexSpinBox(self)
+        self._polynomial.setObjectName("polynomialField")
+        self._polynomial.setDisplayIntegerBase(16)
+        self._polynomial.setPrefix("0x")
+        self._polynomial.setRange(0x80, 0xFF)
+        self._polynomial.setValue(settings.polynomial)
+        self._addressed = QCheckBox(
+            self.tr("Address one board of several by its number (Pololu protocol)"), self
+        )
+        self._addressed.setObjectName("addressedBox")
+        self._addressed.setChecked(settings.device_number is not None)
+        self._number = QSpinBox(self)
+        self._number.setObjectName("deviceNumberField")
+        self._number.setRange(0, 127)
+        number = settings.device_number
+        self._number.setValue(7 if number is None else number)
+        self._buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok
+            | QDialogButtonBox.StandardButton.Cancel
+            | QDialogButtonBox.StandardButton.RestoreDefaults,
+            self,
+        )
+
+        form = QFormLayout()
+        form.addRow(self.tr("&Line:"), self._line)
+        form.addRow(self.tr("CRC-7 &polynomial:"), self._polynomial)
+        form.addRow(self._addressed)
+        form.addRow(self.tr("&Device number:"), self._number)
+        layout = QVBoxLayout(self)
+        layout.addWidget(intro)
+        layout.addLayout(form)
+        layout.addStretch(1)
+        layout.addWidget(self._buttons)
+
+        self._line.valueChanged.connect(self._on_changed)
+        self._addressed.toggled.connect(self._on_changed)
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+        restore = self._buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
+        restore.clicked.connect(self._on_restore_clicked)
+        self._on_changed()
+
+    @property
+    def settings(self) -> LinkSettings:
+        """What is shown."""
+        number = self._number.value() if self._addressed.isChecked() else None
+        return replace(
+            self._settings,
+            line=self._line.settings(),
+            polynomial=self._polynomial.value(),
+            device_number=number,
+        )
+
+    @Slot()
+    def _on_changed(self) -> None:
+        self._polynomial.setEnabled(self._line.settings().detection is Detection.CRC7)
+        self._number.setEnabled(self._addressed.isChecked())
+
+    @Slot()
+    def _on_restore_clicked(self) -> None:
+        default = LinkSettings("")
+        self._line.set_settings(default.line)
+        self._polynomial.setValue(default.polynomial)
+        self._addressed.setChecked(False)
+        self._on_changed()

@@ -1,0 +1,138 @@
+"""The inputs as they are now: beside the channels, in the legend, on the curve and its trace."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.devices.trex.model.calibration.mix_jumper import MixWatch
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.views.pages.calibration.channel_list import ChannelList
+from trex_gui.devices.trex.views.pages.calibration.legend import CurveLegend
+from trex_gui.devices.trex.views.pages.calibration.options import ChannelOptions
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.widgets.bar import MINUS
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+
+_FRAME_MS = 33
+
+
+class LiveInputs(QObject):
+    """Shows every new sample once, at most once a display frame, while the page is seen.
+
+    Signals:
+        mixing_seen: `mixed` is another.
+    """
+
+    mixing_seen = Signal()
+
+    def __init__(
+        self,
+        device: Device,
+        channels: ChannelList,
+        legend: CurveLegend,
+        options: ChannelOptions,
+        page: QWidget,
+    ) -> None:
+        super().__init__(page)
+        self._device = device
+        self._channels = channels
+        self._legend = legend
+        self._options = options
+        self._page = page
+        self._mix = MixWatch()
+        self._mix_shown: bool | None = None
+        self._plot: CurvePlot | None = None
+        self._in_force = False
+        self._frame_of = -1
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_FRAME_MS)
+        self._timer.timeout.connect(self._on_frame)
+
+    @property
+    def mixed(self) -> bool | None:
+        """Whether the board mixes channels 1 and 2; `None` where its outputs do not tell yet."""
+        return self._mix.mixed
+
+    def forget_mixing(self) -> None:
+        """Know nothing of the mix jumper any more: the board is out of sight."""
+        self._mix.forget()
+
+    def set_plot(self, plot: "CurvePlot") -> None:
+        """Show dot and trace on this plot from now on."""
+        self._plot = plot
+
+    def show_again(self, *, in_force: bool) -> None:
+        """Show the newest sample anew: the channel or what belongs to it is another.
+
+        `in_force` says whether the calibrations shown are those of the inputs that are measured.
+        """
+        self._in_force = in_force
+        self._frame_of = -1
+        self._on_frame()
+
+    def start(self) -> None:
+        """Follow the samples; the page is seen."""
+        self._timer.start()
+
+    def stop(self) -> None:
+        """Rest; the page is hidden."""
+        self._timer.stop()
+
+    @Slot()
+    def _on_frame(self) -> None:
+        telemetry = self._device.telemetry
+        if not self._page.isVisible() or telemetry.samples == self._frame_of:
+            return
+        self._frame_of = telemetry.samples
+        source = self._device.calibrations.source
+        for channel in CHANNELS:
+            raw = telemetry.raw_of(channel)
+            text = self.tr("N/A") if telemetry.raw is None else self.tr("no signal")
+            self._channels.set_input(channel, text if raw is None else source.text(raw))
+        self._look_for_mixing()
+        channel = self._channels.channel
+        raw = telemetry.raw_of(channel) if self._in_force else None
+        self._legend.set_live(self._text(raw))
+        if self._plot is not None:
+            self._plot.set_raw(raw)
+            if self._in_force:
+                ring = telemetry.inputs
+                self._plot.set_trace(ring.times, ring.values(channel - 1), telemetry.latest)
+
+    def _look_for_mixing(self) -> None:
+        """Compare what channels 1 and 2 make of their inputs with what the board says of them."""
+        device = self._device
+        curves = [
+            self._options.curve(channel, device.calibrations.stored(channel), stored=True)
+            for channel in (1, 2, 4)
+        ]
+        raws = [device.telemetry.raw_of(channel) for channel in (1, 2, 4)]
+        answered = [device.telemetry.remapped_of(channel) for channel in (1, 2)]
+        if device.is_joint:
+            self._mix.forget()
+        elif curves[2] is not None and not curves[2].is_switched(4, raws[2]):
+            known = [curve.output(raw) for curve, raw in zip(curves, raws, strict=True) if curve]
+            values = [value for value in answered if value is not None]
+            if len(known) == 3 and len(values) == 2:
+                self._mix.feed((known[0], known[1]), (values[0], values[1]))
+        if self._mix.mixed is not self._mix_shown:
+            self._mix_shown = self._mix.mixed
+            self.mixing_seen.emit()
+
+    def _text(self, raw: int | None) -> str:
+        if not self._in_force:
+            return self.tr("no live value: the board reads the other source")
+        if self._device.telemetry.raw is None:
+            return self.tr("no live value")
+        if raw is None:
+            return self.tr("no signal now: the output is 0")
+        curve = self._plot.curve if self._plot is not None else None
+        output = curve.output(raw) if curve is not None else 0
+        counts = self.tr("1 count") if raw == 1 else self.tr("{0} counts").format(raw)
+        return self.tr("input now {0} ({1}), output {2}").format(
+            self._device.calibrations.source.text(raw), counts, f"{output}".replace("-", MINUS)
+        )

@@ -1,0 +1,399 @@
+"""Calibrate a channel by pointing: its curve with handles, its live input, its numbers."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.calibration.moves import Handle
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.protocol import channel_words
+from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
+from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
+from trex_gui.devices.trex.views.pages.calibration.channel_list import ChannelList
+from trex_gui.devices.trex.views.pages.calibration.fields import CalibrationFields
+from trex_gui.devices.trex.views.pages.calibration.files import CalibrationFiles
+from trex_gui.devices.trex.views.pages.calibration.heading import ChannelHeading
+from trex_gui.devices.trex.views.pages.calibration.legend import CurveLegend
+from trex_gui.devices.trex.views.pages.calibration.live import LiveInputs
+from trex_gui.devices.trex.views.pages.calibration.options import ChannelOptions
+from trex_gui.devices.trex.views.pages.calibration.other_source import OtherSource
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.note import Note
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+
+_HANDLES = {
+    "minimum": Handle.MINIMUM,
+    "neutral": Handle.NEUTRAL,
+    "maximum": Handle.MAXIMUM,
+    "deadband": Handle.DEADBAND_HIGH,
+}
+
+
+class CalibrationPage(QWidget):
+    """The channels at the left; curve, numbers and switches of the chosen one at the right.
+
+    Everything done here is an edit that waits for Apply. The plotting library is loaded when
+    the page is first seen.
+
+    Signals:
+        learn_requested: the channels, 1 to 5, to be learnt from what a person does.
+        power_cycle_requested: lead through the one that the other input source waits for.
+        told: what became of a file, for people.
+        refused: why a file was not taken or saved, for people.
+    """
+
+    learn_requested = Signal(object)
+    power_cycle_requested = Signal()
+    told = Signal(str)
+    refused = Signal(str)
+
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("calibrationPage")
+        self._device = device
+        self._source = InputSource.RC
+        self._followed: InputSource | None = None
+        self._failures: dict[int, tuple[Calibration | None, str]] = {}
+        self._refusal = ""
+        self._plot: CurvePlot | None = None
+
+        self._empty = QLabel(
+            self.tr("Connect to a board to see its calibrations and to change them by pointing."),
+            self,
+        )
+        self._empty.setObjectName("calibrationEmpty")
+        self._body = QWidget(self)
+        self._channels = ChannelList(self._body)
+        self._heading = ChannelHeading(self._body)
+        self._other = OtherSource(device, self._body)
+        self._legend = CurveLegend(self._body)
+        self._fields = CalibrationFields(self._body)
+        self._note = Note(2, self._body)
+        self._note.setObjectName("calibrationNote")
+        self._options = ChannelOptions(device.parameters, self._body)
+        self._learn = QPushButton(self.tr("&Learn this channel…"), self._body)
+        self._learn.setObjectName("learnButton")
+        set_icon(self._learn, "calibrate")
+        self._learn_all = QPushButton(self.tr("Learn &all…"), self._body)
+        self._learn_all.setObjectName("learnAllButton")
+        self._menu = ChangeMenu(device, self)
+        self._change = QPushButton(self.tr("Cop&y, reset, files"), self._body)
+        self._change.setObjectName("changeButton")
+        self._change.setMenu(self._menu)
+        self._discard = QPushButton(self.tr("Disca&rd"), self._body)
+        self._discard.setObjectName("discardChannelButton")
+        self._discard.setToolTip(self.tr("Forget the edits of this channel"))
+        set_icon(self._discard, "undo")
+        self._files = CalibrationFiles(device, self)
+        self._live = LiveInputs(device, self._channels, self._legend, self._options, self)
+
+        buttons = QHBoxLayout()
+        buttons.addWidget(self._learn)
+        buttons.addWidget(self._learn_all)
+        buttons.addStretch(1)
+        buttons.addWidget(self._change)
+        buttons.addWidget(self._discard)
+        self._right = QVBoxLayout()
+        for part in (self._heading, self._other, self._legend):
+            self._right.addWidget(part)
+        self._plot_row = self._right.count()
+        self._right.addWidget(self._fields)
+        self._right.addWidget(self._note)
+        self._right.addWidget(self._options)
+        self._right.addLayout(buttons)
+        body = QHBoxLayout(self._body)
+        body.setContentsMargins(0, 0, 0, 0)
+        body.addWidget(self._channels)
+        body.addLayout(self._right, 1)
+        layout = QVBoxLayout(self)
+        margins = layout.contentsMargins()
+        layout.setContentsMargins(margins.left(), margins.top(), margins.right(), 2)
+        layout.addWidget(self._empty)
+        layout.addWidget(self._body, 1)
+        layout.addStretch(0)
+
+        self._channels.chosen.connect(self._on_channel_chosen)
+        self._heading.source_chosen.connect(self._on_source_chosen)
+        self._fields.wished.connect(self._on_wished)
+        self._fields.stepped.connect(self._on_wished)
+        self._fields.refused.connect(self._on_refused)
+        self._other.power_cycle_requested.connect(self.power_cycle_requested)
+        self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
+        self._learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
+        self._menu.load_requested.connect(self._files.ask_and_load)
+        self._menu.save_requested.connect(self._files.ask_and_save)
+        self._discard.clicked.connect(self._on_discard_clicked)
+        self._files.told.connect(self.told)
+        self._files.refused.connect(self.refused)
+        self._live.mixing_seen.connect(self._on_mixing_seen)
+        device.link_changed.connect(self._on_device_changed)
+        device.state_changed.connect(self._on_state_changed)
+        device.applied.connect(self._on_applied)
+        device.calibrations.changed.connect(self._on_edits_changed)
+        device.parameters.pending_changed.connect(self._on_edits_changed)
+        self._on_state_changed()
+
+    # --- What is shown ------------------------------------------------------------------
+
+    @property
+    def channel(self) -> int:
+        """The chosen channel, 1 to 5."""
+        return self._channels.channel
+
+    @property
+    def source(self) -> InputSource:
+        """The input source whose calibrations are shown."""
+        return self._source
+
+    @property
+    def files(self) -> CalibrationFiles:
+        """Calibrations from and to settings files."""
+        return self._files
+
+    @property
+    def _in_force(self) -> bool:
+        return self._source is self._device.calibrations.source
+
+    @property
+    def _editable(self) -> bool:
+        is_up = self._device.link is Link.UP
+        return is_up and self._in_force and not self._device.applying
+
+    def _calibration(self) -> Calibration | None:
+        calibrations = self._device.calibrations
+        if self._in_force:
+            return calibrations.shown(self.channel)
+        return calibrations.last_seen(self.channel, self._source)
+
+    @Slot()
+    def _on_state_changed(self) -> None:
+        """Follow the board to the input source that it reads now."""
+        state = self._device.state
+        if state is not None and state.source is not self._followed:
+            self._source = self._followed = state.source
+        self._on_device_changed()
+
+    @Slot()
+    def _on_device_changed(self) -> None:
+        if self._device.link is not Link.UP:
+            self._live.forget_mixing()
+        known = self._device.calibrations.stored(1) is not None
+        self._empty.setVisible(not known)
+        self._body.setVisible(known)
+        self._show_channel()
+
+    @Slot()
+    def _on_edits_changed(self) -> None:
+        self._forget_refusal()
+        self._show_channel()
+
+    def _show_channel(self) -> None:
+        channel, editable = self.channel, self._editable
+        shown, stored = self._calibration(), self._device.calibrations.stored(channel)
+        if not self._in_force:
+            stored = shown
+        before = self._options.curve(channel, stored, stored=True)
+        after = self._options.curve(channel, shown, stored=False)
+        self._fields.show_calibration(self._source, shown, editable=editable)
+        self._show_possibilities()
+        self._menu.show_channel(channel)
+        self._change.setEnabled(editable)
+        self._heading.show_sources(self._source, self._device.calibrations.source)
+        self._show_heading()
+        self._legend.set_curves(shown is not None, differs=before != after, live=self._in_force)
+        self._other.setVisible(not self._in_force)
+        if not self._in_force:
+            self._other.show_source(self._source, seen=shown is not None)
+        if self._plot is not None:
+            self._plot.show_channel(channel, self._source, before, after, editable=editable)
+            self._plot.show_trace(self._in_force)
+        self._show_marks()
+        self._show_note()
+        self._live.show_again(in_force=self._in_force)
+
+    def _show_heading(self) -> None:
+        channel, shown = self.channel, self._calibration()
+        self._heading.show_channel(
+            channel,
+            self._device.state,
+            self._options.curve(channel, shown, stored=False),
+            self._source,
+            edited=self._in_force and shown != self._device.calibrations.stored(channel),
+            joint=self._device.is_joint,
+            mixed=self._live.mixed,
+        )
+
+    def _show_possibilities(self) -> None:
+        """Grey what would be done to the calibrations of the other source than is looked at."""
+        is_up, why_not = self._device.link is Link.UP, ""
+        if not self._in_force:
+            read = channel_words.SOURCE_NAMES[self._device.calibrations.source]
+            shown = channel_words.SOURCE_NAMES[self._source]
+            why_not = self.tr(
+                "The board reads {0} now. Choose the tab of those, or let the board read {1} "
+                "first, as said above."
+            ).format(read, shown)
+        for button in (self._learn, self._learn_all):
+            button.setEnabled(is_up and self._in_force)
+            button.setToolTip(why_not)
+        self._options.show_channel(self.channel, self._source, editable=is_up, why_not=why_not)
+
+    def _show_marks(self) -> None:
+        calibrations, can_discard = self._device.calibrations, False
+        for channel in CHANNELS:
+            shown = calibrations.shown(channel)
+            edited = self._options.is_edited(channel) or (
+                shown is not None and shown != calibrations.stored(channel)
+            )
+            problem = self._failure(channel)
+            if shown is not None and not problem:
+                problem = channel_words.concern(shown, calibrations.source)
+            self._channels.set_mark(channel, edited=edited, problem=problem)
+            can_discard = can_discard or (channel == self.channel and edited)
+        self._discard.setEnabled(can_discard and self._editable)
+
+    def _failure(self, channel: int) -> str:
+        """Why the calibration that is shown was not stored; empty: nobody tried."""
+        wished, why = self._failures.get(channel, (None, ""))
+        return why if wished == self._device.calibrations.shown(channel) else ""
+
+    def _show_note(self) -> None:
+        """Say what matters most: a refusal, a failure, the mode, a concern, what can be done."""
+        state, calibration = self._device.state, self._calibration()
+        if self._refusal or not self._in_force:
+            self._note.show_note(self._refusal, alarming=bool(self._refusal))
+        elif failure := self._failure(self.channel):
+            self._note.show_note(failure, alarming=True)
+        elif self._device.link is not Link.UP:
+            self._note.show_note(
+                self.tr("No board answers. Edits are kept for when the same kind is back.")
+            )
+        elif calibration is not None and (
+            concern := channel_words.concern(calibration, self._source)
+        ):
+            self._note.show_note(concern, alarming=True)
+        elif state is not None and not state.mode.is_serial:
+            self._note.show_note(
+                self.tr(
+                    "The board takes changes in serial mode only: to apply them, switch it off, "
+                    "remove the mode jumper, switch it on."
+                )
+            )
+        else:
+            example = "3750" if self._source is InputSource.RC else "512"
+            number = "1500, 1.5 ms" if self._source is InputSource.RC else "2.5, 2500 mV"
+            self._note.show_note(
+                self.tr(
+                    "Drag a handle of the curve, or type {0} or {1} counts. Nothing is written "
+                    "before Apply."
+                ).format(number, example)
+            )
+
+    # --- Live ---------------------------------------------------------------------------
+
+    @Slot()
+    def _on_mixing_seen(self) -> None:
+        self._show_heading()  # no more: somebody may be typing
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._plot is None:
+            self._plot = self._make_plot()
+            self._live.set_plot(self._plot)
+        self._show_channel()
+        self._live.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._live.stop()
+
+    def _make_plot(self) -> "CurvePlot":
+        """Load the plotting library when the page is first seen: it takes as long as Qt."""
+        from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot  # noqa: PLC0415
+
+        plot = CurvePlot(self._body)
+        plot.setObjectName("curvePlot")
+        plot.previewed.connect(self._on_previewed)
+        plot.let_go.connect(self._on_let_go)
+        plot.wished.connect(self._on_wished)
+        self._right.insertWidget(self._plot_row, plot, 1)
+        return plot
+
+    # --- What a person does -------------------------------------------------------------
+
+    @Slot(int)
+    def _on_channel_chosen(self, _channel: int) -> None:
+        self._forget_refusal()
+        self._show_channel()
+
+    @Slot(object)
+    def _on_source_chosen(self, source: InputSource) -> None:
+        self._source = source
+        self._forget_refusal()
+        self._show_channel()
+
+    @Slot(object)
+    def _on_previewed(self, calibration: Calibration) -> None:
+        """Show the numbers of a handle that is held, and why it goes no further."""
+        self._fields.show_calibration(self._source, calibration, editable=self._editable)
+        stored = self._device.calibrations.stored(self.channel)
+        before = self._options.curve(self.channel, stored, stored=True)
+        if self._plot is not None:
+            self._refusal = self._plot.message
+            self._legend.set_curves(True, differs=self._plot.curve != before, live=True)
+        self._show_note()
+
+    @Slot()
+    def _on_let_go(self) -> None:
+        """Take back why the handle went no further: it could be read while it was held."""
+        self._forget_refusal()
+        self._show_channel()
+
+    @Slot(object)
+    @Slot(object, object)
+    def _on_wished(self, calibration: Calibration, run: object = None) -> None:
+        try:
+            self._device.calibrations.edit(self.channel, calibration, run=run)
+        except BadRequest as error:
+            self._on_refused(sentence(error))
+
+    @Slot(str, str)
+    def _on_refused(self, why: str, field: str = "") -> None:
+        """Say why a value was not taken: below the fields, and beside the handle it is of."""
+        self._forget_refusal()
+        self._refusal = why
+        if self._plot is not None and field in _HANDLES:
+            self._plot.say_beside(_HANDLES[field], why)
+        self._show_note()
+
+    def _forget_refusal(self) -> None:
+        self._refusal = ""
+        if self._plot is not None:
+            self._plot.say_beside(Handle.NEUTRAL, "")
+
+    @Slot()
+    def _on_discard_clicked(self) -> None:
+        text = self.tr("Discard edits of channel {0}").format(self.channel)
+        with self._device.draft.one_edit(text):
+            self._device.calibrations.restore(self.channel)
+            self._options.restore(self.channel)
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[Written, ...]) -> None:
+        """Remember what the board did not store, and why."""
+        for result in results:
+            if (channel := result.channel) is None:
+                continue
+            self._failures.pop(channel, None)
+            if result.error is not None:
+                wished = self._device.calibrations.shown(channel)
+                why = channel_words.why_not_stored(result.error)
+                self._failures[channel] = (wished, why)
+        self._show_channel()

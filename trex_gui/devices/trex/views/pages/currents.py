@@ -1,0 +1,95 @@
+"""Both motors' currents against time, with what was wished and what happened."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Slot
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.traces.live import LiveTraces
+from trex_gui.ui.runtime import runtime
+
+if TYPE_CHECKING:
+    from trex_gui.ui.plotting.panel import TracePanel
+
+_FRAME_MS = 33
+_AFTERWARDS = 30
+"""Frames that are drawn after the last news."""
+
+
+class CurrentsPage(QWidget):
+    """A live plot; the plotting library is imported when the page is first shown."""
+
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("currentsPage")
+        self._device = device
+        self._live = LiveTraces(device, self)
+        self._panel: TracePanel | None = None
+        self._note = ""
+        self._drawn = 0, 0
+        self._idle = 0
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_FRAME_MS)
+
+        self._layout = QVBoxLayout(self)
+
+        self._timer.timeout.connect(self._on_frame)
+        device.link_changed.connect(self._on_device_changed)
+        device.state_changed.connect(self._on_device_changed)
+
+    def _make_panel(self) -> "TracePanel":
+        """Load the plotting library when the page is first seen: it takes as long as Qt."""
+        from trex_gui.ui.plotting.panel import TracePanel  # noqa: PLC0415
+
+        panel = TracePanel(parent=self)
+        panel.plot.setObjectName("currentsPlot")
+        panel.set_source(self._live.traces)
+        self._layout.addWidget(panel)
+        return panel
+
+    @Slot()
+    def _on_device_changed(self) -> None:
+        if self._panel is None:
+            return
+        state = self._device.state
+        if state is None:
+            note = empty = self.tr("Connect to a board to see its motor currents.")
+            if self._device.link is Link.NONE:
+                empty = self.tr(
+                    "No board is connected. Choose a port at the top and press Connect; without "
+                    "hardware, choose the demo board."
+                )
+        elif self._device.is_joint:
+            note = empty = self.tr("Joint mode: the board does not sense currents.")
+        else:
+            empty = self.tr("No current was read yet.")
+            step = state.signature.model.current_unit * 1000
+            note = self.tr("One count of this board is {0:.0f} mA.").format(step)
+        # What an export has said stays until there is something else to say.
+        if note != self._note:
+            self._note = note
+            self._panel.set_note(note)
+        self._panel.plot.set_empty_text(empty)
+        self._panel.refresh()
+
+    @Slot()
+    def _on_frame(self) -> None:
+        """Draw while there is news, and so long after it that the figures are of it too."""
+        now = self._device.telemetry.samples, len(self._device.events.all)
+        self._idle = 0 if now != self._drawn else self._idle + 1
+        self._drawn = now
+        if self._panel is not None and self._idle < _AFTERWARDS:
+            self._panel.frame()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._panel is None:
+            self._panel = self._make_panel()
+        self._on_device_changed()
+        self._timer.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._timer.stop()

@@ -1,0 +1,253 @@
+"""A field to steer in: up is forward, to the side turns, letting go springs back."""
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtGui import (
+    QEventPoint,
+    QFocusEvent,
+    QHideEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QTouchEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from trex_gui.devices.trex.views.driving.press_monitor import HoldWatch
+from trex_gui.ui.theme.theme import theme
+
+_STRAIGHT = 0.06
+"""Share of the way within which a direction counts as not meant: hands are not rulers."""
+
+_KNOB = 13
+
+
+class DrivePad(QWidget):
+    """Steers while a mouse button or a finger is down in it.
+
+    It is over when the button or finger goes up, anywhere, and when the pad loses the focus, is
+    disabled, hidden, or covered by a menu or a dialog. Keys belong to `KeyDriver`.
+
+    Signals:
+        steered: forward and turn, -1 to 1 each; forward and right are positive.
+        released: it is over.
+    """
+
+    steered = Signal(float, float)
+    released = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._held = False
+        self._finger = 0
+        self._can_turn = True
+        self._forward = self._turn = 0.0
+        self._watch = HoldWatch(self)
+        self.setObjectName("drivePad")
+        self.setAccessibleName(self.tr("Drive pad"))
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
+        self._describe()
+
+        self._watch.blinded.connect(self.let_go)
+        theme().changed.connect(self.update)
+
+    @property
+    def held(self) -> bool:
+        """Whether a button or finger is down in it."""
+        return self._held
+
+    def set_can_turn(self, can_turn: bool) -> None:
+        """Have a turn axis, or only forward and back: motors that are linked or one."""
+        if can_turn != self._can_turn:
+            self._can_turn = can_turn
+            self.let_go()
+            self._describe()
+            self.update()
+
+    @Slot(float, float)
+    def show_position(self, forward: float, turn: float) -> None:
+        """Show what keys wish for, unless a hand is in the pad."""
+        if not self._held:
+            self._put(forward, turn)
+
+    @Slot()
+    def let_go(self) -> None:
+        """Spring back, whatever the hand does; it has to press anew."""
+        if self._held:
+            self._held = False
+            self._watch.end()
+            self._put(0.0, 0.0)
+            self.released.emit()
+
+    # --- Hands --------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() is Qt.MouseButton.LeftButton:
+            self._grab(event.position())
+        elif self._held:
+            self.let_go()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not event.buttons() & Qt.MouseButton.LeftButton:
+            self.let_go()
+        self._follow(event.position())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() is Qt.MouseButton.LeftButton:
+            self.let_go()
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QTouchEvent):
+            return self._on_touch(event)
+        if event.type() in {QEvent.Type.UngrabMouse, QEvent.Type.WindowDeactivate}:
+            self.let_go()
+        return super().event(event)
+
+    def _on_touch(self, event: QTouchEvent) -> bool:
+        """The first finger steers, until it goes up; others are not looked at."""
+        event.accept()
+        if event.type() == QEvent.Type.TouchBegin:
+            self._finger = event.points()[0].id()
+            self._grab(event.points()[0].position())
+            return True
+        for point in event.points():
+            if event.type() != QEvent.Type.TouchUpdate or point.id() != self._finger:
+                continue
+            match point.state():
+                case QEventPoint.State.Released:
+                    break
+                case QEventPoint.State.Updated:
+                    self._follow(point.position())
+            return True
+        self.let_go()
+        return True
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        self.let_go()
+        super().focusOutEvent(event)
+        self.update()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.update()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        self.let_go()
+        super().hideEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() == QEvent.Type.EnabledChange and not self.isEnabled():
+            self.let_go()
+        super().changeEvent(event)
+
+    def _grab(self, place: QPointF) -> None:
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        self._held = True
+        self._watch.begin()
+        self._follow(place)
+
+    def _follow(self, place: QPointF) -> None:
+        if self._held:
+            self._put(*self._wish_at(place))
+            self.steered.emit(self._forward, self._turn)
+
+    # --- Geometry and looks -------------------------------------------------------------
+
+    def _field(self) -> QRectF:
+        """The square in which the knob's centre moves."""
+        side = min(self.width(), self.height()) - 2 * _KNOB - 2
+        middle = QRectF(self.rect()).center()
+        return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
+
+    def _wish_at(self, place: QPointF) -> tuple[float, float]:
+        field = self._field()
+        half = max(field.width() / 2, 1)
+        forward = _straightened((field.center().y() - place.y()) / half)
+        turn = _straightened((place.x() - field.center().x()) / half)
+        return forward, turn if self._can_turn else 0.0
+
+    def _put(self, forward: float, turn: float) -> None:
+        self._forward, self._turn = forward, turn if self._can_turn else 0.0
+        self._describe()
+        self.update()
+
+    def _describe(self) -> None:
+        """Say in words what it does and where it stands, for who does not see it."""
+        how = self.tr("Arrow keys drive while they are held and this has the focus.")
+        if not self._can_turn:
+            how = self.tr("Up and Down drive while they are held; there is no turning.")
+        where = self.tr("At rest.")
+        if self._forward or self._turn:
+            ahead = self.tr("forward") if self._forward >= 0 else self.tr("back")
+            side = self.tr("right") if self._turn >= 0 else self.tr("left")
+            where = self.tr("{0} {1:.0%}, {2} {3:.0%}.").format(
+                ahead, abs(self._forward), side, abs(self._turn)
+            )
+        self.setAccessibleDescription(f"{where} {how}")
+
+    def sizeHint(self) -> QSize:
+        return QSize(210, 210)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(170, 170)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        field = self._field()
+        frame = field.adjusted(-_KNOB, -_KNOB, _KNOB, _KNOB)
+        color = theme().color
+        active = self.isEnabled()
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            focus = self.hasFocus() and active
+            painter.setPen(QPen(color("highlight" if focus else "track_edge"), 2 if focus else 1))
+            painter.setBrush(color("track" if active else "track_off"))
+            painter.drawRoundedRect(frame, 10, 10)
+            self._paint_axes(painter, field)
+            self._paint_words(painter, frame)
+            if active:
+                self._paint_knob(painter, field)
+
+    def _paint_axes(self, painter: QPainter, field: QRectF) -> None:
+        middle = field.center()
+        painter.setPen(QPen(theme().color("track_edge"), 1, Qt.PenStyle.DotLine))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawLine(QPointF(middle.x(), field.top()), QPointF(middle.x(), field.bottom()))
+        if self._can_turn:
+            painter.drawLine(QPointF(field.left(), middle.y()), QPointF(field.right(), middle.y()))
+            painter.drawEllipse(middle, field.width() / 4, field.height() / 4)
+
+    def _paint_words(self, painter: QPainter, frame: QRectF) -> None:
+        painter.setPen(theme().color("muted" if self.isEnabled() else "track_edge"))
+        font = self.font()
+        font.setPointSizeF(font.pointSizeF() * 0.85)
+        painter.setFont(font)
+        box = frame.adjusted(6, 3, -6, -3)
+        centred = Qt.AlignmentFlag.AlignHCenter
+        painter.drawText(box, centred | Qt.AlignmentFlag.AlignTop, self.tr("forward"))
+        painter.drawText(box, centred | Qt.AlignmentFlag.AlignBottom, self.tr("back"))
+        if self._can_turn:
+            side = Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(box, side | Qt.AlignmentFlag.AlignLeft, self.tr("left"))
+            painter.drawText(box, side | Qt.AlignmentFlag.AlignRight, self.tr("right"))
+
+    def _paint_knob(self, painter: QPainter, field: QRectF) -> None:
+        color = theme().color
+        middle = field.center()
+        half = field.width() / 2
+        place = QPointF(middle.x() + self._turn * half, middle.y() - self._forward * half)
+        moved = bool(self._forward or self._turn)
+        if moved:
+            painter.setPen(QPen(color("bar"), 4, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+            painter.drawLine(middle, place)
+        painter.setPen(QPen(color("mark"), 1.5))
+        painter.setBrush(color("bar" if moved else "button"))
+        painter.drawEllipse(place, _KNOB - 2, _KNOB - 2)
+
+
+def _straightened(share: float) -> float:
+    """Keep within -1 to 1, and let what is hardly off the middle be the middle."""
+    share = max(-1.0, min(1.0, share))
+    return 0.0 if abs(share) < _STRAIGHT else share

@@ -1,0 +1,78 @@
+"""The head of the Motors page: what the motors would do now and why, and Run motor."""
+
+from html import escape
+
+from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+
+from trex_gui.devices.trex.model.driving.drive_status import Kind, Reason
+from trex_gui.ui.theme.icons import icon, set_icon
+from trex_gui.ui.theme.theme import theme, tint
+
+_LINES = 2
+
+
+class Head(QWidget):
+    """One reason, what to do about it, and the button that arms.
+
+    Signals:
+        run_wanted: the button was pressed.
+    """
+
+    run_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._reason = Reason(Kind.NO_BOARD, "")
+        self._sign = QLabel(self)
+        self._text = QLabel(self)
+        self._text.setObjectName("motorsReason")
+        self._text.setWordWrap(True)
+        self._text.setTextFormat(Qt.TextFormat.RichText)
+        self._text.setMinimumHeight(_LINES * self._text.fontMetrics().lineSpacing())
+        self._text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+        self._run = QPushButton(self.tr("Run motor"), self)
+        self._run.setObjectName("motorsRunButton")
+        self._run.setToolTip(self.tr("Let what you do on this page move the motors"))
+        font = self._run.font()
+        font.setBold(True)
+        self._run.setFont(font)
+        tint(self._run, "run")
+        set_icon(self._run, "run", "run_text")
+
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(10)
+        layout.addWidget(self._sign)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._run)
+
+        self._run.clicked.connect(self.run_wanted)
+        theme().changed.connect(self._on_theme_changed)
+        self._on_theme_changed()
+
+    def show_reason(self, reason: Reason, *, can_run: bool) -> None:
+        """Say what is so; it is spoken, too."""
+        self._run.setEnabled(can_run)
+        if reason == self._reason:
+            return
+        self._reason = reason
+        text = f"<b>{escape(reason.text)}</b>"
+        if reason.remedy:
+            text += f" {escape(reason.remedy)}"
+        self._text.setText(text)
+        self._text.setAccessibleName(f"{reason.text} {reason.remedy}".strip())
+        self._on_theme_changed()
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        name = "warning" if self._reason.alarming else "info"
+        if self._reason.obeyed and not self._reason.alarming:
+            name = "ok"
+        size = self.fontMetrics().height() + 6
+        color = {"ok": "good"}.get(name, name)
+        self._sign.setPixmap(icon(name, color).pixmap(size, size))
+        palette = self.palette()
+        if self._reason.alarming:
+            palette.setColor(self._text.foregroundRole(), theme().color("warning"))
+        self._text.setPalette(palette)

@@ -1,0 +1,194 @@
+"""How speeds are sent, how fast at most, how hard to brake, what lets go by itself."""
+
+from PySide6.QtCore import QSettings, Signal, Slot
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QGridLayout,
+    QGroupBox,
+    QHBoxLayout,
+    QLabel,
+    QRadioButton,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from trex_gui.devices.trex.model.driving.lockout import LONGEST, remember_lockout
+from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.views.pages.motors.level import Level
+from trex_gui.devices.trex.views.pages.motors.speed_entry import SpeedEntry
+
+_SPACING = 6  # pixels
+
+
+class Options(QGroupBox):
+    """Ceiling, brake strength, lock and spring return are remembered; what drives is not.
+
+    Signals:
+        keys_toggled: whether keys drive wherever the focus is.
+    """
+
+    keys_toggled = Signal(bool)
+
+    def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setTitle(self.tr("Options"))
+        self.setObjectName("motorsOptions")
+        self._motors = motors
+        self._joint = False
+        self._store = QSettings(self)
+
+        self._accelerate = QRadioButton(self.tr("&Accelerate along the board's ramp"), self)
+        self._accelerate.setObjectName("accelerateButton")
+        self._accelerate.setToolTip(
+            self.tr("Speeds grow as Acceleration says, reversing waits for the brake duration")
+        )
+        self._set = QRadioButton(self.tr("Se&t at once"), self)
+        self._set.setObjectName("setButton")
+        self._set.setToolTip(
+            self.tr("Bypasses ramp and brake duration, and for a moment also the current limit")
+        )
+        self._accelerate.setChecked(motors.accelerate)
+        self._set.setChecked(not motors.accelerate)
+        self._return = QCheckBox(self.tr("Return slider to &zero when it is released"), self)
+        self._return.setObjectName("returnToZero")
+        self._return.setToolTip(
+            self.tr("A slider drives only while you hold it; letting go brakes its motor")
+        )
+        self._link = QCheckBox(self.tr("&Link both motors"), self)
+        self._link.setObjectName("linkMotors")
+        self._keys = QCheckBox(self.tr("Drive with arrow &keys or WASD"), self)
+        self._keys.setObjectName("driveWithKeys")
+        self._keys.setToolTip(
+            self.tr(
+                "Keys drive while they are held, wherever the focus is on this page, except in "
+                "number fields, tables and lists; sliders get no arrow keys meanwhile. In the pad "
+                "they always do."
+            )
+        )
+        self._ceiling = Level(self.tr("&Speed ceiling"), "ceiling", 1, self)
+        self._ceiling.explain(self.tr("No greater speed is sent; full on pad and keys means this"))
+        self._brake = Level(self.tr("&Brake strength"), "brake", 0, self)
+        self._brake.name_lowest(self.tr("coast (0 %)"))
+        self._brake.explain(
+            self.tr(
+                "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
+                "brakes fully"
+            )
+        )
+        lock_name = QLabel(self.tr("L&ock after Stop"), self)
+        self._lock = SpeedEntry(self)
+        self._lock.setObjectName("lockoutEntry")
+        self._lock.setAccessibleName(self.tr("Seconds that Run motor is locked after Stop"))
+        self._lock.setRange(0, round(LONGEST))
+        self._lock.setSuffix(self.tr(" s"))
+        self._lock.setSpecialValueText(self.tr("none (0 s)"))
+        self._lock.setMinimumWidth(self._lock.sizeHint().width())  # as wide with any text
+        lock_name.setBuddy(self._lock)
+        for part in (lock_name, self._lock):
+            part.setToolTip(
+                self.tr(
+                    "For so long after Stop or Esc nothing drives and Run motor waits, so that "
+                    "what is still being dragged or pressed starts nothing again (0 to {0:g} s)"
+                ).format(LONGEST)
+            )
+
+        how = QVBoxLayout()
+        how.setSpacing(_SPACING)  # else it would take that of the row that it stands in
+        for widget in (self._accelerate, self._set, self._keys):
+            how.addWidget(widget)
+        how.addStretch(1)
+        hold = QGridLayout()
+        hold.setHorizontalSpacing(2 * _SPACING)
+        hold.setVerticalSpacing(_SPACING)
+        self._ceiling.add_to(hold, 0)
+        self._brake.add_to(hold, 1)
+        checks = QHBoxLayout()
+        checks.setSpacing(3 * _SPACING)
+        checks.addWidget(self._return)
+        checks.addWidget(self._link)
+        checks.addStretch(1)
+        hold.addWidget(lock_name, 2, 0)
+        hold.addWidget(self._lock, 2, 2)
+        hold.addLayout(checks, 3, 0, 1, 3)
+        hold.setColumnStretch(1, 1)
+        layout = QHBoxLayout(self)
+        layout.setSpacing(4 * _SPACING)
+        layout.addLayout(how)
+        layout.addLayout(hold, 1)
+
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+
+        self._restore()
+        self._accelerate.toggled.connect(self._on_accelerate_toggled)
+        self._return.toggled.connect(self._on_return_toggled)
+        self._link.toggled.connect(motors.set_linked)
+        self._keys.toggled.connect(self.keys_toggled)
+        self._lock.chosen.connect(self._on_lock_chosen)
+        self._ceiling.changed.connect(self._on_ceiling_changed)
+        self._brake.changed.connect(self._on_brake_changed)
+        motors.changed.connect(self._on_motors_changed)
+        self._on_motors_changed()
+
+    @property
+    def returns_to_zero(self) -> bool:
+        """Whether a slider drives only while it is held."""
+        return self._return.isChecked()
+
+    def set_joint(self, joint: bool) -> None:
+        """Offer to link the motors, or not: there is only one."""
+        self._joint = joint
+        self._show_link()
+
+    def _show_link(self) -> None:
+        """Tick it only over motors that do the same: a tick must not start or speed up one."""
+        motors = self._motors
+        can_link = motors.linked or motors.can_link
+        self._link.setChecked(motors.linked)
+        self._link.setEnabled(can_link and not self._joint)
+        tip = self.tr("Both motors do what either slider says; nothing turns")
+        if not can_link:
+            tip = self.tr("The motors run differently: stop both, or give both the same speed")
+        self._link.setToolTip(tip)
+
+    def _restore(self) -> None:
+        self._motors.set_ceiling(_stored(self._store, "motors/ceiling", 1))
+        self._motors.set_release_brake(_stored(self._store, "motors/brake", 0))
+        self._return.setChecked(self._store.value("motors/return_to_zero") in {True, "true"})
+
+    @Slot(bool)
+    def _on_accelerate_toggled(self, accelerate: bool) -> None:
+        self._motors.accelerate = accelerate
+
+    @Slot(bool)
+    def _on_return_toggled(self, wanted: bool) -> None:
+        self._store.setValue("motors/return_to_zero", wanted)
+
+    @Slot(int)
+    def _on_lock_chosen(self, seconds: int) -> None:
+        self._motors.lockout = float(seconds)
+        remember_lockout(seconds)
+
+    @Slot(int)
+    def _on_ceiling_changed(self, speed: int) -> None:
+        self._motors.set_ceiling(speed)
+        self._store.setValue("motors/ceiling", speed)
+
+    @Slot(int)
+    def _on_brake_changed(self, duty: int) -> None:
+        self._motors.set_release_brake(duty)
+        self._store.setValue("motors/brake", duty)
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        self._ceiling.set_value(self._motors.ceiling)
+        self._brake.set_value(self._motors.release_brake)
+        self._lock.show_wish(round(self._motors.lockout))
+        self._show_link()
+
+
+def _stored(store: QSettings, key: str, lowest: int) -> int:
+    """Return a number that was remembered, or full where it is none."""
+    text = str(store.value(key, FULL_SCALE))
+    return max(lowest, min(FULL_SCALE, int(text))) if text.isdigit() else FULL_SCALE

@@ -1,0 +1,197 @@
+"""Opens the editor that fits a parameter, and paints what is edited, inferred or not given."""
+
+from typing import cast
+
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QRect,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QColor, QFont, QIcon, QKeyEvent, QPainter, QPalette
+from PySide6.QtWidgets import (
+    QComboBox,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QWidget,
+)
+
+from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.views.pages.parameters.editors import Editor, NumberEditor, editor_for
+from trex_gui.ui.theme.icons import icon
+from trex_gui.ui.theme.theme import theme
+
+Index = QModelIndex | QPersistentModelIndex
+
+_ICON = 16
+_ROOM = 12
+_ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab}
+_UNTOUCHED = "untouched"
+
+
+class ParameterDelegate(QStyledItemDelegate):
+    """Paints and edits the rows of a `ParameterModel`.
+
+    Where no value is given, the editor shows the default, and that becomes a value only when
+    something was typed or chosen, or with Enter.
+
+    Signals:
+        refused: why what was typed is no value, for people.
+    """
+
+    refused = Signal(str)
+
+    # --- Editing ------------------------------------------------------------------------
+
+    def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
+        del option
+        spec = cast("ParameterSpec", index.data(Role.SPEC))
+        editor = editor_for(spec, parent)
+        editor.setAccessibleName(spec.name)
+        editor.setProperty(_UNTOUCHED, index.data(Role.WIRE) is None)
+        editor.valueChanged.connect(lambda _wire: editor.setProperty(_UNTOUCHED, False))
+        if isinstance(editor, NumberEditor):
+            editor.refused.connect(self.refused)
+            editor.lineEdit().textEdited.connect(
+                lambda _text: editor.setProperty(_UNTOUCHED, False)
+            )
+            return editor
+        # What is ticked or chosen is an edit at once; a number is one with Enter.
+        editor.valueChanged.connect(lambda _wire: self.commitData.emit(editor))
+        for combo in (editor, *editor.findChildren(QComboBox)):
+            if isinstance(combo, QComboBox):
+                combo.activated.connect(lambda _index: self._take_as_shown(editor))
+        return editor
+
+    def _take_as_shown(self, editor: QWidget) -> None:
+        """Take what an untouched editor shows: it was chosen, though it is what stood there."""
+        if editor.property(_UNTOUCHED):
+            editor.setProperty(_UNTOUCHED, False)
+            self.commitData.emit(editor)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep an editor open while what was typed into it is no value."""
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.KeyPress
+            and event.key() in _ENTER
+        ):
+            if isinstance(watched, NumberEditor) and not watched.hasAcceptableInput():
+                watched.tell_problem()
+                return True
+            if event.key() != Qt.Key.Key_Tab:
+                watched.setProperty(_UNTOUCHED, False)
+        return super().eventFilter(watched, event)
+
+    def setEditorData(self, editor: QWidget, index: Index) -> None:
+        wire = index.data(Role.WIRE)
+        spec = cast("ParameterSpec", index.data(Role.SPEC))
+        untouched = editor.property(_UNTOUCHED)
+        cast("Editor", editor).setValue(spec.default if wire is None else wire)
+        editor.setProperty(_UNTOUCHED, untouched)  # it was not a person who changed it
+
+    def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
+        if not editor.property(_UNTOUCHED):
+            model.setData(index, cast("Editor", editor).value(), Qt.ItemDataRole.EditRole)
+
+    def updateEditorGeometry(
+        self, editor: QWidget, option: QStyleOptionViewItem, index: Index
+    ) -> None:
+        """Give an editor the room it wants; it may stand over its neighbours."""
+        super().updateEditorGeometry(editor, option, index)
+        wanted = editor.sizeHint()
+        place = editor.geometry()
+        place.setWidth(max(place.width(), wanted.width()))
+        if wanted.height() > place.height():
+            place.adjust(0, -((wanted.height() - place.height()) // 2), 0, 0)
+            place.setHeight(wanted.height())
+        view = editor.parentWidget()
+        if view is not None and place.right() > view.width():
+            place.moveRight(max(place.width(), view.width()) - 1)
+        editor.setGeometry(place)
+
+    # --- Painting -----------------------------------------------------------------------
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        """Make every row as high, whatever icon stands in it."""
+        size = super().sizeHint(option, index)
+        size.setHeight(option.fontMetrics.height() + _ROOM)
+        return size
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        super().initStyleOption(option, index)
+        match index.column():
+            case Column.NAME:
+                self._show_name(option, index)
+            case Column.VALUE | Column.WIRE:
+                if index.data(Role.DIRTY):
+                    _embolden(option)
+                if index.data(Role.WIRE) is None:
+                    _mute(option)
+            case Column.SOURCE:
+                spec = index.data(Role.SPEC)
+                if spec is not None and not (spec.limits_confirmed and spec.default_confirmed):
+                    _mute(option)
+
+    def _show_name(self, option: QStyleOptionViewItem, index: Index) -> None:
+        """Let headings and edited rows stand out, and say what is the matter with a row."""
+        dirty = bool(index.data(Role.DIRTY))
+        if dirty or index.data(Role.GROUP) is not None:
+            _embolden(option)
+        if index.data(Role.PROBLEM):
+            name = "warning"
+        elif dirty:
+            name = "edited"
+        elif index.data(Role.WAITING) is not None:
+            name = "power"
+        else:
+            return
+        option.icon = icon(name)
+        option.features |= QStyleOptionViewItem.ViewItemFeature.HasDecoration
+
+
+class ResetDelegate(QStyledItemDelegate):
+    """Paints the way back to the default; framed where a key would press it."""
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        super().paint(painter, option, index)
+        if not index.data(Role.RESET):
+            return
+        place = QRect(0, 0, _ICON, _ICON)
+        place.moveCenter(option.rect.center())
+        state = option.state
+        if not state & QStyle.StateFlag.State_Enabled:
+            mode = QIcon.Mode.Disabled
+        elif state & QStyle.StateFlag.State_Selected:
+            mode = QIcon.Mode.Selected
+        else:
+            mode = QIcon.Mode.Normal
+        if state & QStyle.StateFlag.State_HasFocus:
+            painter.save()
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(option.palette.color(QPalette.ColorRole.HighlightedText))
+            painter.drawRoundedRect(place.adjusted(-3, -3, 3, 3), 3, 3)
+            painter.restore()
+        icon("default").paint(painter, place, Qt.AlignmentFlag.AlignCenter, mode)
+
+
+def _embolden(option: QStyleOptionViewItem) -> None:
+    font: QFont = option.font
+    font.setBold(True)
+    option.font = font
+
+
+def _mute(option: QStyleOptionViewItem) -> None:
+    """Let a text stand back, without making a disabled one stand out."""
+    palette = QPalette(option.palette)
+    muted: QColor = theme().color("muted")
+    for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
+        palette.setColor(group, QPalette.ColorRole.Text, muted)
+    option.palette = palette

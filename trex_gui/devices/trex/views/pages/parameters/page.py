@@ -1,0 +1,136 @@
+"""Every parameter of the board: read, edit, apply."""
+
+from PySide6.QtCore import Signal, Slot
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.settings.linter import BoardAdviser
+from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.ui.theme.icons import set_icon
+
+
+class ParametersPage(QWidget):
+    """The parameter table below what waits for Apply and what the last one did.
+
+    Signals:
+        reload_requested: read everything from the board again.
+        power_cycle_requested: lead through the one that stored values wait for.
+    """
+
+    reload_requested = Signal()
+    power_cycle_requested = Signal()
+
+    def __init__(self, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("parametersPage")
+        self._device = device
+        self._model = device.parameters
+
+        self._notice = QLabel(self)
+        self._notice.setObjectName("parametersNotice")
+        self._notice.setWordWrap(True)
+        self._reload = QPushButton(self.tr("Re&load"), self)
+        self._reload.setObjectName("reloadButton")
+        self._reload.setToolTip(self.tr("Read every parameter from the board again"))
+        set_icon(self._reload, "reload")
+        self._activate = QPushButton(self.tr("Make active…"), self)
+        self._activate.setObjectName("makeActiveButton")
+        self._activate.setToolTip(
+            self.tr("Lead through switching the board off and on, and see what is active then")
+        )
+        set_icon(self._activate, "power")
+        self._discard = QPushButton(self.tr("Discard edits"), self)
+        self._discard.setObjectName("discardButton")
+        set_icon(self._discard, "undo")
+        self._table = ParameterTable(device.draft, BoardAdviser(device, self), self)
+
+        top = QHBoxLayout()
+        top.addWidget(self._notice, 1)
+        top.addWidget(self._activate)
+        top.addWidget(self._discard)
+        top.addWidget(self._reload)
+        layout = QVBoxLayout(self)
+        layout.addLayout(top)
+        layout.addWidget(self._table, 1)
+
+        self._reload.clicked.connect(self.reload_requested)
+        self._activate.clicked.connect(self.power_cycle_requested)
+        self._discard.clicked.connect(device.discard_edits)
+        self._table.refused.connect(self._notice.setText)
+        self._model.modelReset.connect(self._on_link_changed)
+        device.pending_changed.connect(self._on_pending_changed)
+        device.applied.connect(self._on_applied)
+        device.link_changed.connect(self._on_link_changed)
+        self._on_link_changed()
+
+    @Slot(str)
+    def show_parameter(self, key: str) -> None:
+        """Go to a parameter by its key."""
+        self._table.show_parameter(key)
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        up = self._device.link is Link.UP
+        self._reload.setEnabled(up)
+        self._activate.setVisible(up and self._waits_for_power)
+        self._table.set_rows_enabled(up)
+        if self._model.count == 0:
+            self._notice.setText(self.tr("Connect to a board to see its parameters."))
+        elif up:
+            self._on_pending_changed()
+        else:
+            self._notice.setText(
+                self.tr("No board answers. Edits are kept for when the same kind of board is back.")
+            )
+        self._discard.setEnabled(up and self._device.pending > 0)
+
+    @property
+    def _waits_for_power(self) -> bool:
+        return bool(self._model.waiting_for_power) or self._device.reset_ordered
+
+    @Slot()
+    def _on_pending_changed(self) -> None:
+        count = self._device.pending
+        self._discard.setEnabled(count > 0 and self._device.link is Link.UP)
+        waiting = self._model.waiting_for_power
+        self._activate.setVisible(self._waits_for_power and self._device.link is Link.UP)
+        if self._device.reset_ordered:
+            text = self.tr("The factory's values stand here after the next power cycle.")
+        elif count:
+            text = self.tr("{0} not applied yet: Apply settings writes them.").format(
+                self._count_text(count)
+            )
+        elif waiting:
+            text = self.tr("Stored, but not active before the board is switched off and on: {0}.")
+            text = text.format(", ".join(waiting))
+        else:
+            text = self.tr("Double-click a value to change it. Nothing is written before Apply.")
+        self._notice.setText(text)
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[Written, ...]) -> None:
+        failed = [result for result in results if result.error is not None]
+        if any(result.what == "factory_reset" for result in results):
+            text = self.tr("Not taken by the board: {0}").format(failed[0].error) if failed else ""
+            self._notice.setText(
+                text or self.tr("The factory's values stand here after the next power cycle.")
+            )
+            return
+        if failed:
+            self._table.show_parameter(failed[0].what)
+            text = self.tr("{0} of {1} did not stick; they are marked below.").format(
+                len(failed), len(results)
+            )
+        else:
+            text = self.tr("{0} written and read back equal.").format(
+                self._count_text(len(results))
+            )
+            if waiting := self._model.waiting_for_power:
+                text += " " + self.tr("Switch the board off and on to make active: {0}.").format(
+                    ", ".join(waiting)
+                )
+        self._notice.setText(text)
+
+    def _count_text(self, count: int) -> str:
+        return self.tr("1 setting") if count == 1 else self.tr("{0} settings").format(count)

@@ -1,0 +1,170 @@
+"""The parameters of a draft: filters, table, findings and help; of a board or of a file."""
+
+from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
+from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+
+from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
+from trex_gui.devices.trex.model.parameters.parameters import Column, Role
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
+from trex_gui.devices.trex.model.settings.linter import Adviser
+from trex_gui.devices.trex.protocol.parameters import ParameterSpec
+from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilters
+from trex_gui.devices.trex.views.pages.parameters.findings_list import AdviceList
+from trex_gui.devices.trex.views.pages.parameters.help import ParameterHelp
+from trex_gui.devices.trex.views.pages.parameters.menu import ParameterMenu
+from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+_LEAST_ROWS = 5
+"""So many stay in sight; on a low screen the texts below them scroll."""
+
+
+class ParameterTable(QWidget):
+    """Everything to look at parameters and edit them; knows of no board.
+
+    Signals:
+        refused: why what was typed is no value, for people.
+    """
+
+    refused = Signal(str)
+
+    def __init__(
+        self, draft: SettingsDraft, adviser: Adviser, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._model = draft.parameters
+        self._rows = ParameterFilter(self._model, self)
+        self._place = ""
+        self._column = Column.VALUE
+        self._stands_in = False
+
+        self._filters = ParameterFilters(self._rows, self)
+        self._view = ParameterView(self._rows, self)
+        self._view.setMinimumHeight(_LEAST_ROWS * (self.fontMetrics().height() + 8))
+        self._nothing = _Nothing(self._view.viewport())
+        below = QWidget(self)
+        below.setObjectName("aboutParameters")
+        self._advice = AdviceList(adviser, below)
+        self._help = ParameterHelp(self._model.text, below)
+        box = ScrollBox(below, self)
+        box.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self._menu = ParameterMenu(self._model, self._view)
+
+        texts = QVBoxLayout(below)
+        texts.setContentsMargins(0, 0, 0, 0)
+        texts.addWidget(self._advice)
+        texts.addWidget(self._help)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self._filters)
+        layout.addWidget(self._view, 1)
+        layout.addWidget(box)
+
+        self._view.reset_wanted.connect(self._model.reset)
+        self._view.refused.connect(self.refused)
+        self._model.refused.connect(self.refused)
+        self._nothing.all_wanted.connect(self._filters.clear)
+        self._view.selectionModel().currentChanged.connect(self._on_current_changed)
+        self._model.dataChanged.connect(self._show_help)
+        for changed in (
+            self._rows.modelReset,
+            self._rows.layoutChanged,
+            self._rows.rowsInserted,
+            self._rows.rowsRemoved,
+        ):
+            changed.connect(self._on_rows_changed)
+        theme().changed.connect(self._view.viewport().update)
+        self._on_rows_changed()
+
+    # --- For the page -------------------------------------------------------------------
+
+    def set_rows_enabled(self, enabled: bool) -> None:
+        """Let rows be edited, or grey them; they can be searched all the same."""
+        self._view.setEnabled(enabled)
+
+    def show_parameter(self, key: str) -> None:
+        """Go to a parameter, whatever was narrowed down or closed; without it, do nothing."""
+        if self._model.index_of(key).isValid():
+            self._filters.clear()
+            self._go_to(self._rows.index_of(key))
+
+    @property
+    def current_key(self) -> str:
+        """The parameter of the current row; empty on a heading."""
+        spec = self._view.currentIndex().data(Role.SPEC)
+        return spec.key if isinstance(spec, ParameterSpec) else ""
+
+    # --- The current row ----------------------------------------------------------------
+
+    @Slot(QModelIndex, QModelIndex)
+    def _on_current_changed(self, current: QModelIndex, _previous: QModelIndex) -> None:
+        if current.isValid():
+            self._stands_in = False
+            self._place = self.current_key or str(current.data(Role.GROUP))
+            if self.current_key:
+                self._column = Column(current.column())
+            self._view.scrollTo(current)
+            # Which row it is, above all.
+            self._view.scrollTo(current.siblingAtColumn(Column.NAME))
+        self._show_help()
+
+    @Slot()
+    def _on_rows_changed(self) -> None:
+        """Keep to the row that a person was at, while it is shown; else to the first."""
+        self._nothing.setVisible(self._model.count > 0 and self._rows.rowCount() == 0)
+        is_lost = self._stands_in or not self._view.currentIndex().isValid()
+        if is_lost and self._rows.rowCount() > 0:
+            place = self._rows.index_of(self._place, self._column)
+            if not place.isValid():
+                place = self._rows.mapFromSource(self._model.index_of_group(self._place))
+            if place.isValid():
+                self._go_to(place)
+            elif not self._view.currentIndex().isValid():
+                self._go_to_first()
+        self._show_help()
+
+    def _go_to_first(self) -> None:
+        """Stand at the first row for now; where a person was before is not forgotten."""
+        wanted = self._place
+        heading = self._rows.index(0, 0)
+        first = self._rows.index(0, Column.VALUE, heading)
+        self._view.setCurrentIndex(first if self._view.isExpanded(heading) else heading)
+        self._view.scrollToTop()
+        self._stands_in = bool(wanted)
+        self._place = wanted or self._place
+
+    def _go_to(self, place: QModelIndex) -> None:
+        if place.parent().isValid() and not self._view.isExpanded(place.parent()):
+            self._view.expand(place.parent())
+        self._view.setCurrentIndex(place)
+
+    @Slot()
+    def _show_help(self) -> None:
+        self._help.show_help_of(self._view.currentIndex())
+
+
+class _Nothing(QWidget):
+    """Stands where the rows would be while none matches.
+
+    Signals:
+        all_wanted: every row is to be shown again.
+    """
+
+    all_wanted = Signal()
+
+    def __init__(self, viewport: QWidget) -> None:
+        super().__init__(viewport)
+        self.setObjectName("noParameterMatches")
+        words = QLabel(self.tr("No parameter matches."), self)
+        words.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        show_all = QPushButton(self.tr("Show all parameters"), self)
+        show_all.setObjectName("showAllParameters")
+
+        layout = QVBoxLayout(self)
+        layout.addWidget(words)
+        layout.addWidget(show_all, 0, Qt.AlignmentFlag.AlignCenter)
+        around = QVBoxLayout(viewport)
+        around.addWidget(self, 0, Qt.AlignmentFlag.AlignCenter)
+
+        show_all.clicked.connect(self.all_wanted)

@@ -1,0 +1,60 @@
+"""Beginning and ending recordings of a board, and opening those that were made."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication, Signal, Slot
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.recordings.playback import Playback
+from trex_gui.devices.trex.model.recordings.recorder import Recorder
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.ui.playback.keeper import RecordingKeeper, RecordingWords
+
+if TYPE_CHECKING:
+    from trex_gui.devices.trex.views.recordings.window import PlaybackWindow
+
+SUFFIXES = frozenset({".trexrec", ".csv"})
+
+
+class Recordings(RecordingKeeper[Recorder, "PlaybackWindow"]):
+    """Asks where to record and what to open, and owns the windows of open recordings.
+
+    Signals:
+        settings_wanted: a `SettingsDocument` to open in the settings editor.
+    """
+
+    settings_wanted = Signal(object)
+
+    def __init__(self, device: Device, window: QWidget) -> None:
+        super().__init__(Recorder(device), _words(), window, store="recording")
+        self._device = device
+
+    def open_window(self, path: Path) -> "PlaybackWindow":
+        playback = Playback.open(path)
+        # The plotting library takes as long to load as all of Qt: not before it is needed.
+        from trex_gui.devices.trex.views.recordings.window import PlaybackWindow  # noqa: PLC0415
+
+        window = PlaybackWindow(playback, self._device)
+        window.settings_wanted.connect(self._on_settings_wanted)
+        return window
+
+    @Slot(str, str)
+    def _on_settings_wanted(self, text: str, name: str) -> None:
+        self.settings_wanted.emit(SettingsDocument(text, name))
+
+
+def _words() -> RecordingWords:
+    def tr(text: str) -> str:
+        return QCoreApplication.translate("Recordings", text)
+
+    return RecordingWords(
+        stem="trex",
+        kinds={
+            tr("Compact recording (*.trexrec)"): ".trexrec",
+            tr("CSV for spreadsheets (*.csv)"): ".csv",
+        },
+        nothing=tr("Nothing can be recorded: no board is connected."),
+        shown_by=tr("File, Open recording"),
+    )

@@ -1,0 +1,1 @@
+"""Before and after a write: review, factory defaults, power cycle."""

@@ -1,0 +1,315 @@
+"""What Apply is about to write, how far it is, and what became of each value."""
+
+from collections.abc import Iterator
+from enum import Enum, auto
+
+from PySide6.QtCore import Slot
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from trex_gui.core.errors import NoReply, PortUnavailable, TrexError, sentence
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
+from trex_gui.devices.trex.settings.comparison import Comparison, compare
+from trex_gui.devices.trex.views.comparison_view import ComparisonView
+from trex_gui.devices.trex.views.review.power_cycle_panel import PowerCyclePanel
+from trex_gui.devices.trex.views.stop_button import StopButton
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.note import Note
+
+
+class _Phase(Enum):
+    REVIEW = auto()
+    WRITING = auto()
+    DONE = auto()
+
+
+class ReviewDialog(QDialog):
+    """Beside the window, never in its way, and with a stop button of its own.
+
+    What is shown follows the edits until they are written.
+    """
+
+    def __init__(self, device: Device, cycle: PowerCycle, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("reviewDialog")
+        self.setWindowTitle(self.tr("Apply settings"))
+        self.resize(920, 560)
+        self._device = device
+        self._cycle = cycle
+        self._phase = _Phase.REVIEW
+        self._problem = ""
+        self._wanted: frozenset[str] = frozenset()
+
+        self._head = Note(1, self)
+        self._head.setObjectName("reviewHead")
+        self._rows = ComparisonView(self)
+        self._foot = QLabel(self)
+        self._foot.setObjectName("reviewFoot")
+        self._foot.setWordWrap(True)
+        self._progress = QProgressBar(self)
+        self._progress.setObjectName("reviewProgress")
+        self._progress.setAccessibleName(self.tr("Progress of writing"))
+        self._power = PowerCyclePanel(cycle, self)
+        self._write = QPushButton(self)
+        self._write.setObjectName("writeButton")
+        set_icon(self._write, "apply")
+        self._close = QPushButton(self)
+        self._close.setObjectName("reviewCloseButton")
+
+        buttons = QHBoxLayout()
+        buttons.addWidget(StopButton(device, "reviewStopButton", self))
+        buttons.addWidget(self._progress, 1)
+        buttons.addStretch(1)
+        buttons.addWidget(self._write)
+        buttons.addWidget(self._close)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self._head)
+        layout.addWidget(self._rows, 1)
+        layout.addWidget(self._foot)
+        layout.addWidget(self._power)
+        layout.addLayout(buttons)
+
+        self._write.clicked.connect(self._on_write_clicked)
+        self._close.clicked.connect(self.close)
+        self._rows.ticked_changed.connect(self._on_ticked_changed)
+        device.draft.pending_changed.connect(self._on_draft_changed)
+        device.draft.loaded.connect(self._on_draft_changed)
+        device.link_changed.connect(self._on_link_changed)
+        device.progressed.connect(self._on_progressed)
+        device.applied.connect(self._on_applied)
+        device.failed.connect(self._on_failed)
+        self._enter(_Phase.REVIEW)
+
+    def review(self) -> None:
+        """Show what would be written now; while it is being written, how far it is."""
+        if self._phase is not _Phase.WRITING:
+            self._problem = ""
+            self._cycle.end()
+            self._rows.show_comparison(
+                self._changes(),
+                self.tr("In the board"),
+                self.tr("Will be written"),
+                summary=self.tr("Untick what shall wait."),
+            )
+            self._enter(_Phase.REVIEW)
+        self.show()
+        self.activateWindow()
+
+    def _changes(self) -> Comparison:
+        stored, shown = self._device.draft.stored, self._device.draft.shown
+        if stored is None or shown is None:
+            return Comparison(())
+        differing = compare(stored, shown).differing
+        return Comparison(differing)
+
+    @property
+    def _can_write(self) -> bool:
+        """Whether the board takes settings now, and what it takes stays."""
+        device = self._device
+        return device.link is Link.UP and not device.applying and not device.reset_ordered
+
+    # --- What a person does -------------------------------------------------------------
+
+    @Slot()
+    def _on_write_clicked(self) -> None:
+        wanted = {row.key for row in self._rows.table.ticked}
+        if not wanted or self._phase is not _Phase.REVIEW or not self._can_write:
+            return
+        self._problem = ""
+        self._rows.freeze(self.tr("Before"), self.tr("Written"))
+        self._progress.setRange(0, len(wanted))
+        self._progress.setValue(0)
+        self._enter(_Phase.WRITING)
+        self._wanted = frozenset(wanted)
+        self._device.apply(wanted)
+
+    def reject(self) -> None:
+        """Esc and Close hide the dialog; what is being written goes on."""
+        self._leave()
+        super().reject()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self._leave()
+        super().closeEvent(event)
+
+    def _leave(self) -> None:
+        if self._phase is _Phase.DONE:
+            self._cycle.end()
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot()
+    def _on_draft_changed(self) -> None:
+        if self._phase is _Phase.REVIEW and self.isVisible():
+            self._rows.renew(self._changes(), self.tr("Untick what shall wait."))
+            self._describe()
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        if self._phase is _Phase.WRITING and self._device.link is Link.NONE:
+            self._problem = self._problem or self.tr("The line was lost.")
+            self._enter(_Phase.DONE)
+        elif self.isVisible():
+            self._describe()
+
+    @Slot(int)
+    def _on_ticked_changed(self, _count: int) -> None:
+        self._describe()
+
+    @Slot(int, int, str)
+    def _on_progressed(self, done: int, total: int, what: str) -> None:
+        if self._phase is _Phase.WRITING and self._device.applying:
+            self._progress.setRange(0, total)
+            self._progress.setValue(done)
+            self._progress.setFormat(
+                self.tr("{0} of {1}: {2}").format(min(done + 1, total), total, what)
+            )
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[Written, ...]) -> None:
+        if self._phase is not _Phase.WRITING:
+            return
+        keys = [self._device.key_of(result.what) for result in results]
+        if not self._wanted.issuperset(keys):
+            return  # the result of something else, such as an order to reset
+        self._rows.show_outcomes(dict(zip(keys, self._outcomes(results), strict=True)))
+        self._problem = self._problem_text(results)
+        if self._device.parameters.waiting_for_power:
+            self._cycle.begin()
+        self._enter(_Phase.DONE)
+
+    def _outcomes(self, results: tuple[Written, ...]) -> Iterator[str]:
+        """Yield why each is not stored, empty where it is; an error counts where it happened."""
+        met: TrexError | None = None
+        for result in results:
+            if result.error is None:
+                yield ""
+            elif result.error is met:
+                yield self.tr("not tried after that")
+            else:
+                met = result.error
+                yield sentence(result.error)
+
+    def _problem_text(self, results: tuple[Written, ...]) -> str:
+        errors = [result.error for result in results if result.error is not None]
+        if not errors:
+            return ""
+        text = self.tr("{0} of {1} did not stick, and stay edits.")
+        text = text.format(len(errors), len(results))
+        if any(isinstance(error, (NoReply, PortUnavailable)) for error in errors):
+            text += " " + self.tr(
+                "What was being written when the board was lost may be the old value, the new "
+                "one or, after a power cut, the factory's; it is read again."
+            )
+        return text
+
+    @Slot(str)
+    def _on_failed(self, reason: str) -> None:
+        if self._phase is _Phase.WRITING and not self._device.applying:
+            self._problem = reason
+            self._enter(_Phase.DONE)
+
+    def _enter(self, phase: _Phase) -> None:
+        self._phase = phase
+        self._describe()
+
+    def _describe(self) -> None:
+        """Let every word and button fit the phase."""
+        phase = self._phase
+        count = len(self._rows.table.ticked)
+        reviewing, done = phase is _Phase.REVIEW, phase is _Phase.DONE
+        self._progress.setVisible(phase is _Phase.WRITING)
+        self._power.setVisible(done and bool(self._cycle.stage.value > 1))
+        self._write.setVisible(reviewing)
+        self._write.setEnabled(reviewing and self._can_write and count > 0)
+        self._write.setText(self._count_text(count, self.tr("Write {0}")))
+        self._write.setDefault(reviewing)
+        self._close.setText(self.tr("Cancel") if reviewing else self.tr("Close"))
+        self._close.setDefault(not reviewing)
+        self._head.show_note(self._head_text(), alarming=self._is_alarming())
+        self._foot.setVisible(reviewing)
+        self._foot.setText(self._foot_text())
+
+    def _is_alarming(self) -> bool:
+        state = self._device.state
+        refuses = state is not None and not state.mode.is_serial
+        refuses = refuses or self._device.reset_ordered
+        return bool(self._problem) or (self._phase is _Phase.REVIEW and refuses)
+
+    def _head_text(self) -> str:
+        count = len(self._rows.table.comparison.rows)
+        state = self._device.state
+        match self._phase:
+            case _Phase.WRITING:
+                return self.tr("Writing. Each value is read back; leave the power on.")
+            case _Phase.DONE if self._problem:
+                return self._problem
+            case _Phase.DONE:
+                return self._count_text(count, self.tr("{0} stored and read back equal."))
+        if count == 0:
+            return self.tr("There is nothing to write: no setting was changed.")
+        if self._device.link is not Link.UP:
+            return self.tr("No board answers. The edits are kept.")
+        if self._device.reset_ordered:
+            return self.tr(
+                "The board was told to reset itself at its next start, and would lose what is "
+                "written now. Switch it off and on first (Device, Make stored settings active)."
+            )
+        if state is not None and not state.mode.is_serial:
+            return self.tr(
+                "The board is in {0} mode and takes no settings. Set its mode jumper to serial, "
+                "then switch it off and on."
+            ).format(state.mode.source.value)
+        return self._count_text(count, self.tr("{0} of the {1} will change."), self._board_text())
+
+    def _board_text(self) -> str:
+        """Which board it is: kind, number, port."""
+        state, settings = self._device.state, self._device.settings
+        if state is None or settings is None:
+            return ""
+        number = state.parameters.get("device_number")
+        port = settings.name or settings.url
+        if number is None:
+            return f"{state.signature} ({port})"
+        return self.tr("{0} (device number {1}, {2})").format(state.signature, number, port)
+
+    def _foot_text(self) -> str:
+        parts = [
+            self.tr(
+                "What the board stores now is saved first (File, History). The serial settings "
+                "are written last, and each value counts only when it was read back."
+            )
+        ]
+        if places := self._device.calibrations.out_of_reach:
+            names = ", ".join(f"{source.value} channel {channel}" for source, channel in places)
+            parts.append(
+                self.tr(
+                    "These calibrations wait until the board reads such inputs again: {0}."
+                ).format(names)
+            )
+        later = [
+            self._device.parameters.spec_of(row.key).name
+            for row in self._rows.table.ticked
+            if not row.is_calibration and self._device.parameters.spec_of(row.key).needs_power_cycle
+        ]
+        if later:
+            parts.append(
+                self.tr("Active only after the board is switched off and on: {0}.").format(
+                    ", ".join(later)
+                )
+            )
+        return " ".join(parts)
+
+    def _count_text(self, count: int, text: str, *more: str) -> str:
+        words = self.tr("1 setting") if count == 1 else self.tr("{0} settings").format(count)
+        return text.format(words, *more)

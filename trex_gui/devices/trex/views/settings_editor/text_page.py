@@ -1,0 +1,137 @@
+"""The text of a settings file: as Save writes it, or to be mended."""
+
+from bisect import bisect_right
+from collections.abc import Iterable
+
+from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSplitter, QVBoxLayout, QWidget
+
+from trex_gui.core.files.errors import Severity
+from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.settings.line_ends import EDITOR_BREAK, with_line_ends
+from trex_gui.devices.trex.settings.plain_yaml import LINE_END
+from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
+from trex_gui.devices.trex.views.settings_editor.numbered_text import NumberedText
+from trex_gui.ui.theme.icons import set_icon
+
+_MARK = "\ufeff"
+
+
+class TextPage(QWidget):
+    """Follows the document; while that cannot be read, its text can be edited here.
+
+    Signals:
+        checked: the text was read again.
+    """
+
+    checked = Signal()
+
+    def __init__(self, document: SettingsDocument, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("textPage")
+        self._document = document
+        self._shown: str | None = None
+
+        self._notice = QLabel(self)
+        self._notice.setObjectName("textNotice")
+        self._notice.setWordWrap(True)
+        self._check = QPushButton(self.tr("Chec&k again"), self)
+        self._check.setObjectName("checkAgainButton")
+        self._check.setToolTip(self.tr("Read the text as it is now and list what is wrong"))
+        set_icon(self._check, "reload")
+        self._text = NumberedText(self)
+        self._text.setObjectName("settingsText")
+        self._text.setAccessibleName(self.tr("Text of the settings file"))
+        self._findings = FindingsPanel(self)
+        self._findings.setObjectName("textFindings")
+
+        top = QHBoxLayout()
+        top.addWidget(self._notice, 1)
+        top.addWidget(self._check, 0, Qt.AlignmentFlag.AlignTop)
+        both = QSplitter(Qt.Orientation.Vertical, self)
+        both.addWidget(self._text)
+        both.addWidget(self._findings)
+        both.setStretchFactor(0, 3)
+        both.setStretchFactor(1, 2)
+        both.setChildrenCollapsible(False)
+        layout = QVBoxLayout(self)
+        layout.addLayout(top)
+        layout.addWidget(both, 1)
+
+        self._text.textChanged.connect(self._on_typed)
+        self._check.clicked.connect(self.check)
+        self._findings.line_chosen.connect(self.show_line)
+        document.changed.connect(self._on_changed)
+        self._on_changed()
+
+    def show_line(self, line: int) -> None:
+        """Go to a line as findings count them."""
+        self._text.show_line(self._editor_lines([line])[line])
+        self._text.setFocus()
+
+    def _editor_lines(self, lines: Iterable[int]) -> dict[int, int]:
+        """Return the numbers that the editor gives to lines of YAML."""
+        text = self._document.text
+        starts = [0, *(found.end() for found in LINE_END.finditer(text))]
+        breaks = [found.end() for found in EDITOR_BREAK.finditer(text)]
+        places = {line: starts[max(0, min(line, len(starts)) - 1)] for line in lines}
+        return {line: bisect_right(breaks, place) + 1 for line, place in places.items()}
+
+    @property
+    def editor(self) -> NumberedText:
+        """The text itself, for the window's Undo and Redo."""
+        return self._text
+
+    @Slot()
+    def check(self) -> None:
+        """Read the text again."""
+        self._document.check()
+        self.checked.emit()
+
+    @Slot()
+    def _on_typed(self) -> None:
+        if self._text.isReadOnly():
+            return
+        before = self._document.text
+        body = before.removeprefix(_MARK)
+        mark = before[: len(before) - len(body)]
+        self._shown = mark + with_line_ends(self._text.lines, body)
+        self._document.set_text(self._shown)
+
+    @Slot()
+    def _on_changed(self) -> None:
+        document = self._document
+        self._text.setReadOnly(document.readable)
+        self._check.setVisible(not document.readable)
+        self._findings.setVisible(not document.readable)
+        if document.text != self._shown:
+            self._shown = document.text
+            place = self._text.verticalScrollBar().value()
+            self._text.setPlainText(document.text.removeprefix(_MARK))
+            self._text.verticalScrollBar().setValue(place)
+        signs: dict[int, str] = {}
+        for found in document.findings:
+            if found.line is not None and signs.get(found.line) != Severity.ERROR:
+                signs[found.line] = found.severity.value
+        places = self._editor_lines(signs)
+        self._text.mark({places[line]: sign for line, sign in signs.items()})
+        if not document.readable:
+            self._findings.show_findings(document.findings)
+        self._notice.setText(self._words())
+
+    def _words(self) -> str:
+        document = self._document
+        if not document.readable:
+            return self.tr(
+                "This file cannot be used as it is. Mend the text here, then check it again; "
+                "the other pages open once it has no errors."
+            )
+        if document.trouble:
+            return self.tr(
+                "Shown is the text as it was opened, without your changes: {0}. Save offers to "
+                "write the settings as a fresh text."
+            ).format(document.trouble)
+        return self.tr(
+            "What Save writes. Comments and the order of the lines stay as they are; values are "
+            "changed on the other pages."
+        )

@@ -1,0 +1,370 @@
+"""The desk of a TReX: its pages, its dialogs, and what its menus do."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+from PySide6.QtCore import QObject, QSettings, Qt, Slot
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
+
+from trex_gui.core.errors import sentence
+from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.discovery.diagnosis import may_be_set_otherwise
+from trex_gui.devices.trex.model.connector import Connector
+from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.learning.learning import Learning
+from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
+from trex_gui.devices.trex.views.action_bar import ActionBar
+from trex_gui.devices.trex.views.bench.opener import BenchOpener
+from trex_gui.devices.trex.views.demo.panel import DemoPanel
+from trex_gui.devices.trex.views.history.dialog import HistoryDialog
+from trex_gui.devices.trex.views.learning.dialog import LearnDialog
+from trex_gui.devices.trex.views.pages.calibration.page import CalibrationPage
+from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage
+from trex_gui.devices.trex.views.pages.currents import CurrentsPage
+from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
+from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
+from trex_gui.devices.trex.views.pages.status import StatusPage
+from trex_gui.devices.trex.views.recordings.recordings import SUFFIXES, Recordings
+from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
+from trex_gui.devices.trex.views.review.power_cycle_dialog import PowerCycleDialog
+from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
+from trex_gui.devices.trex.views.settings_files import SettingsFiles
+from trex_gui.ui.devices.device_kind import TREX
+from trex_gui.ui.frame.workspace import Desk, FileKind
+from trex_gui.ui.traffic.page import TranscriptPage
+from trex_gui.ui.widgets.file_drop import TEXT, FileDrop
+from trex_gui.ui.widgets.inline_prompt import Answer, Question
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+GUIDE_URL = "https://www.pololu.com/docs/0J1"
+
+
+class TrexDesk(Desk):
+    """Everything of the window that is about a TReX; it holds no state of the device."""
+
+    def __init__(
+        self, device: Device, connector: Connector, question: Question, frame: QMainWindow
+    ) -> None:
+        """Stand in `frame`, and ask what has to be asked with its `question`."""
+        super().__init__(TREX.key, frame)
+        self._device = device
+        self._connector = connector
+        self._question = question
+        self._frame = frame
+        self._store = QSettings(self)
+        self._was_up = False
+        self._may_leave = False
+        self._actions: Mapping[str, QAction] = {}
+
+        tabs = self.pages
+        tabs.setObjectName("tabs")
+        tabs.setAccessibleName(self.tr("Pages"))
+        parameters_page = ParametersPage(device, self)
+        calibration_page = CalibrationPage(device, self)
+        motors_page = MotorsPage(device, self)
+        transcript_page = TranscriptPage(device.transcript, "transcript", self.tr("a board"), self)
+        pages = {
+            self.tr("Status"): StatusPage(device, self),
+            self.tr("Channels"): ChannelsPage(device, self),
+            self.tr("Calibration"): calibration_page,
+            self.tr("Motors"): motors_page,
+            self.tr("Currents"): CurrentsPage(device, self),
+            self.tr("Parameters"): parameters_page,
+            self.tr("Transcript"): transcript_page,
+        }
+        for title, page in pages.items():
+            tabs.addTab(ScrollBox(page, self), title)
+        parameters_index = list(pages.values()).index(parameters_page)
+
+        self._recordings = Recordings(device, frame)
+        self._bar = ActionBar(device, self)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(tabs, 1)
+        layout.addWidget(self._recordings.indicator)
+        layout.addWidget(self._bar)
+        self._demo = DemoPanel(connector, frame)
+        self._files = SettingsFiles(device, frame)
+        self._guided = PowerCycle(device, self)
+        self._review = ReviewDialog(device, PowerCycle(device, self), frame)
+        self._defaults = DefaultsDialog(device, frame)
+        self._power = PowerCycleDialog(self._guided, frame)
+        self._history = HistoryDialog(device, frame)
+        learning = Learning(device, self)
+        self._learn = LearnDialog(learning, frame)
+        self._bench = BenchOpener(device, frame)
+
+        self._files.told.connect(self.told)
+        self._files.refused.connect(self.refused)
+        self._files.staged.connect(lambda: tabs.setCurrentIndex(parameters_index))
+        FileDrop(frame, SUFFIXES).dropped.connect(self._recordings.open_file)
+        self._recordings.told.connect(self.told)
+        self._recordings.refused.connect(self.refused)
+        self._recordings.settings_wanted.connect(self._files.open_editor)
+        self._recordings.changed.connect(self._on_recording_changed)
+        self._bar.apply_requested.connect(self._review.review)
+        self._bench.apply_requested.connect(self._review.review)
+        self._defaults.staged.connect(self._review.review)
+        self._history.restore_requested.connect(self._review.review)
+        self._defaults.reset_requested.connect(device.reset_to_factory)
+        parameters_page.reload_requested.connect(self._on_reload_requested)
+        parameters_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
+        calibration_page.power_cycle_requested.connect(self._on_power_cycle_wanted)
+        calibration_page.learn_requested.connect(self._learn.learn)
+        learning.taken.connect(self._review.review)
+        motors_page.parameter_wanted.connect(parameters_page.show_parameter)
+        motors_page.parameter_wanted.connect(lambda: tabs.setCurrentIndex(parameters_index))
+        calibration_page.told.connect(self.told)
+        calibration_page.refused.connect(self.refused)
+        transcript_page.told.connect(self.told)
+        transcript_page.refused.connect(self.refused)
+        connector.failed.connect(self.refused)
+        connector.demo_changed.connect(self._on_demo_changed)
+        connector.demo_board.refused.connect(self.refused)
+        self._demo.wanted_changed.connect(self._on_demo_changed)
+        device.failed.connect(self._on_device_failed)
+        # Behind what the same report changes: a link that is up again clears the banner.
+        device.told.connect(self.told, Qt.ConnectionType.QueuedConnection)
+        device.applied.connect(self._on_applied)
+        device.applied.connect(question.reconsider)
+        device.link_changed.connect(self._on_link_changed)
+        device.motors.changed.connect(self._on_motors_changed)
+        device.pending_changed.connect(self._on_possibilities_changed)
+        self._undo_watch = device.undo.indexChanged.connect(self._on_undo_changed)
+
+    @property
+    def files(self) -> SettingsFiles:
+        """Opening and saving of settings files."""
+        return self._files
+
+    @property
+    def recordings(self) -> Recordings:
+        """What is recorded, and the recordings that are open."""
+        return self._recordings
+
+    @property
+    def help_url(self) -> str:
+        """The maker's guide."""
+        return GUIDE_URL
+
+    @property
+    def file_kinds(self) -> Sequence[FileKind]:
+        """Settings files; recordings open in windows of their own."""
+        return (FileKind(TEXT, self.tr("a settings file of a TReX"), self._files.open_file),)
+
+    @property
+    def docks(self) -> Sequence[QDockWidget]:
+        """The panel of the simulated board."""
+        return (self._demo,)
+
+    # --- What its menus do --------------------------------------------------------------
+
+    def slots(self) -> Mapping[str, Callable[[], object]]:
+        """Return what each of its actions does."""
+
+        def page(index: int) -> Callable[[], object]:
+            return lambda: self.pages.setCurrentIndex(index)
+
+        return {
+            "new": self._files.ask_and_begin,
+            "open": self._files.ask_and_open,
+            "history": self._history.open_history,
+            "record": self._recordings.toggle,
+            "open_recording": self._recordings.ask_and_open,
+            "save": self._files.ask_and_save,
+            "print": self._files.preview,
+            "export": self._files.ask_and_export,
+            "undo": self._device.undo.undo,
+            "redo": self._device.undo.redo,
+            "discard": self._device.discard_edits,
+            "run": self._device.motors.arm,
+            "reload": self._on_reload_requested,
+            "apply": self._review.review,
+            "power": self._on_power_cycle_wanted,
+            "learn": self._learn.learn,
+            "test_sticks": self._learn.test,
+            "bench": self._bench.open,
+            "defaults": lambda: self._defaults.preview(serial_only=False),
+            "serial_defaults": lambda: self._defaults.preview(serial_only=True),
+            **{f"page{index}": page(index) for index in range(self.pages.count())},
+            "demo": self._demo.toggle,
+        }
+
+    def take_actions(self, actions: Mapping[str, QAction]) -> None:
+        """Take the actions that stand for its slots, and restore what was shown last."""
+        self._actions = actions
+        page = str(self._store.value("window/page", 0))
+        self.pages.setCurrentIndex(int(page) if page.isdigit() else 0)
+        self._demo.show_if_wanted()
+        self._on_demo_changed()
+        self._on_link_changed()
+
+    def possible(self) -> Mapping[str, bool]:
+        """Return which of its actions can be done now."""
+        link, motors = self._device.link, self._device.motors
+        up = link is Link.UP
+        shown = self._device.draft.shown is not None and not self._device.applying
+        waiting = bool(self._device.parameters.waiting_for_power)
+        edited = shown and self._device.pending > 0
+        recorder = self._recordings.recorder
+        return {
+            "reload": up and not self._device.applying,
+            "open": not self._device.applying,
+            "save": shown,
+            "print": shown,
+            "export": shown,
+            "record": recorder.recording or recorder.can_record,
+            "run": motors.can_arm and not motors.armed and not motors.locked_for,
+            "apply": up and self._device.pending > 0 and not self._device.applying,
+            "power": up and (waiting or self._device.reset_ordered),
+            "defaults": up and not self._device.applying,
+            "serial_defaults": up and not self._device.applying,
+            "learn": up and not self._device.applying,
+            "test_sticks": up and not self._device.applying,
+            "discard": edited,
+            "undo": shown and self._device.undo.canUndo(),
+            "redo": shown and self._device.undo.canRedo(),
+            "demo": self._connector.demo_in_use,
+        }
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot()
+    def _on_link_changed(self) -> None:
+        up = self._device.link is Link.UP
+        if up and not self._was_up:
+            self.settled.emit()
+        self._was_up = up
+        self._on_possibilities_changed()
+
+    @Slot()
+    def _on_motors_changed(self) -> None:
+        """A drag tells of wishes many hundred times a second; no action depends on them."""
+        motors = self._device.motors
+        run = motors.can_arm and not motors.armed and not motors.locked_for
+        if "run" in self._actions and run != self._actions["run"].isEnabled():
+            self._on_possibilities_changed()
+
+    @Slot()
+    def _on_possibilities_changed(self) -> None:
+        """Let the menus say what can be done now."""
+        self.possibilities_changed.emit()
+        self._question.reconsider()
+
+    @Slot()
+    def _on_recording_changed(self) -> None:
+        if not self._actions:
+            return
+        recording = self._recordings.recorder.recording
+        text = self.tr("Stop &recording") if recording else self.tr("&Record…")
+        self._actions["record"].setText(text)
+        self.possibilities_changed.emit()
+
+    @Slot()
+    def _on_undo_changed(self) -> None:
+        """Say in the menu what would be undone."""
+        undo = self._device.undo
+        self._actions["undo"].setText(self.tr("&Undo {0}").format(undo.undoText()).strip())
+        self._actions["redo"].setText(self.tr("&Redo {0}").format(undo.redoText()).strip())
+        self._on_possibilities_changed()
+
+    @Slot()
+    def _on_demo_changed(self) -> None:
+        if self._actions:
+            self._actions["demo"].setChecked(self._demo.wanted)
+        self.possibilities_changed.emit()
+
+    @Slot(str)
+    def _on_device_failed(self, text: str) -> None:
+        if may_be_set_otherwise(text):
+            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
+        self.refused.emit(text)
+
+    @Slot(object)
+    def _on_applied(self, results: tuple[Written, ...]) -> None:
+        failed = [result for result in results if result.error is not None]
+        if not failed:
+            self.settled.emit()
+            if any(result.what == "factory_reset" for result in results):
+                self._on_power_cycle_wanted()
+            elif not self._review.isVisible():
+                text = self.tr("{0} settings are stored and read back equal.")
+                self.told.emit(text.format(len(results)))
+            return
+        names = ", ".join(self._device.name_of(result.what) for result in failed)
+        reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
+        self.refused.emit(self.tr("Not stored: {0}. {1}").format(names, reasons))
+
+    @Slot()
+    def _on_power_cycle_wanted(self) -> None:
+        if self._device.link is Link.UP:  # a window that closes has nothing to lead through
+            self._guided.begin()
+            self._power.guide()
+
+    @Slot()
+    def _on_reload_requested(self) -> None:
+        if not self._device.pending:
+            self._device.reload()
+            return
+        self._question.ask(
+            self.tr("Read the settings from the board and forget the edits made here?"),
+            Answer("reloadYes", self.tr("Forget them and reload"), self._forget_and_reload),
+            still=lambda: (
+                self._device.pending > 0
+                and self._device.link is Link.UP
+                and not self._device.applying
+            ),
+        )
+
+    def _forget_and_reload(self) -> None:
+        self._device.discard_edits()
+        self._device.reload()
+
+    # --- The end ------------------------------------------------------------------------
+
+    def may_close(self, leave: Callable[[], object]) -> bool:
+        """Ask before something is lost; an answer that lets the window go calls `leave`."""
+        if self._may_leave or not (self._device.applying or self._device.pending):
+            self._may_leave = False
+            return self._files.may_close()
+
+        def leave_all_the_same() -> None:
+            self._may_leave = True
+            leave()
+
+        def save_and_leave() -> None:
+            if self._files.ask_and_save():
+                leave_all_the_same()
+
+        self._frame.activateWindow()
+        if self._device.applying:
+            self._question.ask(
+                self.tr(
+                    "Settings are being written. Close all the same? What was not written yet is "
+                    "lost."
+                ),
+                Answer("closeYes", self.tr("Close all the same"), leave_all_the_same),
+                still=lambda: self._device.applying,
+            )
+        else:
+            self._question.ask(
+                self.tr("There are changes that were not applied to the board."),
+                Answer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
+                Answer("closeYes", self.tr("Close and lose them"), leave_all_the_same),
+                still=lambda: self._device.pending > 0 and not self._device.applying,
+            )
+        return False
+
+    def prepare_to_close(self) -> None:
+        """Close every dialog and window of its own."""
+        QObject.disconnect(self._undo_watch)  # the stack tells of its own end, too
+        self._history.close()
+        self._learn.close()
+        self._bench.close()
+        self._demo.leave()
+        self._files.close_all()
+        self._store.setValue("window/page", self.pages.currentIndex())
+
+    def finish(self) -> None:
+        """Close the recordings."""
+        self._recordings.close_all()

@@ -1,1 +1,0 @@
-"""Export as code: settings and the line in force as a program that stands alone."""

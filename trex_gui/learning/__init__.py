@@ -1,1 +1,0 @@
-"""What samples of the channel inputs mean: rest, travel, the calibration that fits them."""

@@ -1,1 +1,0 @@
-"""Settings files: what a board keeps, as text that people read, compare and edit."""

@@ -1,0 +1,168 @@
+"""The ports that a device may be on, and the simulated ones."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum, auto
+
+from PySide6.QtCore import QObject, QSettings, Signal, Slot
+from serial.tools import list_ports
+
+from trex_gui.ui.devices.device_kind import TREX, Kind
+from trex_gui.ui.runtime import runtime
+
+_INTERVAL_MS = 1500
+_MANY = 20
+"""Ports of which it is remembered that they lead to something else than a TReX."""
+_REMEMBERED = "ports/typed"
+_LAST = "ports/last"
+_LEADS_TO = "ports/kinds"
+
+
+class PortKind(Enum):
+    """Where a port comes from."""
+
+    SERIAL = auto()
+    TYPED = auto()
+    DEMO = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Port:
+    """One entry of the list; `url` is what pyserial opens, empty for a simulated device.
+
+    `device` is the key of the kind of device that it leads to.
+    """
+
+    kind: PortKind
+    url: str
+    label: str
+    device: str = TREX.key
+
+
+class Ports(QObject):
+    """A list that refreshes itself.
+
+    Serial ports of this computer come first, then addresses that were typed in (pseudo
+    terminals and network ports are in no list), then a simulated device of each kind. A port
+    leads to a TReX unless another kind was found there, or chosen.
+
+    Signals:
+        changed: the entries are others.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None, kinds: Sequence[Kind] = (TREX,)) -> None:
+        super().__init__(parent)
+        self._kinds = tuple(kinds)
+        self._settings = QSettings(self)
+        self._typed = self._read_typed()
+        self._entries: tuple[Port, ...] = ()
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_INTERVAL_MS)
+        self._timer.timeout.connect(self.refresh)
+        self.refresh()
+        self._timer.start()
+
+    @property
+    def entries(self) -> tuple[Port, ...]:
+        """Every port that can be connected to."""
+        return self._entries
+
+    @property
+    def kinds(self) -> tuple[Kind, ...]:
+        """The kinds of devices that a port may lead to."""
+        return self._kinds
+
+    @property
+    def demo(self) -> Port:
+        """The simulated TReX."""
+        return self.demo_of(TREX.key)
+
+    def demo_of(self, device: str) -> Port:
+        """Return the entry of the simulated device of a kind."""
+        return next(
+            port for port in self._entries if port.kind is PortKind.DEMO and port.device == device
+        )
+
+    @property
+    def preferred(self) -> Port | None:
+        """The port to offer first: the one used last, or the only serial one."""
+        last = self._settings.value(_LAST, "")
+        for port in self._entries:
+            if port.url == last and port.url:
+                return port
+        serial = [port for port in self._entries if port.kind is PortKind.SERIAL]
+        return serial[0] if len(serial) == 1 else None
+
+    @Slot()
+    def refresh(self) -> None:
+        """Look again which ports there are."""
+        entries = [
+            self._entry(PortKind.SERIAL, port.device, _label(port.device, port.description))
+            for port in sorted(list_ports.comports())
+        ]
+        present = {port.url for port in entries}
+        entries += [
+            self._entry(PortKind.TYPED, url, url) for url in self._typed if url not in present
+        ]
+        for kind in self._kinds:
+            label = self.tr("Demo {0} (no hardware)").format(kind.name)
+            entries.append(Port(PortKind.DEMO, "", label, kind.key))
+        if tuple(entries) != self._entries:
+            self._entries = tuple(entries)
+            self.changed.emit()
+
+    def add_typed(self, url: str) -> Port:
+        """Remember an address that a person typed, and return its entry."""
+        url = url.strip()
+        if url not in self._typed and all(port.url != url for port in self._entries):
+            self._typed = (*self._typed, url)[-8:]
+            self._settings.setValue(_REMEMBERED, "\n".join(self._typed))
+            self.refresh()
+        return self.find(url) or self._entry(PortKind.TYPED, url, url)
+
+    def lead_to(self, port: Port, device: str) -> Port:
+        """Remember which kind of device a port leads to, and return its entry."""
+        if port.kind is PortKind.DEMO or device == port.device:
+            return port
+        known = {url: key for url, key in self._known_kinds().items() if url != port.url}
+        if device != TREX.key:
+            known[port.url] = device
+        lines = [f"{key} {url}" for url, key in known.items()]
+        self._settings.setValue(_LEADS_TO, "\n".join(lines[-_MANY:]))
+        self.refresh()
+        return self.find(port.url) or self._entry(port.kind, port.url, port.url)
+
+    def _known_kinds(self) -> dict[str, str]:
+        """Return the keys of the kinds that ports lead to, by address."""
+        lines = str(self._settings.value(_LEADS_TO, "")).splitlines()
+        words = [line.split(" ", 1) for line in lines if " " in line]
+        keys = {kind.key for kind in self._kinds}
+        return {url: key for key, url in words if key in keys}
+
+    def _entry(self, kind: PortKind, url: str, label: str) -> Port:
+        device = self._known_kinds().get(url, TREX.key)
+        if device != TREX.key:
+            name = next(kind.name for kind in self._kinds if kind.key == device)
+            label = self.tr("{0}: {1}").format(name, label)
+        return Port(kind, url, label, device)
+
+    def find(self, url: str) -> Port | None:
+        """Return the entry with this address, if there is one."""
+        return next((port for port in self._entries if port.url == url and url), None)
+
+    def note_used(self, port: Port) -> None:
+        """Remember the port of a connection that worked; a simulated device is none."""
+        if port.url:
+            self._settings.setValue(_LAST, port.url)
+
+    def _read_typed(self) -> tuple[str, ...]:
+        text = str(self._settings.value(_REMEMBERED, ""))
+        return tuple(line for line in text.splitlines() if line)
+
+
+def _label(device: str, description: str) -> str:
+    if not description or description in {"n/a", device}:
+        return device
+    return f"{device}  ({description})"

@@ -1,0 +1,243 @@
+"""Looking for boards whose line settings nobody knows, as the window sees it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from PySide6.QtCore import QObject, Qt, Signal, Slot
+
+from trex_gui.core.discovery.prober import Seek, Sighting, Step
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.discovery.prober import SEEK_TREX
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.ui.devices.device_kind import TREX
+from trex_gui.ui.devices.ports import Port, PortKind
+from trex_gui.ui.devices.simulator_process import Simulator
+from trex_gui.ui.workers import orphaned_threads
+from trex_gui.ui.workers.scan_worker import Errand, FindWorker, Searched
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What came of one port: a board, or in a sentence what was there instead.
+
+    Attributes:
+        text: for people: a paragraph, or one for each kind of device that was looked for.
+        found: the device; `None` where there was none.
+        device: the key of its kind.
+    """
+
+    port: Port
+    text: str
+    found: Sighting | None = None
+    device: str = TREX.key
+
+
+class Finder(QObject):
+    """Searches ports one after the other; asks only, and moves nothing.
+
+    Signals:
+        changed: `running`, `findings` or `summary`.
+        progressed: `done`, `total` or `text`.
+        finished: the ports are free again.
+    """
+
+    changed = Signal()
+    progressed = Signal()
+    finished = Signal()
+
+    def __init__(
+        self,
+        simulator: Simulator,
+        parent: QObject | None = None,
+        *,
+        timeouts: Timeouts | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._timeouts = timeouts or Timeouts()
+        self._seeks: dict[str, Seek] = {TREX.key: SEEK_TREX}
+        self._simulators = {TREX.key: simulator}
+        self._demo_names = {TREX.key: self.tr("the simulated board")}
+        self._said: dict[str, str] = {}
+        self._worker: FindWorker | None = None
+        self._ports: tuple[Port, ...] = ()
+        self._findings: tuple[Finding, ...] = ()
+        self._searched = 0
+        self._done = 0
+        self._total = 1
+        self._text = ""
+        self._summary = ""
+        self._cancelled = False
+        self._faults = 0
+
+    def also(self, device: str, seek: Seek, simulator: Simulator, demo_name: str) -> None:
+        """Look for another kind of device, too; see `link.seeking` for the order.
+
+        What it asks must be harmless to the devices of every kind. `demo_name` is what people
+        call the simulated one.
+        """
+        self._seeks[device] = seek
+        self._simulators[device] = simulator
+        self._demo_names[device] = demo_name
+
+    def can_search(self, port: Port) -> bool:
+        """Whether there is something to look on: a simulated device has to run."""
+        return port.kind is not PortKind.DEMO or bool(self._simulators[port.device].url)
+
+    @property
+    def running(self) -> bool:
+        """Whether a search is under way."""
+        return self._worker is not None
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What came of the ports that were searched so far, in their order."""
+        return self._findings
+
+    @property
+    def done(self) -> int:
+        """How many of the `total` questions are over, or need not be asked any more."""
+        return self._done
+
+    @property
+    def total(self) -> int:
+        """How many questions there are at most."""
+        return self._total
+
+    @property
+    def text(self) -> str:
+        """What is tried now; empty while nothing is."""
+        return self._text
+
+    @property
+    def summary(self) -> str:
+        """How the last search ended, in a sentence; empty before any did."""
+        return self._summary
+
+    def is_searching(self, port: Port) -> bool:
+        """Whether a port is being searched, or will be."""
+        return self.running and port in self._ports[self._searched :]
+
+    def start(self, ports: Sequence[Port], *, full: bool = False) -> None:
+        """Search these ports; nothing happens while a search is under way, or without ports."""
+        if self._worker is not None or not ports:
+            return
+        self._ports = tuple(ports)
+        self._findings = ()
+        self._searched = self._done = self._faults = 0
+        self._total = 1
+        self._summary = ""
+        self._cancelled = False
+        self._text = self.tr("Opening {0} …").format(_name(self._ports[0]))
+        self._worker = FindWorker([self._errand(port) for port in self._ports], full=full)
+        self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
+        self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
+        self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
+        self._worker.start()
+        self.changed.emit()
+        self.progressed.emit()
+
+    @Slot()
+    def cancel(self) -> None:
+        """End the search after the question that is on its way; does not wait for it."""
+        if self._worker is not None and not self._cancelled:
+            self._cancelled = True
+            self._text = self.tr("Ending the search …")
+            self._worker.cancel()
+            self.progressed.emit()
+
+    def shut_down(self) -> bool:
+        """End the search and wait for it, at most a second; return whether it ended in time.
+
+        For the end of the program only; see `Device.shut_down`.
+        """
+        worker, self._worker = self._worker, None
+        if worker is None:
+            return True
+        worker.stepped.disconnect(self._on_stepped)
+        worker.searched.disconnect(self._on_searched)
+        worker.finished.disconnect(self._on_worker_finished)
+        in_time = worker.close()
+        if not in_time:
+            orphaned_threads.keep(worker)
+        return in_time
+
+    def _errand(self, port: Port) -> Errand:
+        """Look for every kind of device, first for what the port is known to lead to."""
+        if port.kind is not PortKind.DEMO:
+            first = self._said.get(port.url, port.device)
+            return Errand(LinkSettings(port.url, timeouts=self._timeouts), dict(self._seeks), first)
+        url = self._simulators[port.device].url
+        settings = LinkSettings(url, name=self._demo_names[port.device], timeouts=self._timeouts)
+        return Errand(settings, {port.device: self._seeks[port.device]})
+
+    @Slot(int, object)
+    def _on_stepped(self, index: int, step: Step) -> None:
+        self._total = len(self._ports) * step.total
+        self._done = index * step.total + step.done
+        if not self._cancelled:
+            how = replace(LinkSettings(""), line=step.line).short
+            what = step.kind
+            if step.number is not None:
+                what = self.tr("{0} with device number {1}").format(what, step.number)
+            text = self.tr("Looking for {0} at {1} on {2} …")
+            self._text = text.format(what, how, _name(self._ports[index]))
+        self.progressed.emit()
+
+    @Slot(object)
+    def _on_searched(self, searched: Searched) -> None:
+        port, search = self._ports[searched.index], searched.search
+        self._searched = searched.index + 1
+        self._faults += search.is_fault
+        if search.found:
+            self._said[port.url] = search.device
+            self._findings += tuple(
+                Finding(port, self._sentence(found), found, search.device) for found in search.found
+            )
+        elif not search.cancelled:
+            self._findings += (Finding(port, "\n\n".join(search.lines)),)
+        self.changed.emit()
+
+    def _sentence(self, found: Sighting) -> str:
+        settings = found.settings
+        text = self.tr("{0} on {1} at {2}").format(
+            found.name, settings.name or settings.url, settings.short
+        )
+        if found.device_number is not None:
+            text += self.tr(", device {0}").format(found.device_number)
+        if found.echo:
+            text += self.tr(" (RS-232 side)")
+        return f"{text}. {found.note}".strip()
+
+    @Slot()
+    def _on_worker_finished(self) -> None:
+        if self._worker is None:
+            return
+        self._worker.deleteLater()
+        self._worker = None
+        self._text = ""
+        self._done = self._total
+        self._summary = self._sum_up()
+        self.changed.emit()
+        self.progressed.emit()
+        self.finished.emit()
+
+    def _sum_up(self) -> str:
+        if self._cancelled:
+            return self.tr("The search was broken off.")
+        boards = sum(finding.found is not None for finding in self._findings)
+        if boards == 0:
+            text = self.tr("No board was found.")
+        elif boards == 1:
+            text = self.tr("1 board found.")
+        else:
+            text = self.tr("{0} boards found.").format(boards)
+        missed = self._faults + len(self._ports) - self._searched
+        if missed == 1:
+            text += self.tr(" 1 port was not searched: a fault of the program.")
+        elif missed:
+            text += self.tr(" {0} ports were not searched: a fault of the program.").format(missed)
+        return text
+
+
+def _name(port: Port) -> str:
+    return port.url or port.label

@@ -1,0 +1,270 @@
+"""The frame around the pages: connection above, what is told below it, menus."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings, Qt, QUrl, Slot
+from PySide6.QtGui import QCloseEvent, QDesktopServices
+from PySide6.QtWidgets import (
+    QApplication,
+    QMainWindow,
+    QMenu,
+    QMessageBox,
+    QStackedWidget,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from trex_gui import __version__
+from trex_gui.devices.trex.model.connection import Link
+from trex_gui.ui.devices.device_manager import Switchboard
+from trex_gui.ui.frame.actions import build_menus
+from trex_gui.ui.frame.connection_bar import ConnectionBar
+from trex_gui.ui.frame.escape import EscapeWatch
+from trex_gui.ui.frame.help_dialog import HelpDialog
+from trex_gui.ui.frame.unconfirmed_stop_warning import LastWarning
+from trex_gui.ui.frame.workspace import Desk
+from trex_gui.ui.theme.icons import application_icon
+from trex_gui.ui.theme.theme import Scheme, theme
+from trex_gui.ui.widgets.banner import Banner
+from trex_gui.ui.widgets.file_drop import AnyFileDrop
+from trex_gui.ui.widgets.inline_prompt import Answer, Question
+
+_SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
+
+
+class MainWindow(QMainWindow):
+    """Shows the desk of the device that is connected, or was last; knows no device itself."""
+
+    def __init__(self, switchboard: Switchboard, parent: QWidget | None = None) -> None:
+        """Make an empty frame; `furnish` puts its desks in."""
+        super().__init__(parent)
+        self.setObjectName("mainWindow")
+        self.setWindowTitle(self.tr("TReX Studio"))
+        self.setWindowIcon(application_icon())
+        self._switchboard = switchboard
+        self._store = QSettings(self)
+        frame = QWidget(self)
+        self._banner = Banner(frame)
+        self._question = Question(frame)
+        self._stack = QStackedWidget(frame)
+        self._rows = QVBoxLayout(frame)
+        self._rows.addWidget(self._banner)
+        self._rows.addWidget(self._question)
+        self._rows.addWidget(self._stack, 1)
+        self.setCentralWidget(frame)
+        self._desks: tuple[Desk, ...] = ()
+        self._help = HelpDialog(self)
+        self._warning = LastWarning(switchboard, self._question, self)
+        # Behind the event: a question about what is dropped must not hold up who dropped it.
+        drop = AnyFileDrop(self)
+        drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def question(self) -> Question:
+        """Where desks ask what has to be asked."""
+        return self._question
+
+    def furnish(self, connection: ConnectionBar, desks: Sequence[Desk]) -> None:
+        """Put the row of the connection in, and a desk for each kind of device; once."""
+        self._connection = connection
+        self._desks = tuple(desks)
+        self._rows.insertWidget(0, connection)
+        for desk in desks:
+            self._stack.addWidget(desk)
+            for dock in desk.docks:
+                self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+            desk.told.connect(self._banner.show_news)
+            desk.refused.connect(self._banner.show_problem)
+            desk.settled.connect(self._banner.clear)
+            desk.possibilities_changed.connect(self._on_possibilities_changed)
+        slots = self._slots()
+        for desk in desks:
+            slots |= desk.slots()
+        self._actions = build_menus(self, slots, [desk.menus() for desk in desks])
+
+        connection.connecting.connect(self._banner.clear)
+        connection.interruption_wanted.connect(self._on_interruption_wanted)
+        self._switchboard.changed.connect(self._on_possibilities_changed)
+        self._switchboard.current_changed.connect(self._on_device_changed)
+        # Behind what the same report changes: a link that is up again clears the banner.
+        self._switchboard.stop_told.connect(
+            self._banner.show_problem, Qt.ConnectionType.QueuedConnection
+        )
+        theme().changed.connect(self._on_theme_changed)
+        app = QApplication.instance()
+        if isinstance(app, QApplication):
+            self._escape = EscapeWatch(app, self._switchboard.press_stop, self)
+        self._restore()
+        self._on_device_changed()
+        self._on_theme_changed()
+
+    @property
+    def pages(self) -> QTabWidget:
+        """The pages of the desk that is shown, in the order of their tabs."""
+        return self._desk.pages
+
+    @property
+    def _desk(self) -> Desk:
+        key = self._switchboard.current.kind.key
+        return next(desk for desk in self._desks if desk.key == key)
+
+    def _slots(self) -> dict[str, Callable[[], object]]:
+        """What each action of the frame does."""
+        return {
+            "quit": self.close,
+            "connect": self._connection.connect_shown,
+            "disconnect": self._connection.leave,
+            "line": self._connection.edit_line,
+            "find": self._connection.find_board,
+            "stop": self._switchboard.press_stop,
+            **{scheme: self._scheme_chooser(scheme) for scheme in _SCHEMES},
+            "guide": self._show_help,
+            "about": self._show_about,
+        }
+
+    # --- Files --------------------------------------------------------------------------
+
+    @Slot(object)
+    def _on_dropped(self, paths: tuple[Path, ...]) -> None:
+        self.activateWindow()
+        if len(paths) == 1:
+            self.open_file(paths[0])
+        else:
+            text = self.tr("{0} files were dropped, and none was opened: drop one at a time.")
+            self._banner.show_problem(text.format(len(paths)))
+
+    def open_file(self, path: Path) -> None:
+        """Open a file on the desk that it belongs to, unless another device is connected."""
+        suffix = path.suffix.lower()
+        for desk in self._desks:
+            for kind in desk.file_kinds:
+                if suffix in kind.suffixes:
+                    if self._switchboard.turn_to(desk.key):
+                        kind.open(path)
+                    else:
+                        self._banner.show_problem(self._why_elsewhere(path, kind.name))
+                    return
+        kinds = [kind for desk in self._desks for kind in desk.file_kinds]
+        names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for kind in kinds)
+        text = self.tr("{0} was not opened: nothing here opens such files. What can be: {1}.")
+        self._banner.show_problem(text.format(path.name, names))
+
+    def _why_elsewhere(self, path: Path, what: str) -> str:
+        return self.tr(
+            "{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, "
+            "then drop the file again."
+        ).format(path.name, what, self._switchboard.current.kind.name)
+
+    # --- What has changed ---------------------------------------------------------------
+
+    @Slot()
+    def _on_device_changed(self) -> None:
+        """Show the desk of the device in use, and what its menus offer."""
+        self._stack.setCurrentWidget(self._desk)
+        self._actions["stop"].setText(self._desk.stop_text)
+        self._actions["guide"].setText(self._desk.help_title)
+        self._help.close()
+        for desk in self._desks:
+            for key in desk.slots():
+                self._actions[key].setVisible(desk is self._desk)
+        for menu_action in self.menuBar().actions():
+            if isinstance(menu := menu_action.menu(), QMenu):
+                offered = (a.isVisible() and not a.isSeparator() for a in menu.actions())
+                menu_action.setVisible(any(offered))
+        self._banner.clear()
+        self._on_possibilities_changed()
+
+    @Slot()
+    def _on_possibilities_changed(self) -> None:
+        """Let every action say whether it can be done now."""
+        way = self._switchboard.current
+        link = way.link
+        possible = {
+            "connect": link is Link.NONE,
+            "line": link is Link.NONE and way.has_line_settings,
+            "disconnect": link not in {Link.NONE, Link.CLOSING},
+            "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
+            **self._desk.possible(),
+        }
+        for key, is_possible in possible.items():
+            self._actions[key].setEnabled(is_possible)
+        self._question.reconsider()
+
+    @Slot(object)
+    def _on_interruption_wanted(self, then: Callable[[], object]) -> None:
+        """Ask before writing is cut off."""
+        self._question.ask(
+            self.tr(
+                "Settings are being written. Disconnect all the same? What was not written yet "
+                "stays an edit."
+            ),
+            Answer("disconnectYes", self.tr("Disconnect"), then),
+            still=lambda: self._switchboard.current.is_busy,
+        )
+
+    # --- Appearance, beginning and end --------------------------------------------------
+
+    def _scheme_chooser(self, scheme: Scheme) -> Callable[[], object]:
+        def choose() -> None:
+            theme().set_scheme(scheme)
+            self._store.setValue("window/scheme", scheme)
+
+        return choose
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        self._actions[theme().choice].setChecked(True)
+
+    def _show_help(self) -> None:
+        desk = self._desk
+        if desk.help_url:
+            QDesktopServices.openUrl(QUrl(desk.help_url))
+        else:
+            self._help.show_text(desk.help_title, desk.help_text)
+
+    def _show_about(self) -> None:
+        QMessageBox.about(
+            self,
+            self.tr("About TReX Studio"),
+            self.tr(
+                "TReX Studio {0}\n\nSet up, calibrate, drive and understand a Pololu TReX or "
+                "TReX Jr dual motor controller, and drive an Aracna robot.\n\n"
+                "Not a product of Pololu."
+            ).format(__version__),
+        )
+
+    def _restore(self) -> None:
+        geometry = self._store.value("window/geometry")
+        if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):
+            self.resize(1100, 760)
+        state = self._store.value("window/state")
+        if isinstance(state, QByteArray):
+            self.restoreState(state)
+        for desk in self._desks:
+            desk.take_actions(self._actions)
+        wanted = self._store.value("window/scheme", "system")
+        for scheme in _SCHEMES:
+            if scheme == wanted and scheme != theme().choice:
+                theme().set_scheme(scheme)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self._warning.given and not all(desk.may_close(self.close) for desk in self._desks):
+            event.ignore()
+            return
+        state = self.saveState()
+        self._switchboard.shut_down()
+        if self._warning.is_due:
+            event.ignore()
+            self._warning.give()
+            return
+        self._store.setValue("window/state", state)
+        for desk in self._desks:
+            desk.prepare_to_close()
+        self._connection.close_dialogs()
+        self._help.close()
+        self._store.setValue("window/geometry", self.saveGeometry())
+        for desk in self._desks:
+            desk.finish()
+        super().closeEvent(event)

@@ -1,0 +1,112 @@
+"""What the frame shows of one kind of device, and all that it has to know of it."""
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDockWidget, QTabWidget, QWidget
+
+from trex_gui.ui.frame.actions import ActionInfo
+
+
+@dataclass(frozen=True, slots=True)
+class FileKind:
+    """Files of one kind that belong to a desk.
+
+    Attributes:
+        suffixes: how their names end, in lower case.
+        name: what one is called, for people: "a settings file of a TReX".
+        open: opens one, on the desk that is shown.
+    """
+
+    suffixes: Collection[str]
+    name: str
+    open: Callable[[Path], object]
+
+
+class Desk(QWidget):
+    """The pages of a device, the bar below them, and what its menus do.
+
+    What is here does for a device that asks for no more; a desk has its own where it does.
+
+    Signals:
+        told: what was done, for people.
+        refused: what went wrong, for people.
+        settled: what was told and refused before is over.
+        possibilities_changed: `possible` says something else.
+    """
+
+    told = Signal(str)
+    refused = Signal(str)
+    settled = Signal()
+    possibilities_changed = Signal()
+
+    def __init__(self, key: str, parent: QWidget | None = None) -> None:
+        """Show the device of this kind; see `model.kinds`."""
+        super().__init__(parent)
+        self.key = key
+        self._pages = QTabWidget(self)
+        self._pages.setDocumentMode(True)
+
+    @property
+    def pages(self) -> QTabWidget:
+        """The pages, in the order of their tabs."""
+        return self._pages
+
+    @property
+    def stop_text(self) -> str:
+        """What Esc does, as the menu names it."""
+        return self.tr("&Stop motor")
+
+    @property
+    def help_title(self) -> str:
+        """What F1 shows, as the menu names it."""
+        return self.tr("Online &documentation…")
+
+    @property
+    def help_url(self) -> str:
+        """Where it is published; empty: `help_text` is shown."""
+        return ""
+
+    @property
+    def help_text(self) -> str:
+        """What the desk offers, as rich text."""
+        return ""
+
+    @property
+    def file_kinds(self) -> Sequence[FileKind]:
+        """The files that belong here, wherever they are dropped or named."""
+        return ()
+
+    @property
+    def docks(self) -> Sequence[QDockWidget]:
+        """What stands at the right of the window; the desk shows and hides it."""
+        return ()
+
+    def menus(self) -> Mapping[str, Sequence[ActionInfo | str]]:
+        """Return menus of its own by title; they stand before that of the window."""
+        return {}
+
+    def slots(self) -> Mapping[str, Callable[[], object]]:
+        """Return what each of its actions does, by key; the others do not see them."""
+        return {}
+
+    def take_actions(self, actions: Mapping[str, QAction]) -> None:
+        """Take the actions that stand for its slots, by key, once the menus are made."""
+
+    def possible(self) -> Mapping[str, bool]:
+        """Return which of its actions can be done now; those that are missing can."""
+        return {}
+
+    def may_close(self, leave: Callable[[], object]) -> bool:
+        """Return whether nothing would be lost; else ask, and call `leave` where that is wanted."""
+        del leave
+        return True
+
+    def prepare_to_close(self) -> None:
+        """Close what stands beside the window and remember what is to be remembered."""
+
+    def finish(self) -> None:
+        """End what goes on when the line is closed: a disk may take its time."""

@@ -1,0 +1,1 @@
+"""Making recordings and playing them back."""

@@ -1,0 +1,1 @@
+"""Curves over time; the only package that imports pyqtgraph."""

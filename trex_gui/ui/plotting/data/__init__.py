@@ -1,0 +1,1 @@
+"""Samples in bounded memory, reduced to what a plot can show."""

@@ -1,0 +1,80 @@
+"""The clock, timers, threads and ports that the program runs on.
+
+The program uses the computer's own. Tests run it in virtual time: they replace the runtime before
+they build a window. It is one for the whole process, like Qt's application object, because timers
+sit deep in widgets that have no other use for it.
+"""
+
+import threading
+import time
+
+from PySide6.QtCore import QDeadlineTimer, QObject, QProcess, QThread, QTimer
+
+from trex_gui.core.session.request_queue import Condition
+from trex_gui.core.transport.serial_port import SerialTransport, Transport
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+
+
+class Runtime:
+    """The computer as it is."""
+
+    def now(self) -> float:
+        """Return seconds on a clock that never goes backwards."""
+        return time.monotonic()
+
+    def sleep(self, seconds: float) -> None:
+        """Let other threads run for a while."""
+        time.sleep(seconds)
+
+    def condition(self) -> Condition:
+        """Return what threads wait on for each other."""
+        return threading.Condition()
+
+    def timer(self, parent: QObject) -> QTimer:
+        """Return a timer that is not started yet."""
+        return QTimer(parent)
+
+    def start(self, thread: QThread, priority: QThread.Priority) -> None:
+        """Start a thread."""
+        QThread.start(thread, priority)
+
+    def wait(self, thread: QThread, milliseconds: int) -> bool:
+        """Wait for the end of a thread, with -1 for ever; return whether it has ended."""
+        return QThread.wait(thread, QDeadlineTimer(milliseconds))
+
+    def process(self, parent: QObject) -> QProcess:
+        """Return a process that is not started yet."""
+        return QProcess(parent)
+
+    def open_transport(self, settings: LinkSettings) -> Transport:
+        """Open a serial port.
+
+        Raises:
+            PortUnavailable: it cannot be opened.
+        """
+        return SerialTransport(settings)
+
+
+_runtime = Runtime()
+
+
+def runtime() -> Runtime:
+    """Return the runtime in use."""
+    return _runtime
+
+
+def use_runtime(runtime: Runtime) -> Runtime:
+    """Replace the runtime, before anything that uses it exists; return the one before."""
+    global _runtime
+    before, _runtime = _runtime, runtime
+    return before
+
+
+def now() -> float:
+    """Return seconds on the clock of the runtime."""
+    return _runtime.now()
+
+
+def open_transport(settings: LinkSettings) -> Transport:
+    """Open a serial port of the runtime; see `Runtime.open_transport`."""
+    return _runtime.open_transport(settings)

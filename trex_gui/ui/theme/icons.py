@@ -1,0 +1,96 @@
+"""Our own icons, drawn in the colour of the theme: theme icons of desktops are not everywhere."""
+
+from functools import cache
+
+from PySide6.QtCore import QByteArray, QObject, QRectF, Qt, Slot
+from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QAbstractButton
+
+from trex_gui.core.resource_files import resource
+from trex_gui.ui.theme.theme import theme
+
+_SIZES = (16, 24, 32, 48, 64)  # pixels; what lies between is scaled down from the next
+
+
+def icon(name: str, color: str = "icon") -> QIcon:
+    """Return the icon `resources/icons/<name>.svg` in a named colour of the theme as it is now.
+
+    Use `set_icon` for what stays on screen while the theme changes.
+    """
+    current = theme()
+    return _render(
+        name,
+        current.color(color).rgb(),
+        current.color("muted").rgb(),
+        current.color("highlighted_text").rgb(),
+    )
+
+
+def application_icon() -> QIcon:
+    """Return the program's own icon, in its own colours."""
+    return _application_icon()
+
+
+def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") -> None:
+    """Give an action or a button an icon that follows the theme; a later call replaces it."""
+    follower = target.findChild(_Follower, "iconFollower")
+    if follower is None:
+        follower = _Follower(target)
+    follower.show(name, color)
+
+
+class _Follower(QObject):
+    """Renews the icon of its parent when the theme changes."""
+
+    def __init__(self, target: QAction | QAbstractButton) -> None:
+        super().__init__(target)
+        self.setObjectName("iconFollower")
+        self._target = target
+        self._name = ""
+        self._color = "icon"
+        theme().changed.connect(self._on_theme_changed)
+
+    def show(self, name: str, color: str) -> None:
+        self._name = name
+        self._color = color
+        self._target.setIcon(icon(name, color))
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        self._target.setIcon(icon(self._name, self._color))
+
+
+@cache
+def _render(name: str, color: int, disabled: int, selected: int) -> QIcon:
+    drawing = resource(f"icons/{name}.svg").read_text(encoding="utf-8")
+    made = QIcon()
+    for mode, argb, opacity in (
+        (QIcon.Mode.Normal, color, 1.0),
+        (QIcon.Mode.Disabled, disabled, 0.55),
+        (QIcon.Mode.Selected, selected, 1.0),
+    ):
+        text = drawing.replace("currentColor", QColor(argb).name())
+        renderer = QSvgRenderer(QByteArray(text.encode()))
+        for size in _SIZES:
+            made.addPixmap(_pixmap(renderer, size, opacity), mode)
+    return made
+
+
+@cache
+def _application_icon() -> QIcon:
+    renderer = QSvgRenderer(str(resource("icons/trex-studio.svg")))
+    made = QIcon()
+    for size in (*_SIZES, 128, 256):
+        made.addPixmap(_pixmap(renderer, size, 1.0))
+    return made
+
+
+def _pixmap(renderer: QSvgRenderer, size: int, opacity: float) -> QPixmap:
+    pixmap = QPixmap(size, size)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setOpacity(opacity)
+    renderer.render(painter, QRectF(0, 0, size, size))
+    painter.end()
+    return pixmap

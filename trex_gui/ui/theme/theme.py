@@ -1,0 +1,211 @@
+"""Light and dark: palette roles and named colours, for the whole application.
+
+The colours are data: `resources/themes/*.toml`, one file a scheme, the same names in each.
+"""
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from typing import Literal
+
+from PySide6.QtCore import QObject, Qt, Signal, Slot
+from PySide6.QtGui import QColor, QGuiApplication, QPalette
+from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QToolTip
+
+from trex_gui.core.resource_files import resource
+
+Scheme = Literal["system", "light", "dark"]
+SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
+
+_COLOUR_TABLES = ("text", "graphics", "fill", "surface")
+
+
+@dataclass(frozen=True, slots=True)
+class Colours:
+    """One scheme file, read."""
+
+    palette: dict[str, QColor]
+    disabled: dict[str, QColor]
+    named: dict[str, QColor]
+
+    def qpalette(self) -> QPalette:
+        """Build the palette of an application in this scheme."""
+        palette = QPalette()
+        for role, color in self.palette.items():
+            palette.setColor(_role(role), color)
+        for role, color in self.disabled.items():
+            palette.setColor(QPalette.ColorGroup.Disabled, _role(role), color)
+        return palette
+
+
+def _role(name: str) -> QPalette.ColorRole:
+    return QPalette.ColorRole[name.title().replace("_", "")]
+
+
+@cache
+def read_colours(scheme: str) -> Colours:
+    """Read `resources/themes/<scheme>.toml`; a bad colour is a `ValueError` naming it."""
+    tables = tomllib.loads(resource(f"themes/{scheme}.toml").read_text(encoding="utf-8"))
+
+    def colours(table: str) -> dict[str, QColor]:
+        found = {name: QColor.fromString(text) for name, text in tables[table].items()}
+        for name, color in found.items():
+            if not color.isValid():
+                raise ValueError(f"{scheme}.toml, {table}.{name}: not a colour")
+        return found
+
+    named = {name: color for table in _COLOUR_TABLES for name, color in colours(table).items()}
+    return Colours(colours("palette"), colours("disabled"), named)
+
+
+class Theme(QObject):
+    """The scheme in use. There is one, and `theme()` returns it.
+
+    Signals:
+        changed: the colours are others now; the application's palette is set already.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._choice: Scheme = "system"
+        self._system_was_dark = False
+        self._scheme = "light"
+        self._colours = read_colours("light")
+        self._app: QApplication | None = None
+
+    @property
+    def choice(self) -> Scheme:
+        """What was asked for, `system` included."""
+        return self._choice
+
+    @property
+    def scheme(self) -> str:
+        """The scheme that is shown: `light` or `dark`."""
+        return self._scheme
+
+    @property
+    def is_dark(self) -> bool:
+        """Whether text is lighter than what it stands on."""
+        return _is_dark(self._colours.palette["window"])
+
+    def color(self, name: str) -> QColor:
+        """Return a named colour, or a palette role by its name in the file, as a copy."""
+        found = self._colours.named.get(name) or self._colours.palette.get(name)
+        if found is None:
+            raise KeyError(f"the theme has no colour {name!r}")
+        return QColor(found)
+
+    def install(self, app: QApplication) -> None:
+        """Give the application the Fusion style and our palette, and follow the system."""
+        if self._app is None:  # afterwards the palette is ours
+            self._system_was_dark = _is_dark(app.palette().window().color())
+        self._app = app
+        app.setStyle("Fusion")
+        app.styleHints().colorSchemeChanged.connect(
+            self._on_system_changed, Qt.ConnectionType.UniqueConnection
+        )
+        self._show()
+
+    def set_scheme(self, choice: Scheme) -> None:
+        """Choose a scheme; `system` follows the desktop, also when that changes later."""
+        if choice not in SCHEMES:
+            raise ValueError(f"no scheme {choice!r}; there are {', '.join(SCHEMES)}")
+        self._choice = choice
+        if self._app is not None:
+            # Title bars and native dialogs follow where the platform lets them.
+            self._app.styleHints().setColorScheme(
+                {
+                    "system": Qt.ColorScheme.Unknown,
+                    "light": Qt.ColorScheme.Light,
+                    "dark": Qt.ColorScheme.Dark,
+                }[choice]
+            )
+        self._show()
+
+    @Slot()
+    def _on_system_changed(self) -> None:
+        self._show()
+
+    def _resolve(self) -> str:
+        if self._choice != "system":
+            return self._choice
+        if not isinstance(QGuiApplication.instance(), QGuiApplication):
+            return "light"
+        match QGuiApplication.styleHints().colorScheme():
+            case Qt.ColorScheme.Dark:
+                return "dark"
+            case Qt.ColorScheme.Light:
+                return "light"
+            case _:  # a desktop that does not say: go by the palette it gave us
+                return "dark" if self._system_was_dark else "light"
+
+    def _show(self) -> None:
+        scheme = self._resolve()
+        changes = scheme != self._scheme
+        self._scheme = scheme
+        self._colours = read_colours(scheme)
+        if self._app is not None:
+            palette = self._colours.qpalette()
+            # Set again even when unchanged: the platform may have set its own meanwhile.
+            if changes or self._app.palette() != palette:
+                self._app.setPalette(palette)
+                QToolTip.setPalette(palette)
+        if changes:
+            self.changed.emit()
+
+
+@cache
+def theme() -> Theme:
+    """The one theme of the application; without `install` it is the light one."""
+    return Theme()
+
+
+def _is_dark(background: QColor) -> bool:
+    return background.lightnessF() < 0.5
+
+
+class _Tint(QObject):
+    """Keeps a button in a theme colour; lives as its child."""
+
+    def __init__(self, button: QPushButton | QToolButton, name: str) -> None:
+        super().__init__(button)
+        self.setObjectName("tint")
+        self._button = button
+        self._name = name
+        theme().changed.connect(self._on_theme_changed)
+        self._on_theme_changed()
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        palette = QPalette()
+        fill = _before_fusion(theme().color(self._name))
+        text = theme().color(f"{self._name}_text")
+        for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
+            palette.setColor(group, QPalette.ColorRole.Button, fill)
+            palette.setColor(group, QPalette.ColorRole.ButtonText, text)
+        self._button.setPalette(palette)
+
+
+def tint(button: QPushButton | QToolButton, name: str) -> None:
+    """Paint a button in the theme's colour `name` with the text in `<name>_text`.
+
+    It follows the theme; disabled, it looks like any other disabled button. An icon for it is
+    to be taken in the same text colour: `set_icon(button, "stop", "stop_text")`.
+    """
+    previous = button.findChild(_Tint, "tint")
+    if previous is not None:
+        previous.setParent(None)
+        previous.deleteLater()
+    _Tint(button, name)
+
+
+def _before_fusion(color: QColor) -> QColor:
+    """Return the colour to give to Fusion so that it paints about `color`.
+
+    Fusion takes a quarter of the saturation from a button's colour and brightens it, the more
+    the darker it is.
+    """
+    saturation = min(255, round(color.hsvSaturation() / 0.75))
+    return QColor.fromHsv(max(color.hsvHue(), 0), saturation, round(color.value() * 0.72))

@@ -1,0 +1,155 @@
+"""What went over a device's line: the newest rows, for a page and for a file."""
+
+import time
+from collections.abc import Sequence
+
+from PySide6.QtCore import QObject, Signal, Slot
+
+from trex_gui.core.transport.transactions import Assembler, Exchange, Wording, Words
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.workers.session_thread import SessionThread
+
+MOST_KEPT = 20_000
+"""Rows of each shelf; at full telemetry those of all bytes reach back for less than a minute."""
+
+_TRIMMED = MOST_KEPT * 9 // 10
+_INTERVAL_MS = 100
+
+
+class Shelf:
+    """The newest rows of one kind, oldest first, and how many went before them."""
+
+    def __init__(self) -> None:
+        self._rows: list[Exchange] = []
+        self._gone = 0
+
+    @property
+    def rows(self) -> Sequence[Exchange]:
+        """What is kept."""
+        return self._rows
+
+    @property
+    def count(self) -> int:
+        """How many rows there ever were."""
+        return self._gone + len(self._rows)
+
+    def since(self, count: int) -> Sequence[Exchange]:
+        """Return the rows behind the first `count`, as far as they are kept."""
+        return self._rows[max(count - self._gone, 0) :]
+
+    def add(self, exchange: Exchange) -> None:
+        """Add a row; the oldest go, many at a time."""
+        self._rows.append(exchange)
+        if len(self._rows) > MOST_KEPT:
+            self._gone += len(self._rows) - _TRIMMED
+            del self._rows[:-_TRIMMED]
+
+    def clear(self) -> None:
+        """Forget all."""
+        self._rows.clear()
+        self._gone = 0
+
+
+class Transcript(QObject):
+    """Reads the tape of a session thread a few times a second while there is a line.
+
+    Two shelves: on one lies everything, on the other what is not polled all the time, and what
+    went wrong with that; so a write of ten minutes ago is not pushed out by telemetry.
+
+    Signals:
+        changed: there are more rows, or the last one has more bytes.
+        cleared: all were forgotten.
+
+    Attributes:
+        everything: the newest rows.
+        telling: the newest ones that are not just polling.
+        faults: how many rows went wrong since the last `clear`.
+    """
+
+    changed = Signal()
+    cleared = Signal()
+
+    def __init__(self, line: SessionThread, wording: Wording) -> None:
+        super().__init__(line)
+        self.everything = Shelf()
+        self.telling = Shelf()
+        self.faults = 0
+        self._tape = line.tape
+        self._wording = wording
+        self._assembler = Assembler(wording)
+        self._newest = 0
+        self._epoch = time.time() - now()
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_INTERVAL_MS)
+        self._timer.timeout.connect(self.pull)
+        line.started.connect(self._on_started)
+        line.closed.connect(self._on_closed)
+
+    @property
+    def lost(self) -> int:
+        """Pieces that were never read, because the window stood still for too long."""
+        return self._tape.lost
+
+    def note_settings(self, settings: LinkSettings, *, echo: bool) -> None:
+        """Know how the line is set, where the device has said more than the port knows."""
+        self.pull()
+        self._assembler.note_settings(settings, echo=echo)
+
+    def forget_words(self) -> None:
+        """Say everything anew: more is known of the device."""
+        for exchange in self.everything.rows:
+            exchange.words = None
+        for exchange in self.telling.rows:
+            exchange.words = None
+        self.changed.emit()
+
+    def words_of(self, exchange: Exchange) -> Words:
+        """Return what a row means."""
+        return self._wording.words_of(exchange)
+
+    def shown(self, data: bytes) -> str:
+        """Return bytes as a person reads them."""
+        return self._wording.shown(data)
+
+    def wall_time(self, exchange: Exchange) -> float:
+        """Return when a row was, in seconds since 1970."""
+        return self._epoch + exchange.time
+
+    def clear(self) -> None:
+        """Forget every row."""
+        self.pull()
+        self.everything.clear()
+        self.telling.clear()
+        self.faults = 0
+        self.cleared.emit()
+
+    @Slot()
+    def pull(self) -> None:
+        """Read what was noted."""
+        rows = self._assembler.feed(self._tape.take())
+        for exchange in rows:
+            self._put_away(exchange)
+        if rows:
+            self.changed.emit()
+
+    def _put_away(self, exchange: Exchange) -> None:
+        is_new = exchange.number > self._newest
+        if is_new:
+            self._newest = exchange.number
+            self.everything.add(exchange)
+        is_fault = exchange.is_over and self.words_of(exchange).is_fault
+        self.faults += is_fault
+        if is_fault if exchange.is_routine else is_new:
+            self.telling.add(exchange)
+
+    @Slot()
+    def _on_started(self) -> None:
+        self._epoch = time.time() - now()
+        self._assembler.forget_echo()
+        self._timer.start()
+
+    @Slot()
+    def _on_closed(self) -> None:
+        self._timer.stop()
+        self.pull()

@@ -1,0 +1,252 @@
+"""The page that shows what goes over the line, byte by byte and in words."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QModelIndex, QSettings, Qt, Signal, Slot
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShortcut, QShowEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.traffic.model import Transcript
+from trex_gui.ui.traffic.row_details import RowDetails
+from trex_gui.ui.traffic.saver import TranscriptSaver, row_of
+from trex_gui.ui.traffic.table import TranscriptTable
+from trex_gui.ui.traffic.table_view import TranscriptView
+from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.visibility import only_when_visible
+
+_TYPING_MS = 200
+
+
+class TranscriptPage(QWidget):
+    """A table of what was sent and received, what of it is shown, and the chosen row in full.
+
+    Signals:
+        told: what was done, for people.
+        refused: why nothing was done, for people.
+    """
+
+    told = Signal(str)
+    refused = Signal(str)
+
+    def __init__(
+        self, transcript: Transcript, key: str, who: str, parent: QWidget | None = None
+    ) -> None:
+        """Show a transcript; `key` names the page and its settings, `who` the device."""
+        super().__init__(parent)
+        self.setObjectName(f"{key}Page")
+        self._transcript = transcript
+        self._key = key
+        self._who = who
+        self._store = QSettings(self)
+        self._table = TranscriptTable(transcript, self)
+        self._saver = TranscriptSaver(transcript, self)
+
+        self._words = QLineEdit(self)
+        self._words.setObjectName(f"{key}Search")
+        self._words.setAccessibleName(self.tr("Search the transcript"))
+        self._words.setPlaceholderText(self.tr("Search bytes and words (Ctrl+F)"))
+        self._words.setClearButtonEnabled(True)
+        self._polling = self._tick(
+            "Polling",
+            self.tr("Show polling"),
+            self.tr("Show the questions, too, that the program repeats many times a second"),
+        )
+        self._faults = self._tick(
+            "Faults", self.tr("Only faults"), self.tr("Show only what went wrong")
+        )
+        self._paused = self._tick(
+            "Pause",
+            self.tr("Hold still"),
+            self.tr("Show nothing new for now; it is noted all the same"),
+        )
+        copy = self._button("Copy", self.tr("Copy"), "copy", self._copy)
+        copy.setToolTip(self.tr("Copy the chosen rows (Ctrl+C), or all that are shown"))
+        save = self._button("Save", self.tr("Save…"), "save", self._ask_and_save)
+        save.setToolTip(self.tr("Save the rows that are shown as text"))
+        clear = self._button("Clear", self.tr("Clear"), "clear", transcript.clear)
+        clear.setToolTip(self.tr("Forget every row"))
+        self._view = TranscriptView(self._table, self)
+        self._view.setObjectName(f"{key}View")
+        self._details = RowDetails(transcript, self._table, self)
+        self._details.setObjectName(f"{key}Details")
+        self._summary = QLabel(self)
+        self._summary.setObjectName(f"{key}Summary")
+        self._typing = runtime().timer(self)
+        self._typing.setSingleShot(True)
+        self._typing.setInterval(_TYPING_MS)
+
+        above = QHBoxLayout()
+        above.addWidget(self._words, 1)
+        for tick in (self._polling, self._faults, self._paused):
+            above.addWidget(tick)
+        above.addSpacing(above.spacing())
+        for button in (copy, save, clear):
+            above.addWidget(button)
+        layout = QVBoxLayout(self)
+        layout.addLayout(above)
+        layout.addWidget(self._view, 1)
+        layout.addWidget(self._details)
+        layout.addWidget(self._summary)
+
+        QShortcut(QKeySequence.StandardKey.Find, self, self._on_find)
+        copying = QAction(self.tr("Copy"), self._view)
+        copying.setShortcut(QKeySequence.StandardKey.Copy)
+        copying.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        copying.triggered.connect(self._copy)
+        self._view.addAction(copying)
+        self._view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self._words.textChanged.connect(self._typing.start)
+        self._typing.timeout.connect(self._choose)
+        self._polling.toggled.connect(self._choose)
+        self._faults.toggled.connect(self._choose)
+        self._paused.toggled.connect(self._on_paused)
+        self._view.selectionModel().currentRowChanged.connect(self._on_current_changed)
+        self._table.modelReset.connect(self._on_reset)
+        self._saver.saved.connect(self._on_saved)
+        self._saver.failed.connect(self.refused)
+        transcript.changed.connect(self._refresh)
+        transcript.cleared.connect(self._refresh)
+        self._polling.setChecked(self._store.value(f"{key}/polling", False, bool) is True)
+        self._choose()
+
+    def _tick(self, name: str, text: str, tip: str) -> QCheckBox:
+        box = QCheckBox(text, self)
+        box.setObjectName(f"{self._key}{name}")
+        box.setToolTip(tip)
+        return box
+
+    def _button(self, name: str, text: str, sign: str, slot: object) -> QPushButton:
+        button = QPushButton(text, self)
+        button.setObjectName(f"{self._key}{name}Button")
+        set_icon(button, sign)
+        button.clicked.connect(slot)
+        return button
+
+    # --- What is shown ------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._refresh()
+
+    @Slot()
+    def _choose(self) -> None:
+        self._typing.stop()
+        self._store.setValue(f"{self._key}/polling", self._polling.isChecked())
+        self._table.choose(
+            polling=self._polling.isChecked(),
+            faults=self._faults.isChecked(),
+            text=self._words.text(),
+        )
+        if not self._paused.isChecked():
+            self._view.scrollToBottom()
+        self._summarize()
+
+    @Slot(bool)
+    def _on_paused(self, paused: bool) -> None:
+        self._table.hold(still=paused)
+        self._refresh()
+
+    @Slot()
+    @only_when_visible
+    def _refresh(self) -> None:
+        if not self._paused.isChecked():
+            follows = self._view.is_at_bottom
+            self._table.refresh()
+            if follows:
+                self._view.scrollToBottom()
+            self._show_current()
+        self._summarize()
+
+    def _summarize(self) -> None:
+        """Say what is there, and what of it is not shown."""
+        transcript = self._transcript
+        faults = transcript.faults
+        parts = [
+            self.tr("shown: {0}").format(f"{self._table.rowCount():,}"),
+            self.tr("exchanges in all: {0}").format(f"{transcript.everything.count:,}"),
+            self.tr("faults: {0}").format(f"{faults:,}"),
+        ]
+        if not self._polling.isChecked():
+            parts.append(self.tr("polling is hidden"))
+        if self._paused.isChecked():
+            parts.append(self.tr("held still"))
+        if transcript.lost:
+            parts.append(self.tr("pieces lost: {0}").format(f"{transcript.lost:,}"))
+        self._summary.setText(" · ".join(parts))
+        self._view.set_empty_text(self._empty_text())
+
+    def _empty_text(self) -> str:
+        """Say why there is nothing in the table."""
+        if self._transcript.everything.rows and self._words.text().strip():
+            return self.tr("No row that is listed has this in it.")
+        if self._transcript.everything.rows and self._faults.isChecked():
+            return self.tr("Nothing went wrong so far.")
+        return self.tr(
+            "Nothing to show yet. When {0} is connected, everything that goes over the line "
+            "stands here, with what it means."
+        ).format(self._who)
+
+    @Slot(QModelIndex)
+    def _on_current_changed(self, _current: QModelIndex) -> None:
+        self._show_current()
+
+    @Slot()
+    def _on_reset(self) -> None:
+        self._details.show_row(None)
+
+    def _show_current(self) -> None:
+        index = self._view.currentIndex()
+        self._details.show_row(self._table.rows[index.row()] if index.isValid() else None)
+
+    @Slot()
+    def _on_find(self) -> None:
+        self._words.setFocus()
+        self._words.selectAll()
+
+    # --- What is taken away -------------------------------------------------------------
+
+    @Slot()
+    def _copy(self) -> None:
+        """Copy the chosen rows, or all."""
+        chosen = sorted(index.row() for index in self._view.selectionModel().selectedRows())
+        rows = self._table.rows
+        wanted = [rows[row] for row in chosen] if chosen else rows
+        if not wanted:
+            self.refused.emit(self.tr("There is nothing to copy."))
+            return
+        lines = [row_of(self._transcript, row).text() for row in wanted]
+        QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
+        self.told.emit(self.tr("Copied rows: {0}.").format(f"{len(lines):,}"))
+
+    @Slot()
+    def _ask_and_save(self) -> None:
+        if not self._table.rows:
+            self.refused.emit(self.tr("There is nothing to save."))
+            return
+        suggested = file_questions.last_folder(self._store) / "transcript.txt"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self, self.tr("Save the transcript"), str(suggested), self.tr("Text (*.txt *.tsv)")
+        )
+        if chosen:
+            path = Path(chosen)
+            self.save(path if path.suffix else path.with_suffix(".txt"))
+
+    def save(self, path: Path) -> None:
+        """Write the rows that are shown; `told` or `refused` says how it went."""
+        file_questions.remember_folder(self._store, path)
+        self._saver.save(path, self._table.rows)
+
+    @Slot(int, object)
+    def _on_saved(self, count: int, path: Path) -> None:
+        self.told.emit(self.tr("{0} rows were written to {1}.").format(f"{count:,}", path))

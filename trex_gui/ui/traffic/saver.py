@@ -1,0 +1,76 @@
+"""Rows of a transcript to a file, by a thread of its own."""
+
+import io
+from collections.abc import Iterator, Sequence
+from datetime import UTC, datetime
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from trex_gui import __version__
+from trex_gui.core.files.whole_files import whole_file
+from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.transport.transactions import Exchange
+from trex_gui.ui.traffic.model import Transcript
+from trex_gui.ui.traffic.traffic_text import TranscriptRow, write_transcript
+from trex_gui.ui.workers.file_saver import FileSaver
+from trex_gui.ui.workers.file_worker import Tell
+
+_AT_ONCE = 100
+"""Rows after which the window gets its turn."""
+
+_PATIENCE_MS = 3000
+"""How long the end of the program waits for a file to become whole."""
+
+
+class TranscriptSaver(FileSaver):
+    """Writes rows of one transcript."""
+
+    def __init__(self, transcript: Transcript, parent: QObject | None = None) -> None:
+        super().__init__(parent, finishing_ms=_PATIENCE_MS)
+        self._transcript = transcript
+
+    def save(self, path: Path, rows: Sequence[Exchange]) -> None:
+        """Write rows; `saved` or `failed` says how it went."""
+        if self.is_saving:
+            self.failed.emit(self.tr("Another transcript is still being written."))
+        else:
+            self.begin(path, partial(_write, path, self._transcript, tuple(rows)))
+
+
+def _write(path: Path, transcript: Transcript, rows: Sequence[Exchange], tell: Tell) -> int:
+    about = [
+        f"TReX Studio {__version__}: what went over the line",
+        f"written {datetime.now(UTC).astimezone().isoformat(sep=' ', timespec='seconds')}",
+    ]
+    try:
+        with (
+            whole_file(path) as data,
+            # Names of ports may hold what is no text on any system.
+            io.TextIOWrapper(data, "utf-8", errors="backslashreplace", newline="") as file,
+        ):
+            return write_transcript(file, about, _rows(transcript, rows, tell))
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise RecordingError(path.name, f"It was not written: {reason.rstrip('.')}.") from error
+
+
+def _rows(transcript: Transcript, rows: Sequence[Exchange], tell: Tell) -> Iterator[TranscriptRow]:
+    for done, row in enumerate(rows):
+        if done % _AT_ONCE == 0:
+            tell(done / len(rows))
+        yield row_of(transcript, row)
+
+
+def row_of(transcript: Transcript, row: Exchange) -> TranscriptRow:
+    """Return a row as it is written and copied."""
+    words = transcript.words_of(row)
+    return TranscriptRow(
+        transcript.wall_time(row),
+        transcript.shown(row.sent),
+        transcript.shown(row.received),
+        row.seconds,
+        words.text,
+        words.is_fault,
+    )

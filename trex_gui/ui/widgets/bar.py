@@ -1,0 +1,332 @@
+"""What the live bars share: the states, the frame, the number, and painting them fast."""
+
+from enum import Enum
+from typing import NamedTuple
+
+from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Slot
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetrics,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+    QPolygonF,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from trex_gui.ui.theme.theme import theme
+
+NO_VALUE = "\N{EN DASH}"
+MINUS = "\N{MINUS SIGN}"
+
+
+class BarState(Enum):
+    """What a bar has to show."""
+
+    DISCONNECTED = "disconnected"
+    WAITING = "waiting"  # connected, no value yet
+    NO_SIGNAL = "no signal"
+    LIVE = "live"
+
+
+class Marks(NamedTuple):
+    """Colours and pens that every repaint needs."""
+
+    fill: QColor
+    negative: QColor
+    neutral: QColor
+    mark: QColor
+    pointer: QColor
+    text: QColor
+    muted: QColor
+
+
+class Bar(QWidget):
+    """A horizontal bar that is grey without a connection and hatched without a signal.
+
+    What changes seldom is painted into a pixmap; a new value costs a copy of it, a rectangle,
+    a few lines and a number.
+    """
+
+    def __init__(self, fill: str, negative: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._fill = fill
+        self._negative = negative
+        self._connected = False
+        self._heard = False
+        self._state = BarState.DISCONNECTED
+        self._static = QPixmap()
+        self._static_key: tuple[object, ...] = ()
+        self._small = QFont()
+        self._marks = self._read_marks()
+        self._ratio = 1.0
+        self._value_shown = True
+        self._frame = QRect()
+        self._measure()
+
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+        theme().changed.connect(self._on_theme_changed)
+
+    @property
+    def state(self) -> BarState:
+        """What is shown now."""
+        return self._state
+
+    def set_connected(self, connected: bool) -> None:
+        """Say whether there is a device; a new connection starts without a value."""
+        if connected == self._connected:
+            return
+        self._connected = connected
+        self._heard = False
+        self._forget_value()
+        self._refresh()
+
+    def set_value_shown(self, shown: bool) -> None:
+        """Leave the number right of the bar out where the page has it elsewhere."""
+        if shown != self._value_shown:
+            self._value_shown = shown
+            self._forget_layout()
+            self.updateGeometry()
+            self.update()
+
+    # What a kind of bar adds.
+
+    def _forget_value(self) -> None:
+        raise NotImplementedError
+
+    def _has_signal(self) -> bool:
+        raise NotImplementedError
+
+    def _value_text(self) -> str:
+        raise NotImplementedError
+
+    def _spoken_value(self) -> str:
+        raise NotImplementedError
+
+    def _widest_value(self) -> str:
+        raise NotImplementedError
+
+    def _lay_out(self) -> QRect:
+        """Return where the track lies, from the widget's size and texts."""
+        raise NotImplementedError
+
+    def _look(self) -> tuple[object, ...]:
+        """Return everything that the static picture depends on, beyond size, font and theme."""
+        raise NotImplementedError
+
+    def _paint_static(self, painter: QPainter, track: QRect) -> None:
+        """Paint what does not move, over the frame."""
+
+    def _paint_live(self, painter: QPainter, track: QRect) -> None:
+        raise NotImplementedError
+
+    # Common behaviour.
+
+    def _track(self) -> QRect:
+        if self._frame.isNull():
+            self._frame = self._lay_out()
+        return self._frame
+
+    def _forget_layout(self) -> None:
+        self._frame = QRect()
+        self._static_key = ()
+
+    def _refresh(self) -> None:
+        """Work out the state, say it to screen readers, repaint."""
+        if not self._connected:
+            self._state = BarState.DISCONNECTED
+        elif not self._heard:
+            self._state = BarState.WAITING
+        else:
+            self._state = BarState.LIVE if self._has_signal() else BarState.NO_SIGNAL
+        spoken = self._spoken()
+        if spoken != self.accessibleDescription():
+            self.setAccessibleDescription(spoken)
+        self.update()
+
+    def _spoken(self) -> str:
+        match self._state:
+            case BarState.DISCONNECTED:
+                return self.tr("not connected")
+            case BarState.WAITING:
+                return self.tr("no data yet")
+            case BarState.NO_SIGNAL:
+                return self.tr("no signal")
+            case BarState.LIVE:
+                return self._spoken_value()
+
+    def _caption(self) -> str:
+        match self._state:
+            case BarState.WAITING:
+                return self.tr("no data yet")
+            case BarState.NO_SIGNAL:
+                return self.tr("no signal")
+            case _:
+                return ""
+
+    def _value_column(self) -> int:
+        """Return the width of the number right of the bar, its gap included."""
+        if not self._value_shown:
+            return 0
+        return self._value_width + self.fontMetrics().averageCharWidth()
+
+    def _measure(self) -> None:
+        self._small = QFont(self.font())
+        if self.font().pointSizeF() > 0:
+            self._small.setPointSizeF(self.font().pointSizeF() * 0.85)
+        else:
+            self._small.setPixelSize(round(self.font().pixelSize() * 0.85))
+        self._small_metrics = QFontMetrics(self._small)
+        self._value_width = self.fontMetrics().horizontalAdvance(self._widest_value())
+        self._forget_layout()
+
+    def _read_marks(self) -> Marks:
+        color = theme().color
+        return Marks(
+            color(self._fill),
+            color(self._negative),
+            color("neutral"),
+            color("mark"),
+            color("pointer"),
+            color("text"),
+            color("muted"),
+        )
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        self._marks = self._read_marks()
+        self._static_key = ()
+        self.update()
+
+    def changeEvent(self, event: QEvent) -> None:
+        if event.type() in {QEvent.Type.FontChange, QEvent.Type.StyleChange}:
+            self._measure()
+            self.updateGeometry()
+        super().changeEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._forget_layout()
+        super().resizeEvent(event)
+
+    def sizeHint(self) -> QSize:
+        return QSize(self.fontMetrics().averageCharWidth() * 48, self._height())
+
+    def minimumSizeHint(self) -> QSize:
+        width = self._value_column() + self.fontMetrics().averageCharWidth() * 12
+        return QSize(width, self._height())
+
+    def _height(self) -> int:
+        raise NotImplementedError
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - always the whole bar
+        track = self._track()
+        self._ratio = self.devicePixelRatioF()
+        key = (self._ratio, self._state, *self._look())
+        if key != self._static_key:
+            self._static = self._draw_static(track)
+            self._static_key = key
+        painter = QPainter(self)
+        painter.drawPixmap(0, 0, self._static)
+        if self._state is BarState.LIVE:
+            self._paint_live(painter, track)
+        if self._value_shown:
+            self._paint_value(painter, track)
+        painter.end()
+
+    def _draw_static(self, track: QRect) -> QPixmap:
+        pixmap = QPixmap(self.size() * self._ratio)
+        pixmap.setDevicePixelRatio(self._ratio)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        color = theme().color
+        live = self._state is BarState.LIVE
+        with QPainter(pixmap) as painter:
+            painter.fillRect(track, color("track" if live else "track_off"))
+            if self._state is BarState.NO_SIGNAL:
+                self._paint_hatch(painter, track)
+            self._paint_static(painter, track)
+            painter.setPen(QPen(color("track_edge"), 1))
+            painter.drawRect(QRectF(track).adjusted(-0.5, -0.5, 0.5, 0.5))
+            self._paint_caption(painter, track)
+        return pixmap
+
+    def _paint_hatch(self, painter: QPainter, track: QRect) -> None:
+        """Paint slanted lines; Qt's own patterns shrink where pixels are small."""
+        painter.save()
+        painter.setClipRect(track)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(theme().color("hatch"), 1.2))
+        height = track.height()
+        for x in range(track.left() - height, track.left() + track.width(), 8):
+            painter.drawLine(QPointF(x, track.top() + height), QPointF(x + height, track.top()))
+        painter.restore()
+
+    def _paint_caption(self, painter: QPainter, track: QRect) -> None:
+        caption = self._caption()
+        if not caption:
+            return
+        metrics = self.fontMetrics()
+        room = track.width() - metrics.averageCharWidth() * 2
+        caption = metrics.elidedText(caption, Qt.TextElideMode.ElideRight, max(room, 0))
+        box = metrics.boundingRect(caption)
+        box.setWidth(metrics.horizontalAdvance(caption) + metrics.averageCharWidth() * 2)
+        box.setHeight(track.height())
+        box.moveCenter(track.center())
+        painter.fillRect(box, theme().color("track_off"))
+        painter.setPen(self._marks.text)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, caption)
+
+    def _paint_value(self, painter: QPainter, track: QRect) -> None:
+        live = self._state is BarState.LIVE
+        painter.setPen(self._marks.text if live else self._marks.muted)
+        box = QRect(
+            self.width() - self._value_width - 1, track.top(), self._value_width, track.height()
+        )
+        painter.drawText(
+            box,
+            Qt.AlignmentFlag.AlignRight
+            | Qt.AlignmentFlag.AlignVCenter
+            | Qt.TextFlag.TextSingleLine
+            | Qt.TextFlag.TextDontClip,
+            self._value_text() if live else NO_VALUE,
+        )
+
+    def _paint_fill(
+        self, painter: QPainter, track: QRect, start: float, end: float, color: QColor
+    ) -> None:
+        left, right = sorted((self._snap(start), self._snap(end)))
+        painter.fillRect(QRectF(left, track.top(), right - left, track.height()), color)
+
+    def _paint_pointer(self, painter: QPainter, track: QRect, x: float, head: float) -> None:
+        """Paint the needle at `x`; `head` is the height of the triangle under it, or 0."""
+        x = self._snap(min(max(x, track.left()), track.left() + track.width()))
+        painter.fillRect(QRectF(x - 1, track.top(), 2, track.height()), self._marks.pointer)
+        if head:
+            bottom = track.top() + track.height()
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(self._marks.pointer)
+            painter.drawPolygon(
+                QPolygonF(
+                    [
+                        QPointF(x, bottom),
+                        QPointF(x + head * 0.75, bottom + head),
+                        QPointF(x - head * 0.75, bottom + head),
+                    ]
+                )
+            )
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
+
+    def _snap(self, x: float) -> float:
+        """Return `x` on the nearest edge of a device pixel, so that lines stay sharp."""
+        return round(x * self._ratio) / self._ratio
+
+
+def with_sign(value: int) -> str:
+    """A signed number as a person reads it: `+64`, `0`, and a real minus before 64."""
+    if value > 0:
+        return f"+{value}"
+    return f"{MINUS}{-value}" if value else "0"

@@ -1,0 +1,140 @@
+"""LEDs as they look on a board: lit, dark, or in one of the patterns that they tell with."""
+
+import re
+
+from PySide6.QtCore import QPointF, QSize, Qt, Slot
+from PySide6.QtGui import QHideEvent, QPainter, QPaintEvent, QPen, QShowEvent
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
+
+from trex_gui.ui.runtime import now, runtime
+from trex_gui.ui.theme.theme import theme
+
+_FRAME_MS = 40
+_FAST = 8.0  # flashes a second of a fast flash
+_PATTERN = re.compile(r"(blink|alternate|short flash) (\d+)/s")
+_SHORT = 0.15  # share of its time that a short flash is lit
+
+
+def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
+    """Return whether a LED is lit at a moment; `second` is the other one of an alternating pair."""
+    if pattern == "fast flash":
+        return seconds * _FAST % 1 < 0.5
+    found = _PATTERN.fullmatch(pattern)
+    if found is None:
+        return pattern == "on"
+    phase = seconds * int(found[2]) % 1
+    match found[1]:
+        case "alternate":
+            return (phase < 0.5) is not second
+        case "short flash":
+            return phase < _SHORT
+        case _:
+            return phase < 0.5
+
+
+class Lamp(QWidget):
+    """One LED; `color` is a name of the theme."""
+
+    def __init__(self, color: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._color = color
+        self._lit = False
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        theme().changed.connect(self.update)
+
+    @property
+    def lit(self) -> bool:
+        """Whether it is lit."""
+        return self._lit
+
+    def set_lit(self, lit: bool) -> None:
+        """Light it, or not."""
+        if lit != self._lit:
+            self._lit = lit
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        side = self.fontMetrics().height()
+        return QSize(side, side)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        del event
+        color = theme().color
+        radius = min(self.width(), self.height()) / 2 - 1.5
+        middle = QPointF(self.width() / 2, self.height() / 2)
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            painter.setPen(QPen(color(self._color if self._lit else "track_edge"), 1.5))
+            painter.setBrush(color(self._color if self._lit else "track_off"))
+            painter.drawEllipse(middle, radius, radius)
+            if self._lit:  # a glint: a lit lamp differs from a dark one without its colour
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(color("highlighted_text"))
+                painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
+
+
+class Leds(QWidget):
+    """A red and a green LED, each with its pattern in words beside it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._shown = ("", "")
+        self._since = now()
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_FRAME_MS)
+        self._lamps = (Lamp("led_red", self), Lamp("led_green", self))
+        self._names = (self.tr("Red"), self.tr("Green"))
+        self._words = (QLabel(self), QLabel(self))
+
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        for index, (lamp, words) in enumerate(zip(self._lamps, self._words, strict=True)):
+            layout.addWidget(lamp, 0, 2 * index)
+            layout.addWidget(words, 0, 2 * index + 1)
+            layout.setColumnStretch(2 * index + 1, 1)
+
+        self._timer.timeout.connect(self._on_frame)
+        self.show_patterns(("off", "off"), ("off", "off"), ("", ""))
+
+    @property
+    def lamps(self) -> tuple[Lamp, Lamp]:
+        """The red and the green lamp."""
+        return self._lamps
+
+    def show_patterns(
+        self, shown: tuple[str, str], words: tuple[str, str], meanings: tuple[str, str]
+    ) -> None:
+        """Show a pattern on each LED; `words` stand beside it, `meanings` are told on demand."""
+        self._shown = shown
+        for index in range(2):
+            name, meaning = self._names[index], meanings[index]
+            self._words[index].setText(f"{name}: {words[index]}" if words[index] else name)
+            spoken = self.tr("{0} LED: {1}").format(name, meaning or words[index])
+            for widget in (self._lamps[index], self._words[index]):
+                widget.setToolTip(spoken)
+                widget.setAccessibleName(spoken)
+        self._on_frame()
+        self._run()
+
+    @Slot()
+    def _on_frame(self) -> None:
+        seconds = now() - self._since
+        for index, lamp in enumerate(self._lamps):
+            lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
+
+    def _run(self) -> None:
+        """Animate only what moves, and only where it is seen."""
+        moves = any(pattern not in {"on", "off"} for pattern in self._shown)
+        if self.isVisible() and moves != self._timer.isActive():
+            if moves:
+                self._timer.start()
+            else:
+                self._timer.stop()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._run()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._timer.stop()

@@ -1,0 +1,1 @@
+"""The threads of the program: lines, scans, files and recordings."""

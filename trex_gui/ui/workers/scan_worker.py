@@ -1,0 +1,90 @@
+"""One thread that looks for devices on one port after the other."""
+
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+
+from trex_gui.core.discovery.prober import Seek, Step
+from trex_gui.core.discovery.scan import PortSearch, search_port
+from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.ui.runtime import open_transport
+from trex_gui.ui.workers.thread import WorkerThread
+
+
+@dataclass(frozen=True, slots=True)
+class Errand:
+    """One port, and what to look for there.
+
+    Attributes:
+        seeks: how to look for each kind of device, by its key, the commonest first.
+        first: the key of the kind that the port is known to lead to.
+    """
+
+    settings: LinkSettings
+    seeks: Mapping[str, Seek]
+    first: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Searched:
+    """What the search of one port has come to."""
+
+    index: int
+    search: PortSearch
+
+
+class FindWorker(WorkerThread):
+    """Runs one search.
+
+    The object lives in the GUI thread; only `run` executes in the new one. `cancel` and `close`
+    may be called from any thread. Its owner keeps it until it is finished.
+
+    Signals:
+        stepped: index of the port, and the `Step` that comes next.
+        searched: a `Searched`, once for each port until it is cancelled.
+    """
+
+    stepped = Signal(int, object)
+    searched = Signal(object)
+
+    def __init__(
+        self, errands: Sequence[Errand], parent: QObject | None = None, *, full: bool = False
+    ) -> None:
+        super().__init__(parent)
+        self.setObjectName("FindWorker")
+        self._errands = tuple(errands)
+        self._full = full
+        self._cancelled = threading.Event()
+
+    def run(self) -> None:
+        """Search; called by Qt in the new thread."""
+        for index, errand in enumerate(self._errands):
+            if self._cancelled.is_set():
+                break
+            self.searched.emit(self._search(index, errand))
+
+    def _search(self, index: int, errand: Errand) -> Searched:
+        def tell(step: Step) -> None:
+            self.stepped.emit(index, step)
+
+        search = search_port(
+            errand.settings,
+            errand.seeks,
+            first=errand.first,
+            full=self._full,
+            progress=tell,
+            cancelled=self._cancelled.is_set,
+            open_wire=open_transport,
+        )
+        return Searched(index, search)
+
+    def cancel(self) -> None:
+        """End after the question that is on its way: half a second, more behind a network."""
+        self._cancelled.set()
+
+    def close(self, timeout_ms: int = 1000) -> bool:
+        """Cancel and wait; return whether the thread ended in time."""
+        self.cancel()
+        return self.wait(timeout_ms)

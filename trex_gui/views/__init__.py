@@ -1,1 +1,0 @@
-"""What people see and touch; holds no device state, does no I/O."""

@@ -1,1 +1,0 @@
-"""The panel of the Demo TReX: what hands do to a board, for those who have none."""

@@ -1,1 +1,0 @@
-"""The page to drive by hand: why and whether, pad and sliders, options."""

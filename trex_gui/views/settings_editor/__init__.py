@@ -1,1 +1,0 @@
-"""Settings files in windows of their own, with and without a board."""

@@ -1,1 +1,0 @@
-"""The thread around a line session: the one place where Qt meets the wire."""
