@@ -9,7 +9,7 @@ from pathlib import Path
 
 from trex_gui import __version__
 
-UNSTOPPED = 1
+UNCONFIRMED_STOP = 1
 """The exit code where motors may still turn: they were driven, and no stop is proved."""
 
 _LOAD_PLOTS_MS = 100
@@ -84,7 +84,7 @@ def main(argv: list[str] | None = None) -> int:
 
     from trex_gui.composition import build  # noqa: PLC0415
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
-    from trex_gui.supervisor import Watching  # noqa: PLC0415
+    from trex_gui.supervisor import SafetySupervisor  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
     from trex_gui.ui.workers.garbage_collection import GuiThreadCollector  # noqa: PLC0415
 
@@ -100,7 +100,7 @@ def main(argv: list[str] | None = None) -> int:
     collector.setObjectName("collector")
     program = build(Timeouts(extra=arguments.timeout))
     program.window.show()
-    watching = Watching(program, app)
+    watching = SafetySupervisor(program, app)
 
     # The plotting library takes 0.4 s of this thread: now, while no motor can be armed yet, and
     # not when a page with a plot is first shown, when one may turn.
@@ -128,12 +128,12 @@ def main(argv: list[str] | None = None) -> int:
     for window in app.topLevelWidgets():
         window.hide()
     have_ended = program.shut_down()
-    if unstopped := program.switchboard.unstopped:
+    if unconfirmed_stop := program.device_manager.unconfirmed_stop:
         # There may have been no window any more to say it in.
         if sys.stderr is not None:  # as on Windows, where a program with a window has none
-            sys.stderr.write(f"{unstopped}\n")
+            sys.stderr.write(f"{unconfirmed_stop}\n")
             sys.stderr.flush()
-        code = code or UNSTOPPED
+        code = code or UNCONFIRMED_STOP
     if not have_ended:
         # A thread hangs in a port or a disk. Qt would abort on destroying it; the rest is saved.
         os._exit(code)

@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject, Slot
 from trex_gui.composition import Program
 from trex_gui.system.exceptions import ExceptionWatch
 from trex_gui.system.signals import SignalWatch
-from trex_gui.system.stopper import Stopper
-from trex_gui.system.wake import WakeWatch
+from trex_gui.system.stopper import StopBroadcaster
+from trex_gui.system.wake import SuspendDetector
 from trex_gui.ui.runtime import now
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ _AGAIN_S = 1.0
 """Seconds within which a mistake that is told again comes of its being told."""
 
 
-class Watching(QObject):
+class SafetySupervisor(QObject):
     """Lives as long as the program's event loop; to be made in the main thread.
 
     Why everything is stopped is all that is known here: what it means is for each device to say.
@@ -33,8 +33,8 @@ class Watching(QObject):
     def __init__(self, program: Program, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._program = program
-        self._stopper = Stopper(program.stop_now, self)
-        self._stopper_at_mistakes = Stopper(program.stop_now, self)
+        self._stopper = StopBroadcaster(program.stop_now, self)
+        self._stopper_at_mistakes = StopBroadcaster(program.stop_now, self)
         self._mistake = ""
         self._mistake_at = -math.inf
         suspended = self.tr("The program was suspended (Ctrl-Z)")
@@ -42,7 +42,7 @@ class Watching(QObject):
             lambda: program.stop_now(ending=True), lambda: self._stopper.stop(suspended), self
         )
         self._exceptions = ExceptionWatch(self._stopper_at_mistakes.stop)
-        self._wake = WakeWatch(parent=self)
+        self._wake = SuspendDetector(parent=self)
         self._sleep_delay: SleepDelay | None = None
         self._session = self._session_events()
 
@@ -85,7 +85,7 @@ class Watching(QObject):
 
     @Slot(str)
     def _on_stopped(self, reason: str) -> None:
-        self._program.switchboard.stop_because(reason)
+        self._program.device_manager.stop_because(reason)
 
     @Slot(str)
     def _on_mistake(self, reason: str) -> None:
@@ -98,7 +98,7 @@ class Watching(QObject):
         self._mistake = reason
         self._mistake_at = now()
         if not is_again:
-            self._program.switchboard.stop_because(reason, is_news=True)
+            self._program.device_manager.stop_because(reason, is_news=True)
 
     @Slot(int)
     def _on_signal(self, _number: int) -> None:

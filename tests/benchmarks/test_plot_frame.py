@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.source import TraceInfo
 from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.panel import TracePanel
@@ -26,7 +26,7 @@ _RATE = 80
 def traces_of(count: int) -> Traces:
     """Two curves and their history, `count` samples long."""
     noise = np.random.default_rng(count)
-    history = History(2)
+    history = SampleHistory(2)
     history.extend(np.arange(count) / _RATE, list(noise.normal(5, 1, size=(2, count))))
     return Traces(
         [TraceInfo("motor1", "Motor 1", "A", "motor1"), TraceInfo("motor2", "2", "A", "motor2")],
@@ -92,7 +92,7 @@ def test_append_time_is_measured_for_each_history_length(
 ) -> None:
     lines = []
     for count in LENGTHS:
-        history = History(9)
+        history = SampleHistory(9)
         history.extend(np.arange(count) / _RATE, [np.zeros(count)] * 9)
         row, spent = [1.0] * 9, []
         for time_of_row in count / _RATE + np.arange(20_000) / _RATE:

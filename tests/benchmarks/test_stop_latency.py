@@ -20,8 +20,8 @@ from PySide6.QtWidgets import QSlider
 from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.transport.serial_port import SerialTransport
-from trex_gui.devices.trex.client.client import Client
-from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -40,13 +40,13 @@ class Wiretap:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.writes: list[tuple[float, bytes]] = []
         self.transactions: list[tuple[float, float]] = []
-        write, transact = SerialTransport.write, Client._transact
+        write, transact = SerialTransport.write, TrexClient._transact
 
         def note_write(port: SerialTransport, data: bytes) -> None:
             self.writes.append((time.perf_counter(), data))
             write(port, data)
 
-        def note_transaction(client: Client, command: Command[ReplyT_co]) -> ReplyT_co:
+        def note_transaction(client: TrexClient, command: Command[ReplyT_co]) -> ReplyT_co:
             begun = time.perf_counter()
             try:
                 return transact(client, command)
@@ -54,7 +54,7 @@ class Wiretap:
                 self.transactions.append((begun, time.perf_counter()))
 
         monkeypatch.setattr(SerialTransport, "write", note_write)
-        monkeypatch.setattr(Client, "_transact", note_transaction)
+        monkeypatch.setattr(TrexClient, "_transact", note_transaction)
 
     def forget(self) -> None:
         self.writes.clear()
@@ -99,7 +99,9 @@ def test_delay_from_press_to_wire_stays_below_limit(
     simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
     device, qtbot = window.device, window.qtbot
     device.connect_to(LinkSettings(simulator.url, line))
-    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm, timeout=20_000)
+    qtbot.waitUntil(
+        lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
+    )
     device.motors.lockout = 0.0
     window.window.pages.setCurrentIndex(3)
     stop = window.button("stopButton")

@@ -15,7 +15,7 @@ from tests.support.virtual import Stage
 from trex_gui.composition import Program
 from trex_gui.devices.trex.client.schedule import rates
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
-from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -67,7 +67,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
 
     reports: list[Report] = []
     program.device.connect_to(settings)
-    qtbot.waitUntil(lambda: program.device.link is Link.UP, timeout=20_000)
+    qtbot.waitUntil(lambda: program.device.link is ConnectionState.UP, timeout=20_000)
     program.device._connection._line.reported.connect(reports.append)
     qtbot.wait(round(_SECONDS * 1000))
     read = {name: count / _SECONDS for name, count in _count(reports).items()}

@@ -11,10 +11,10 @@ from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatorProcess
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.app import UNSTOPPED
-from trex_gui.devices.trex.model.device import Link
+from trex_gui.app import UNCONFIRMED_STOP
+from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.ui.frame.unconfirmed_stop_warning import LastWarning
+from trex_gui.ui.frame.unconfirmed_stop_warning import UnconfirmedStopWarning
 from trex_gui.ui.runtime import runtime
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
@@ -46,7 +46,7 @@ class UnconfirmedStopWindow(WindowDriver):
 
     def connect_board(self) -> None:
         self.device.connect_to(LinkSettings(self.simulator.url))
-        self.wait(lambda: self.device.link is Link.UP and self.motors.can_arm)
+        self.wait(lambda: self.device.link is ConnectionState.UP and self.motors.can_arm)
 
     @property
     def prompt(self) -> str:
@@ -117,7 +117,7 @@ def test_late_stop_confirmation_closes_the_window(
 
 
 def test_logging_out_closes_without_a_warning(running: UnconfirmedStopWindow) -> None:
-    running.find_only(LastWarning).note_log_out()
+    running.find_only(UnconfirmedStopWarning).note_log_out()
     assert running.window.close()
     assert running.device.may_move
 
@@ -146,4 +146,4 @@ def test_sigterm_with_unconfirmed_stop_prints_warning_and_fails(
         quick_simulator._process.send_signal(signal.SIGCONT)
         window.end()
     assert WARNING in errors
-    assert window.process.returncode == UNSTOPPED
+    assert window.process.returncode == UNCONFIRMED_STOP

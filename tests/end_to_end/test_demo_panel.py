@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from tests.support.demo_panels import reached_by_tab, stand_in_order
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
 from trex_gui.ui.widgets.stick_slider import StickSlider
@@ -44,7 +44,7 @@ class DemoPanel(WidgetDriver):
         assert snapshot is not None
         return snapshot
 
-    def wait_for(self, link: Link) -> None:
+    def wait_for(self, link: ConnectionState) -> None:
         self.wait(lambda: self._window.device.link is link)
 
     def drag_stick(self, name: str, share: float) -> StickSlider:
@@ -56,7 +56,7 @@ class DemoPanel(WidgetDriver):
 
     def pull_cable(self) -> None:
         self.click("demoCable")
-        self.wait_for(Link.NONE)
+        self.wait_for(ConnectionState.NONE)
         self.wait(lambda: not self.board.line.plugged)
 
     def plug_cable(self) -> None:
@@ -144,21 +144,21 @@ def test_faults_are_counted_on_the_status_page(window: WindowDriver, panel: Demo
     window.wait(lambda: window.device.counters != counters)
     panel.drag_stick("demoNoise", 0)
     panel.wait(lambda: panel.board.line.noise == 0)
-    panel.wait_for(Link.UP)
+    panel.wait_for(ConnectionState.UP)
 
     panel.click("demoMute")
-    panel.wait_for(Link.SILENT)
+    panel.wait_for(ConnectionState.SILENT)
     panel.click("demoMute")
-    panel.wait_for(Link.UP)
+    panel.wait_for(ConnectionState.UP)
 
 
 def test_mode_jumper_takes_effect_at_power_cycle(window: WindowDriver, panel: DemoPanel) -> None:
     panel.click("demoPower")
-    panel.wait_for(Link.SILENT)
+    panel.wait_for(ConnectionState.SILENT)
     assert "stopped answering" in window.text("statusLabel")
     panel.wait_for_text("demoState", "power is off")
     panel.click("demoPower")
-    panel.wait_for(Link.UP)
+    panel.wait_for(ConnectionState.UP)
 
     panel.click("demoCentre")
     panel.choose("demoMode", "rc")
@@ -197,7 +197,7 @@ def test_panel_guides_learning_and_resets_to_factory_state(panel: DemoPanel) -> 
     panel.wait(lambda: panel.board.mode is Mode.SERIAL_RC)
     panel.wait(lambda: panel.board.channels[4].has_signal)
     assert panel.combo("demoMode").currentData() == "serial"
-    panel.wait_for(Link.UP)
+    panel.wait_for(ConnectionState.UP)
 
 
 def test_motors_draw_current_and_keep_running_when_unplugged(
@@ -215,7 +215,7 @@ def test_motors_draw_current_and_keep_running_when_unplugged(
     assert panel.text("demoMotor1").startswith("forward 127")
     panel.plug_cable()
     window.click("connectButton")
-    panel.wait_for(Link.UP)
+    panel.wait_for(ConnectionState.UP)
     panel.wait(lambda: panel.board.motors[0].direction == "brake")
     panel.wait(lambda: not window.device.may_move)
 
@@ -229,7 +229,7 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
 
     window.click("connectButton")
     assert "Tick “Plugged in” on its panel" in window.text("bannerText")
-    assert window.device.link is Link.NONE
+    assert window.device.link is ConnectionState.NONE
     assert panel.root.isVisible()
     assert window.text("statusLabel") == "Not connected."
     assert window.is_enabled("connectButton")
@@ -237,14 +237,14 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
     panel.click("demoCable")
     panel.wait(lambda: panel.text("demoState") == "The cable is in again. Press Connect.")
     window.click("connectButton")
-    panel.wait_for(Link.UP)
+    panel.wait_for(ConnectionState.UP)
     panel.wait(lambda: panel.text("demoState").startswith("Serial mode."))
     assert window.program.connector.port == window.program.ports.demo
 
     panel.pull_cable()
     panel.plug_cable()
     window.select("portCombo", window.program.ports.demo)
-    panel.wait_for(Link.UP)
+    panel.wait_for(ConnectionState.UP)
 
     panel.click("demoPower")
     panel.pull_cable()
@@ -260,7 +260,7 @@ def test_choosing_unplugged_demo_disconnects_other_board(
     assert panel.root.isHidden()
     connector = window.program.connector
     connector.connect_to(window.program.ports.demo)
-    panel.wait_for(Link.NONE)
+    panel.wait_for(ConnectionState.NONE)
     assert connector.port is None
     assert "Tick “Plugged in” on its panel" in window.text("bannerText")
     assert panel.root.isVisible()

@@ -15,7 +15,7 @@ from tests.support.window import LEFT, WindowDriver
 from trex_gui.devices.trex.driving.motors import DRIVE_INTERVAL
 from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
 from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
-from trex_gui.devices.trex.session.messages import SetDrive
+from trex_gui.devices.trex.session.messages import SetMotor
 from trex_gui.ui.runtime import now
 
 MOVES = 1000
@@ -47,7 +47,7 @@ def test_drag_never_floods_line_and_last_position_arrives(
         if data[0] == DriveMotor(1, Drive.at(1)).opcode:
             packets.append((now(), data[1]))
 
-    def note_request(request: SetDrive) -> None:
+    def note_request(request: SetMotor) -> None:
         """Comes after the program has handed it over."""
         requested.append((now(), request.drive.signed))
 

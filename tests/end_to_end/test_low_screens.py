@@ -12,9 +12,9 @@ from tests.support.held_line import before_storing
 from tests.support.pages.motors import Gesture
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.widgets.inline_prompt import Question
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt
 
 LOW = (960, 500)
 HIGH = (960, 800)
@@ -33,8 +33,8 @@ class AskingWindow(WindowDriver):
         self.may_store = True
 
     @property
-    def question(self) -> Question:
-        return self.find(Question, "question")
+    def question(self) -> InlinePrompt:
+        return self.find(InlinePrompt, "question")
 
     def is_shown(self) -> bool:
         return self.window.isVisible()
@@ -42,7 +42,7 @@ class AskingWindow(WindowDriver):
     def has_question(self) -> bool:
         return self.question.isVisible()
 
-    def link(self) -> Link:
+    def link(self) -> ConnectionState:
         return self.device.link
 
     def edit(self) -> None:
@@ -166,7 +166,7 @@ def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None
     asking.check_that_stop_works()
     asking.click("questionCancel")
     assert asking.is_shown()
-    assert asking.link() is Link.UP
+    assert asking.link() is ConnectionState.UP
     assert not asking.window.close()
     asking.click("closeYes")
     assert not asking.is_shown()
@@ -201,12 +201,12 @@ def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) 
         disconnect()
         assert asking.has_question()
         assert "Settings are being written. Disconnect all the same?" in asking.question.text
-        assert asking.link() is Link.UP
+        assert asking.link() is ConnectionState.UP
         asking.click("questionCancel")
     asking.click("connectButton")
     asking.click("disconnectYes")
     asking.may_store = True
-    asking.wait(lambda: asking.link() is Link.NONE)
+    asking.wait(lambda: asking.link() is ConnectionState.NONE)
     assert 0 < asking.device.pending <= count
 
 
@@ -217,14 +217,14 @@ def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
     asking.may_store = True
     asking.wait(lambda: not asking.device.applying)
     assert asking.device.pending == 0
-    assert asking.link() is Link.UP
+    assert asking.link() is ConnectionState.UP
 
     asking.begin_to_write()
     asking.click("connectButton")
     asking.may_store = True
     asking.wait(lambda: not asking.device.applying)
     asking.wait(lambda: not asking.has_question())
-    assert asking.link() is Link.UP
+    assert asking.link() is ConnectionState.UP
 
     asking.begin_to_write()
     assert not asking.window.close()

@@ -29,7 +29,7 @@ def indicator(window: WindowDriver) -> RecordIndicator:
 
 def record(window: WindowDriver, path: Path) -> None:
     """Record until there is something in the file, and end it with the button."""
-    recordings = window.program.desk.recordings
+    recordings = window.program.workspace.recordings
     recordings.record(path)
     window.wait(indicator(window).isVisible)
     wait_for_samples(window, 300)
@@ -46,7 +46,7 @@ def wait_for_samples(window: WindowDriver, count: int) -> None:
 def test_indicator_shows_time_and_size_on_every_page(
     connected_window: WindowDriver, tmp_path: Path
 ) -> None:
-    window, recordings = connected_window, connected_window.program.desk.recordings
+    window, recordings = connected_window, connected_window.program.workspace.recordings
     assert not indicator(window).isVisible()
     recordings.record(tmp_path / "a.trexrec")
     window.wait(lambda: "Recording  0:00:" in window.text("recordText"))
@@ -68,7 +68,7 @@ def test_recording_opens_without_a_board(
     connected_window: WindowDriver, tmp_path: Path, suffix: str
 ) -> None:
     path = tmp_path / f"session{suffix}"
-    window, recordings = connected_window, connected_window.program.desk.recordings
+    window, recordings = connected_window, connected_window.program.workspace.recordings
     record(window, path)
     window.disconnect()
     recordings.open_file(path)
@@ -82,7 +82,7 @@ def test_recording_opens_without_a_board(
     recordings.open_file(path)
     assert recordings.windows == [opened]
     player.click("settingsInForceButton")
-    (editor,) = window.program.desk.files.editors
+    (editor,) = window.program.workspace.files.editors
     assert editor.document.readable
     editor.close()
     opened.close()
@@ -100,7 +100,7 @@ def test_recording_dropped_onto_window_opens(window: WindowDriver, tmp_path: Pat
     QApplication.sendEvent(window.window, enter)
     assert enter.isAccepted()
     QApplication.sendEvent(window.window, QDropEvent(QPointF(9, 9), copy, data, left, none))
-    (opened,) = window.program.desk.recordings.windows
+    (opened,) = window.program.workspace.recordings.windows
     window.wait(lambda: opened.playback.is_loaded)
     opened.close()
 
@@ -110,9 +110,9 @@ def test_invalid_recording_is_rejected_with_its_file_name(
 ) -> None:
     path = tmp_path / "none.trexrec"
     path.write_text("nothing of the kind")
-    window.program.desk.recordings.open_file(path)
+    window.program.workspace.recordings.open_file(path)
     assert "none.trexrec, byte 0: This is no recording" in window.text("bannerText")
-    assert window.program.desk.recordings.windows == []
+    assert window.program.workspace.recordings.windows == []
 
 
 def test_record_action_is_disabled_without_a_board(window: WindowDriver, tmp_path: Path) -> None:
@@ -124,7 +124,7 @@ def test_recording_is_complete_after_window_closes(
     connected_window: WindowDriver, tmp_path: Path, assert_complete: Callable[[Path], None]
 ) -> None:
     path = tmp_path / "a.trexrec"
-    connected_window.program.desk.recordings.record(path)
+    connected_window.program.workspace.recordings.record(path)
     wait_for_samples(connected_window, 100)
     connected_window.window.close()
     assert_complete(path)
@@ -192,7 +192,7 @@ def test_esc_in_file_dialog_stops_motors(window: WindowDriver, ask: str) -> None
         QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
 
     QTimer.singleShot(100, press_esc)
-    getattr(window.program.desk.recordings, ask)()
+    getattr(window.program.workspace.recordings, ask)()
     assert stops == ["stop"]
 
 
@@ -216,7 +216,7 @@ def test_stop_reaches_board_while_recording_to_full_disk(
     if not full.exists():
         pytest.skip("this system has no disk that is always full")
     window, device = connected_window, connected_window.device
-    window.program.desk.recordings.record(full)
+    window.program.workspace.recordings.record(full)
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 60)
@@ -251,8 +251,8 @@ def test_motor_keeps_running_while_hour_of_csv_is_opened(
     def turns_while_it_is_opened() -> bool:
         window.wait(turns)
         begin = now()
-        window.program.desk.recordings.open_file(tmp_path / "hour.csv")
-        (opened,) = window.program.desk.recordings.windows
+        window.program.workspace.recordings.open_file(tmp_path / "hour.csv")
+        (opened,) = window.program.workspace.recordings.windows
         # Longer than the silence of a window that stops armed motors.
         window.wait(lambda: now() > begin + 2 * Timeouts().heartbeat)
         was_opened_meanwhile = not opened.playback.is_loaded
@@ -264,7 +264,7 @@ def test_motor_keeps_running_while_hour_of_csv_is_opened(
 
     # A computer with far too much to do may stop them by itself, but hardly each time.
     assert any(turns_while_it_is_opened() for _ in range(6)), seen
-    assert window.program.desk.recordings.windows == []
+    assert window.program.workspace.recordings.windows == []
     motors.press_stop()
     window.wait(lambda: quick_simulator.show()["motors"][0]["direction"] == "brake")
 
@@ -274,8 +274,8 @@ def test_shutdown_while_recording_loads_ends_its_thread(
     window: WindowDriver, tmp_path: Path
 ) -> None:
     write_an_hour_of_csv(tmp_path / "hour.csv", 10)
-    window.program.desk.recordings.open_file(tmp_path / "hour.csv")
-    (opened,) = window.program.desk.recordings.windows
+    window.program.workspace.recordings.open_file(tmp_path / "hour.csv")
+    (opened,) = window.program.workspace.recordings.windows
     thread = WidgetDriver(opened, window.qtbot).find_only(QThread)
     window.wait(lambda: opened.playback.progress > 0)
     assert thread.isRunning()

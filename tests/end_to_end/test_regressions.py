@@ -12,10 +12,10 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.devices.trex.client.schedule import rates
-from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -25,17 +25,17 @@ from trex_gui.devices.trex.protocol.flags import InputSource, Status
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.session.messages import (
-    Ask,
     Closed,
     Connected,
     Reload,
     Request,
+    RunCommand,
     SetAuxiliary,
-    SetDrive,
+    SetMotor,
     Stop,
     Write,
 )
-from trex_gui.devices.trex.simulator.motors import Direction as EmulatedDirection
+from trex_gui.devices.trex.simulator.motors import MotorDirection as EmulatedDirection
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.simulator_process import Simulator
 from trex_gui.ui.runtime import runtime
@@ -51,9 +51,9 @@ def test_slow_line_is_shared_fairly(baud: int) -> None:
     assert min(shares) > 0.9 * max(shares)
 
 
-@pytest.mark.parametrize("setpoint", [SetAuxiliary(300), SetDrive(3, Drive.at(5))], ids=str)
+@pytest.mark.parametrize("setpoint", [SetAuxiliary(300), SetMotor(3, Drive.at(5))], ids=str)
 def test_invalid_setpoint_does_not_end_session(stage: Stage, setpoint: Request) -> None:
-    stage.script.at(1.0, setpoint).at(1.2, Ask(1, GetMode()))
+    stage.script.at(1.0, setpoint).at(1.2, RunCommand(1, GetMode()))
     reports = run_for(stage, 1.5)
     assert reports[-1] == Closed(None)
 
@@ -69,14 +69,16 @@ def test_lost_stop_is_not_taken_as_confirmed(stage: Stage, lost: int) -> None:
     def lose() -> None:
         stage.line.to_drop_sent = lost
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, lose)
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, lose)
     closed = run_for(stage, 1.5)[-1]
     assert isinstance(closed, Closed)
     assert closed.may_move or stage.board.motors[0].direction is EmulatedDirection.BRAKE
 
 
 @pytest.mark.parametrize(
-    "request_", [Ask(1, GetMode()), Reload(1), Write(1, (("serial_timeout", 1),)), Stop(1)], ids=str
+    "request_",
+    [RunCommand(1, GetMode()), Reload(1), Write(1, (("serial_timeout", 1),)), Stop(1)],
+    ids=str,
 )
 def test_internal_error_completes_the_current_request(
     stage: Stage, request_: Request, caplog: pytest.LogCaptureFixture
@@ -113,7 +115,7 @@ def test_reload_after_power_loss_counts_as_power_cycle(stage: Stage) -> None:
 
 def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
     gone = PortUnavailable("gone")
-    stage.script.at(1.0, SetDrive(1, Drive.at(1)))  # a stop is due at the end
+    stage.script.at(1.0, SetMotor(1, Drive.at(1)))  # a stop is due at the end
     stage.script.at(1.2, lambda: stage.board.set_fault(1, fault=True))
     stage.script.at(1.2, lambda: stage.board.set_fault(1, fault=False))
     send = stage.transport.write
@@ -125,7 +127,7 @@ def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
 
     stage.transport.write = write  # type: ignore[method-assign]  # the wire fails just then
     run_for(stage, 2.0)
-    assert Status.MOTOR1_FAULT in [one.status for one in samples(stage.reports, StatusNews)]
+    assert Status.MOTOR1_FAULT in [one.status for one in samples(stage.reports, LatchedStatus)]
 
 
 def test_new_device_number_is_used_despite_lost_reply(stage: Stage) -> None:
@@ -139,15 +141,15 @@ def test_apply_without_a_board_does_not_lock_apply(
 ) -> None:
     device = Device()
     device.connect_to(LinkSettings(simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
     device.parameters.setData(device.parameters.index_of("serial_timeout"), 9)
     device.disconnect_line()
-    qtbot.waitUntil(lambda: device.link is Link.NONE)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.NONE)
     device.apply()
     try:
         assert not device.applying
         device.connect_to(LinkSettings(simulator.url))
-        qtbot.waitUntil(lambda: device.link is Link.UP)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
         with qtbot.waitSignal(device.applied):
             device.apply()
     finally:
@@ -164,9 +166,9 @@ def test_closing_connection_is_never_reported_connected(
     while simulator.show()["counters"]["packets"] < 45:
         runtime().sleep(0.001)  # the window hangs meanwhile; `Connected` waits in its queue
     device.disconnect_line()
-    qtbot.waitUntil(lambda: device.link is Link.NONE)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.NONE)
     device.shut_down()
-    assert links == [Link.OPENING, Link.CLOSING, Link.NONE]
+    assert links == [ConnectionState.OPENING, ConnectionState.CLOSING, ConnectionState.NONE]
 
 
 def test_stopping_simulator_reports_no_failure(qtbot: QtBot) -> None:
@@ -193,13 +195,13 @@ def test_calibration_edits_do_not_carry_over_to_other_model(
     device = Device()
     try:
         device.connect_to(LinkSettings(start_simulator().url))
-        qtbot.waitUntil(lambda: device.link is Link.UP)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
         device.calibrations.edit(1, Calibration(2400, 3700, 5100, 80))
         other = start_simulator("--model", "trexjr").url
         device.connect_to(LinkSettings(other))
         qtbot.waitUntil(
             lambda: (
-                device.link is Link.UP
+                device.link is ConnectionState.UP
                 and device.settings is not None
                 and device.settings.url == other
             )

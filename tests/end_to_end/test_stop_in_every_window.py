@@ -11,14 +11,14 @@ from tests.support.pages.motors import BRAKE, MotorsPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.core.files.text_files import save
-from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.settings.writer import write_settings
 
 
 def open_playback(window: WindowDriver, folder: Path) -> QWidget:
     write(folder / "a.trexrec", list(an_hour(5)))
-    window.program.desk.recordings.open_file(folder / "a.trexrec")
-    (playback,) = window.program.desk.recordings.windows
+    window.program.workspace.recordings.open_file(folder / "a.trexrec")
+    (playback,) = window.program.workspace.recordings.windows
     return playback
 
 
@@ -26,7 +26,7 @@ def open_editor(window: WindowDriver, folder: Path) -> QWidget:
     shown = window.device.draft.shown
     assert shown is not None
     save(folder / "a.txt", write_settings(shown))
-    editor = window.program.desk.files.edit_file(folder / "a.txt")
+    editor = window.program.workspace.files.edit_file(folder / "a.txt")
     assert editor is not None
     return editor
 
@@ -94,7 +94,7 @@ def test_stop_button_of_every_window_stops_motors(
         opened.append((window, button))
 
     page.device.disconnect_line()
-    page.wait(lambda: page.device.link is Link.NONE)
+    page.wait(lambda: page.device.link is ConnectionState.NONE)
     for window, button in opened:
         assert not button.isEnabled(), window.objectName()
         window.close()

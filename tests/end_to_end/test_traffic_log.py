@@ -11,18 +11,18 @@ from PySide6.QtWidgets import QCheckBox, QFileDialog, QLineEdit, QPlainTextEdit
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.ui.traffic.page import TranscriptPage
+from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS
-from trex_gui.ui.traffic.table_view import TranscriptView
+from trex_gui.ui.traffic.table_view import TrafficView
 
 
-class TrafficPage(WidgetDriver):
+class TrafficDriver(WidgetDriver):
     """The page of the transcript, open."""
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.open_page("transcriptPage").root, window.qtbot)
-        self.view = self.find(TranscriptView, "transcriptView")
-        self._transcript = window.device.transcript
+        self.view = self.find(TrafficView, "transcriptView")
+        self._traffic = window.device.traffic
 
     def column(self, column: int) -> list[str]:
         """Return the texts of a column from the top."""
@@ -52,8 +52,8 @@ class TrafficPage(WidgetDriver):
 
     def wait_for_traffic(self) -> None:
         """Wait until 50 more transactions have taken place."""
-        before = self._transcript.everything.count
-        self.wait(lambda: self._transcript.everything.count > before + 50)
+        before = self._traffic.everything.count
+        self.wait(lambda: self._traffic.everything.count > before + 50)
 
     @property
     def summary(self) -> str:
@@ -68,12 +68,12 @@ class TrafficPage(WidgetDriver):
 
 
 @pytest.fixture
-def page(window: WindowDriver) -> TrafficPage:
-    return TrafficPage(window)
+def page(window: WindowDriver) -> TrafficDriver:
+    return TrafficDriver(window)
 
 
 def test_traffic_is_listed_from_connect_to_disconnect(
-    window: WindowDriver, page: TrafficPage, simulator: SimulatedDevice
+    window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice
 ) -> None:
     assert page.rows == 0
     window.connect(simulator.url)
@@ -102,7 +102,7 @@ def test_traffic_is_listed_from_connect_to_disconnect(
 
 
 def test_traffic_is_searched_and_filtered_by_faults(
-    window: WindowDriver, page: TrafficPage, simulator: SimulatedDevice
+    window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice
 ) -> None:
     window.connect(simulator.url)
     page.wait_for_row("get Serial Timeout")
@@ -130,7 +130,7 @@ def test_traffic_is_searched_and_filtered_by_faults(
 
 
 def test_polling_is_shown_on_demand_and_log_can_be_paused(
-    window: WindowDriver, page: TrafficPage, simulator: SimulatedDevice
+    window: WindowDriver, page: TrafficDriver, simulator: SimulatedDevice
 ) -> None:
     window.connect(simulator.url)
     page.check("transcriptPolling")
@@ -163,7 +163,7 @@ def test_polling_is_shown_on_demand_and_log_can_be_paused(
 
 def test_rows_are_shown_in_detail_copied_and_saved(
     window: WindowDriver,
-    page: TrafficPage,
+    page: TrafficDriver,
     simulator: SimulatedDevice,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -193,7 +193,7 @@ def test_rows_are_shown_in_detail_copied_and_saved(
 
     path = tmp_path / "line"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
-    assert isinstance(page.root, TranscriptPage)
+    assert isinstance(page.root, TrafficPage)
     with window.qtbot.waitSignal(page.root.told):
         page.click("transcriptSaveButton")
     text = path.with_suffix(".txt").read_text(encoding="utf-8")

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from tests.support.pads import PAD
 from trex_gui.gamepad.pads import Pad
-from trex_gui.gamepad.profile import Axis, Profile, Style, default_profile, read_profile
+from trex_gui.gamepad.profile import Axis, GamepadProfile, Style, default_profile, read_profile
 from trex_gui.gamepad.shaping import shape
 
 ZONES = st.floats(0, 0.5)
@@ -59,7 +59,7 @@ AXES = st.builds(Axis, st.integers(0, 20), st.booleans())
 def test_stored_profile_is_read_back_equal(
     style: Style, first: Axis, second: Axis, zone: float, expo: float, button: int | None
 ) -> None:
-    profile = Profile(
+    profile = GamepadProfile(
         style=style, first=first, second=second, dead_zone=zone, expo=expo, hold=button, stop=None
     )
     assert read_profile(profile.to_text()) == profile
@@ -76,7 +76,7 @@ def test_arbitrary_text_is_rejected_as_profile(text: str) -> None:
      '"first": [1]', '"first": [true, false]', '"style": "crab"'],
 )  # fmt: skip
 def test_profile_with_one_invalid_value_is_rejected(spoilt: str) -> None:
-    good = Profile().to_text()
+    good = GamepadProfile().to_text()
     assert read_profile(good[:-1] + f", {spoilt}" + "}") is None  # the later of two counts
 
 

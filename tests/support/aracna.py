@@ -29,7 +29,7 @@ class AracnaTransport:
     """
 
     latency = 0.005
-    can_be_tuned = True
+    is_configurable = True
 
     def __init__(self, line: AracnaLine) -> None:
         self.line = line
@@ -43,7 +43,7 @@ class AracnaTransport:
     def rates(self) -> frozenset[int] | None:
         return None
 
-    def tune(self, line: LineSettings) -> None:
+    def reconfigure(self, line: LineSettings) -> None:
         self._may_fail()
         self.line.host = line
 

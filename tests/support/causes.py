@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import WindowDriver
 from trex_gui.composition import Program
-from trex_gui.supervisor import Watching
+from trex_gui.supervisor import SafetySupervisor
 from trex_gui.system.session_events import SessionEvents
 
 
@@ -22,13 +22,13 @@ class Causes:
     """
 
     def __init__(
-        self, window: WindowDriver, watching: Watching, caught: Sequence[tuple[Any, ...]]
+        self, window: WindowDriver, watching: SafetySupervisor, caught: Sequence[tuple[Any, ...]]
     ) -> None:
         self._window = window
         self._watching = watching
         self._caught = caught
         self.told: list[str] = []
-        window.program.switchboard.stop_told.connect(self.told.append)
+        window.program.device_manager.stop_reported.connect(self.told.append)
 
     @property
     def mistakes(self) -> list[type[BaseException]]:
@@ -59,7 +59,7 @@ class Causes:
 def watched(program: Program, qtbot: QtBot, app: QApplication) -> Iterator[Causes]:
     """Watch over a program as its start does; errors of slots are kept, and fail nothing."""
     with qtbot.captureExceptions() as mistakes:
-        watching = Watching(program, app)
+        watching = SafetySupervisor(program, app)
         causes = Causes(WindowDriver(program, qtbot), watching, mistakes)
         try:
             yield causes

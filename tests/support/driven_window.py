@@ -19,9 +19,9 @@ from tests.support.patient import PATIENT
 from trex_gui import app, composition
 from trex_gui.composition import Program
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.session import session
-from trex_gui.system.wake import WakeWatch
+from trex_gui.system.wake import SuspendDetector
 
 SPEEDS = {1: 60, 2: -60}
 AUXILIARY = 50
@@ -50,7 +50,7 @@ class Driver(QObject):
         self._mistake.timeout.connect(partial(raise_error, ZeroDivisionError))
 
     def _drive_as_soon_as_possible(self) -> None:
-        if self._program.device.link is not Link.UP or not self._motors.can_arm:
+        if self._program.device.link is not ConnectionState.UP or not self._motors.can_arm:
             return
         if self._motors.armed:
             return
@@ -99,10 +99,10 @@ class Driver(QObject):
         setattr(session, "poll", poll)  # noqa: B010 - not the name's own module
 
     def end_of_the_line_thread(self) -> None:
-        def step(_: session.Session) -> None:
+        def step(_: session.TrexSession) -> None:
             raise SystemExit("on purpose")  # which no handler of errors catches
 
-        setattr(session.Session, "_step", step)  # noqa: B010 - on purpose
+        setattr(session.TrexSession, "_step", step)  # noqa: B010 - on purpose
 
     def hang(self) -> None:
         self._say("hanging")
@@ -123,7 +123,9 @@ class Driver(QObject):
         action.trigger()
 
     def sleep_unnoticed(self) -> None:
-        watch = self._program.window.findChild(WakeWatch) or WATCHES[0].findChild(WakeWatch)
+        watch = self._program.window.findChild(SuspendDetector) or WATCHES[0].findChild(
+            SuspendDetector
+        )
         assert watch is not None
         watch._slept = lambda: 1e6
 

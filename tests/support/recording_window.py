@@ -16,7 +16,7 @@ from tests.support.patient import PATIENT
 from trex_gui import app, composition
 from trex_gui.composition import Program
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.model.device import ConnectionState
 
 ENOUGH = 100  # samples
 
@@ -34,8 +34,8 @@ class Recording(QObject):
         self._timer.start(20)
 
     def _look(self) -> None:
-        recorder = self._program.desk.recordings.recorder
-        if self._program.device.link is not Link.UP:
+        recorder = self._program.workspace.recordings.recorder
+        if self._program.device.link is not ConnectionState.UP:
             return
         samples = self._program.device.telemetry.samples
         if recorder.recording and samples > self._samples + ENOUGH:

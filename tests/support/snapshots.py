@@ -5,13 +5,13 @@ from datetime import UTC, datetime, timedelta
 
 from tests.devices.trex.settings.samples import factory
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.history import History, Snapshot
+from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
 ADAPTER = "FT232R (ttyUSB0)"
 
 
 def take(
-    history: History,
+    history: SettingsHistory,
     ago: timedelta = timedelta(),
     *,
     model: str = "trex",

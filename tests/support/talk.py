@@ -4,8 +4,8 @@ from collections.abc import Iterable
 
 from hypothesis import strategies as st
 
-from trex_gui.core.transport.traffic_log import Piece, Way
-from trex_gui.core.transport.transactions import Assembler, Exchange, Wording
+from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
+from trex_gui.core.transport.transactions import Decoder, Transaction, TransactionAssembler
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 Said = tuple[bytes, bytes]
@@ -14,29 +14,29 @@ Said = tuple[bytes, bytes]
 
 def pieces_of(
     talk: Iterable[Said], cut: int = 0, settings: LinkSettings | None = None
-) -> list[Piece]:
+) -> list[TrafficEvent]:
     """Return a line's bytes, the answers in pieces of `cut` bytes."""
     now = 0.0
-    pieces = [Piece(now, Way.LINE, text="Opened.", settings=settings)]
+    pieces = [TrafficEvent(now, TrafficDirection.LINE, text="Opened.", settings=settings)]
     for sent, received in talk:
         now += 0.001
         if sent:
-            pieces.append(Piece(now, Way.SENT, sent))
+            pieces.append(TrafficEvent(now, TrafficDirection.SENT, sent))
         size = cut or max(len(received), 1)
         for at in range(0, len(received), size):
             now += 0.002
-            pieces.append(Piece(now, Way.RECEIVED, received[at : at + size]))
-    return [*pieces, Piece(now + 1, Way.LINE, text="Closed.")]
+            pieces.append(TrafficEvent(now, TrafficDirection.RECEIVED, received[at : at + size]))
+    return [*pieces, TrafficEvent(now + 1, TrafficDirection.LINE, text="Closed.")]
 
 
-def rows_of(wording: Wording, pieces: list[Piece]) -> list[Exchange]:
+def rows_of(wording: Decoder, pieces: list[TrafficEvent]) -> list[Transaction]:
     """Return the rows that have bytes."""
-    return [row for row in Assembler(wording).feed(pieces) if not row.note]
+    return [row for row in TransactionAssembler(wording).feed(pieces) if not row.note]
 
 
-def told(wording: Wording, pieces: list[Piece]) -> list[tuple[str, bool]]:
+def told(wording: Decoder, pieces: list[TrafficEvent]) -> list[tuple[str, bool]]:
     """Return what the rows mean, and which are faults."""
-    words = [wording.words_of(row) for row in rows_of(wording, pieces)]
+    words = [wording.decoded(row) for row in rows_of(wording, pieces)]
     return [(one.text, one.is_fault) for one in words]
 
 
@@ -44,9 +44,9 @@ STRANGE_TALK = st.lists(st.tuples(st.binary(max_size=12), st.binary(max_size=24)
 """Bytes that no device sends."""
 
 
-def assert_sayable(wording: Wording, pieces: list[Piece]) -> None:
+def assert_sayable(wording: Decoder, pieces: list[TrafficEvent]) -> None:
     """Fail where a row has no words, or bytes that cannot be shown."""
     for row in rows_of(wording, pieces):
-        assert wording.words_of(row).text
+        assert wording.decoded(row).text
         assert wording.shown(row.sent).isprintable()
         assert wording.shown(row.received).isprintable()

@@ -3,22 +3,22 @@
 from collections import deque
 from collections.abc import Callable
 
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Close, Report, Request
-from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 
 
 class VirtualTransport:
     """The host's end of a simulated wire; time passes only while somebody reads or waits."""
 
     latency = 0.005
-    can_be_tuned = True
+    is_configurable = True
 
-    def __init__(self, line: Line) -> None:
+    def __init__(self, line: SimulatedLine) -> None:
         self.line = line
         self.sent = bytearray()
         self.closed = False
@@ -30,7 +30,7 @@ class VirtualTransport:
     def rates(self) -> frozenset[int] | None:
         return None
 
-    def tune(self, line: LineSettings) -> None:
+    def reconfigure(self, line: LineSettings) -> None:
         if self.fail:
             raise self.fail
         self.line.host = line
@@ -63,7 +63,7 @@ class Script:
     A step may also be a function, called at its time: to turn a knob of the board.
     """
 
-    def __init__(self, line: Line) -> None:
+    def __init__(self, line: SimulatedLine) -> None:
         self._line = line
         self._done = False
         self._steps: deque[tuple[float, Request | Callable[[], object]]] = deque()
@@ -97,17 +97,17 @@ class Stage:
 
     def __init__(self, board: Board, *, echo: bool = False) -> None:
         self.board = board
-        self.line = Line([board], echo=echo)
+        self.line = SimulatedLine([board], echo=echo)
         self.transport = VirtualTransport(self.line)
         self.script = Script(self.line)
         self.reports: list[Report] = []
 
-    def client(self, settings: LinkSettings | None = None) -> Client:
-        return Client(self.transport, settings or LinkSettings("virtual"), echo=self.line.echo)
+    def client(self, settings: LinkSettings | None = None) -> TrexClient:
+        return TrexClient(self.transport, settings or LinkSettings("virtual"), echo=self.line.echo)
 
     def run(self, settings: LinkSettings | None = None) -> list[Report]:
         """Run the script from opening the line to closing it; return what was reported."""
-        session = Session(
+        session = TrexSession(
             settings or LinkSettings("virtual"),
             self.script,
             self.reports.append,

@@ -111,7 +111,7 @@ class VirtualTransport:
     """The host's end of a simulated wire."""
 
     latency = 0.06
-    can_be_tuned = True
+    is_configurable = True
 
     def __init__(self, simulator: VirtualSimulator, settings: LinkSettings) -> None:
         self._simulator = simulator
@@ -130,7 +130,7 @@ class VirtualTransport:
     def rates(self) -> frozenset[int] | None:
         return self._simulator.rates
 
-    def tune(self, line: LineSettings) -> None:
+    def reconfigure(self, line: LineSettings) -> None:
         self._catch_up()
         self._line.host = line
 

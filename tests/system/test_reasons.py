@@ -7,7 +7,7 @@ from PySide6.QtDBus import QDBusConnection
 
 from trex_gui.system.exceptions import ExceptionWatch
 from trex_gui.system.session_events import SessionEvents
-from trex_gui.system.wake import WakeWatch
+from trex_gui.system.wake import SuspendDetector
 from trex_gui.system.windows_events import (
     PBT_APMSUSPEND,
     WM_POWERBROADCAST,
@@ -44,7 +44,7 @@ def said_by_windows() -> list[str]:
 
 def said_of_a_sleep_that_is_over() -> list[str]:
     slept = 0.0
-    watch = WakeWatch(lambda: slept)
+    watch = SuspendDetector(lambda: slept)
     told: list[str] = []
     watch.woke.connect(told.append)
     slept = 60.0

@@ -12,8 +12,8 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.system.exceptions import ExceptionWatch
 from trex_gui.system.signals import SignalWatch
-from trex_gui.system.stopper import Stopper
-from trex_gui.system.wake import WakeWatch, slept_so_far
+from trex_gui.system.stopper import StopBroadcaster
+from trex_gui.system.wake import SuspendDetector, slept_so_far
 from trex_gui.system.windows_events import (
     PBT_APMSUSPEND,
     WM_POWERBROADCAST,
@@ -30,7 +30,7 @@ def test_stop_is_sent_in_calling_thread_and_reported_in_gui(
     qtbot: QtBot,
 ) -> None:
     sent_from: list[int] = []
-    stopper = Stopper(lambda: sent_from.append(threading.get_ident()))
+    stopper = StopBroadcaster(lambda: sent_from.append(threading.get_ident()))
     thread = threading.Thread(target=lambda: stopper.stop("why"))
     with qtbot.waitSignal(stopper.stopped) as told:
         thread.start()
@@ -46,7 +46,7 @@ def test_stop_raised_by_a_report_is_sent_but_not_reported(
     sent: list[int] = []
     told: list[str] = []
     reported: list[BaseException] = []
-    stopper = Stopper(lambda: sent.append(1))
+    stopper = StopBroadcaster(lambda: sent.append(1))
 
     def fail(reason: str) -> None:
         told.append(reason)
@@ -69,7 +69,7 @@ def test_stop_raised_by_a_report_is_sent_but_not_reported(
 
 def test_stop_from_other_thread_during_report_is_reported(qtbot: QtBot) -> None:
     told: list[str] = []
-    stopper = Stopper(lambda: None)
+    stopper = StopBroadcaster(lambda: None)
 
     def stop_elsewhere(reason: str) -> None:
         told.append(reason)
@@ -249,7 +249,7 @@ def test_exception_is_reported_even_if_stop_fails(
 
 def test_wake_after_sleep_is_reported_once(qtbot: QtBot) -> None:
     slept = 100.0
-    watch = WakeWatch(lambda: slept)
+    watch = SuspendDetector(lambda: slept)
     told: list[str] = []
     watch.woke.connect(told.append)
     watch.look()

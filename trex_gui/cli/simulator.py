@@ -11,12 +11,12 @@ import click
 from click.core import ParameterSource
 
 from trex_gui import __version__
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.endpoint import Endpoint, TcpEndpoint, default_endpoint_is_tcp
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 
 if TYPE_CHECKING:  # `--help` needs none of this
     from trex_gui.core.simulator.server import Wire
@@ -157,7 +157,7 @@ def main(
             )
         with closing(_endpoint(link, tcp, rfc2217, simulation.baud)) as endpoint:
             _serve(simulation, endpoint)
-    except TrexError as error:
+    except StudioError as error:
         raise click.ClickException(str(error)) from error
 
 
@@ -206,7 +206,7 @@ def simulate_trex(
         )
         for index, device in enumerate(devices or [DeviceOption()])
     ]
-    line = Line(boards, echo=echo, paced=paced, seed=seed)
+    line = SimulatedLine(boards, echo=echo, paced=paced, seed=seed)
     demos = [Demo(board) for board in boards] if demo else []
     return Simulation(line, partial(control, line), boards[0].memory.baud, demos)
 

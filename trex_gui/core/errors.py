@@ -7,23 +7,23 @@ one pickles.
 from enum import IntEnum
 
 
-class TrexError(Exception):
+class StudioError(Exception):
     """Anything that a person should read rather than a developer."""
 
 
-class BadRequest(TrexError, ValueError):  # noqa: N818 - reads as what it is
+class BadRequest(StudioError, ValueError):  # noqa: N818 - reads as what it is
     """Ours: refused before a byte was sent. Says what, the allowed range and what was given."""
 
 
-class PortUnavailable(TrexError):  # noqa: N818
+class PortUnavailable(StudioError):  # noqa: N818
     """The port is busy, gone or not permitted; says what mends it."""
 
 
-class NoReply(TrexError):  # noqa: N818
+class NoReply(StudioError):  # noqa: N818
     """Nothing, or not everything, came back in the time that the wire and the board need."""
 
 
-class BadReply(TrexError):  # noqa: N818
+class BadReply(StudioError):  # noqa: N818
     """Bytes came back that cannot be the reply: wrong CRC, length, echo or content."""
 
 
@@ -49,7 +49,7 @@ _REASONS = {
 }
 
 
-class Rejected(TrexError):  # noqa: N818
+class Rejected(StudioError):  # noqa: N818
     """The board understood a write and refused it.
 
     Attributes:

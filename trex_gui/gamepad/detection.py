@@ -7,7 +7,7 @@ FAR = 0.5
 """How far an axis must leave where it stood to be meant; half its way to an end."""
 
 
-class Detection:
+class InputDetector:
     """Compares with how the gamepad stood when it was asked; triggers rest at an end."""
 
     def __init__(self, start: PadState) -> None:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from trex_gui.gamepad.pads import PadState
-from trex_gui.gamepad.profile import Axis, Profile, Style
+from trex_gui.gamepad.profile import Axis, GamepadProfile, Style
 from trex_gui.gamepad.shaping import is_at_rest, shape
 
 
@@ -19,7 +19,7 @@ class Waits(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Ask:
+class PilotRequest:
     """What a gamepad asks for at a moment.
 
     Attributes:
@@ -47,7 +47,7 @@ class Pilot:
     seen at rest before they count, and the button must go down after `begin`.
     """
 
-    def __init__(self, profile: Profile) -> None:
+    def __init__(self, profile: GamepadProfile) -> None:
         self._profile = profile
         self._stop_was_down = False
         self.begin()
@@ -57,7 +57,7 @@ class Pilot:
         self._rested: set[int] = set()
         self._released = False
 
-    def take(self, state: PadState) -> Ask:
+    def take(self, state: PadState) -> PilotRequest:
         """Take what the gamepad shows now."""
         profile = self._profile
         for axis in (profile.first, profile.second):
@@ -70,8 +70,8 @@ class Pilot:
         self._stop_was_down = stop_is_down
         waits = self._waits(state, moved=bool(first or second))
         if profile.style is Style.TANK:
-            return Ask((first + second) / 2, (first - second) / 2, waits, stop)
-        return Ask(first, second, waits, stop)
+            return PilotRequest((first + second) / 2, (first - second) / 2, waits, stop)
+        return PilotRequest(first, second, waits, stop)
 
     def _wish(self, axis: Axis, state: PadState) -> float:
         if axis.number not in self._rested:

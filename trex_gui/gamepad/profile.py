@@ -26,7 +26,7 @@ class Axis:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Profile:
+class GamepadProfile:
     """What drives, and what must be held for it.
 
     Attributes:
@@ -68,20 +68,20 @@ class Profile:
         )
 
 
-def default_profile(pad: Pad) -> Profile:
+def default_profile(pad: Pad) -> GamepadProfile:
     """The left stick drives while the left shoulder button is held; the right of four stops.
 
     Where SDL does not know the kind, buttons have numbers only: the usual ones are taken, and
     with too few buttons the last one is held.
     """
-    usual = Profile()
+    usual = GamepadProfile()
     forward, turn = pad.axis_of("lefty"), pad.axis_of("leftx")
     hold, stop = pad.button_of("leftshoulder"), pad.button_of("b")
     if hold is None and pad.buttons:
         hold = min(4, pad.buttons - 1)
     if stop is None and pad.buttons > 1 and hold != 1:
         stop = 1
-    return Profile(
+    return GamepadProfile(
         first=usual.first if forward is None else Axis(forward, inverted=True),
         second=usual.second if turn is None else Axis(turn),
         hold=hold,
@@ -89,11 +89,11 @@ def default_profile(pad: Pad) -> Profile:
     )
 
 
-def read_profile(text: str) -> Profile | None:
-    """Read what `Profile.to_text` wrote; `None` where somebody has written something else."""
+def read_profile(text: str) -> GamepadProfile | None:
+    """Read what `GamepadProfile.to_text` wrote; `None` for any other text."""
     try:
         found = json.loads(text)
-        return Profile(
+        return GamepadProfile(
             style=Style(found["style"]),
             first=_axis(found["first"]),
             second=_axis(found["second"]),

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 
-class Stopper(QObject):
+class StopBroadcaster(QObject):
     """Sends a stop without asking the window's thread, which may be busy, hung or dead.
 
     `stop_now` must be safe in any thread. Whoever hears of a stop may make a mistake, and each

@@ -21,7 +21,7 @@ def slept_so_far() -> float:
     return time.clock_gettime(boottime) - time.monotonic() if boottime is not None else 0.0
 
 
-class WakeWatch(QObject):
+class SuspendDetector(QObject):
     """Looks twice a second.
 
     Signals:

@@ -7,13 +7,13 @@ import pytest
 from tests.core.discovery.test_scan import VIRTUAL, nobody, search
 from tests.devices.trex.discovery.test_prober import wire_of
 from tests.devices.trex.simulator.ports import a_board
-from trex_gui.core.discovery.prober import Seek, Seeker
-from trex_gui.core.discovery.scan import search_port
+from trex_gui.core.discovery.prober import Prober, ProberInfo
+from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 
-def odd(settings: LinkSettings, *, full: bool, known: bool) -> Seeker:
+def odd(settings: LinkSettings, *, full: bool, known: bool) -> Prober:
     raise ZeroDivisionError("on purpose")
 
 
@@ -22,7 +22,7 @@ def test_internal_error_in_search_is_reported_and_closes_port(
 ) -> None:
     wire = wire_of(a_board())
     with caplog.at_level(logging.ERROR):
-        found = search(wire, {"one": nobody([], "One"), "odd": Seek("Odd", odd)})
+        found = search(wire, {"one": nobody([], "One"), "odd": ProberInfo("Odd", odd)})
     assert found.is_fault
     assert not found.found
     assert found.lines == [
@@ -36,6 +36,6 @@ def test_internal_error_in_opening_port_is_reported(caplog: pytest.LogCaptureFix
     def open_wire(_settings: LinkSettings) -> Transport:
         raise LookupError("on purpose")
 
-    found = search_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=open_wire)
+    found = scan_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=open_wire)
     assert found.is_fault
     assert "LookupError: on purpose" in str(found.error)

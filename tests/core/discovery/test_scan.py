@@ -6,12 +6,12 @@ import pytest
 
 from tests.devices.trex.discovery.test_prober import Wire, wire_of
 from tests.devices.trex.simulator.ports import a_board
-from trex_gui.core.discovery.prober import Seek, Step, Telling, Verdict
-from trex_gui.core.discovery.scan import PortSearch, order, search_port
+from trex_gui.core.discovery.prober import Diagnosis, Evidence, ProberInfo, ScanProgress
+from trex_gui.core.discovery.scan import PortScan, order, scan_port
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.discovery.probe import RINSE, RINSE_LINE
-from trex_gui.devices.trex.discovery.prober import SEEK_TREX
+from trex_gui.devices.trex.discovery.probe import FLUSH_BYTE, FLUSH_LINE
+from trex_gui.devices.trex.discovery.prober import TREX_PROBER
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
@@ -25,39 +25,41 @@ class Deaf:
     found = ()
     is_over = False
 
-    def __init__(self, noted: list[str], name: str, verdict: Verdict) -> None:
+    def __init__(self, noted: list[str], name: str, diagnosis: Diagnosis) -> None:
         self._noted = noted
         self._name = name
-        self._verdict = verdict
+        self._verdict = diagnosis
 
-    def overhear(self, line: LineSettings, data: bytes) -> None:
+    def note_unsolicited(self, line: LineSettings, data: bytes) -> None:
         self._noted.append(f"{self._name} hears {data!r} at {line.baud}")
 
     def ask(
         self,
         wire: Transport,
         part: int,
-        progress: Callable[[Step], None],
+        progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
         for done in range(self.parts[part]):
             if cancelled():
                 return
-            progress(Step(done, self.parts[part], LineSettings()))
+            progress(ScanProgress(done, self.parts[part], LineSettings()))
         self._noted.append(f"{self._name} {part}")
 
-    def verdict(self) -> Verdict:
+    def diagnosis(self) -> Diagnosis:
         return self._verdict
 
 
-def nobody(noted: list[str], name: str, telling: Telling = Telling.SILENCE) -> Seek:
-    verdict = Verdict(telling, f"No {name}.")
-    talks_at = LineSettings(38400) if name == "Talker" else None
-    return Seek(name, lambda _settings, *, full, known: Deaf(noted, name, verdict), talks_at)
+def nobody(noted: list[str], name: str, telling: Evidence = Evidence.SILENCE) -> ProberInfo:
+    diagnosis = Diagnosis(telling, f"No {name}.")
+    announces_at = LineSettings(38400) if name == "Talker" else None
+    return ProberInfo(
+        name, lambda _settings, *, full, known: Deaf(noted, name, diagnosis), announces_at
+    )
 
 
-def search(wire: Wire, seeks: dict[str, Seek], first: str | None = None) -> PortSearch:
-    return search_port(VIRTUAL, seeks, first=first, open_wire=lambda _settings: wire)
+def search(wire: Wire, seeks: dict[str, ProberInfo], first: str | None = None) -> PortScan:
+    return scan_port(VIRTUAL, seeks, first=first, open_wire=lambda _settings: wire)
 
 
 def test_likely_settings_of_all_kinds_come_first() -> None:
@@ -83,17 +85,17 @@ def test_search_follows_order_and_opens_port_once() -> None:
         return wire
 
     seeks = {"one": nobody(noted, "One"), "two": nobody(noted, "Two")}
-    search_port(VIRTUAL, seeks, first="two", open_wire=open_wire)
+    scan_port(VIRTUAL, seeks, first="two", open_wire=open_wire)
     assert noted == ["Two 0", "One 0", "Two 1", "One 1"]
-    assert [settings.line for settings in opened] == [RINSE_LINE]
+    assert [settings.line for settings in opened] == [FLUSH_LINE]
     assert wire.closed
 
 
 def test_progress_counts_probes_and_names_device_kind() -> None:
-    steps: list[Step] = []
+    steps: list[ScanProgress] = []
     wire = wire_of(a_board())
     seeks = {"one": nobody([], "One"), "two": nobody([], "Two")}
-    search_port(VIRTUAL, seeks, progress=steps.append, open_wire=lambda _settings: wire)
+    scan_port(VIRTUAL, seeks, progress=steps.append, open_wire=lambda _settings: wire)
     assert [step.done for step in steps] == list(range(10))
     assert {step.total for step in steps} == {10}
     assert [step.kind for step in steps] == ["One"] * 2 + ["Two"] * 2 + ["One"] * 3 + ["Two"] * 3
@@ -101,7 +103,7 @@ def test_progress_counts_probes_and_names_device_kind() -> None:
 
 def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
     noted: list[str] = []
-    seeks = {"trex": SEEK_TREX, "other": nobody(noted, "Other")}
+    seeks = {"trex": TREX_PROBER, "other": nobody(noted, "Other")}
     wire = wire_of(a_board(settings=LineSettings(57600).to_wire()))
     result = search(wire, seeks)
     assert (result.device, [found.name for found in result.found]) == ("trex", ["TReX 1.2"])
@@ -112,7 +114,7 @@ def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
 
 def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
     noted: list[str] = []
-    seeks = {"trex": SEEK_TREX, "other": nobody(noted, "Other")}
+    seeks = {"trex": TREX_PROBER, "other": nobody(noted, "Other")}
     result = search(wire_of(a_board(settings=LineSettings(4800).to_wire())), seeks)
     assert result.found[0].settings.line == LineSettings(4800)
     assert noted == ["Other 0"]
@@ -120,7 +122,7 @@ def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
 
 def test_unsolicited_data_is_heard_at_rate_declared_by_kind() -> None:
     noted: list[str] = []
-    seeks = {"trex": SEEK_TREX, "talker": nobody(noted, "Talker")}
+    seeks = {"trex": TREX_PROBER, "talker": nobody(noted, "Talker")}
     board = a_board()
     board.power_off()
     wire = wire_of(board)
@@ -134,10 +136,10 @@ def test_unsolicited_data_is_heard_at_rate_declared_by_kind() -> None:
 def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
     seeks = {
         "silent": nobody([], "Silent"),
-        "known": nobody([], "Known", Telling.KNOWN),
-        "echo": nobody([], "Echo", Telling.ECHO),
+        "known": nobody([], "Known", Evidence.KNOWN),
+        "echo": nobody([], "Echo", Evidence.ECHO),
         "mute": nobody([], "Mute"),
-        "strange": nobody([], "Strange", Telling.STRANGE),
+        "strange": nobody([], "Strange", Evidence.STRANGE),
     }
     assert search(wire_of(a_board()), seeks).lines == [
         "No Known.",
@@ -149,10 +151,10 @@ def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
 
 
 def test_cancelled_search_is_reported_as_cancelled() -> None:
-    steps: list[Step] = []
+    steps: list[ScanProgress] = []
     noted: list[str] = []
     wire = wire_of(a_board())
-    result = search_port(
+    result = scan_port(
         VIRTUAL,
         {"one": nobody(noted, "One"), "two": nobody(noted, "Two")},
         progress=steps.append,
@@ -168,13 +170,13 @@ def test_unopened_port_reports_only_its_error() -> None:
     def refuse(settings: LinkSettings) -> Wire:
         raise PortUnavailable("It is in use by a terminal.")
 
-    result = search_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=refuse)
+    result = scan_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=refuse)
     assert result.lines == ["It is in use by a terminal."]
     assert not result.cancelled
 
 
-@pytest.mark.parametrize("telling", [Telling.SILENCE, Telling.STRANGE])
-def test_port_loss_is_reported_before_evidence(telling: Telling) -> None:
+@pytest.mark.parametrize("telling", [Evidence.SILENCE, Evidence.STRANGE])
+def test_port_loss_is_reported_before_evidence(telling: Evidence) -> None:
     wire = wire_of(a_board())
 
     class Puller(Deaf):
@@ -182,13 +184,13 @@ def test_port_loss_is_reported_before_evidence(telling: Telling) -> None:
             self,
             wire: Transport,
             part: int,
-            progress: Callable[[Step], None],
+            progress: Callable[[ScanProgress], None],
             cancelled: Callable[[], bool],
         ) -> None:
             raise PortUnavailable("It is gone.")
 
-    verdict = Verdict(telling, "No Two.")
-    pulled = Seek("Two", lambda _settings, *, full, known: Puller([], "Two", verdict))
+    diagnosis = Diagnosis(telling, "No Two.")
+    pulled = ProberInfo("Two", lambda _settings, *, full, known: Puller([], "Two", diagnosis))
     result = search(wire, {"one": nobody([], "One", telling), "two": pulled})
     heard = ["No One.", "No Two."] if telling else []
     assert result.lines == ["It is gone.", *heard]
@@ -198,15 +200,15 @@ def test_port_loss_is_reported_before_evidence(telling: Telling) -> None:
 def test_search_ends_with_flush_byte_and_default_settings() -> None:
     wire = wire_of(a_board())
     search(wire, {"one": nobody([], "One")})
-    assert bytes(wire.sent) == RINSE
+    assert bytes(wire.sent) == FLUSH_BYTE
     assert wire.tuned[-1] == LineSettings()
 
 
 def test_found_board_is_sent_no_flush_byte() -> None:
     """A byte at another rate would leave it with an error that it shows from then on."""
     wire = wire_of(a_board())
-    search(wire, {"trex": SEEK_TREX})
-    assert not bytes(wire.sent).endswith(RINSE)
+    search(wire, {"trex": TREX_PROBER})
+    assert not bytes(wire.sent).endswith(FLUSH_BYTE)
 
 
 def test_unsupported_baud_rates_are_reported() -> None:
@@ -214,7 +216,7 @@ def test_unsupported_baud_rates_are_reported() -> None:
     board.power_off()
     wire = wire_of(board)
     wire.unable = frozenset({14400, 76800})
-    (line,) = search(wire, {"trex": SEEK_TREX}).lines
+    (line,) = search(wire, {"trex": TREX_PROBER}).lines
     assert "cannot be set to 14400, 76800 baud" in line
 
 
@@ -224,22 +226,22 @@ def test_report_counts_rates_with_unknown_replies() -> None:
     wire = wire_of(board)
     read = wire.read
     wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
-    (line,) = search(wire, {"trex": SEEK_TREX}).lines
+    (line,) = search(wire, {"trex": TREX_PROBER}).lines
     assert "45 52 52 came at 1200 baud" in line
     assert "something at 88 more" in line
 
 
 def test_port_without_flush_rate_is_reported_and_closed() -> None:
     wire = wire_of(a_board())
-    tune = wire.tune
+    reconfigure = wire.reconfigure
 
     def tune_fast(line: LineSettings) -> None:
-        if line == RINSE_LINE:
+        if line == FLUSH_LINE:
             raise BadRequest("the port cannot be set to 1200 baud")
-        tune(line)
+        reconfigure(line)
 
-    wire.tune = tune_fast  # type: ignore[method-assign]
-    result = search(wire, {"trex": SEEK_TREX})
+    wire.reconfigure = tune_fast  # type: ignore[method-assign]
+    result = search(wire, {"trex": TREX_PROBER})
     assert not result.device
     assert result.lines
     assert wire.closed

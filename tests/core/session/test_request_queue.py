@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.session.request_queue import QueueInbox
+from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.devices.trex.session.messages import Stop
 
 
@@ -22,7 +22,7 @@ class WatchedCondition(threading.Condition):
 
 
 def test_empty_inbox_waits_for_its_timeout(virtual_time: VirtualRuntime) -> None:
-    inbox = QueueInbox(virtual_time.condition())
+    inbox = RequestQueue(virtual_time.condition())
     begun = virtual_time.now()
     ended: list[float] = []
 
@@ -39,7 +39,7 @@ def test_empty_inbox_waits_for_its_timeout(virtual_time: VirtualRuntime) -> None
 @pytest.mark.realtime
 def test_request_wakes_waiting_reader() -> None:
     condition = WatchedCondition()
-    inbox = QueueInbox(condition)
+    inbox = RequestQueue(condition)
     taken: list[object] = []
     reader = threading.Thread(target=lambda: taken.append(inbox.get(600.0)), daemon=True)
     reader.start()
@@ -50,7 +50,7 @@ def test_request_wakes_waiting_reader() -> None:
 
 
 def test_requests_are_taken_in_order() -> None:
-    inbox = QueueInbox()
+    inbox = RequestQueue()
     for number in range(3):
         inbox.put(Stop(number))
     assert [inbox.get(0.0), inbox.get(0.01), inbox.get(1e-6)] == [Stop(0), Stop(1), Stop(2)]
@@ -65,7 +65,7 @@ def test_very_short_wait_ends(seconds: float) -> None:
 
     def wait() -> None:
         for number in range(rounds):
-            inbox = QueueInbox()
+            inbox = RequestQueue()
             assert inbox.get(seconds) is None
             inbox.put(Stop(number))
             assert inbox.get(seconds) == Stop(number)

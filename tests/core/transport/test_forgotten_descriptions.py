@@ -1,10 +1,10 @@
 """What a row means is asked in one thread while another one has it said anew."""
 
-from trex_gui.core.transport.transactions import Exchange, Words
-from trex_gui.devices.trex.session.traffic_decoder import TrexWording
+from trex_gui.core.transport.transactions import Decoded, Transaction
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 
 
-class ForgottenMeanwhile(Exchange):
+class ForgottenMeanwhile(Transaction):
     """A row whose meaning is forgotten right behind each look at it."""
 
     def __getattribute__(self, name: str) -> object:
@@ -16,6 +16,6 @@ class ForgottenMeanwhile(Exchange):
 
 def test_row_is_decoded_while_cache_is_cleared() -> None:
     row = ForgottenMeanwhile(1, 0.0, note="The line was opened.", is_over=True)
-    row.words = Words("said before")
-    assert TrexWording().words_of(row) == Words("said before")
-    assert TrexWording().words_of(row) == Words("The line was opened.")
+    row.words = Decoded("said before")
+    assert TrexDecoder().decoded(row) == Decoded("said before")
+    assert TrexDecoder().decoded(row) == Decoded("The line was opened.")

@@ -16,7 +16,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport import port_rates
 from trex_gui.core.transport.port_rates import rates_of
 from trex_gui.core.transport.serial_port import SerialTransport
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
@@ -63,7 +63,7 @@ def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice) ->
     before = port_rates._get(transport._port.fileno())
     transport.rates()
     assert port_rates._get(transport._port.fileno()) == before
-    client = Client(transport, replace(settings, timeouts=Timeouts(extra=15)))
+    client = TrexClient(transport, replace(settings, timeouts=Timeouts(extra=15)))
     assert str(client.request(GetSignature())) == "TReX 1.2"
     transport.close()
 
@@ -80,8 +80,8 @@ def test_pseudo_terminal_can_be_reconfigured_repeatedly(
     ):
         for _ in range(2):
             transport = SerialTransport(LinkSettings(terminal[1], line))
-            transport.tune(LineSettings(1200))
-            transport.tune(line)
+            transport.reconfigure(LineSettings(1200))
+            transport.reconfigure(line)
             transport.close()
 
 
@@ -165,6 +165,6 @@ def test_failed_reconfiguration_raises_matching_error(
         with monkeypatch.context() as patched:
             patched.setattr(transport._port, "_reconfigure_port", fail)
             with pytest.raises(kind):
-                transport.tune(LineSettings(76800))
-        transport.tune(LineSettings())
+                transport.reconfigure(LineSettings(76800))
+        transport.reconfigure(LineSettings())
     transport.close()

@@ -7,39 +7,45 @@ import pytest
 from tests.devices.trex.session.helpers import run_for
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.core.transport.traffic_log import Piece, Tape, TapedTransport, Way, taped
+from trex_gui.core.transport.traffic_log import (
+    LoggingTransport,
+    TrafficDirection,
+    TrafficEvent,
+    TrafficLog,
+    logged,
+)
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.session.messages import Closed, Connected, SetDrive
-from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.session.messages import Closed, Connected, SetMotor
+from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
 
 SETTINGS = LinkSettings("virtual")
 
 
-def bytes_of(pieces: list[Piece], way: Way) -> bytes:
+def bytes_of(pieces: list[TrafficEvent], way: TrafficDirection) -> bytes:
     return b"".join(piece.data for piece in pieces if piece.way is way)
 
 
-def texts_of(pieces: list[Piece]) -> list[str]:
-    return [piece.text for piece in pieces if piece.way is Way.LINE]
+def texts_of(pieces: list[TrafficEvent]) -> list[str]:
+    return [piece.text for piece in pieces if piece.way is TrafficDirection.LINE]
 
 
-def run_taped(stage: Stage, seconds: float) -> list[Piece]:
+def run_taped(stage: Stage, seconds: float) -> list[TrafficEvent]:
     """Run a session whose line is noted; return what was noted."""
-    tape = Tape()
+    tape = TrafficLog()
     stage.script.at(seconds, lambda: None)
-    open_taped = taped(tape, lambda _settings: stage.transport, stage.transport.clock)
-    Session(SETTINGS, stage.script, stage.reports.append, open_taped).run()
+    open_taped = logged(tape, lambda _settings: stage.transport, stage.transport.clock)
+    TrexSession(SETTINGS, stage.script, stage.reports.append, open_taped).run()
     return tape.take()
 
 
 def test_sent_and_received_bytes_are_logged_in_order(stage: Stage) -> None:
-    stage.script.at(1.0, SetDrive(1, Drive.at(40)))
+    stage.script.at(1.0, SetMotor(1, Drive.at(40)))
     pieces = run_taped(stage, 2.0)
-    assert bytes_of(pieces, Way.SENT) == bytes(stage.transport.sent)
-    assert b"TReX1.2" in bytes_of(pieces, Way.RECEIVED)
+    assert bytes_of(pieces, TrafficDirection.SENT) == bytes(stage.transport.sent)
+    assert b"TReX1.2" in bytes_of(pieces, TrafficDirection.RECEIVED)
     assert [piece.time for piece in pieces] == sorted(piece.time for piece in pieces)
     assert texts_of(pieces)[0] == f"Opened {SETTINGS.text()}."
     assert texts_of(pieces)[-1] == "Closed."
@@ -60,16 +66,16 @@ def test_failed_opening_of_port_is_logged() -> None:
     def refuse(_settings: LinkSettings) -> VirtualTransport:
         raise PortUnavailable("It is in use.")
 
-    tape = Tape()
+    tape = TrafficLog()
     with pytest.raises(PortUnavailable):
-        taped(tape, refuse)(SETTINGS)
+        logged(tape, refuse)(SETTINGS)
     assert texts_of(tape.take()) == ["It is in use."]
 
 
 @pytest.mark.parametrize("act", ["write", "read"])
 def test_port_loss_is_logged(stage: Stage, act: str) -> None:
-    tape = Tape()
-    line = TapedTransport(stage.transport, SETTINGS, tape)
+    tape = TrafficLog()
+    line = LoggingTransport(stage.transport, SETTINGS, tape)
     stage.transport.fail = PortUnavailable("The line is gone.")
     with pytest.raises(PortUnavailable):
         line.write(b"\x81") if act == "write" else line.read(1, 0.1)
@@ -77,12 +83,12 @@ def test_port_loss_is_logged(stage: Stage, act: str) -> None:
 
 
 def test_new_line_settings_are_logged_once(stage: Stage) -> None:
-    tape = Tape()
-    line = TapedTransport(stage.transport, SETTINGS, tape)
+    tape = TrafficLog()
+    line = LoggingTransport(stage.transport, SETTINGS, tape)
     other = LineSettings(57600, Detection.CRC7)
-    line.tune(SETTINGS.line)
-    line.tune(other)
-    line.tune(other)
+    line.reconfigure(SETTINGS.line)
+    line.reconfigure(other)
+    line.reconfigure(other)
     noted = tape.take()
     assert [piece.text for piece in noted] == [f"Set to {other.text()}."]
     assert noted[0].settings is not None
@@ -90,11 +96,11 @@ def test_new_line_settings_are_logged_once(stage: Stage) -> None:
 
 
 def test_unread_traffic_log_is_bounded_and_counts_losses() -> None:
-    tape = Tape()
+    tape = TrafficLog()
     for number in range(60_000):
-        tape.note(Piece(float(number), Way.SENT, b"\xff"))
+        tape.note(TrafficEvent(float(number), TrafficDirection.SENT, b"\xff"))
     kept = tape.take()
     assert len(kept) + tape.lost == 60_000
     assert kept[0].time == 0.0
-    tape.note(Piece(1.0, Way.SENT, b"\xff"))
+    tape.note(TrafficEvent(1.0, TrafficDirection.SENT, b"\xff"))
     assert len(tape.take()) == 1

@@ -12,8 +12,8 @@ from tests.support.talk import (
     rows_of,
     told,
 )
-from trex_gui.core.transport.traffic_log import Piece, Way
-from trex_gui.core.transport.transactions import Assembler
+from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
+from trex_gui.core.transport.transactions import TransactionAssembler
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     GetMode,
@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.session.traffic_decoder import TrexWording
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 
 CRC = LinkSettings("virtual", line=LineSettings(19200, Detection.CRC7))
 
@@ -76,21 +76,21 @@ TREX: list[tuple[Said, str, bool]] = [
 
 @pytest.mark.parametrize(("said", "text", "is_fault"), TREX, ids=lambda value: str(value)[:40])
 def test_trex_exchange_is_decoded(said: Said, text: str, is_fault: bool) -> None:
-    assert told(TrexWording(), pieces_of([said])) == [(text, is_fault)]
+    assert told(TrexDecoder(), pieces_of([said])) == [(text, is_fault)]
 
 
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
 def test_fragmented_bytes_decode_to_same_rows(talk: list[tuple[Said, str, bool]], cut: int) -> None:
     # Bytes behind an answer that is whole begin a row of their own, wherever they were cut.
     said = [one[0] for one in talk if one[0][0] and not one[2]]
-    whole = told(TrexWording(), pieces_of(said))
-    assert told(TrexWording(), pieces_of(said, cut)) == whole
+    whole = told(TrexDecoder(), pieces_of(said))
+    assert told(TrexDecoder(), pieces_of(said, cut)) == whole
     assert len(whole) == len(said)
 
 
 def test_every_byte_appears_in_exactly_one_row() -> None:
     said = [one[0] for one in TREX]
-    rows = rows_of(TrexWording(), pieces_of(said, 1))
+    rows = rows_of(TrexDecoder(), pieces_of(said, 1))
     assert b"".join(row.sent for row in rows) == b"".join(sent for sent, _ in said)
     assert b"".join(row.received for row in rows) == b"".join(received for _, received in said)
 
@@ -103,24 +103,29 @@ def test_reply_with_wrong_crc_is_decoded_as_fault(
     sent = Framing(number, CRC.polynomial).encode(command)
     answer = {GetSignature: b"TReX1.2", GetMode: b"r", SetParameter: b"\x00"}[type(command)]
     good = answer + bytes([crc7(answer, CRC.polynomial)])
-    ((_, is_fault),) = told(TrexWording(), pieces_of([(sent, good)], settings=CRC))
+    ((_, is_fault),) = told(TrexDecoder(), pieces_of([(sent, good)], settings=CRC))
     assert not is_fault
     bad = answer + bytes([good[-1] ^ 1])
-    ((text, is_fault),) = told(TrexWording(), pieces_of([(sent, bad)], settings=CRC))
+    ((text, is_fault),) = told(TrexDecoder(), pieces_of([(sent, bad)], settings=CRC))
     assert is_fault
     assert "the CRC is" in text
 
 
 def test_late_bytes_are_assigned_to_their_request() -> None:
-    assembler = Assembler(TrexWording())
-    assembler.feed([Piece(1.0, Way.SENT, b"\x81"), Piece(1.1, Way.RECEIVED, b"TRe")])
-    (row,) = assembler.feed([Piece(1.4, Way.RECEIVED, b"X1.2")])
+    assembler = TransactionAssembler(TrexDecoder())
+    assembler.feed(
+        [
+            TrafficEvent(1.0, TrafficDirection.SENT, b"\x81"),
+            TrafficEvent(1.1, TrafficDirection.RECEIVED, b"TRe"),
+        ]
+    )
+    (row,) = assembler.feed([TrafficEvent(1.4, TrafficDirection.RECEIVED, b"X1.2")])
     assert row.received == b"TReX1.2"
     assert row.seconds == pytest.approx(0.4)
 
 
 def test_decoded_units_are_those_of_board_model() -> None:
-    wording = TrexWording()
+    wording = TrexDecoder()
     junior = device_table().model("trexjr")
     wording.board = Signature(junior, "1.2")
     ((text, _),) = told(wording, pieces_of([(b"\x8f", b"\x0a\x00")]))
@@ -130,27 +135,32 @@ def test_decoded_units_are_those_of_board_model() -> None:
 def test_polls_are_distinguished_from_user_requests() -> None:
     polled = [b"\x82", b"\x86\x1f", b"\x8f", b"\xff", b"\x80\x07\x04"]
     asked = [b"\x81", b"\x9f\x07", b"\xc2\x00", b"\xaf\x07\x0f\x55\x2a", b"\x80\x07\x42\x00"]
-    assert all(map(TrexWording().is_routine, polled))
-    assert not any(map(TrexWording().is_routine, asked))
+    assert all(map(TrexDecoder().is_routine, polled))
+    assert not any(map(TrexDecoder().is_routine, asked))
 
 
 @given(STRANGE_TALK, st.integers(1, 24))
 def test_arbitrary_bytes_can_be_decoded(talk: list[Said], cut: int) -> None:
-    assert_sayable(TrexWording(), pieces_of(talk, cut))
+    assert_sayable(TrexDecoder(), pieces_of(talk, cut))
 
 
 @pytest.mark.parametrize("sent", [b"\x84", b"\x85", b"\x8d"])
 def test_echo_is_not_taken_for_reply(sent: bytes) -> None:
-    assembler = Assembler(TrexWording())
+    assembler = TransactionAssembler(TrexDecoder())
     assembler.note_settings(LinkSettings("virtual"), echo=True)
-    (row,) = assembler.feed([Piece(1.0, Way.SENT, sent), Piece(1.1, Way.RECEIVED, sent)])
+    (row,) = assembler.feed(
+        [
+            TrafficEvent(1.0, TrafficDirection.SENT, sent),
+            TrafficEvent(1.1, TrafficDirection.RECEIVED, sent),
+        ]
+    )
     row.is_over = True
-    words = TrexWording().words_of(row)
+    words = TrexDecoder().decoded(row)
     assert words.is_fault
     assert words.text.endswith("only its echo came back")
     whole = [
-        Piece(2.0, Way.SENT, sent),
-        Piece(2.1, Way.RECEIVED, sent),
-        Piece(2.2, Way.RECEIVED, b"\0"),
+        TrafficEvent(2.0, TrafficDirection.SENT, sent),
+        TrafficEvent(2.1, TrafficDirection.RECEIVED, sent),
+        TrafficEvent(2.2, TrafficDirection.RECEIVED, b"\0"),
     ]
     assert assembler.feed(whole)[-1].received == sent + b"\0"

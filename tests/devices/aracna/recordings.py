@@ -27,9 +27,9 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.devices.trex.recording.recording import Marker
-from trex_gui.ui.playback.recording_loader import Gathered
+from trex_gui.ui.playback.recording_loader import LoadedRecording
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.workers.file_worker import Tell
+from trex_gui.ui.workers.file_worker import ProgressCallback
 
 MOTORS = 8
 HEADER = Header(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 1234.5, version=1, motors=MOTORS)
@@ -113,12 +113,12 @@ def hang(monkeypatch: pytest.MonkeyPatch) -> None:
 
     A large file would not do: the loading might end while the window is busy.
     """
-    gatherer = RobotPlayback.gatherer
+    loader = RobotPlayback.loader
 
-    def hanging(playback: RobotPlayback) -> Callable[[Tell], Gathered[Any]]:
-        gather = gatherer(playback)
+    def hanging(playback: RobotPlayback) -> Callable[[ProgressCallback], LoadedRecording[Any]]:
+        gather = loader(playback)
 
-        def tell_and_hang(tell: Tell, share: float) -> None:
+        def tell_and_hang(tell: ProgressCallback, share: float) -> None:
             tell(share)
             while share > 0.1:
                 runtime().sleep(0.01)
@@ -126,7 +126,7 @@ def hang(monkeypatch: pytest.MonkeyPatch) -> None:
 
         return lambda tell: gather(partial(tell_and_hang, tell))
 
-    monkeypatch.setattr(RobotPlayback, "gatherer", hanging)
+    monkeypatch.setattr(RobotPlayback, "loader", hanging)
 
 
 def loader_thread(playback: RobotPlayback) -> QThread:

@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
 from trex_gui.devices.trex.model.calibration.moves import Handle
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.views.pages.calibration import page
@@ -29,12 +29,12 @@ class CalibrationPage(WidgetDriver):
 
     def connect(self, url: str) -> None:
         self.device.connect_to(LinkSettings(url))
-        self.wait(lambda: self.device.link is Link.UP)
+        self.wait(lambda: self.device.link is ConnectionState.UP)
         self.wait(lambda: self.device.telemetry.raw is not None)
 
     def disconnect(self) -> None:
         self.device.disconnect_line()
-        self.wait(lambda: self.device.link is Link.NONE)
+        self.wait(lambda: self.device.link is ConnectionState.NONE)
 
     # --- Read ---------------------------------------------------------------------------
 

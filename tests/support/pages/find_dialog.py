@@ -5,14 +5,14 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.ui.devices.scanner import Finder
+from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.frame.find_dialog import FindDialog
 
 
 class FindBoardDialog(WidgetDriver):
     """The dialog, in the main window or by itself."""
 
-    def __init__(self, dialog: FindDialog, finder: Finder, qtbot: QtBot) -> None:
+    def __init__(self, dialog: FindDialog, finder: DeviceScanner, qtbot: QtBot) -> None:
         super().__init__(dialog, qtbot)
         self.finder = finder
 

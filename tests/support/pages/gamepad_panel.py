@@ -11,7 +11,7 @@ from tests.support.pads import HeldPads
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.driving.gamepad_panel import GamepadPanel
-from trex_gui.gamepad.profile import Profile
+from trex_gui.gamepad.profile import GamepadProfile
 
 Y = 1
 """The axis that drives forward."""
@@ -30,7 +30,7 @@ class GamepadPanelPage(WidgetDriver, Generic[PadsT]):
         self.pads = pads
 
     @property
-    def profile(self) -> Profile:
+    def profile(self) -> GamepadProfile:
         return self.gamepad.profile
 
     def activate(self) -> None:

@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick, Transmitter
 from tests.support.window import TIMEOUT_MS, WidgetDriver
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -200,7 +200,7 @@ def learning_dialog(
     theme().install(app)
     device = Device()
     device.connect_to(LinkSettings(simulator.url, line or LineSettings()))
-    qtbot.waitUntil(lambda: device.link is Link.UP, timeout=TIMEOUT_MS)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.UP, timeout=TIMEOUT_MS)
     dialog = LearnDialog(Learning(device, device))
     qtbot.addWidget(dialog)
     try:

@@ -23,7 +23,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.composition import Program
 from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 
 ROBOT_PAGE, POSES_PAGE, LOG_PAGE = range(3)
 
@@ -47,7 +47,7 @@ class RobotWindow(WindowDriver):
         self.robot.reported.connect(self._note)
 
     def _count_silences(self) -> None:
-        if self.robot.link is Link.SILENT:
+        if self.robot.link is ConnectionState.SILENT:
             self._silences += 1
 
     def _note(self, report: object) -> None:
@@ -65,7 +65,7 @@ class RobotWindow(WindowDriver):
 
     def is_idle(self) -> bool:
         """Return whether no device is connected."""
-        return self.program.switchboard.is_idle
+        return self.program.device_manager.is_idle
 
     def choose_demo(self, kind: str = "aracna") -> None:
         """Choose a simulated device in the list of ports and wait until it is read."""
@@ -75,7 +75,7 @@ class RobotWindow(WindowDriver):
     def wait_until_up(self, kind: str = "aracna") -> None:
         """Wait until the TReX or the Aracna is read."""
         model = self.device if kind == "trex" else self.robot
-        self.wait(lambda: model.link is Link.UP)
+        self.wait(lambda: model.link is ConnectionState.UP)
 
     def press_connect(self, kind: str = "aracna") -> None:
         """Press Connect and wait until the device is read."""

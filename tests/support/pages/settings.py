@@ -11,11 +11,11 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
 from trex_gui.devices.trex.views.history import dialog as history_dialog
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
-from trex_gui.ui.widgets.inline_prompt import Question
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt
 
 
 class ComparisonDialog(WidgetDriver):
@@ -81,11 +81,11 @@ class SimulatedPower:
 
     def off(self) -> None:
         self._simulator.do("power off")
-        self._window.wait(lambda: self._window.device.link is Link.SILENT)
+        self._window.wait(lambda: self._window.device.link is ConnectionState.SILENT)
 
     def on(self) -> None:
         self._simulator.do("power on")
-        self._window.wait(lambda: self._window.device.link is Link.UP)
+        self._window.wait(lambda: self._window.device.link is ConnectionState.UP)
 
     def cycle(self) -> None:
         self.off()
@@ -110,7 +110,7 @@ class SettingsFiles:
 
     def __init__(self, window: WindowDriver) -> None:
         self._window = window
-        self.files = window.program.desk.files
+        self.files = window.program.workspace.files
 
     def load(self, path: Path, data: str | bytes | None = None) -> LoadDialog:
         """Open a file, written with `data` before if given; return the dialog that it opens."""
@@ -172,8 +172,8 @@ class HistoryDialog(ComparisonDialog):
         return self.find(QTableView, "snapshotView")
 
     @property
-    def question(self) -> Question:
-        return self.find(Question, "historyQuestion")
+    def question(self) -> InlinePrompt:
+        return self.find(InlinePrompt, "historyQuestion")
 
     @property
     def banner(self) -> str:

@@ -3,35 +3,35 @@
 import pytest
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.ui.devices.device_kind import Kind
-from trex_gui.ui.devices.device_manager import Switchboard
+from trex_gui.ui.devices.device_kind import DeviceKind
+from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind
 
 
 class FakeDevice(QObject):
-    """A device whose connection does what the test says; see `switchboard.Way`."""
+    """A device whose connection does what the test says; see `device_manager.Way`."""
 
     changed = Signal()
     progressed = Signal(int, int, str)
-    stop_told = Signal(str)
+    stop_reported = Signal(str)
 
     def __init__(self, key: str) -> None:
         super().__init__()
-        self.kind = Kind(key, key.title())
-        self.link = Link.NONE
+        self.kind = DeviceKind(key, key.title())
+        self.link = ConnectionState.NONE
         self.starting = False
         self.port: Port | None = None
         self.done: list[str] = []
 
-    status = line_text = unstopped = ""
+    status = line_text = unconfirmed_stop = ""
     demo_in_use = has_line_settings = is_busy = False
 
     def connect_to(self, port: Port) -> None:
         self.done.append(f"connect {port.url}")
         self.port = port
-        self.become(Link.UP)
+        self.become(ConnectionState.UP)
 
     def connect_with(self, port: Port, settings: LinkSettings) -> None:
         self.done.append(f"with {settings.short}")
@@ -39,15 +39,19 @@ class FakeDevice(QObject):
 
     def leave(self) -> None:
         self.done.append("leave")
-        if self.link is not Link.NONE:
-            self.become(Link.CLOSING)
+        if self.link is not ConnectionState.NONE:
+            self.become(ConnectionState.CLOSING)
 
     def press_stop(self) -> None:
         self.done.append("stop")
 
     def stop_because(self, reason: str) -> str:
         self.done.append(f"stop: {reason}")
-        return f"{reason}, so {self.kind.name} is told." if self.link is not Link.NONE else ""
+        return (
+            f"{reason}, so {self.kind.name} is told."
+            if self.link is not ConnectionState.NONE
+            else ""
+        )
 
     def begin_to_shut_down(self) -> None:
         self.done.append("begin to shut down")
@@ -56,7 +60,7 @@ class FakeDevice(QObject):
         self.done.append("shut down")
         return self.kind.key != "first"
 
-    def become(self, link: Link) -> None:
+    def become(self, link: ConnectionState) -> None:
         self.link = link
         self.changed.emit()
 
@@ -71,12 +75,12 @@ def devices(qapp: QObject) -> tuple[FakeDevice, FakeDevice]:
 
 
 @pytest.fixture
-def board(devices: tuple[FakeDevice, FakeDevice]) -> Switchboard:
-    return Switchboard(devices)
+def board(devices: tuple[FakeDevice, FakeDevice]) -> DeviceManager:
+    return DeviceManager(devices)
 
 
 def test_first_device_is_current_by_default(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     assert board.current is devices[0]
     assert board.is_idle
@@ -86,20 +90,20 @@ def test_first_device_is_current_by_default(
 
 
 def test_previous_device_disconnects_before_the_next_connects(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     first, second = devices
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     assert first.done[-1] == "leave"
     assert (second.done, board.current) == ([], first)
-    first.become(Link.NONE)
+    first.become(ConnectionState.NONE)
     assert second.done == ["connect b"]
     assert board.current is second
 
 
 def test_idle_previous_device_is_left_too(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     board.connect_to(port("b", "second"))
     assert devices[0].done == ["leave"]
@@ -107,43 +111,43 @@ def test_idle_previous_device_is_left_too(
 
 
 def test_leaving_cancels_the_pending_connection(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     first, second = devices
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     board.leave()
-    first.become(Link.NONE)
+    first.become(ConnectionState.NONE)
     assert second.done == []
 
 
 def test_last_chosen_port_is_connected(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     first, second = devices
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     board.connect_with(port("c", "second"), LinkSettings(""))
-    first.become(Link.NONE)
+    first.become(ConnectionState.NONE)
     assert second.done == ["with 19200 8N1", "connect c"]
 
 
 def test_stop_reaches_every_device(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     board.press_stop()
     assert [device.done for device in devices] == [["stop"], ["stop"]]
 
 
 def test_every_device_is_shut_down_when_one_does_not_end(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
     assert not board.shut_down()
     assert [device.done[-1] for device in devices] == ["shut down", "shut down"]
 
 
 def test_shutdown_begins_on_all_devices_before_waiting(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice], monkeypatch: pytest.MonkeyPatch
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first, second = devices
     told: list[list[str]] = []
@@ -158,25 +162,25 @@ def test_shutdown_begins_on_all_devices_before_waiting(
 
 
 def test_unconfirmed_stops_of_all_devices_are_listed(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice]
 ) -> None:
-    assert board.unstopped == ""
-    devices[1].unstopped = "The second may turn."
-    assert board.unstopped == "The second may turn."
-    devices[0].unstopped = "The first may turn."
-    assert board.unstopped == "The first may turn.\nThe second may turn."
+    assert board.unconfirmed_stop == ""
+    devices[1].unconfirmed_stop = "The second may turn."
+    assert board.unconfirmed_stop == "The second may turn."
+    devices[0].unconfirmed_stop = "The first may turn."
+    assert board.unconfirmed_stop == "The first may turn.\nThe second may turn."
 
 
 @pytest.fixture
-def told(board: Switchboard) -> list[str]:
+def told(board: DeviceManager) -> list[str]:
     """What was told of stops that nobody asked for."""
     told: list[str] = []
-    board.stop_told.connect(told.append)
+    board.stop_reported.connect(told.append)
     return told
 
 
 def test_automatic_stop_reaches_all_and_current_device_reports(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice], told: list[str]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], told: list[str]
 ) -> None:
     board.connect_to(port("b", "second"))
     board.stop_because("It rains")
@@ -185,16 +189,16 @@ def test_automatic_stop_reaches_all_and_current_device_reports(
 
 
 def test_stop_report_is_forwarded_only_for_the_current_device(
-    board: Switchboard, devices: tuple[FakeDevice, FakeDevice], told: list[str]
+    board: DeviceManager, devices: tuple[FakeDevice, FakeDevice], told: list[str]
 ) -> None:
-    devices[1].stop_told.emit("The second stands.")
+    devices[1].stop_reported.emit("The second stands.")
     assert told == []
-    devices[0].stop_told.emit("The first stands.")
+    devices[0].stop_reported.emit("The first stands.")
     assert told == ["The first stands."]
 
 
 def test_unconnected_stop_is_reported_only_if_reason_is_news(
-    board: Switchboard, told: list[str]
+    board: DeviceManager, told: list[str]
 ) -> None:
     board.stop_because("It rains")
     assert told == []

@@ -5,14 +5,14 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.client.client import Counters
-from trex_gui.devices.trex.client.telemetry import StatusNews
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.event_watch import EventWatch
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.ui.devices.event_log import MOST_EVENTS, EventKind, Events
+from trex_gui.ui.devices.event_log import MOST_EVENTS, EventKind, EventLog
 
 
 class EventSetup:
@@ -20,14 +20,14 @@ class EventSetup:
 
     def __init__(self) -> None:
         self.now = 0.0
-        self.events = Events(clock=lambda: self.now)
+        self.events = EventLog(clock=lambda: self.now)
         self.motors = Motors()
         self.connection = Connection()
         self.watch = EventWatch(self.events, self.motors, self.connection)
 
     def see(self, time: float, status: Status, uart: int = 0) -> None:
         self.connection.sampled.emit(
-            Batch((StatusNews(time, status, UartError(uart)),), Counters())
+            Batch((LatchedStatus(time, status, UartError(uart)),), Counters())
         )
 
     @property
@@ -72,8 +72,8 @@ def test_lost_connection_is_logged(setup: EventSetup) -> None:
 
 
 def test_apply_event_names_three_settings_and_counts_the_rest(setup: EventSetup) -> None:
-    results = [Written(f"key{number}", number) for number in range(5)]
-    results.append(Written("key5", error=NoReply("silence")))
+    results = [WriteResult(f"key{number}", number) for number in range(5)]
+    results.append(WriteResult("key5", error=NoReply("silence")))
     setup.watch.note_applied(tuple(results), ("A", "B", "C", "D", "E", "F"))
     assert setup.logged == [(0, "apply", "Apply: A, B, C and 2 more (1 failed)")]
 

@@ -5,12 +5,12 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.discovery import scan
-from trex_gui.core.discovery.prober import Seek, Seeker
+from trex_gui.core.discovery.prober import Prober, ProberInfo
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.devices.ports import Port, PortKind
-from trex_gui.ui.devices.scanner import Finder
+from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
-from trex_gui.ui.workers.scan_worker import FindWorker
+from trex_gui.ui.workers.scan_worker import ScanWorker
 
 
 def at(url: str) -> Port:
@@ -18,17 +18,17 @@ def at(url: str) -> Port:
 
 
 @pytest.fixture
-def finder(qtbot: QtBot) -> Finder:
-    return Finder(Simulator())
+def finder(qtbot: QtBot) -> DeviceScanner:
+    return DeviceScanner(Simulator())
 
 
 def test_internal_error_is_listed_and_the_scan_continues(
-    finder: Finder, quick_simulator: SimulatedDevice, qtbot: QtBot
+    finder: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    def odd(settings: LinkSettings, *, full: bool, known: bool) -> Seeker:
+    def odd(settings: LinkSettings, *, full: bool, known: bool) -> Prober:
         raise ZeroDivisionError("on purpose")
 
-    finder.also("odd", Seek("Odd", odd), Simulator(), "the odd one")
+    finder.also("odd", ProberInfo("Odd", odd), Simulator(), "the odd one")
     finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not finder.running)
     first, second = finder.findings
@@ -40,9 +40,9 @@ def test_internal_error_is_listed_and_the_scan_continues(
 
 
 def test_ports_left_unscanned_are_counted(
-    finder: Finder, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    finder: DeviceScanner, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(FindWorker, "run", lambda _worker: None)  # as a thread that dies
+    monkeypatch.setattr(ScanWorker, "run", lambda _worker: None)  # as a thread that dies
     finder.start([at("/dev/ttyNothing8"), at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not finder.running)
     assert finder.summary == (
@@ -50,8 +50,8 @@ def test_ports_left_unscanned_are_counted(
     )
 
 
-def test_scan_without_internal_error_mentions_none(finder: Finder, qtbot: QtBot) -> None:
-    assert not scan.PortSearch().is_fault
+def test_scan_without_internal_error_mentions_none(finder: DeviceScanner, qtbot: QtBot) -> None:
+    assert not scan.PortScan().is_fault
     finder.start([at("/dev/ttyNothing9")])
     qtbot.waitUntil(lambda: not finder.running)
     assert finder.summary == "No board was found."

@@ -6,7 +6,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
-from trex_gui.ui.devices.device_kind import TREX, Kind
+from trex_gui.ui.devices.device_kind import TREX, DeviceKind
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 
 
@@ -31,7 +31,7 @@ Make = Callable[..., Ports]
 def make(qtbot: QtBot, computer: list[ListPortInfo]) -> Iterator[Make]:
     made: list[Ports] = []
 
-    def new(*kinds: Kind) -> Ports:
+    def new(*kinds: DeviceKind) -> Ports:
         made.append(Ports(kinds=kinds or (TREX,)))
         return made[-1]
 
@@ -179,7 +179,7 @@ def test_missing_last_used_port_is_not_preferred(make: Make, computer: list[List
 
 # --- Kinds of devices -------------------------------------------------------------------
 
-WALKER = Kind("walker", "Walker")
+WALKER = DeviceKind("walker", "Walker")
 
 
 def test_each_device_kind_has_a_demo_port(make: Make) -> None:

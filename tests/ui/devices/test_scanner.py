@@ -8,10 +8,10 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
-from trex_gui.ui.devices.scanner import Finder
+from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
 
 Until = Callable[[Callable[[], bool]], None]
@@ -23,9 +23,9 @@ def until(qtbot: QtBot) -> Until:
 
 
 @pytest.fixture
-def finder(qtbot: QtBot) -> Iterator[Finder]:
+def finder(qtbot: QtBot) -> Iterator[DeviceScanner]:
     simulator = Simulator()
-    finder = Finder(simulator)
+    finder = DeviceScanner(simulator)
     yield finder
     assert finder.shut_down()
     simulator.stop()
@@ -36,7 +36,7 @@ def at(url: str) -> Port:
 
 
 def test_found_board_is_listed_with_port_and_settings(
-    finder: Finder, quick_simulator: SimulatedDevice, until: Until
+    finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     port = at(quick_simulator.url)
     finder.start([port])
@@ -52,7 +52,7 @@ def test_found_board_is_listed_with_port_and_settings(
 
 
 def test_scan_reports_progress_until_cancelled(
-    finder: Finder, quick_simulator: SimulatedDevice, until: Until
+    finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     quick_simulator.do("power off")
     seen: list[tuple[int, int, str]] = []
@@ -73,7 +73,9 @@ def test_scan_reports_progress_until_cancelled(
     assert finder.text == ""
 
 
-def test_port_that_does_not_open_is_listed_with_the_reason(finder: Finder, until: Until) -> None:
+def test_port_that_does_not_open_is_listed_with_the_reason(
+    finder: DeviceScanner, until: Until
+) -> None:
     finder.start([at("/dev/ttyNothing9")])
     until(lambda: not finder.running)
     (finding,) = finder.findings
@@ -83,7 +85,7 @@ def test_port_that_does_not_open_is_listed_with_the_reason(finder: Finder, until
 
 
 def test_second_scan_is_ignored_while_one_runs(
-    finder: Finder, quick_simulator: SimulatedDevice, until: Until
+    finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
 ) -> None:
     finder.start([])
     assert not finder.running
@@ -94,7 +96,7 @@ def test_second_scan_is_ignored_while_one_runs(
 
 
 def test_scan_emits_nothing_after_shutdown(
-    finder: Finder,
+    finder: DeviceScanner,
     quick_simulator: SimulatedDevice,
     qtbot: QtBot,
     virtual_time: VirtualRuntime,
@@ -119,7 +121,7 @@ def test_connecting_to_a_scanned_port_ends_the_scan_first(
     quick_simulator.do("line mute off")
     connector.connect_to(port)
     assert connector.port is None
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     assert not connector.finder.running
     connector.shut_down()
 
@@ -135,7 +137,7 @@ def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
     assert finding.text == "TReX 1.2 on the simulated board at 19200 8N1, device 7."
     assert finding.found is not None
     connector.connect_with(finding.port, finding.found.settings)
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     assert connector.demo_in_use
     assert device.settings is not None
     assert device.settings.line == LineSettings()

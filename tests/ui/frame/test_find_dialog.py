@@ -9,9 +9,9 @@ from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.pages.find_dialog import FindBoardDialog
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.controller import TrexWay
+from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.ui.devices.device_manager import Switchboard
+from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
 
@@ -40,7 +40,7 @@ def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
 def dialog(qtbot: QtBot, ports: Ports) -> Iterator[FindBoardDialog]:
     device = Device()
     connector = Connector(device, ports)
-    dialog = FindDialog(Switchboard([TrexWay(device, connector)]), ports, connector)
+    dialog = FindDialog(DeviceManager([TrexController(device, connector)]), ports, connector)
     qtbot.addWidget(dialog)
     yield FindBoardDialog(dialog, connector.finder, qtbot)
     connector.shut_down()

@@ -8,14 +8,14 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.model.telemetry import Series
 from trex_gui.devices.trex.model.traces.curves import board_traces
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.panel import TracePanel
 
 
 @pytest.fixture
 def panel(qtbot: QtBot) -> TracePanel:
-    history = History(len(Series))
+    history = SampleHistory(len(Series))
     times = np.arange(300_000) / 80
     history.extend(times, [times] * len(Series))
     panel = TracePanel()

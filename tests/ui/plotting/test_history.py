@@ -8,19 +8,19 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.source import Floats
 
 
-def filled(count: int, capacity: int = 1_000_000, seed: int = 1, rate: float = 80) -> History:
-    history = History(2, capacity)
+def filled(count: int, capacity: int = 1_000_000, seed: int = 1, rate: float = 80) -> SampleHistory:
+    history = SampleHistory(2, capacity)
     noise = np.random.default_rng(seed)
     history.extend(np.arange(count) / rate, list(noise.normal(size=(2, count))))
     return history
 
 
 def test_empty_history_has_no_points() -> None:
-    history = History(2)
+    history = SampleHistory(2)
     assert history.span is None
     assert len(history) == 0
     times, values = history.points(0, 0, 30, 500)
@@ -31,7 +31,7 @@ def test_empty_history_has_no_points() -> None:
 
 
 def test_rows_are_returned_as_added() -> None:
-    history = History(2)
+    history = SampleHistory(2)
     history.append(1.0, 2.0, 3.0)
     history.append(1.5, 4.0, math.nan)
     assert history.times.tolist() == [1.0, 1.5]
@@ -41,14 +41,14 @@ def test_rows_are_returned_as_added() -> None:
 
 
 def test_times_stay_sorted_when_the_clock_steps_back() -> None:
-    history = History(1)
+    history = SampleHistory(1)
     history.append(2.0, 1.0)
     history.append(1.0, 2.0)
     assert history.times.tolist() == [2.0, 2.0]
 
 
 def test_few_samples_are_drawn_with_one_beyond_each_edge() -> None:
-    history = History(1)
+    history = SampleHistory(1)
     history.extend(np.arange(10.0) / 4, [np.arange(10.0)])
     times, values = history.points(0, 1.0, 2.0, 500)
     assert times.tolist() == [0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.25]
@@ -103,7 +103,7 @@ def test_statistics_equal_a_plain_sum_of_samples(
     for hole in holes:
         times[hole:] += 2.0
         values[0, hole // 2 : hole // 2 + 3] = math.nan
-    history = History(1, capacity)
+    history = SampleHistory(1, capacity)
     for first in range(0, count, step):
         history.extend(times[first : first + step], list(values[:, first : first + step]))
     times, value = times[-capacity:], values[0, -capacity:]
@@ -133,7 +133,7 @@ def plainly(times: Floats, values: Floats) -> list[float]:
 
 
 def test_append_equals_extend() -> None:
-    many, single = filled(5000, 1000), History(2, 1000)
+    many, single = filled(5000, 1000), SampleHistory(2, 1000)
     noise = np.random.default_rng(1).normal(size=(2, 5000))
     for row in range(5000):
         single.append(row / 80, *noise[:, row])
@@ -151,7 +151,7 @@ def test_oldest_rows_are_dropped_at_capacity() -> None:
 
 
 def test_one_ampere_for_an_hour_is_one_ampere_hour() -> None:
-    history = History(1)
+    history = SampleHistory(1)
     times = np.arange(3600 * 80 + 1) / 80
     history.extend(times, [np.full_like(times, 1.0)])
     found = history.statistics(0, 0, 3600)
@@ -161,7 +161,7 @@ def test_one_ampere_for_an_hour_is_one_ampere_hour() -> None:
 
 
 def test_gap_in_samples_counts_no_charge() -> None:
-    history = History(1)
+    history = SampleHistory(1)
     for time in (0.0, 0.25, 0.5, 10.5, 10.75):
         history.append(time, 2.0)
     found = history.statistics(0, 0, 20)
@@ -171,7 +171,7 @@ def test_gap_in_samples_counts_no_charge() -> None:
 
 
 def test_gap_in_samples_interrupts_the_curve() -> None:
-    history = History(1)
+    history = SampleHistory(1)
     for time in (0.0, 0.25, 0.5, 10.5, 10.75):
         history.append(time, 2.0)
     times, values = history.points(0, 0, 20, 500)
@@ -180,7 +180,7 @@ def test_gap_in_samples_interrupts_the_curve() -> None:
 
 
 def test_gap_is_drawn_in_a_long_history() -> None:
-    history = History(1)
+    history = SampleHistory(1)
     times = np.arange(200_000) / 80
     times[77_777:] += 600
     history.extend(times, [np.ones(200_000)])
@@ -190,14 +190,14 @@ def test_gap_is_drawn_in_a_long_history() -> None:
 
 
 def test_many_gaps_keep_the_points_few() -> None:
-    history = History(1)
+    history = SampleHistory(1)
     history.extend(np.arange(20_000.0), [np.ones(20_000)])  # every interval is one
     times, _ = history.points(0, 0, 100, 500)
     assert len(times) <= 1000
 
 
 def test_value_at_gives_the_last_sample_before_a_time() -> None:
-    history = History(1)
+    history = SampleHistory(1)
     history.append(1.0, 5.0)
     history.append(1.2, 6.0)
     assert math.isnan(history.value_at(0, 0.9))

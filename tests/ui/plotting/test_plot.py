@@ -22,12 +22,12 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
 from trex_gui.ui.devices.event_log import Event, EventKind
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.source import TraceInfo
 from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.plot import TracePlot
-from trex_gui.ui.plotting.table import Column, TraceTable
+from trex_gui.ui.plotting.table import TraceColumn, TraceTable
 from trex_gui.ui.theme.theme import theme
 
 RATE = 80
@@ -42,7 +42,7 @@ class Source(Traces):
     """A minute of two currents and a speed, with limits and events that a test may add to."""
 
     def __init__(self, seconds: float = 60) -> None:
-        self.history = History(3)
+        self.history = SampleHistory(3)
         self.events: list[Event] = []
         self.limits: dict[str, float] = {}
         super().__init__(INFOS, self.history, self.events, self.limits)
@@ -78,7 +78,7 @@ class TracePanelDriver(WidgetDriver):
     def events(self) -> QListView:
         return self.find(QListView, "eventList")
 
-    def cell(self, name: str, column: Column) -> str:
+    def cell(self, name: str, column: TraceColumn) -> str:
         row = [info.name for info in INFOS].index(name)
         return str(self.table.model().index(row, column).data())
 
@@ -180,7 +180,7 @@ def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> N
 
 def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: TracePlot) -> None:
     view = panel.table
-    index = view.model().index(2, Column.CURVE)
+    index = view.model().index(2, TraceColumn.CURVE)
     checked = Qt.ItemDataRole.CheckStateRole
     assert view.model().setData(index, Qt.CheckState.Checked, checked)
     assert "wish1" in plot.shown
@@ -230,11 +230,11 @@ def test_pause_freezes_the_plot_and_the_table(
     source.add(5, first=9)
     panel.refresh()
     assert plot.span.end == end
-    assert panel.cell("motor1", Column.PEAK) == "1.00 A"
+    assert panel.cell("motor1", TraceColumn.PEAK) == "1.00 A"
     assert pause.text() == "Back to li&ve"
     pause.click()
     assert plot.span.end == pytest.approx(end + 5)
-    assert panel.cell("motor1", Column.PEAK) == "9.00 A"
+    assert panel.cell("motor1", TraceColumn.PEAK) == "9.00 A"
     assert pause.text() == "Pa&use"
 
 
@@ -333,13 +333,13 @@ def test_table_shows_mean_rms_and_charge_of_the_shown_span(
     panel: TracePanelDriver, plot: TracePlot
 ) -> None:
     plot.show_span(10, 46)
-    assert panel.cell("motor2", Column.MEAN) == "3.000 A"
-    assert panel.cell("motor2", Column.RMS) == "3.000 A"
-    assert panel.cell("motor2", Column.CHARGE) == "30.00 mAh"
+    assert panel.cell("motor2", TraceColumn.MEAN) == "3.000 A"
+    assert panel.cell("motor2", TraceColumn.RMS) == "3.000 A"
+    assert panel.cell("motor2", TraceColumn.CHARGE) == "30.00 mAh"
     plot.show_span(10, 28)
-    assert panel.cell("motor2", Column.CHARGE) == "15.00 mAh"
-    assert panel.cell("motor1", Column.CHARGE) == "5.00 mAh"
-    assert panel.cell("wish1", Column.MEAN) == ""  # it is not shown
+    assert panel.cell("motor2", TraceColumn.CHARGE) == "15.00 mAh"
+    assert panel.cell("motor1", TraceColumn.CHARGE) == "5.00 mAh"
+    assert panel.cell("wish1", TraceColumn.MEAN) == ""  # it is not shown
 
 
 def test_cursor_shows_values_and_difference_from_the_mark(
@@ -348,12 +348,12 @@ def test_cursor_shows_values_and_difference_from_the_mark(
     source.add(5, first=9)
     panel.refresh()
     mouse(plot, QEvent.Type.MouseMove, 50)
-    assert panel.cell("motor1", Column.CURSOR) == "1.00 A"
+    assert panel.cell("motor1", TraceColumn.CURSOR) == "1.00 A"
     mouse(plot, QEvent.Type.MouseButtonPress, 50, Qt.MouseButton.LeftButton)
     mouse(plot, QEvent.Type.MouseButtonRelease, 50, Qt.MouseButton.LeftButton)
     mouse(plot, QEvent.Type.MouseMove, 63)
-    assert panel.cell("motor1", Column.CURSOR) == "9.00 A"
-    assert panel.cell("motor1", Column.DIFFERENCE) == "8.00 A"
+    assert panel.cell("motor1", TraceColumn.CURSOR) == "9.00 A"
+    assert panel.cell("motor1", TraceColumn.DIFFERENCE) == "8.00 A"
     assert "Motor 1: 9.00 A" in panel.text("cursorReadout")
     assert "from the mark" in panel.text("cursorReadout")
 
@@ -371,7 +371,7 @@ def test_table_fits_beside_the_events_without_scrolling(
         panel.button("holdPeaksButton").click()
     view = panel.table
     qtbot.waitUntil(lambda: not view.horizontalScrollBar().isVisible())
-    last = max(column for column in Column if not view.isColumnHidden(column))
+    last = max(column for column in TraceColumn if not view.isColumnHidden(column))
     assert view.columnViewportPosition(last) + view.columnWidth(last) <= view.viewport().width()
     assert panel.events.width() > 60
 
@@ -380,7 +380,7 @@ def test_optional_columns_are_hidden_until_needed(
     panel: TracePanelDriver, plot: TracePlot, source: Source
 ) -> None:
     view = panel.table
-    waiting = (Column.LIMIT, Column.DIFFERENCE, Column.HELD)
+    waiting = (TraceColumn.LIMIT, TraceColumn.DIFFERENCE, TraceColumn.HELD)
     assert all(view.isColumnHidden(column) for column in waiting)
     source.limits["motor1"] = 5.0
     plot.set_mark(20)
@@ -388,7 +388,7 @@ def test_optional_columns_are_hidden_until_needed(
     hold.click()
     assert not any(view.isColumnHidden(column) for column in waiting)
     hold.click()
-    assert view.isColumnHidden(Column.HELD)
+    assert view.isColumnHidden(TraceColumn.HELD)
 
 
 def test_empty_event_list_is_described(panel: TracePanelDriver, source: Source) -> None:
@@ -407,10 +407,10 @@ def test_held_peak_stays_after_its_sample_scrolls_out(
     source.add(1, first=7.5)
     source.add(60)
     panel.refresh()
-    assert panel.cell("motor1", Column.PEAK) == "1.00 A"
-    assert panel.cell("motor1", Column.HELD) == "7.50 A"
+    assert panel.cell("motor1", TraceColumn.PEAK) == "1.00 A"
+    assert panel.cell("motor1", TraceColumn.HELD) == "7.50 A"
     hold.click()
-    assert panel.cell("motor1", Column.HELD) == ""
+    assert panel.cell("motor1", TraceColumn.HELD) == ""
 
 
 def test_trace_table_passes_the_model_tester(plot: TracePlot, qtmodeltester: ModelTester) -> None:

@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.core.transport.traffic_log import Piece, Way
+from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.session.traffic_decoder import TrexWording
-from trex_gui.ui.traffic.model import MOST_KEPT, Transcript
-from trex_gui.ui.traffic.saver import TranscriptSaver
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.ui.traffic.model import MOST_KEPT, TrafficModel
+from trex_gui.ui.traffic.saver import TrafficSaver
 from trex_gui.ui.workers.session_thread import SessionThread
 
 POLL, ANSWER = b"\x8f", b"\x02\x00"
@@ -22,20 +22,20 @@ class TranscriptSetup:
 
     def __init__(self) -> None:
         self.line = SessionThread()
-        self.wording = TrexWording()
-        self.transcript = Transcript(self.line, self.wording)
+        self.wording = TrexDecoder()
+        self.traffic = TrafficModel(self.line, self.wording)
         self._now = 0.0
 
     def say(self, sent: bytes, received: bytes = b"") -> None:
         self._now += 0.01
-        self.line.tape.note(Piece(self._now, Way.SENT, sent))
+        self.line.log.note(TrafficEvent(self._now, TrafficDirection.SENT, sent))
         if received:
-            self.line.tape.note(Piece(self._now + 0.005, Way.RECEIVED, received))
+            self.line.log.note(TrafficEvent(self._now + 0.005, TrafficDirection.RECEIVED, received))
 
     @property
     def told(self) -> list[str]:
-        self.transcript.pull()
-        return [self.transcript.words_of(row).text for row in self.transcript.telling.rows]
+        self.traffic.pull()
+        return [self.traffic.decoded(row).text for row in self.traffic.telling.rows]
 
 
 @pytest.fixture
@@ -49,8 +49,8 @@ def test_polls_are_separated_from_commands(setup: TranscriptSetup) -> None:
     setup.say(WRITE, STORED)
     setup.say(POLL, ANSWER)
     assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
-    assert setup.transcript.everything.count == 3
-    assert setup.transcript.faults == 0
+    assert setup.traffic.everything.count == 3
+    assert setup.traffic.faults == 0
 
 
 def test_failed_poll_is_listed_in_its_place(setup: TranscriptSetup) -> None:
@@ -61,7 +61,7 @@ def test_failed_poll_is_listed_in_its_place(setup: TranscriptSetup) -> None:
     told = setup.told
     assert told[1] == "get currents of both motors → no answer"
     assert [text.startswith("set") for text in told] == [True, False, True]
-    assert setup.transcript.faults == 1
+    assert setup.traffic.faults == 1
 
 
 def test_failed_poll_between_two_pulls_is_listed_once(setup: TranscriptSetup) -> None:
@@ -78,9 +78,9 @@ def test_telemetry_does_not_displace_a_write(setup: TranscriptSetup) -> None:
     for count in range(MOST_KEPT):
         setup.say(POLL, ANSWER)
         if count % 100 == 0:
-            setup.transcript.pull()
+            setup.traffic.pull()
     assert setup.told == ["set Serial Timeout to 1.5 s (15) → stored"]
-    everything = setup.transcript.everything
+    everything = setup.traffic.everything
     assert everything.count == MOST_KEPT + 1
     assert len(everything.rows) == 0.9 * MOST_KEPT, "many rows go at a time"
     newest = [row.number for row in everything.since(MOST_KEPT - 1)]
@@ -91,22 +91,22 @@ def test_telemetry_does_not_displace_a_write(setup: TranscriptSetup) -> None:
 def test_units_follow_the_identified_board(setup: TranscriptSetup) -> None:
     setup.say(POLL, ANSWER)
     setup.say(POLL, ANSWER)
-    setup.transcript.pull()
-    row = setup.transcript.everything.rows[0]
-    assert "2 counts" in setup.transcript.words_of(row).text
+    setup.traffic.pull()
+    row = setup.traffic.everything.rows[0]
+    assert "2 counts" in setup.traffic.decoded(row).text
     setup.wording.board = Signature(device_table().model("trex"), "1.2")
-    setup.transcript.forget_words()
-    assert " A," in setup.transcript.words_of(row).text
+    setup.traffic.forget_words()
+    assert " A," in setup.traffic.decoded(row).text
 
 
 def test_clear_empties_the_transcript(setup: TranscriptSetup, qtbot: QtBot) -> None:
     setup.say(POLL)
     setup.say(WRITE, STORED)
-    setup.transcript.pull()
-    with qtbot.waitSignal(setup.transcript.cleared):
-        setup.transcript.clear()
+    setup.traffic.pull()
+    with qtbot.waitSignal(setup.traffic.cleared):
+        setup.traffic.clear()
     assert setup.told == []
-    assert setup.transcript.faults == 0
+    assert setup.traffic.faults == 0
     setup.say(WRITE, STORED)
     assert len(setup.told) == 1
 
@@ -117,10 +117,10 @@ def test_saved_rows_include_bytes_and_meaning(
     setup.say(WRITE, STORED)
     setup.say(POLL)
     setup.say(POLL, ANSWER)
-    setup.transcript.pull()
-    saver, path = TranscriptSaver(setup.transcript), tmp_path / "line.txt"
+    setup.traffic.pull()
+    saver, path = TrafficSaver(setup.traffic), tmp_path / "line.txt"
     with qtbot.waitSignal(saver.saved, timeout=15_000) as saved:
-        saver.save(path, setup.transcript.everything.rows)
+        saver.save(path, setup.traffic.everything.rows)
     assert saved.args == [3, path]
     lines = path.read_text(encoding="utf-8").splitlines()
     body = [line.split("\t") for line in lines if not line.startswith("#")]
@@ -136,10 +136,10 @@ def test_failed_save_is_reported_and_leaves_no_file(
     setup: TranscriptSetup, qtbot: QtBot, tmp_path: Path
 ) -> None:
     setup.say(WRITE, STORED)
-    setup.transcript.pull()
-    saver = TranscriptSaver(setup.transcript)
+    setup.traffic.pull()
+    saver = TrafficSaver(setup.traffic)
     with qtbot.waitSignal(saver.failed, timeout=15_000) as failed:
-        saver.save(tmp_path / "no such folder" / "line.txt", setup.transcript.everything.rows)
+        saver.save(tmp_path / "no such folder" / "line.txt", setup.traffic.everything.rows)
     assert "line.txt: It was not written: No such file or directory." in failed.args
     assert not saver.is_saving
     assert list(tmp_path.iterdir()) == []

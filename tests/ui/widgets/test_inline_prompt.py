@@ -7,29 +7,29 @@ from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WidgetDriver
-from trex_gui.ui.widgets.inline_prompt import Answer, Question
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
 
 @pytest.fixture
-def question(qtbot: QtBot) -> Question:
-    question = Question()
+def question(qtbot: QtBot) -> InlinePrompt:
+    question = InlinePrompt()
     qtbot.addWidget(question)
     return question
 
 
 @pytest.fixture
-def driver(question: Question, qtbot: QtBot) -> WidgetDriver:
+def driver(question: InlinePrompt, qtbot: QtBot) -> WidgetDriver:
     return WidgetDriver(question, qtbot)
 
 
 def test_answer_runs_its_action_and_closes_the_question(
-    question: Question, driver: WidgetDriver
+    question: InlinePrompt, driver: WidgetDriver
 ) -> None:
     done: list[str] = []
     question.ask(
         "How?",
-        Answer("one", "One", lambda: done.append("one")),
-        Answer("two", "Two", lambda: done.append("two")),
+        PromptAnswer("one", "One", lambda: done.append("one")),
+        PromptAnswer("two", "Two", lambda: done.append("two")),
     )
     driver.click("two")
     assert done == ["two"]
@@ -38,12 +38,12 @@ def test_answer_runs_its_action_and_closes_the_question(
 
 @pytest.mark.parametrize("key", [None, Qt.Key.Key_Escape, Qt.Key.Key_Space])
 def test_cancel_runs_only_the_otherwise_action(
-    question: Question, driver: WidgetDriver, key: Qt.Key | None
+    question: InlinePrompt, driver: WidgetDriver, key: Qt.Key | None
 ) -> None:
     done: list[str] = []
     question.ask(
         "Sure?",
-        Answer("yes", "Yes", lambda: done.append("yes")),
+        PromptAnswer("yes", "Yes", lambda: done.append("yes")),
         otherwise=lambda: done.append("otherwise"),
     )
     if key is None:
@@ -54,12 +54,14 @@ def test_cancel_runs_only_the_otherwise_action(
     assert not question.isVisible()
 
 
-def test_new_question_cancels_the_previous_one(question: Question, driver: WidgetDriver) -> None:
+def test_new_question_cancels_the_previous_one(
+    question: InlinePrompt, driver: WidgetDriver
+) -> None:
     done: list[str] = []
     question.ask(
-        "A?", Answer("a", "A", lambda: done.append("a")), otherwise=lambda: done.append("no")
+        "A?", PromptAnswer("a", "A", lambda: done.append("a")), otherwise=lambda: done.append("no")
     )
-    question.ask("B?", Answer("b", "B", lambda: done.append("b")))
+    question.ask("B?", PromptAnswer("b", "B", lambda: done.append("b")))
     assert question.text == "B?"
     assert done == ["no"]
     assert "a" not in [button.objectName() for button in driver.find_all(QPushButton)]
@@ -67,18 +69,18 @@ def test_new_question_cancels_the_previous_one(question: Question, driver: Widge
     assert done == ["no", "b"]
 
 
-def test_answer_may_ask_another_question(question: Question, driver: WidgetDriver) -> None:
-    again = Answer("again", "Again", lambda: question.ask("Again?"))
+def test_answer_may_ask_another_question(question: InlinePrompt, driver: WidgetDriver) -> None:
+    again = PromptAnswer("again", "Again", lambda: question.ask("Again?"))
     question.ask("First?", again)
     driver.click("again")
     assert question.text == "Again?"
     assert question.isVisible()
 
 
-def test_outdated_answer_is_not_run(question: Question, driver: WidgetDriver) -> None:
+def test_outdated_answer_is_not_run(question: InlinePrompt, driver: WidgetDriver) -> None:
     done: list[str] = []
     sense = [True]
-    yes = Answer("yes", "Yes", lambda: done.append("yes"))
+    yes = PromptAnswer("yes", "Yes", lambda: done.append("yes"))
     question.ask("Sure?", yes, still=lambda: sense[0])
     question.reconsider()
     assert question.isVisible()

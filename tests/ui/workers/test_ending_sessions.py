@@ -8,18 +8,18 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.core.session.request_queue import QueueInbox
+from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.devices.aracna.model.connection import RobotConnection
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Halt
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Close, Closed
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.scan_worker import FindWorker
+from trex_gui.ui.workers.scan_worker import ScanWorker
 from trex_gui.ui.workers.session_thread import SessionThread
 
 Emit = Callable[[object], None]
@@ -50,7 +50,7 @@ class RecordingSession:
         self.requests: list[object] = []
         self._last, self._until = last, until
 
-    def make(self, inbox: QueueInbox, emit: Emit) -> "RecordingSession":
+    def make(self, inbox: RequestQueue, emit: Emit) -> "RecordingSession":
         self._inbox, self._emit = inbox, emit
         return self
 
@@ -122,7 +122,7 @@ def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose first motor runs."""
     device = Device()
     device.connect_to(LinkSettings(simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.UP and device.motors.can_arm)
     device.motors.arm()
     device.motors.set_speed(1, 60)
     qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 60)
@@ -135,7 +135,7 @@ def test_unconfirmed_stop_keeps_may_move_after_shutdown(
     device = driven(quick_simulator, qtbot)
     quick_simulator.do("line mute on")
     qtbot.waitUntil(device.shut_down)
-    assert device.link is Link.NONE
+    assert device.link is ConnectionState.NONE
     assert device.may_move
 
 
@@ -164,20 +164,20 @@ def test_shutdown_closes_the_line_before_waiting_for_a_scan(
     qtbot: QtBot,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    device, links = connector._device, list[Link]()
-    close = FindWorker.close
+    device, links = connector._device, list[ConnectionState]()
+    close = ScanWorker.close
 
-    def note_and_close(worker: FindWorker) -> bool:
+    def note_and_close(worker: ScanWorker) -> bool:
         links.append(device.link)
         return close(worker)
 
     device.connect_to(LinkSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP)
-    monkeypatch.setattr(FindWorker, "close", note_and_close)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
+    monkeypatch.setattr(ScanWorker, "close", note_and_close)
     connector.finder.start([Port(PortKind.TYPED, "/dev/ttyNothing9", "/dev/ttyNothing9")])
     connector.shut_down()
     assert links
-    assert Link.UP not in links
+    assert ConnectionState.UP not in links
 
 
 # --- Requests from other threads --------------------------------------------------------

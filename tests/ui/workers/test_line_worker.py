@@ -16,18 +16,18 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.commands import Drive, GetParameter
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import (
-    Ask,
     Batch,
     Closed,
     Connected,
     Outcome,
     Progress,
     Report,
-    SetDrive,
+    RunCommand,
+    SetMotor,
     Stop,
     Write,
 )
-from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.line_worker import LineWorker
 
@@ -44,7 +44,9 @@ class Watched:
         self.url = url
         timeouts = PATIENT if isinstance(qtbot, PatientQtBot) else Timeouts()
         settings = LinkSettings(url, timeouts=timeouts)
-        self.worker = LineWorker(lambda inbox, tell: Session(settings, inbox, tell, open_transport))
+        self.worker = LineWorker(
+            lambda inbox, tell: TrexSession(settings, inbox, tell, open_transport)
+        )
         self.worker.reported.connect(self._take)
         self.qtbot = qtbot
 
@@ -218,7 +220,7 @@ def test_closing_brakes_running_motor(paced_line: Watched, simulator: SimulatedD
         shown = simulator.show()["motors"][0]
         return shown["direction"], shown["speed"]
 
-    paced_line.worker.submit(SetDrive(1, Drive.at(100)))
+    paced_line.worker.submit(SetMotor(1, Drive.at(100)))
     paced_line.qtbot.waitUntil(lambda: motor() == ("forward", 100))
     assert paced_line.close() < 1.0
     assert motor() == ("brake", 127)
@@ -228,9 +230,9 @@ def test_closing_brakes_running_motor(paced_line: Watched, simulator: SimulatedD
 
 
 def test_each_request_gets_its_outcome(line: Watched) -> None:
-    line.worker.submit(Ask(1, GetParameter(0)))
+    line.worker.submit(RunCommand(1, GetParameter(0)))
     line.worker.submit(Write(2, (("serial_timeout", 9),)))
-    line.worker.submit(Ask(3, GetParameter(7)))
+    line.worker.submit(RunCommand(3, GetParameter(7)))
     line.worker.submit(Stop(4))
     assert line.outcome(1).value == 7
     assert line.outcome(2).error is None
@@ -241,7 +243,7 @@ def test_each_request_gets_its_outcome(line: Watched) -> None:
 @pytest.mark.realtime
 def test_requests_are_accepted_from_any_thread(line: Watched) -> None:
     threads = [
-        threading.Thread(target=line.worker.submit, args=(Ask(number, GetParameter(0)),))
+        threading.Thread(target=line.worker.submit, args=(RunCommand(number, GetParameter(0)),))
         for number in range(20)
     ]
     for thread in threads:

@@ -28,8 +28,8 @@ def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
     owner = QObject()
     thread = Held(owner)
     thread.start()
-    orphaned_threads.keep(thread)
-    orphaned_threads.keep(thread)
+    orphaned_threads.adopt(thread)
+    orphaned_threads.adopt(thread)
     go = thread.go
     del owner, thread
     assert orphaned_threads.any_running()
@@ -42,8 +42,8 @@ def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
 def test_orphaned_thread_can_be_released_once(qtbot: QtBot) -> None:
     thread = Held()
     thread.start()
-    orphaned_threads.keep(thread)
+    orphaned_threads.adopt(thread)
     thread.go.set()
     assert thread.wait(15_000)
-    assert orphaned_threads.forget(thread)
-    assert not orphaned_threads.forget(thread)
+    assert orphaned_threads.release(thread)
+    assert not orphaned_threads.release(thread)

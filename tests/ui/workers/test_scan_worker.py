@@ -7,15 +7,15 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.core.discovery.prober import Step
+from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.devices.trex.client.client import Client
-from trex_gui.devices.trex.discovery.prober import SEEK_TREX
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.discovery.prober import TREX_PROBER
 from trex_gui.devices.trex.protocol.commands import SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.runtime import now, open_transport
-from trex_gui.ui.workers.scan_worker import Errand, FindWorker, Searched
+from trex_gui.ui.workers.scan_worker import ScanJob, ScanResult, ScanWorker
 
 if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
@@ -25,18 +25,20 @@ class Watched:
     """A worker and everything that it told."""
 
     def __init__(self, *urls: str) -> None:
-        self.steps: list[tuple[int, Step]] = []
-        self.searched: list[Searched] = []
+        self.steps: list[tuple[int, ScanProgress]] = []
+        self.searched: list[ScanResult] = []
         self.threads: set[threading.Thread] = set()
-        self.worker = FindWorker([Errand(LinkSettings(url), {"trex": SEEK_TREX}) for url in urls])
+        self.worker = ScanWorker(
+            [ScanJob(LinkSettings(url), {"trex": TREX_PROBER}) for url in urls]
+        )
         self.worker.stepped.connect(self._on_stepped)
         self.worker.searched.connect(self._on_searched)
 
-    def _on_stepped(self, index: int, step: Step) -> None:
+    def _on_stepped(self, index: int, step: ScanProgress) -> None:
         self.threads.add(threading.current_thread())
         self.steps.append((index, step))
 
-    def _on_searched(self, searched: Searched) -> None:
+    def _on_searched(self, searched: ScanResult) -> None:
         self.threads.add(threading.current_thread())
         self.searched.append(searched)
 
@@ -88,7 +90,7 @@ def test_scan_finds_board_at_other_baud_rate(
     quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     settings = LinkSettings(quick_simulator.url)
-    client = Client(open_transport(settings), settings)
+    client = TrexClient(open_transport(settings), settings)
     client.request(SetParameter(0x7E, LineSettings(115200).to_wire()))
     client.close()
     quick_simulator.do("power cycle")

@@ -13,7 +13,7 @@ _SUSPENDING = ("SIGTSTP",)
 has each of them."""
 
 
-class Refused(click.ClickException):
+class CommandFailed(click.ClickException):
     """The device, the line or a file said no: exit code 1."""
 
     exit_code = 1
@@ -22,7 +22,7 @@ class Refused(click.ClickException):
         super().__init__(str(message))
 
 
-class Usage(click.UsageError):
+class UsageError(click.UsageError):
     """What was asked for makes no sense: exit code 2."""
 
 
@@ -33,7 +33,7 @@ def say(message: object) -> None:
 
 def refuse(message: object) -> NoReturn:
     """End with exit code 1."""
-    raise Refused(message)
+    raise CommandFailed(message)
 
 
 class ProgressLine:

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class ScanProgress:
     """How far a search is: `done` of `total` questions; `line` is asked on next.
 
     `number` is the device number that is asked for, where a board has answered already; `kind`
@@ -25,7 +25,7 @@ class Step:
     kind: str = ""
 
 
-class Telling(IntEnum):
+class Evidence(IntEnum):
     """How much was learned where no device was found."""
 
     SILENCE = 0
@@ -35,14 +35,14 @@ class Telling(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class Diagnosis:
     """What was tried for one kind of device, what was heard, and what to look at; for people."""
 
-    telling: Telling
+    telling: Evidence
     text: str
 
 
-class Sighting(Protocol):
+class FoundDevice(Protocol):
     """A device that was found, and how to reach it."""
 
     @property
@@ -71,7 +71,7 @@ class Sighting(Protocol):
         ...
 
 
-class Seeker(Protocol):
+class Prober(Protocol):
     """Looks for devices of one kind on one open line, and moves nothing.
 
     Every question has to end whatever a board may have begun to hear before it.
@@ -83,7 +83,7 @@ class Seeker(Protocol):
         ...
 
     @property
-    def found(self) -> Sequence[Sighting]:
+    def found(self) -> Sequence[FoundDevice]:
         """The devices; more than one only where several share the line."""
         ...
 
@@ -92,7 +92,7 @@ class Seeker(Protocol):
         """Whether it is known by now what is there."""
         ...
 
-    def overhear(self, line: LineSettings, data: bytes) -> None:
+    def note_unsolicited(self, line: LineSettings, data: bytes) -> None:
         """Take what came before anything was asked, with the line set so."""
         ...
 
@@ -100,7 +100,7 @@ class Seeker(Protocol):
         self,
         wire: Transport,
         part: int,
-        progress: Callable[[Step], None],
+        progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
         """Put the questions of a part; `cancelled` is asked before each whether to end.
@@ -110,21 +110,21 @@ class Seeker(Protocol):
         """
         ...
 
-    def verdict(self) -> Verdict:
+    def diagnosis(self) -> Diagnosis:
         """Say what was tried and heard, where no device was found."""
         ...
 
 
-class Begin(Protocol):
+class MakeProber(Protocol):
     """Makes a seeker for a port."""
 
-    def __call__(self, settings: LinkSettings, *, full: bool, known: bool) -> Seeker:
+    def __call__(self, settings: LinkSettings, *, full: bool, known: bool) -> Prober:
         """Try everything if `full`; `known` says that somebody has led the port to this kind."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
-class Seek:
+class ProberInfo:
     """How to look for one kind of device.
 
     Attributes:
@@ -135,15 +135,15 @@ class Seek:
     """
 
     name: str
-    begin: Begin
-    talks_at: LineSettings | None = None
+    begin: MakeProber
+    announces_at: LineSettings | None = None
 
 
-def silent(step: Step) -> None:
+def ignore_step(step: ScanProgress) -> None:
     """Tell nobody of a step."""
     del step
 
 
-def never() -> bool:
+def never_cancelled() -> bool:
     """Go on."""
     return False

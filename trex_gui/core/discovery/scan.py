@@ -20,18 +20,18 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from trex_gui.core.discovery.prober import (
-    Seek,
-    Seeker,
-    Sighting,
-    Step,
-    Telling,
-    Verdict,
-    never,
-    silent,
+    Diagnosis,
+    Evidence,
+    FoundDevice,
+    Prober,
+    ProberInfo,
+    ScanProgress,
+    ignore_step,
+    never_cancelled,
 )
-from trex_gui.core.errors import BadRequest, PortUnavailable, TrexError
+from trex_gui.core.errors import BadRequest, PortUnavailable, StudioError
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.discovery.probe import RINSE_LINE, rinse
+from trex_gui.devices.trex.discovery.probe import FLUSH_LINE, flush
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
@@ -45,7 +45,7 @@ _KEPT = 48
 
 
 @dataclass(slots=True)
-class PortSearch:
+class PortScan:
     """What a search of one port has come to.
 
     Attributes:
@@ -58,9 +58,9 @@ class PortSearch:
     """
 
     device: str = ""
-    found: Sequence[Sighting] = ()
-    verdicts: list[Verdict] = field(default_factory=list)
-    error: TrexError | None = None
+    found: Sequence[FoundDevice] = ()
+    diagnoses: list[Diagnosis] = field(default_factory=list)
+    error: StudioError | None = None
     cancelled: bool = False
     is_fault: bool = False
 
@@ -68,7 +68,7 @@ class PortSearch:
     def lines(self) -> list[str]:
         """Why nothing was found, for people: a paragraph each."""
         first = [str(self.error)] if self.error is not None else []
-        return first + [verdict.text for verdict in self.verdicts]
+        return first + [diagnosis.text for diagnosis in self.diagnoses]
 
 
 def listen(wire: Transport) -> bytes:
@@ -80,16 +80,16 @@ def listen(wire: Transport) -> bytes:
     return wire.read(_KEPT, _LISTEN)
 
 
-def search_port(
+def scan_port(
     settings: LinkSettings,
-    seeks: Mapping[str, Seek],
+    seeks: Mapping[str, ProberInfo],
     *,
     first: str | None = None,
     full: bool = False,
-    progress: Callable[[Step], None] = silent,
-    cancelled: Callable[[], bool] = never,
+    progress: Callable[[ScanProgress], None] = ignore_step,
+    cancelled: Callable[[], bool] = never_cancelled,
     open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
-) -> PortSearch:
+) -> PortScan:
     """Look for devices of every kind on a port; end with the first that answers.
 
     Never raises: whatever goes wrong on one port, the next can still be searched.
@@ -103,7 +103,7 @@ def search_port(
         cancelled: asked before each question whether to end.
         open_wire: opens the port.
     """
-    result = PortSearch()
+    result = PortScan()
     try:
         _search(
             result,
@@ -118,30 +118,30 @@ def search_port(
     except Exception as error:
         log.exception("the search of %s", settings.url)
         text = f"The search of {settings.name or settings.url} was ended by a fault of the program"
-        result = PortSearch(error=TrexError(f"{text} ({type(error).__name__}: {error})."))
+        result = PortScan(error=StudioError(f"{text} ({type(error).__name__}: {error})."))
         result.is_fault = True
     return result
 
 
 def _search(
-    result: PortSearch,
+    result: PortScan,
     settings: LinkSettings,
-    seeks: Mapping[str, Seek],
+    seeks: Mapping[str, ProberInfo],
     *,
     first: str | None,
     full: bool,
-    progress: Callable[[Step], None],
+    progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
     open_wire: Callable[[LinkSettings], Transport],
 ) -> None:
-    """Fill in what `search_port` returns."""
-    opened = next((seek.talks_at for seek in seeks.values() if seek.talks_at), RINSE_LINE)
+    """Fill in what `scan_port` returns."""
+    opened = next((seek.announces_at for seek in seeks.values() if seek.announces_at), FLUSH_LINE)
     try:
         wire = open_wire(replace(settings, line=opened, device_number=None))
     except PortUnavailable as error:
         result.error = error
         return
-    seekers: dict[str, Seeker] = {}
+    seekers: dict[str, Prober] = {}
     names = {key: seek.name for key, seek in seeks.items()}
     asked = list(seeks)
     try:
@@ -149,11 +149,11 @@ def _search(
             seekers[key] = seek.begin(settings, full=full, known=key == first)
         if heard := listen(wire):
             for seeker in seekers.values():
-                seeker.overhear(opened, heard)
-        asked = ask_in_order(
+                seeker.note_unsolicited(opened, heard)
+        asked = probe_in_order(
             wire, seekers, names, first=first, progress=progress, cancelled=cancelled
         )
-    except TrexError as error:
+    except StudioError as error:
         result.error = error
     finally:
         result.device = next((key for key, seeker in seekers.items() if seeker.found), "")
@@ -162,19 +162,19 @@ def _search(
         result.found = seekers[result.device].found
         return
     result.cancelled = result.error is None and cancelled()
-    verdicts = [seekers[key].verdict() for key in asked if key in seekers]
+    diagnoses = [seekers[key].diagnosis() for key in asked if key in seekers]
     if result.error is not None:  # a search that was cut short says nothing by its silence
-        verdicts = [one for one in verdicts if one.telling > Telling.SILENCE]
-    result.verdicts = sorted(verdicts, key=lambda verdict: -verdict.telling)
+        diagnoses = [one for one in diagnoses if one.telling > Evidence.SILENCE]
+    result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.telling)
 
 
-def ask_in_order(
+def probe_in_order(
     wire: Transport,
-    seekers: Mapping[str, Seeker],
+    seekers: Mapping[str, Prober],
     names: Mapping[str, str],
     *,
     first: str | None = None,
-    progress: Callable[[Step], None],
+    progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
     """Put the questions of each kind until one is over; return the keys of those asked for.
@@ -188,7 +188,9 @@ def ask_in_order(
     for index, (key, part) in enumerate(plan):
         before = sum(totals[:index])
 
-        def tell(step: Step, key: str = key, index: int = index, before: int = before) -> None:
+        def tell(
+            step: ScanProgress, key: str = key, index: int = index, before: int = before
+        ) -> None:
             totals[index] = step.total
             total = sum(totals)
             progress(replace(step, done=before + step.done, total=total, kind=names[key]))
@@ -214,8 +216,8 @@ def _give_back(wire: Transport, patience: float, *, answered: bool) -> None:
     """
     try:
         with contextlib.suppress(BadRequest, PortUnavailable):
-            if not answered and wire.can_be_tuned:
-                rinse(wire, patience)
-            wire.tune(LineSettings())
+            if not answered and wire.is_configurable:
+                flush(wire, patience)
+            wire.reconfigure(LineSettings())
     finally:
         wire.close()

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 
 
 class Severity(StrEnum):
@@ -39,7 +39,7 @@ class Finding:
         return ": ".join(part for part in parts if part)
 
 
-class SettingsError(TrexError):
+class SettingsError(StudioError):
     """A settings file cannot be used, read or written.
 
     Attributes:

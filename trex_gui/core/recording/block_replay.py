@@ -4,17 +4,17 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Any, Generic, Protocol, TypeVar
 
-from trex_gui.core.recording.blocks import Begun, BlockFile, RecordT
+from trex_gui.core.recording.blocks import BlockFile, HasStartTime, RecordT
 
 
-class Follows(Protocol):
+class Accumulator(Protocol):
     """Everything that is known; `copy.copy` of it is no longer changed by `take`."""
 
     def take(self, record: Any, /) -> None:
         """Take a record as the newest."""
 
 
-LatestT = TypeVar("LatestT", bound=Follows)
+LatestT = TypeVar("LatestT", bound=Accumulator)
 
 
 class BlockReplay(Generic[RecordT, LatestT]):
@@ -23,7 +23,7 @@ class BlockReplay(Generic[RecordT, LatestT]):
     It belongs to one thread at a time, and the file with it.
     """
 
-    def __init__(self, file: BlockFile[Begun, RecordT], first: LatestT) -> None:
+    def __init__(self, file: BlockFile[HasStartTime, RecordT], first: LatestT) -> None:
         """Go through this file; `first` is what is known before its first record."""
         self._file = file
         self._known = [first]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Protocol, TypeVar
 
 
-class Timed(Protocol):
+class Timestamped(Protocol):
     """What can be recorded: it has a time on the session's clock."""
 
     @property
@@ -14,7 +14,7 @@ class Timed(Protocol):
         ...
 
 
-class Begun(Protocol):
+class HasStartTime(Protocol):
     """What every header says: when it began, on the session's clock (s)."""
 
     @property
@@ -23,10 +23,10 @@ class Begun(Protocol):
         ...
 
 
-HeaderT = TypeVar("HeaderT", bound=Begun)
-HeaderT_co = TypeVar("HeaderT_co", bound=Begun, covariant=True)
-RecordT = TypeVar("RecordT", bound=Timed)
-RecordT_co = TypeVar("RecordT_co", bound=Timed, covariant=True)
+HeaderT = TypeVar("HeaderT", bound=HasStartTime)
+HeaderT_co = TypeVar("HeaderT_co", bound=HasStartTime, covariant=True)
+RecordT = TypeVar("RecordT", bound=Timestamped)
+RecordT_co = TypeVar("RecordT_co", bound=Timestamped, covariant=True)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from trex_gui.core.files.whole_files import opened
 from trex_gui.core.recording.blocks import Block, HeaderT, RecordT
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.devices.trex.recording.columns import cells_of, several_lines
-from trex_gui.devices.trex.recording.identify import stranger_text
+from trex_gui.devices.trex.recording.identify import wrong_device_message
 
 _ROWS = 1000
 _LONGEST_LINE = 1 << 18
@@ -139,7 +139,7 @@ class CsvBlocks(ABC, Generic[HeaderT, RecordT]):
         except ValueError:  # no text, or none with cells
             self._names = []
         if self._names[:2] != ["time_s", self.kind_column]:
-            if stranger := stranger_text(self.path):
+            if stranger := wrong_device_message(self.path):
                 raise RecordingError(str(self.path), stranger)
             raise self._error("This is no recording of TReX Studio.", 1)
         self._places = {name: place for place, name in enumerate(self._names)}

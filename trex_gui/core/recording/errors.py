@@ -1,9 +1,9 @@
 """What can be wrong with a recording, said with its file and the place in it."""
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 
 
-class RecordingError(TrexError):
+class RecordingError(StudioError):
     """A recording cannot be read or written.
 
     Attributes:

@@ -28,7 +28,7 @@ class Condition(Protocol):
         ...
 
 
-class QueueInbox:
+class RequestQueue:
     """An inbox that any thread may put requests into, of whatever kind its session takes.
 
     Not on `queue.SimpleQueue`: in Python 3.11 its `get` waits without end where its time is over

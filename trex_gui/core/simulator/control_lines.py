@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.server import GOODBYE
 
 SWITCH = {"on": True, "off": False}
@@ -20,7 +20,7 @@ def answer(obey: Callable[[list[str]], str], text: str) -> str:
     """Obey the words of one control line and return the answer, without a line end."""
     try:
         done = obey(text.split())
-    except (ControlError, TrexError) as error:
+    except (ControlError, StudioError) as error:
         return "error " + " ".join(str(error).split())
     return f"ok {done}".rstrip()
 
@@ -83,7 +83,7 @@ def amount(text: str, what: str = "a number of bytes", highest: int = _MANY) -> 
     return int(text)
 
 
-class Faults(Protocol):
+class WireFaults(Protocol):
     """What goes wrong with the bytes on a wire."""
 
     mute: bool
@@ -108,7 +108,7 @@ class Cable(Protocol):
         ...
 
 
-def wire(cable: Cable, faults: Faults, words: Sequence[str], *more: str) -> str:
+def wire(cable: Cable, faults: WireFaults, words: Sequence[str], *more: str) -> str:
     """Do to a wire what the words behind `line` say; `more` is what it knows beside these.
 
     Raises:

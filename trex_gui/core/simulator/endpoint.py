@@ -7,13 +7,13 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from typing import Protocol
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 
 CHUNK = 256
 """Bytes taken at a time, so that a host that changes its baud rate is noticed soon."""
 
 
-class EndpointError(TrexError):
+class EndpointError(StudioError):
     """The place where a host would plug in cannot be made; says which and why."""
 
 

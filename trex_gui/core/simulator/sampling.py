@@ -21,7 +21,7 @@ _PARITIES = {Detection.EVEN: 0, Detection.ODD: 1}
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class SampledByte:
     """What a receiver makes of the levels.
 
     Attributes:
@@ -73,7 +73,9 @@ class Receiver:
             return None
         return self._begun + (self._bits_wanted - 1 + _SAMPLE_AT) * self._bit
 
-    def hear(self, begin: float, byte: int, settings: LineSettings, baud: int) -> Iterator[Heard]:
+    def hear(
+        self, begin: float, byte: int, settings: LineSettings, baud: int
+    ) -> Iterator[SampledByte]:
         """Take a byte that a sender with these settings begins now; yield what is complete.
 
         `begin` is in seconds and not before the end of the byte before it.
@@ -83,16 +85,16 @@ class Receiver:
         for index, level in enumerate(bits):
             yield from self.take(level, begin + (index + 1) / baud)
 
-    def hear_alone(self, byte: int, settings: LineSettings, baud: int) -> Iterator[Heard]:
+    def hear_alone(self, byte: int, settings: LineSettings, baud: int) -> Iterator[SampledByte]:
         """Take a byte after which the wire rests; yield all that is made of it."""
         yield from self.hear(self.known_until, byte, settings, baud)
         yield from self.rest(self.known_until + self._bits_wanted * self._bit)
 
-    def rest(self, until: float) -> Iterator[Heard]:
+    def rest(self, until: float) -> Iterator[SampledByte]:
         """Let the wire rest high until a moment; yield what is complete by then."""
         yield from self.take(_HIGH, until)
 
-    def take(self, level: int, until: float) -> Iterator[Heard]:
+    def take(self, level: int, until: float) -> Iterator[SampledByte]:
         """Let the wire keep a level until a moment; yield what is complete by then."""
         if until <= self.known_until:
             return
@@ -111,7 +113,7 @@ class Receiver:
                 yield self._complete(at)
         self.known_until = until
 
-    def _complete(self, at: float) -> Heard:
+    def _complete(self, at: float) -> SampledByte:
         begun = at if self._begun is None else self._begun
         bits, self._bits, self._begun = self._bits, [], None
         data = bits[1 : 1 + _DATA_BITS]
@@ -123,4 +125,4 @@ class Receiver:
             wanted = sum(data) % 2 ^ _PARITIES[self._detection]
             if bits[1 + _DATA_BITS] != wanted:
                 error = UartError.PARITY
-        return Heard(begun, at, value, error)
+        return SampledByte(begun, at, value, error)

@@ -68,8 +68,8 @@ class Transport(Protocol):
         ...
 
     @property
-    def can_be_tuned(self) -> bool:
-        """Whether `tune` changes how bytes travel."""
+    def is_configurable(self) -> bool:
+        """Whether `reconfigure` changes how bytes travel."""
         ...
 
     def rates(self) -> frozenset[int] | None:
@@ -79,7 +79,7 @@ class Transport(Protocol):
         """
         ...
 
-    def tune(self, line: LineSettings) -> None:
+    def reconfigure(self, line: LineSettings) -> None:
         """Go on with these settings; nothing may be on its way.
 
         Raises:
@@ -141,14 +141,14 @@ class SerialTransport:
         return self._latency
 
     @property
-    def can_be_tuned(self) -> bool:
+    def is_configurable(self) -> bool:
         # Behind a plain network port somebody else has set the rate.
         return not self._url.startswith("socket://")
 
     def rates(self) -> frozenset[int] | None:
         return None if "://" in self._url else rates_of(self._port, baud_rates())
 
-    def tune(self, line: LineSettings) -> None:
+    def reconfigure(self, line: LineSettings) -> None:
         port = self._port
         wanted = {
             "baudrate": line.baud,

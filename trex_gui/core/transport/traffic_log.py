@@ -1,7 +1,7 @@
 """Every byte of a line as it passes, for whoever wants to read it later.
 
-A `TapedTransport` stands between a session and its port and notes what goes either way on a
-`Tape`, which another thread empties. Nothing is judged here: `exchanges` puts question and
+A `LoggingTransport` stands between a session and its port and notes what goes either way on a
+`TrafficLog`, which another thread empties. Nothing is judged here: `exchanges` puts question and
 answer together, and each device has its own words for them.
 """
 
@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 
-from trex_gui.core.errors import TrexError, sentence
+from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -20,7 +20,7 @@ _LONGEST_TAPE = 50_000
 """Pieces that are kept for a reader that is late: at 1,000 a second, nearly a minute."""
 
 
-class Way(Enum):
+class TrafficDirection(Enum):
     """Where the bytes of a piece went, or that none did."""
 
     SENT = auto()
@@ -29,7 +29,7 @@ class Way(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class TrafficEvent:
     """What passed at one time.
 
     Attributes:
@@ -40,14 +40,14 @@ class Piece:
     """
 
     time: float
-    way: Way
+    way: TrafficDirection
     data: bytes = b""
     text: str = ""
     settings: LinkSettings | None = None
 
 
 @dataclass(slots=True)
-class Tape:
+class TrafficLog:
     """Pieces between the thread of a line and one reader; bounded, and nobody ever waits.
 
     Attributes:
@@ -55,42 +55,42 @@ class Tape:
     """
 
     lost: int = 0
-    _pieces: deque[Piece] = field(default_factory=deque)
+    _pieces: deque[TrafficEvent] = field(default_factory=deque)
 
-    def note(self, piece: Piece) -> None:
+    def note(self, piece: TrafficEvent) -> None:
         """Add a piece, from the thread of the line."""
         if len(self._pieces) >= _LONGEST_TAPE:
             self.lost += 1
             return
         self._pieces.append(piece)
 
-    def take(self) -> list[Piece]:
+    def take(self) -> list[TrafficEvent]:
         """Return what was noted since the last time, in order; from the reader's thread."""
         count = len(self._pieces)  # what comes meanwhile stays for the next time
         return [self._pieces.popleft() for _ in range(count)]
 
 
-class TapedTransport:
+class LoggingTransport:
     """A line whose bytes are noted; otherwise it does what the one below it does."""
 
-    def __init__(self, below: Transport, settings: LinkSettings, tape: Tape) -> None:
+    def __init__(self, below: Transport, settings: LinkSettings, log: TrafficLog) -> None:
         self._below = below
         self._settings = settings
-        self._tape = tape
+        self._tape = log
 
     @property
     def latency(self) -> float:
         return self._below.latency
 
     @property
-    def can_be_tuned(self) -> bool:
-        return self._below.can_be_tuned
+    def is_configurable(self) -> bool:
+        return self._below.is_configurable
 
     def rates(self) -> frozenset[int] | None:
         return self._below.rates()
 
-    def tune(self, line: LineSettings) -> None:
-        self._below.tune(line)
+    def reconfigure(self, line: LineSettings) -> None:
+        self._below.reconfigure(line)
         if line != self._settings.line:
             self._settings = replace(self._settings, line=line)
             self._note_line(f"Set to {line.text()}.", self._settings)
@@ -100,17 +100,17 @@ class TapedTransport:
 
     def write(self, data: bytes) -> None:
         # Noted first: an answer must not stand before its question, nor one that failed be missing.
-        self._tape.note(Piece(self._below.clock(), Way.SENT, data))
+        self._tape.note(TrafficEvent(self._below.clock(), TrafficDirection.SENT, data))
         try:
             self._below.write(data)
-        except TrexError as error:
+        except StudioError as error:
             self._note_line(sentence(error))
             raise
 
     def read(self, size: int, seconds: float) -> bytes:
         try:
             data = self._below.read(size, seconds)
-        except TrexError as error:
+        except StudioError as error:
             self._note_line(sentence(error))
             raise
         return self._hear(data)
@@ -118,7 +118,7 @@ class TapedTransport:
     def discard(self) -> bytes:
         try:
             data = self._below.discard()
-        except TrexError as error:
+        except StudioError as error:
             self._note_line(sentence(error))
             raise
         return self._hear(data)
@@ -132,15 +132,17 @@ class TapedTransport:
 
     def _hear(self, data: bytes) -> bytes:
         if data:
-            self._tape.note(Piece(self._below.clock(), Way.RECEIVED, data))
+            self._tape.note(TrafficEvent(self._below.clock(), TrafficDirection.RECEIVED, data))
         return data
 
     def _note_line(self, text: str, settings: LinkSettings | None = None) -> None:
-        self._tape.note(Piece(self._below.clock(), Way.LINE, text=text, settings=settings))
+        self._tape.note(
+            TrafficEvent(self._below.clock(), TrafficDirection.LINE, text=text, settings=settings)
+        )
 
 
-def taped(
-    tape: Tape,
+def logged(
+    log: TrafficLog,
     open_transport: Callable[[LinkSettings], Transport] = SerialTransport,
     clock: Callable[[], float] = time.monotonic,
 ) -> Callable[[LinkSettings], Transport]:
@@ -152,11 +154,11 @@ def taped(
     def opened(settings: LinkSettings) -> Transport:
         try:
             below = open_transport(settings)
-        except TrexError as error:
-            tape.note(Piece(clock(), Way.LINE, text=sentence(error)))
+        except StudioError as error:
+            log.note(TrafficEvent(clock(), TrafficDirection.LINE, text=sentence(error)))
             raise
         text = f"Opened {settings.text()}."
-        tape.note(Piece(clock(), Way.LINE, text=text, settings=settings))
-        return TapedTransport(below, settings, tape)
+        log.note(TrafficEvent(clock(), TrafficDirection.LINE, text=text, settings=settings))
+        return LoggingTransport(below, settings, log)
 
     return opened

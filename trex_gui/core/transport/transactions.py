@@ -1,19 +1,19 @@
 """Question and answer put together again from the bytes of a line, whatever the device.
 
-A row of a transcript is an `Exchange`: what was sent, what came until the next was sent, and
-how long that took. What it means is the business of a `Wording`, one for each device.
+A row of a transcript is an `Transaction`: what was sent, what came until the next was sent, and
+how long that took. What it means is the business of a `Decoder`, one for each device.
 """
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from trex_gui.core.transport.traffic_log import Piece, Way
+from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 
 @dataclass(frozen=True, slots=True)
-class Words:
+class Decoded:
     """What an exchange means, for people; `is_fault` where something went wrong in it."""
 
     text: str
@@ -21,7 +21,7 @@ class Words:
 
 
 @dataclass(slots=True, eq=False)
-class Exchange:
+class Transaction:
     """One row: something sent and its answer, or something that happened to the line.
 
     Attributes:
@@ -34,7 +34,7 @@ class Exchange:
         echo: whether everything sent comes back; `None` where nobody knows yet.
         is_routine: whether it is one of the questions that the program repeats all the time.
         is_over: whether nothing more will come.
-        words: what it means, once somebody asked; see `Wording.words_of`.
+        words: what it means, once somebody asked; see `Decoder.decoded`.
     """
 
     number: int
@@ -47,7 +47,7 @@ class Exchange:
     is_routine: bool = False
     ended: float | None = None
     is_over: bool = False
-    words: Words | None = None
+    words: Decoded | None = None
 
     @property
     def seconds(self) -> float | None:
@@ -55,7 +55,7 @@ class Exchange:
         return None if self.ended is None or not self.sent else self.ended - self.time
 
 
-class Wording(ABC):
+class Decoder(ABC):
     """What the bytes of a device mean."""
 
     @abstractmethod
@@ -67,10 +67,10 @@ class Wording(ABC):
         """Return whether the program repeats this question all the time."""
 
     @abstractmethod
-    def is_whole(self, exchange: Exchange) -> bool:
+    def is_whole(self, exchange: Transaction) -> bool:
         """Return whether the answer has come; what comes behind it belongs to nothing."""
 
-    def goes_with(self, exchange: Exchange, sent: bytes) -> bool:
+    def goes_with(self, exchange: Transaction, sent: bytes) -> bool:
         """Return whether these bytes belong to the row that is open, though they were sent later.
 
         Whatever comes may be the answer to either then.
@@ -79,28 +79,28 @@ class Wording(ABC):
         return False
 
     @abstractmethod
-    def read(self, exchange: Exchange) -> Words:
+    def read(self, exchange: Transaction) -> Decoded:
         """Return what an exchange means that has bytes."""
 
-    def words_of(self, exchange: Exchange) -> Words:
+    def decoded(self, exchange: Transaction) -> Decoded:
         """Return what an exchange means; remembers it once the exchange is over."""
         if (known := exchange.words) is not None:  # once: `forget` may come from another thread
             return known
-        words = Words(exchange.note) if exchange.note else self.read(exchange)
+        words = Decoded(exchange.note) if exchange.note else self.read(exchange)
         if exchange.is_over:
             exchange.words = words
         return words
 
 
-class Assembler:
+class TransactionAssembler:
     """Makes rows of pieces."""
 
-    def __init__(self, wording: Wording) -> None:
+    def __init__(self, wording: Decoder) -> None:
         self._wording = wording
         self._count = 0
         self._settings: LinkSettings | None = None
         self._echo: bool | None = None
-        self._open: Exchange | None = None
+        self._open: Transaction | None = None
 
     def note_settings(self, settings: LinkSettings, *, echo: bool) -> None:
         """Know better how the line is set than the line itself tells, and whether it echoes."""
@@ -110,30 +110,32 @@ class Assembler:
         """Another line is opened."""
         self._echo = None
 
-    def feed(self, pieces: Iterable[Piece]) -> list[Exchange]:
+    def feed(self, pieces: Iterable[TrafficEvent]) -> list[Transaction]:
         """Take what has passed; return every row that is new or has changed, in order."""
-        touched: dict[int, Exchange] = {}
+        touched: dict[int, Transaction] = {}
 
-        def touch(exchange: Exchange | None) -> None:
+        def touch(exchange: Transaction | None) -> None:
             if exchange is not None:
                 touched[exchange.number] = exchange
 
         for piece in pieces:
             match piece.way:
-                case Way.LINE:
+                case TrafficDirection.LINE:
                     touch(self._end())
                     self._settings = piece.settings or self._settings
                     row = self._row(piece.time)
                     row.note, row.is_over = piece.text, True
                     touch(row)
-                case Way.SENT if self._open and self._wording.goes_with(self._open, piece.data):
+                case TrafficDirection.SENT if self._open and self._wording.goes_with(
+                    self._open, piece.data
+                ):
                     self._open.sent += piece.data
                     touch(self._open)
-                case Way.SENT:
+                case TrafficDirection.SENT:
                     touch(self._end())
                     self._open = self._row(piece.time, piece.data)
                     touch(self._open)
-                case Way.RECEIVED:
+                case TrafficDirection.RECEIVED:
                     if self._open is None or self._is_answered(self._open):
                         touch(self._end())
                         self._open = self._row(piece.time)
@@ -142,20 +144,20 @@ class Assembler:
                     touch(self._open)
         return [touched[number] for number in sorted(touched)]
 
-    def _is_answered(self, exchange: Exchange) -> bool:
+    def _is_answered(self, exchange: Transaction) -> bool:
         return bool(exchange.received) and self._wording.is_whole(exchange)
 
-    def _end(self) -> Exchange | None:
+    def _end(self) -> Transaction | None:
         """Let nothing more come to the row that is open; return it."""
         ended, self._open = self._open, None
         if ended is not None:
             ended.is_over = True
         return ended
 
-    def _row(self, time: float, sent: bytes = b"") -> Exchange:
+    def _row(self, time: float, sent: bytes = b"") -> Transaction:
         self._count += 1
         is_routine = bool(sent) and self._wording.is_routine(sent)
-        return Exchange(
+        return Transaction(
             self._count,
             time,
             sent,

@@ -21,7 +21,7 @@ class DemoLine:
     noise: float
 
 
-class Snapshot(Protocol):
+class DeviceSnapshot(Protocol):
     """What every simulated device says of itself."""
 
     @property
@@ -35,7 +35,7 @@ class Snapshot(Protocol):
         ...
 
 
-SnapshotT = TypeVar("SnapshotT", bound=Snapshot)
+SnapshotT = TypeVar("SnapshotT", bound=DeviceSnapshot)
 
 
 class DemoDevice(QObject, Generic[SnapshotT]):

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Kind:
+class DeviceKind:
     """A kind of device that a port may lead to.
 
     Attributes:
@@ -16,5 +16,5 @@ class Kind:
     name: str
 
 
-TREX = Kind("trex", "TReX")
+TREX = DeviceKind("trex", "TReX")
 """What a port leads to while nobody has said otherwise."""

@@ -6,13 +6,13 @@ from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.ui.devices.device_kind import Kind
+from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.ports import Port
 
 
-class Way(Protocol):
+class DeviceController(Protocol):
     """How one kind of device is reached."""
 
     @property
@@ -26,17 +26,17 @@ class Way(Protocol):
         ...
 
     @property
-    def stop_told(self) -> SignalInstance:
+    def stop_reported(self) -> SignalInstance:
         """What `stop_because` has come to, in sentences, where more is known by now."""
         ...
 
     @property
-    def kind(self) -> Kind:
+    def kind(self) -> DeviceKind:
         """The kind of device."""
         ...
 
     @property
-    def link(self) -> Link:
+    def link(self) -> ConnectionState:
         """How things stand."""
         ...
 
@@ -101,7 +101,7 @@ class Way(Protocol):
         ...
 
     @property
-    def unstopped(self) -> str:
+    def unconfirmed_stop(self) -> str:
         """What people have to know of motors that may turn though the line is closed.
 
         In sentences; empty where every stop that was asked for is proved.
@@ -120,7 +120,7 @@ class Way(Protocol):
         ...
 
 
-class Switchboard(QObject):
+class DeviceManager(QObject):
     """Connects to one device at a time; the one before is left first.
 
     Signals:
@@ -134,9 +134,9 @@ class Switchboard(QObject):
     changed = Signal()
     progressed = Signal(int, int, str)
     current_changed = Signal()
-    stop_told = Signal(str)
+    stop_reported = Signal(str)
 
-    def __init__(self, ways: Sequence[Way], parent: QObject | None = None) -> None:
+    def __init__(self, ways: Sequence[DeviceController], parent: QObject | None = None) -> None:
         """Choose among `ways`; the first is in use until another one is asked for."""
         super().__init__(parent)
         self._ways = {way.kind.key: way for way in ways}
@@ -145,44 +145,44 @@ class Switchboard(QObject):
         for way in ways:
             way.changed.connect(self._on_changed)
             way.progressed.connect(self.progressed)
-            way.stop_told.connect(partial(self._on_stop_told, way))
+            way.stop_reported.connect(partial(self._on_stop_reported, way))
 
     @property
-    def current(self) -> Way:
+    def current(self) -> DeviceController:
         """The device that is connected, or was last."""
         return self._current
 
     @property
     def is_idle(self) -> bool:
         """Whether nothing is connected, nor about to be."""
-        return self._current.link is Link.NONE and not self._current.starting
+        return self._current.link is ConnectionState.NONE and not self._current.starting
 
     def connect_to(self, port: Port) -> None:
         """Connect to a port; a device of another kind is left first."""
         way = self._ways[port.device]
-        self._turn_to(way, lambda: way.connect_to(port))
+        self._switch_to(way, lambda: way.connect_to(port))
 
     def connect_with(self, port: Port, settings: LinkSettings) -> None:
         """Connect to a port at which a device was found with these settings."""
         way = self._ways[port.device]
-        self._turn_to(way, lambda: way.connect_with(port, settings))
+        self._switch_to(way, lambda: way.connect_with(port, settings))
 
-    def turn_to(self, device: str) -> bool:
+    def switch_to(self, device: str) -> bool:
         """Use another kind of device from now on, and connect to none.
 
         Return whether it is in use: nothing that is connected is left for it.
         """
         way = self._ways[device]
         if way is not self._current and self.is_idle:
-            self._turn_to(way, lambda: None)
+            self._switch_to(way, lambda: None)
         return way is self._current
 
-    def _turn_to(self, way: Way, then: Callable[[], None]) -> None:
+    def _switch_to(self, way: DeviceController, then: Callable[[], None]) -> None:
         self._next = None
         if way is not self._current:
             self._current.leave()  # an idle one may be waiting for a search to end, too
             if not self.is_idle:
-                self._next = lambda: self._turn_to(way, then)
+                self._next = lambda: self._switch_to(way, then)
                 return
             self._current = way
             self.current_changed.emit()
@@ -208,19 +208,19 @@ class Switchboard(QObject):
         told = [texts.pop(self._current.kind.key), *texts.values()]
         text = "\n".join(filter(None, told)) or (f"{reason}." if is_news else "")
         if text:
-            self.stop_told.emit(text)
+            self.stop_reported.emit(text)
 
-    def _on_stop_told(self, way: Way, text: str) -> None:
+    def _on_stop_reported(self, way: DeviceController, text: str) -> None:
         if way is self._current:
-            self.stop_told.emit(text)
+            self.stop_reported.emit(text)
 
     @property
-    def unstopped(self) -> str:
+    def unconfirmed_stop(self) -> str:
         """What people have to know of motors that may turn though every line is closed.
 
         In sentences; empty where there is nothing to know.
         """
-        return "\n".join(filter(None, (way.unstopped for way in self._ways.values())))
+        return "\n".join(filter(None, (way.unconfirmed_stop for way in self._ways.values())))
 
     def shut_down(self) -> bool:
         """Close every line; return whether all ended in time.

@@ -34,7 +34,7 @@ class Event:
     text: str  # one line, for people
 
 
-class Events(QObject):
+class EventLog(QObject):
     """The newest events, oldest first.
 
     Signals:

@@ -7,7 +7,7 @@ from enum import Enum, auto
 from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from serial.tools import list_ports
 
-from trex_gui.ui.devices.device_kind import TREX, Kind
+from trex_gui.ui.devices.device_kind import TREX, DeviceKind
 from trex_gui.ui.runtime import runtime
 
 _INTERVAL_MS = 1500
@@ -52,7 +52,9 @@ class Ports(QObject):
 
     changed = Signal()
 
-    def __init__(self, parent: QObject | None = None, kinds: Sequence[Kind] = (TREX,)) -> None:
+    def __init__(
+        self, parent: QObject | None = None, kinds: Sequence[DeviceKind] = (TREX,)
+    ) -> None:
         super().__init__(parent)
         self._kinds = tuple(kinds)
         self._settings = QSettings(self)
@@ -70,7 +72,7 @@ class Ports(QObject):
         return self._entries
 
     @property
-    def kinds(self) -> tuple[Kind, ...]:
+    def kinds(self) -> tuple[DeviceKind, ...]:
         """The kinds of devices that a port may lead to."""
         return self._kinds
 

@@ -5,19 +5,19 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
-from trex_gui.core.discovery.prober import Seek, Sighting, Step
+from trex_gui.core.discovery.prober import FoundDevice, ProberInfo, ScanProgress
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.discovery.prober import SEEK_TREX
+from trex_gui.devices.trex.discovery.prober import TREX_PROBER
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.devices.device_kind import TREX
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.simulator_process import Simulator
 from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.scan_worker import Errand, FindWorker, Searched
+from trex_gui.ui.workers.scan_worker import ScanJob, ScanResult, ScanWorker
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class ScanFinding:
     """What came of one port: a board, or in a sentence what was there instead.
 
     Attributes:
@@ -28,11 +28,11 @@ class Finding:
 
     port: Port
     text: str
-    found: Sighting | None = None
+    found: FoundDevice | None = None
     device: str = TREX.key
 
 
-class Finder(QObject):
+class DeviceScanner(QObject):
     """Searches ports one after the other; asks only, and moves nothing.
 
     Signals:
@@ -54,13 +54,13 @@ class Finder(QObject):
     ) -> None:
         super().__init__(parent)
         self._timeouts = timeouts or Timeouts()
-        self._seeks: dict[str, Seek] = {TREX.key: SEEK_TREX}
+        self._seeks: dict[str, ProberInfo] = {TREX.key: TREX_PROBER}
         self._simulators = {TREX.key: simulator}
         self._demo_names = {TREX.key: self.tr("the simulated board")}
         self._said: dict[str, str] = {}
-        self._worker: FindWorker | None = None
+        self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
-        self._findings: tuple[Finding, ...] = ()
+        self._findings: tuple[ScanFinding, ...] = ()
         self._searched = 0
         self._done = 0
         self._total = 1
@@ -69,7 +69,7 @@ class Finder(QObject):
         self._cancelled = False
         self._faults = 0
 
-    def also(self, device: str, seek: Seek, simulator: Simulator, demo_name: str) -> None:
+    def also(self, device: str, seek: ProberInfo, simulator: Simulator, demo_name: str) -> None:
         """Look for another kind of device, too; see `link.seeking` for the order.
 
         What it asks must be harmless to the devices of every kind. `demo_name` is what people
@@ -89,7 +89,7 @@ class Finder(QObject):
         return self._worker is not None
 
     @property
-    def findings(self) -> tuple[Finding, ...]:
+    def findings(self) -> tuple[ScanFinding, ...]:
         """What came of the ports that were searched so far, in their order."""
         return self._findings
 
@@ -128,7 +128,7 @@ class Finder(QObject):
         self._summary = ""
         self._cancelled = False
         self._text = self.tr("Opening {0} …").format(_name(self._ports[0]))
-        self._worker = FindWorker([self._errand(port) for port in self._ports], full=full)
+        self._worker = ScanWorker([self._errand(port) for port in self._ports], full=full)
         self._worker.stepped.connect(self._on_stepped, Qt.ConnectionType.QueuedConnection)
         self._worker.searched.connect(self._on_searched, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
@@ -158,20 +158,22 @@ class Finder(QObject):
         worker.finished.disconnect(self._on_worker_finished)
         in_time = worker.close()
         if not in_time:
-            orphaned_threads.keep(worker)
+            orphaned_threads.adopt(worker)
         return in_time
 
-    def _errand(self, port: Port) -> Errand:
+    def _errand(self, port: Port) -> ScanJob:
         """Look for every kind of device, first for what the port is known to lead to."""
         if port.kind is not PortKind.DEMO:
             first = self._said.get(port.url, port.device)
-            return Errand(LinkSettings(port.url, timeouts=self._timeouts), dict(self._seeks), first)
+            return ScanJob(
+                LinkSettings(port.url, timeouts=self._timeouts), dict(self._seeks), first
+            )
         url = self._simulators[port.device].url
         settings = LinkSettings(url, name=self._demo_names[port.device], timeouts=self._timeouts)
-        return Errand(settings, {port.device: self._seeks[port.device]})
+        return ScanJob(settings, {port.device: self._seeks[port.device]})
 
     @Slot(int, object)
-    def _on_stepped(self, index: int, step: Step) -> None:
+    def _on_stepped(self, index: int, step: ScanProgress) -> None:
         self._total = len(self._ports) * step.total
         self._done = index * step.total + step.done
         if not self._cancelled:
@@ -184,20 +186,21 @@ class Finder(QObject):
         self.progressed.emit()
 
     @Slot(object)
-    def _on_searched(self, searched: Searched) -> None:
+    def _on_searched(self, searched: ScanResult) -> None:
         port, search = self._ports[searched.index], searched.search
         self._searched = searched.index + 1
         self._faults += search.is_fault
         if search.found:
             self._said[port.url] = search.device
             self._findings += tuple(
-                Finding(port, self._sentence(found), found, search.device) for found in search.found
+                ScanFinding(port, self._sentence(found), found, search.device)
+                for found in search.found
             )
         elif not search.cancelled:
-            self._findings += (Finding(port, "\n\n".join(search.lines)),)
+            self._findings += (ScanFinding(port, "\n\n".join(search.lines)),)
         self.changed.emit()
 
-    def _sentence(self, found: Sighting) -> str:
+    def _sentence(self, found: FoundDevice) -> str:
         settings = found.settings
         text = self.tr("{0} on {1} at {2}").format(
             found.name, settings.name or settings.url, settings.short

@@ -15,11 +15,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
-from trex_gui.ui.devices.device_manager import Switchboard
+from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.theme.icons import set_icon
@@ -44,7 +44,7 @@ class ConnectionBar(QWidget):
 
     def __init__(
         self,
-        switchboard: Switchboard,
+        device_manager: DeviceManager,
         device: Device,
         ports: Ports,
         connector: Connector,
@@ -52,7 +52,7 @@ class ConnectionBar(QWidget):
     ) -> None:
         """Connect by the switchboard; line settings and the search are those of the TReX."""
         super().__init__(parent)
-        self._switchboard = switchboard
+        self._switchboard = device_manager
         self._device = device
         self._ports = ports
         self._connector = connector
@@ -109,9 +109,9 @@ class ConnectionBar(QWidget):
         self._line.clicked.connect(self.edit_line)
         self._find.clicked.connect(self.find_board)
         ports.changed.connect(self._on_ports_changed)
-        switchboard.changed.connect(self._on_link_changed)
-        switchboard.current_changed.connect(self._on_link_changed)
-        switchboard.progressed.connect(self._on_progressed)
+        device_manager.changed.connect(self._on_link_changed)
+        device_manager.current_changed.connect(self._on_link_changed)
+        device_manager.progressed.connect(self._on_progressed)
         self._on_ports_changed()
         self._on_link_changed()
 
@@ -239,7 +239,7 @@ class ConnectionBar(QWidget):
     def _on_link_changed(self) -> None:
         way = self._switchboard.current
         link, starting, idle = way.link, way.starting, self._switchboard.is_idle
-        opening = link is Link.OPENING or starting
+        opening = link is ConnectionState.OPENING or starting
         if way.port != self._connected:
             self._connected = way.port
             if way.port is not None:
@@ -256,7 +256,7 @@ class ConnectionBar(QWidget):
             self._progress.setRange(0, 0)
         self._connect.setText(self.tr("&Connect") if idle else self.tr("Dis&connect"))
         set_icon(self._connect, "connect" if idle else "disconnect")
-        self._connect.setEnabled(link is not Link.CLOSING)
+        self._connect.setEnabled(link is not ConnectionState.CLOSING)
         self._line.setEnabled(idle and way.has_line_settings)
 
     @Slot(int, int, str)

@@ -19,9 +19,9 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.ui.devices.device_manager import Switchboard
+from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
-from trex_gui.ui.devices.scanner import Finding
+from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.theme.icons import set_icon
 
 _PORT = Qt.ItemDataRole.UserRole
@@ -32,7 +32,7 @@ class FindDialog(QDialog):
 
     def __init__(
         self,
-        switchboard: Switchboard,
+        device_manager: DeviceManager,
         ports: Ports,
         connector: Connector,
         parent: QWidget | None = None,
@@ -42,11 +42,11 @@ class FindDialog(QDialog):
         self.setWindowTitle(self.tr("Find a board"))
         self.resize(620, 480)
         self._ports = ports
-        self._switchboard = switchboard
+        self._switchboard = device_manager
         self._connector = connector
         self._finder = connector.finder
         self._ticks: dict[Port, bool] = {}
-        self._shown: tuple[Finding, ...] | None = None
+        self._shown: tuple[ScanFinding, ...] | None = None
         self._connects: dict[QPushButton, Port] = {}
 
         intro = _text(
@@ -128,12 +128,12 @@ class FindDialog(QDialog):
         layout.addLayout(bottom)
 
         self._list.itemChanged.connect(self._on_item_changed)
-        self._disconnect.clicked.connect(switchboard.leave)
+        self._disconnect.clicked.connect(device_manager.leave)
         self._start.clicked.connect(self._on_start_clicked)
         self._cancel.clicked.connect(self._finder.cancel)
         close.clicked.connect(self.close)
         ports.changed.connect(self._on_ports_changed)
-        switchboard.changed.connect(self._on_ports_changed)
+        device_manager.changed.connect(self._on_ports_changed)
         connector.demo_changed.connect(self._on_ports_changed)
         connector.simulator.ready.connect(self._on_ports_changed)
         connector.simulator.ended.connect(self._on_ports_changed)
@@ -177,7 +177,7 @@ class FindDialog(QDialog):
         if height <= 0:
             height = self.fontMetrics().height() + 4
         self._list.setFixedHeight(rows * height + 2 * self._list.frameWidth() + 4)
-        self._on_possibilities_changed()
+        self._on_actions_changed()
 
     def _item(self, port: Port) -> QListWidgetItem:
         is_open = port == self._switchboard.current.port
@@ -193,10 +193,10 @@ class FindDialog(QDialog):
     @Slot(QListWidgetItem)
     def _on_item_changed(self, item: QListWidgetItem) -> None:
         self._ticks[item.data(_PORT)] = item.checkState() is Qt.CheckState.Checked
-        self._on_possibilities_changed()
+        self._on_actions_changed()
 
     @Slot()
-    def _on_possibilities_changed(self) -> None:
+    def _on_actions_changed(self) -> None:
         running, port = self._finder.running, self._switchboard.current.port
         if port is not None:
             self._busy.setText(
@@ -236,13 +236,13 @@ class FindDialog(QDialog):
 
     @Slot()
     def _on_finder_changed(self) -> None:
-        self._on_possibilities_changed()
+        self._on_actions_changed()
         self._on_progressed()
         if self._finder.findings != self._shown:
             self._shown = self._finder.findings
             self._show_findings(self._shown)
 
-    def _show_findings(self, findings: tuple[Finding, ...]) -> None:
+    def _show_findings(self, findings: tuple[ScanFinding, ...]) -> None:
         self._connects.clear()
         while self._rows.count() > 1:
             if (item := self._rows.takeAt(0)) and (row := item.widget()):
@@ -251,7 +251,7 @@ class FindDialog(QDialog):
         for index, finding in enumerate(findings):
             self._rows.insertWidget(index, self._row(index, finding))
 
-    def _row(self, index: int, finding: Finding) -> QFrame:
+    def _row(self, index: int, finding: ScanFinding) -> QFrame:
         row = QFrame(self._results)
         row.setFrameShape(QFrame.Shape.StyledPanel)
         row.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
@@ -272,7 +272,7 @@ class FindDialog(QDialog):
             layout.addWidget(connect, 0, Qt.AlignmentFlag.AlignVCenter)
         return row
 
-    def _connect(self, finding: Finding) -> None:
+    def _connect(self, finding: ScanFinding) -> None:
         """Connect to what was found; the port leads there from now on."""
         if finding.found is None:
             return

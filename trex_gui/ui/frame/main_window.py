@@ -17,19 +17,19 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui import __version__
-from trex_gui.devices.trex.model.connection import Link
-from trex_gui.ui.devices.device_manager import Switchboard
+from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.frame.actions import build_menus
 from trex_gui.ui.frame.connection_bar import ConnectionBar
 from trex_gui.ui.frame.escape import EscapeWatch
 from trex_gui.ui.frame.help_dialog import HelpDialog
-from trex_gui.ui.frame.unconfirmed_stop_warning import LastWarning
-from trex_gui.ui.frame.workspace import Desk
+from trex_gui.ui.frame.unconfirmed_stop_warning import UnconfirmedStopWarning
+from trex_gui.ui.frame.workspace import Workspace
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import Scheme, theme
 from trex_gui.ui.widgets.banner import Banner
 from trex_gui.ui.widgets.file_drop import AnyFileDrop
-from trex_gui.ui.widgets.inline_prompt import Answer, Question
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
 _SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
 
@@ -37,59 +37,59 @@ _SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
 class MainWindow(QMainWindow):
     """Shows the desk of the device that is connected, or was last; knows no device itself."""
 
-    def __init__(self, switchboard: Switchboard, parent: QWidget | None = None) -> None:
-        """Make an empty frame; `furnish` puts its desks in."""
+    def __init__(self, device_manager: DeviceManager, parent: QWidget | None = None) -> None:
+        """Make an empty frame; `add_workspaces` puts its desks in."""
         super().__init__(parent)
         self.setObjectName("mainWindow")
         self.setWindowTitle(self.tr("TReX Studio"))
         self.setWindowIcon(application_icon())
-        self._switchboard = switchboard
+        self._switchboard = device_manager
         self._store = QSettings(self)
         frame = QWidget(self)
         self._banner = Banner(frame)
-        self._question = Question(frame)
+        self._question = InlinePrompt(frame)
         self._stack = QStackedWidget(frame)
         self._rows = QVBoxLayout(frame)
         self._rows.addWidget(self._banner)
         self._rows.addWidget(self._question)
         self._rows.addWidget(self._stack, 1)
         self.setCentralWidget(frame)
-        self._desks: tuple[Desk, ...] = ()
+        self._desks: tuple[Workspace, ...] = ()
         self._help = HelpDialog(self)
-        self._warning = LastWarning(switchboard, self._question, self)
+        self._warning = UnconfirmedStopWarning(device_manager, self._question, self)
         # Behind the event: a question about what is dropped must not hold up who dropped it.
         drop = AnyFileDrop(self)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
     @property
-    def question(self) -> Question:
+    def question(self) -> InlinePrompt:
         """Where desks ask what has to be asked."""
         return self._question
 
-    def furnish(self, connection: ConnectionBar, desks: Sequence[Desk]) -> None:
+    def add_workspaces(self, connection: ConnectionBar, workspaces: Sequence[Workspace]) -> None:
         """Put the row of the connection in, and a desk for each kind of device; once."""
         self._connection = connection
-        self._desks = tuple(desks)
+        self._desks = tuple(workspaces)
         self._rows.insertWidget(0, connection)
-        for desk in desks:
-            self._stack.addWidget(desk)
-            for dock in desk.docks:
+        for workspace in workspaces:
+            self._stack.addWidget(workspace)
+            for dock in workspace.docks:
                 self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
-            desk.told.connect(self._banner.show_news)
-            desk.refused.connect(self._banner.show_problem)
-            desk.settled.connect(self._banner.clear)
-            desk.possibilities_changed.connect(self._on_possibilities_changed)
+            workspace.told.connect(self._banner.show_news)
+            workspace.refused.connect(self._banner.show_problem)
+            workspace.settled.connect(self._banner.clear)
+            workspace.actions_changed.connect(self._on_actions_changed)
         slots = self._slots()
-        for desk in desks:
-            slots |= desk.slots()
-        self._actions = build_menus(self, slots, [desk.menus() for desk in desks])
+        for workspace in workspaces:
+            slots |= workspace.slots()
+        self._actions = build_menus(self, slots, [workspace.menus() for workspace in workspaces])
 
         connection.connecting.connect(self._banner.clear)
         connection.interruption_wanted.connect(self._on_interruption_wanted)
-        self._switchboard.changed.connect(self._on_possibilities_changed)
+        self._switchboard.changed.connect(self._on_actions_changed)
         self._switchboard.current_changed.connect(self._on_device_changed)
         # Behind what the same report changes: a link that is up again clears the banner.
-        self._switchboard.stop_told.connect(
+        self._switchboard.stop_reported.connect(
             self._banner.show_problem, Qt.ConnectionType.QueuedConnection
         )
         theme().changed.connect(self._on_theme_changed)
@@ -103,12 +103,12 @@ class MainWindow(QMainWindow):
     @property
     def pages(self) -> QTabWidget:
         """The pages of the desk that is shown, in the order of their tabs."""
-        return self._desk.pages
+        return self._workspace.pages
 
     @property
-    def _desk(self) -> Desk:
+    def _workspace(self) -> Workspace:
         key = self._switchboard.current.kind.key
-        return next(desk for desk in self._desks if desk.key == key)
+        return next(workspace for workspace in self._desks if workspace.key == key)
 
     def _slots(self) -> dict[str, Callable[[], object]]:
         """What each action of the frame does."""
@@ -138,15 +138,15 @@ class MainWindow(QMainWindow):
     def open_file(self, path: Path) -> None:
         """Open a file on the desk that it belongs to, unless another device is connected."""
         suffix = path.suffix.lower()
-        for desk in self._desks:
-            for kind in desk.file_kinds:
+        for workspace in self._desks:
+            for kind in workspace.file_kinds:
                 if suffix in kind.suffixes:
-                    if self._switchboard.turn_to(desk.key):
+                    if self._switchboard.switch_to(workspace.key):
                         kind.open(path)
                     else:
                         self._banner.show_problem(self._why_elsewhere(path, kind.name))
                     return
-        kinds = [kind for desk in self._desks for kind in desk.file_kinds]
+        kinds = [kind for workspace in self._desks for kind in workspace.file_kinds]
         names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for kind in kinds)
         text = self.tr("{0} was not opened: nothing here opens such files. What can be: {1}.")
         self._banner.show_problem(text.format(path.name, names))
@@ -162,33 +162,33 @@ class MainWindow(QMainWindow):
     @Slot()
     def _on_device_changed(self) -> None:
         """Show the desk of the device in use, and what its menus offer."""
-        self._stack.setCurrentWidget(self._desk)
-        self._actions["stop"].setText(self._desk.stop_text)
-        self._actions["guide"].setText(self._desk.help_title)
+        self._stack.setCurrentWidget(self._workspace)
+        self._actions["stop"].setText(self._workspace.stop_text)
+        self._actions["guide"].setText(self._workspace.help_title)
         self._help.close()
-        for desk in self._desks:
-            for key in desk.slots():
-                self._actions[key].setVisible(desk is self._desk)
+        for workspace in self._desks:
+            for key in workspace.slots():
+                self._actions[key].setVisible(workspace is self._workspace)
         for menu_action in self.menuBar().actions():
             if isinstance(menu := menu_action.menu(), QMenu):
                 offered = (a.isVisible() and not a.isSeparator() for a in menu.actions())
                 menu_action.setVisible(any(offered))
         self._banner.clear()
-        self._on_possibilities_changed()
+        self._on_actions_changed()
 
     @Slot()
-    def _on_possibilities_changed(self) -> None:
+    def _on_actions_changed(self) -> None:
         """Let every action say whether it can be done now."""
         way = self._switchboard.current
         link = way.link
-        possible = {
-            "connect": link is Link.NONE,
-            "line": link is Link.NONE and way.has_line_settings,
-            "disconnect": link not in {Link.NONE, Link.CLOSING},
-            "stop": link in {Link.OPENING, Link.UP, Link.SILENT},
-            **self._desk.possible(),
+        enabled_actions = {
+            "connect": link is ConnectionState.NONE,
+            "line": link is ConnectionState.NONE and way.has_line_settings,
+            "disconnect": link not in {ConnectionState.NONE, ConnectionState.CLOSING},
+            "stop": link in {ConnectionState.OPENING, ConnectionState.UP, ConnectionState.SILENT},
+            **self._workspace.enabled_actions(),
         }
-        for key, is_possible in possible.items():
+        for key, is_possible in enabled_actions.items():
             self._actions[key].setEnabled(is_possible)
         self._question.reconsider()
 
@@ -200,7 +200,7 @@ class MainWindow(QMainWindow):
                 "Settings are being written. Disconnect all the same? What was not written yet "
                 "stays an edit."
             ),
-            Answer("disconnectYes", self.tr("Disconnect"), then),
+            PromptAnswer("disconnectYes", self.tr("Disconnect"), then),
             still=lambda: self._switchboard.current.is_busy,
         )
 
@@ -218,11 +218,11 @@ class MainWindow(QMainWindow):
         self._actions[theme().choice].setChecked(True)
 
     def _show_help(self) -> None:
-        desk = self._desk
-        if desk.help_url:
-            QDesktopServices.openUrl(QUrl(desk.help_url))
+        workspace = self._workspace
+        if workspace.help_url:
+            QDesktopServices.openUrl(QUrl(workspace.help_url))
         else:
-            self._help.show_text(desk.help_title, desk.help_text)
+            self._help.show_text(workspace.help_title, workspace.help_text)
 
     def _show_about(self) -> None:
         QMessageBox.about(
@@ -242,15 +242,17 @@ class MainWindow(QMainWindow):
         state = self._store.value("window/state")
         if isinstance(state, QByteArray):
             self.restoreState(state)
-        for desk in self._desks:
-            desk.take_actions(self._actions)
+        for workspace in self._desks:
+            workspace.take_actions(self._actions)
         wanted = self._store.value("window/scheme", "system")
         for scheme in _SCHEMES:
             if scheme == wanted and scheme != theme().choice:
                 theme().set_scheme(scheme)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self._warning.given and not all(desk.may_close(self.close) for desk in self._desks):
+        if not self._warning.given and not all(
+            workspace.may_close(self.close) for workspace in self._desks
+        ):
             event.ignore()
             return
         state = self.saveState()
@@ -260,11 +262,11 @@ class MainWindow(QMainWindow):
             self._warning.give()
             return
         self._store.setValue("window/state", state)
-        for desk in self._desks:
-            desk.prepare_to_close()
+        for workspace in self._desks:
+            workspace.prepare_to_close()
         self._connection.close_dialogs()
         self._help.close()
         self._store.setValue("window/geometry", self.saveGeometry())
-        for desk in self._desks:
-            desk.finish()
+        for workspace in self._desks:
+            workspace.finish()
         super().closeEvent(event)

@@ -3,15 +3,15 @@
 from PySide6.QtCore import QObject, Qt, QTimer, Slot
 from PySide6.QtWidgets import QApplication, QWidget
 
-from trex_gui.ui.devices.device_manager import Switchboard
+from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.runtime import now
-from trex_gui.ui.widgets.inline_prompt import Answer, Question
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
 _LOG_OUT_S = 60.0
 """Within which a window that is closed after a log-out has begun is closed by it."""
 
 
-class LastWarning(QObject):
+class UnconfirmedStopWarning(QObject):
     """Tells of a stop that is not proved where the window is closed, in the window.
 
     It asks rather than wait for an answer, so that whatever else ends the program does. A stop
@@ -19,9 +19,11 @@ class LastWarning(QObject):
     who has read it by then. Nobody is there to read it who logs out.
     """
 
-    def __init__(self, switchboard: Switchboard, question: Question, window: QWidget) -> None:
+    def __init__(
+        self, device_manager: DeviceManager, question: InlinePrompt, window: QWidget
+    ) -> None:
         super().__init__(window)
-        self._switchboard = switchboard
+        self._switchboard = device_manager
         self._question = question
         self._window = window
         self._given = False
@@ -38,7 +40,7 @@ class LastWarning(QObject):
     @property
     def is_due(self) -> bool:
         """Whether the window, with every line closed, must not go without it."""
-        return bool(self._switchboard.unstopped) and not self._given and not self._is_log_out
+        return bool(self._switchboard.unconfirmed_stop) and not self._given and not self._is_log_out
 
     @property
     def _is_log_out(self) -> bool:
@@ -51,20 +53,20 @@ class LastWarning(QObject):
 
     def give(self) -> None:
         """Say what has to be known; the window stays until that was read."""
-        text = self._switchboard.unstopped
+        text = self._switchboard.unconfirmed_stop
         self._given = True
         self._window.setWindowState(self._window.windowState() & ~Qt.WindowState.WindowMinimized)
         self._window.activateWindow()
         self._question.ask(
             text,
-            Answer("closeUnstopped", self.tr("Close the window"), self._window.close),
-            still=lambda: self._switchboard.unstopped == text,
+            PromptAnswer("closeUnstopped", self.tr("Close the window"), self._window.close),
+            still=lambda: self._switchboard.unconfirmed_stop == text,
             otherwise=self._on_over,
         )
 
     def _on_over(self) -> None:
         """It was cancelled, or things have answered it by themselves."""
-        if self._switchboard.is_idle and not self._switchboard.unstopped:
+        if self._switchboard.is_idle and not self._switchboard.unconfirmed_stop:
             QTimer.singleShot(0, self._window.close)
         else:
             self._given = False

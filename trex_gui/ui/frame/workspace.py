@@ -26,7 +26,7 @@ class FileKind:
     open: Callable[[Path], object]
 
 
-class Desk(QWidget):
+class Workspace(QWidget):
     """The pages of a device, the bar below them, and what its menus do.
 
     What is here does for a device that asks for no more; a desk has its own where it does.
@@ -35,13 +35,13 @@ class Desk(QWidget):
         told: what was done, for people.
         refused: what went wrong, for people.
         settled: what was told and refused before is over.
-        possibilities_changed: `possible` says something else.
+        possibilities_changed: `enabled_actions` says something else.
     """
 
     told = Signal(str)
     refused = Signal(str)
     settled = Signal()
-    possibilities_changed = Signal()
+    actions_changed = Signal()
 
     def __init__(self, key: str, parent: QWidget | None = None) -> None:
         """Show the device of this kind; see `model.kinds`."""
@@ -96,7 +96,7 @@ class Desk(QWidget):
     def take_actions(self, actions: Mapping[str, QAction]) -> None:
         """Take the actions that stand for its slots, by key, once the menus are made."""
 
-    def possible(self) -> Mapping[str, bool]:
+    def enabled_actions(self) -> Mapping[str, bool]:
         """Return which of its actions can be done now; those that are missing can."""
         return {}
 

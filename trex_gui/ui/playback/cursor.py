@@ -10,7 +10,7 @@ SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 _FRAME_MS = 33
 
 
-class MovingPlace(QObject):
+class PlaybackCursor(QObject):
     """A time between `start` and `end`; whoever derives from it says how far they are known.
 
     Signals:

@@ -5,17 +5,20 @@ from typing import Any
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.ui.playback.player import Player
+from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.plotting.event_list import EventList, EventModel
 
 
 class RecordedEvents(EventList):
     """Says of a recording without events that there are none, not that some may come."""
 
-    _player: Player[Any, Any, Any] | None = None
+    _player: RecordingPlayer[Any, Any, Any] | None = None
 
     def __init__(
-        self, model: EventModel, player: Player[Any, Any, Any], parent: QWidget | None = None
+        self,
+        model: EventModel,
+        player: RecordingPlayer[Any, Any, Any],
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(model, parent)
         self._player = player

@@ -39,7 +39,7 @@ class RecordingWords:
     shown_by: str
 
 
-class RecordingKeeper(QObject, Generic[RecorderT, WindowT]):
+class RecordingManager(QObject, Generic[RecorderT, WindowT]):
     """Asks where to record and what to open, and owns the windows of open recordings.
 
     One for each device derives from it and makes the windows.

@@ -10,19 +10,19 @@ from trex_gui.core.recording.block_replay import BlockReplay, LatestT
 from trex_gui.core.recording.blocks import BlockFile, HeaderT, RecordT
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.ui.devices.event_log import Event
-from trex_gui.ui.playback.cursor import MovingPlace
-from trex_gui.ui.playback.recording_loader import Gathered
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.playback.cursor import PlaybackCursor
+from trex_gui.ui.playback.recording_loader import LoadedRecording
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.file_worker import Done, FileWorker, Tell
+from trex_gui.ui.workers.file_worker import Done, FileWorker, ProgressCallback
 
 _PATIENCE_MS = 500
 """How long closing waits for a disk; armed motors are stopped when a window is silent for twice
 as long."""
 
 
-class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
+class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, LatestT]):
     """One recording, read by a thread of its own, and a place in it that can be moved and played.
 
     Before it is loaded only its header is known: there are no curves, events and blocks. One for
@@ -55,7 +55,7 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
         self._replay: BlockReplay[RecordT, LatestT] | None = None
         self._events: Sequence[Event] = ()
         self._rows = 0
-        self._history = History(columns, capacity=4096)
+        self._history = SampleHistory(columns, capacity=4096)
         self._progress = 0.0
         self._worker: FileWorker | None = None
         self._given_up: FileWorker | None = None  # a disk held it up when this was closed
@@ -63,11 +63,13 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
 
     # --- What the recordings of a device are -------------------------------------------
 
-    def gatherer(self) -> Callable[[Tell], Gathered[BlockReplay[RecordT, LatestT]]]:
+    def loader(
+        self,
+    ) -> Callable[[ProgressCallback], LoadedRecording[BlockReplay[RecordT, LatestT]]]:
         """Return what reads all of it, in another thread; it must not hold on to this object."""
         raise NotImplementedError
 
-    def traces_of(self, history: History, events: Sequence[Event]) -> Traces:
+    def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         """Return the curves of what was gathered."""
         raise NotImplementedError
 
@@ -87,7 +89,7 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
         worker, self._worker = self._worker, None
         if worker is not None:
             if not worker.close(_PATIENCE_MS):
-                orphaned_threads.keep(worker)
+                orphaned_threads.adopt(worker)
                 self._given_up = worker
             else:
                 worker.deleteLater()
@@ -165,11 +167,11 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
 
     def start_reading(self) -> None:
         """Read it while the window lives on."""
-        self.begin(self.gatherer())
+        self.begin(self.loader())
 
     # --- The thread ---------------------------------------------------------------------
 
-    def begin(self, work: Callable[[Tell], object]) -> None:
+    def begin(self, work: Callable[[ProgressCallback], object]) -> None:
         """Do something with the file in a thread; `end_with` follows unless it is cancelled."""
         worker = FileWorker(work, self)
         worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
@@ -184,7 +186,7 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
 
     def end_with(self, result: object) -> None:
         """Take the result of the work: an error where it failed, `None` where it was cancelled."""
-        if isinstance(result, Gathered):
+        if isinstance(result, LoadedRecording):
             self._take(result)
 
     @Slot(float)
@@ -218,7 +220,7 @@ class Player(MovingPlace, Generic[HeaderT, RecordT, LatestT]):
             worker.wait()
             worker.deleteLater()
 
-    def _take(self, gathered: Gathered[BlockReplay[RecordT, LatestT]]) -> None:
+    def _take(self, gathered: LoadedRecording[BlockReplay[RecordT, LatestT]]) -> None:
         self._replay = gathered.replay
         self._history, self._rows = gathered.history, gathered.rows
         self._events = gathered.events

@@ -8,10 +8,10 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from trex_gui.core.recording.block_replay import BlockReplay, LatestT
-from trex_gui.core.recording.blocks import Begun, BlockFile, RecordT
+from trex_gui.core.recording.blocks import BlockFile, HasStartTime, RecordT
 from trex_gui.devices.trex.recording.recording import Marker
 from trex_gui.ui.devices.event_log import Event, EventKind
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.history import SampleHistory
 
 _LOOKING = 0.2
 """Share of the work that looking through the file is, about."""
@@ -20,7 +20,7 @@ ReplayT = TypeVar("ReplayT")
 
 
 @dataclass(frozen=True, slots=True)
-class Gathered(Generic[ReplayT]):
+class LoadedRecording(Generic[ReplayT]):
     """What was gathered; whoever is given it owns it, the file in `replay` included.
 
     Attributes:
@@ -32,14 +32,14 @@ class Gathered(Generic[ReplayT]):
     """
 
     replay: ReplayT
-    history: History
+    history: SampleHistory
     events: tuple[Event, ...]
     end: float
     rows: int
 
 
 @dataclass(frozen=True, slots=True)
-class Drawn(Generic[RecordT, LatestT]):
+class LoadedColumns(Generic[RecordT, LatestT]):
     """What is drawn of a recording.
 
     Attributes:
@@ -56,12 +56,12 @@ class Drawn(Generic[RecordT, LatestT]):
     max_gap: float
 
 
-def gather_drawn(
-    file: BlockFile[Begun, RecordT],
+def load_recording(
+    file: BlockFile[HasStartTime, RecordT],
     replay: BlockReplay[RecordT, LatestT],
-    drawn: Drawn[RecordT, LatestT],
+    drawn: LoadedColumns[RecordT, LatestT],
     tell: Callable[[float], None],
-) -> Gathered[BlockReplay[RecordT, LatestT]]:
+) -> LoadedRecording[BlockReplay[RecordT, LatestT]]:
     """Read a recording of which only the head was read; it takes seconds an hour.
 
     `replay` has gone through nothing of it yet. `tell` is told the share that is done, 0 to 1;
@@ -73,7 +73,7 @@ def gather_drawn(
     file.look_through(lambda share: tell(_LOOKING * share))
     count = sum(block.count for block in file.blocks)
     capacity = min(drawn.most_rows, max(4096, count))
-    history = History(drawn.columns, capacity=capacity, max_gap=drawn.max_gap)
+    history = SampleHistory(drawn.columns, capacity=capacity, max_gap=drawn.max_gap)
     events, latest_row, rows = list[Event](), -np.inf, 0
     for done, _ in enumerate(file.blocks, 1):
         latest, records = replay.go_through_next()
@@ -90,7 +90,7 @@ def gather_drawn(
                 insort(events, event, key=lambda one: one.time)
         tell(min(1.0, _LOOKING + (1 - _LOOKING) * done / len(file.blocks)))
     end = max([file.header.clock, *(block.last for block in file.blocks)])
-    return Gathered(replay, history, tuple(events), end, rows)
+    return LoadedRecording(replay, history, tuple(events), end, rows)
 
 
 def _kind_of(marker: Marker) -> EventKind:

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
 
-from trex_gui.ui.playback.cursor import SPEEDS, MovingPlace
+from trex_gui.ui.playback.cursor import SPEEDS, PlaybackCursor
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.theme.icons import set_icon
 
@@ -17,7 +17,7 @@ class TransportBar(QWidget):
     Arrow keys on the slider go by a second, page keys by ten.
     """
 
-    def __init__(self, playback: MovingPlace, parent: QWidget | None = None) -> None:
+    def __init__(self, playback: PlaybackCursor, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._playback = playback
 

@@ -19,7 +19,7 @@ from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.playback.events import RecordedEvents
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.picture_button import PictureButton
-from trex_gui.ui.playback.player import Player
+from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.playback.transport import TransportBar
 from trex_gui.ui.playback.work_row import WorkRow
 from trex_gui.ui.plotting.event_list import EventModel
@@ -51,7 +51,7 @@ class RecordingWindow(QMainWindow):
 
     def __init__(
         self,
-        playback: Player[Any, Any, Any],
+        playback: RecordingPlayer[Any, Any, Any],
         name: str,
         plot_name: str = "",
         parent: QWidget | None = None,
@@ -107,7 +107,7 @@ class RecordingWindow(QMainWindow):
         theme().changed.connect(self.plot.draw)
 
     @property
-    def player(self) -> Player[Any, Any, Any]:
+    def player(self) -> RecordingPlayer[Any, Any, Any]:
         """The recording, and the place in it."""
         return self._player
 

@@ -23,7 +23,7 @@ from trex_gui.ui.widgets.header_names import name_headers
 Index = QModelIndex | QPersistentModelIndex
 
 
-class Column(IntEnum):
+class TraceColumn(IntEnum):
     """What stands where."""
 
     CURVE = 0
@@ -71,18 +71,18 @@ class TraceTable(QAbstractTableModel):
             for trace in self._traces
             if trace.name in self._plot.shown
         }
-        last = self.index(len(self._traces) - 1, Column.LIMIT)
+        last = self.index(len(self._traces) - 1, TraceColumn.LIMIT)
         self.dataChanged.emit(self.index(0, 0), last, [Qt.ItemDataRole.DisplayRole])
 
-    def is_of_use(self, column: Column) -> bool:
+    def is_of_use(self, column: TraceColumn) -> bool:
         """Whether a column has anything to say: some wait for what a person does."""
         source = self._plot.source
         match column:
-            case Column.DIFFERENCE:
+            case TraceColumn.DIFFERENCE:
                 return self._plot.mark_time is not None
-            case Column.HELD:
+            case TraceColumn.HELD:
                 return self._plot.peaks_since is not None
-            case Column.LIMIT if source is not None:
+            case TraceColumn.LIMIT if source is not None:
                 return any(source.limit(trace.name) is not None for trace in self._traces)
         return True
 
@@ -96,78 +96,81 @@ class TraceTable(QAbstractTableModel):
         return 0 if parent.isValid() else len(self._traces)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as Qt has it
-        return 0 if parent.isValid() else len(Column)
+        return 0 if parent.isValid() else len(TraceColumn)
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> object:
         if orientation != Qt.Orientation.Horizontal:
             return None
-        column = Column(section)
+        column = TraceColumn(section)
         if role == Qt.ItemDataRole.DisplayRole:
             return self._heads()[column][0]
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._heads()[column][1]
-        if role == Qt.ItemDataRole.TextAlignmentRole and column is not Column.CURVE:
+        if role == Qt.ItemDataRole.TextAlignmentRole and column is not TraceColumn.CURVE:
             return _RIGHT
         return None
 
-    def _heads(self) -> dict[Column, tuple[str, str]]:
+    def _heads(self) -> dict[TraceColumn, tuple[str, str]]:
         shown = self.tr("of what the plot shows")
         return {
-            Column.CURVE: (self.tr("Curve"), self.tr("Tick what is to be drawn")),
-            Column.NOW: (self.tr("Now"), self.tr("The newest value")),
-            Column.CURSOR: (self.tr("Cursor"), self.tr("The value under the cursor")),
-            Column.DIFFERENCE: (
+            TraceColumn.CURVE: (self.tr("Curve"), self.tr("Tick what is to be drawn")),
+            TraceColumn.NOW: (self.tr("Now"), self.tr("The newest value")),
+            TraceColumn.CURSOR: (self.tr("Cursor"), self.tr("The value under the cursor")),
+            TraceColumn.DIFFERENCE: (
                 self.tr("To mark"),
                 self.tr("From the mark to the cursor; click into the plot or press M to set it"),
             ),
-            Column.LOW: (self.tr("Low"), self.tr("The smallest value {0}").format(shown)),
-            Column.PEAK: (self.tr("Peak"), self.tr("The greatest value {0}").format(shown)),
-            Column.MEAN: (self.tr("Mean"), self.tr("The mean over time {0}").format(shown)),
-            Column.RMS: (
+            TraceColumn.LOW: (self.tr("Low"), self.tr("The smallest value {0}").format(shown)),
+            TraceColumn.PEAK: (self.tr("Peak"), self.tr("The greatest value {0}").format(shown)),
+            TraceColumn.MEAN: (self.tr("Mean"), self.tr("The mean over time {0}").format(shown)),
+            TraceColumn.RMS: (
                 self.tr("RMS"),
                 self.tr("The root of the mean square {0}: what heats wires").format(shown),
             ),
-            Column.CHARGE: (
+            TraceColumn.CHARGE: (
                 self.tr("Charge"),
                 self.tr("Ampere times time {0}; nothing is counted for gaps").format(shown),
             ),
-            Column.HELD: (
+            TraceColumn.HELD: (
                 self.tr("Held"),
                 self.tr("The greatest value since Hold peaks was switched on"),
             ),
-            Column.LIMIT: (self.tr("Limit"), self.tr("The current limit that the board stores")),
+            TraceColumn.LIMIT: (
+                self.tr("Limit"),
+                self.tr("The current limit that the board stores"),
+            ),
         }
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         flags = super().flags(index)
-        if index.isValid() and index.column() == Column.CURVE:
+        if index.isValid() and index.column() == TraceColumn.CURVE:
             flags |= Qt.ItemFlag.ItemIsUserCheckable
         return flags
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():
             return None
-        trace, column = self._traces[index.row()], Column(index.column())
+        trace, column = self._traces[index.row()], TraceColumn(index.column())
         match role:
             case Qt.ItemDataRole.DisplayRole:
-                return trace.label if column is Column.CURVE else self._text(trace, column)
-            case Qt.ItemDataRole.CheckStateRole if column is Column.CURVE:
+                return trace.label if column is TraceColumn.CURVE else self._text(trace, column)
+            case Qt.ItemDataRole.CheckStateRole if column is TraceColumn.CURVE:
                 shown = trace.name in self._plot.shown
                 return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
-            case Qt.ItemDataRole.DecorationRole if column is Column.CURVE:
+            case Qt.ItemDataRole.DecorationRole if column is TraceColumn.CURVE:
                 return _swatch(theme().color(trace.color))
-            case Qt.ItemDataRole.TextAlignmentRole if column is not Column.CURVE:
+            case Qt.ItemDataRole.TextAlignmentRole if column is not TraceColumn.CURVE:
                 return _RIGHT
             case Qt.ItemDataRole.AccessibleTextRole:
                 head = self._heads()[column][0]
-                text = trace.label if column is Column.CURVE else self._text(trace, column)
-                return f"{trace.label}, {head}: {text}" if column is not Column.CURVE else text
+                text = trace.label if column is TraceColumn.CURVE else self._text(trace, column)
+                return f"{trace.label}, {head}: {text}" if column is not TraceColumn.CURVE else text
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        if role != Qt.ItemDataRole.CheckStateRole or index.column() != Column.CURVE:
+        if role != Qt.ItemDataRole.CheckStateRole or index.column() != TraceColumn.CURVE:
             return False
         shown = Qt.CheckState(value) == Qt.CheckState.Checked
         self._plot.set_shown(self._traces[index.row()].name, shown)
@@ -175,34 +178,34 @@ class TraceTable(QAbstractTableModel):
         self.refresh()
         return True
 
-    def _text(self, trace: TraceInfo, column: Column) -> str:
+    def _text(self, trace: TraceInfo, column: TraceColumn) -> str:
         source, name = self._plot.source, trace.name
-        if source is None or (name not in self._plot.shown and column is not Column.LIMIT):
+        if source is None or (name not in self._plot.shown and column is not TraceColumn.LIMIT):
             return ""
         found = self._statistics.get(name, Statistics())
         value = math.nan
         match column:
-            case Column.NOW:
+            case TraceColumn.NOW:
                 span = source.span
                 value = source.value_at(name, span[1]) if span is not None else math.nan
-            case Column.CURSOR:
+            case TraceColumn.CURSOR:
                 value = self._at_cursor(name)
-            case Column.DIFFERENCE:
+            case TraceColumn.DIFFERENCE:
                 return self._difference(trace)
-            case Column.LOW:
+            case TraceColumn.LOW:
                 value = found.low
-            case Column.PEAK:
+            case TraceColumn.PEAK:
                 value = found.high
-            case Column.MEAN:
+            case TraceColumn.MEAN:
                 return mean_text(found.mean, trace.unit)
-            case Column.RMS:
+            case TraceColumn.RMS:
                 return mean_text(found.rms, trace.unit)
-            case Column.CHARGE:
+            case TraceColumn.CHARGE:
                 return charge_text(found) if trace.unit == "A" else ""
-            case Column.HELD:
+            case TraceColumn.HELD:
                 held = self._plot.peak_of(name)
                 return "" if held is None else value_text(held, trace.unit)
-            case Column.LIMIT:
+            case TraceColumn.LIMIT:
                 limit = source.limit(name)
                 return "" if limit is None else value_text(limit, trace.unit)
         return value_text(value, trace.unit)
@@ -258,19 +261,19 @@ class TraceTableView(QTableView):
         self.setTabKeyNavigation(False)
         header = self.horizontalHeader()
         header.setHighlightSections(False)
-        for column in Column:
-            texts = ("000.00 mAh" if column is Column.CHARGE else "\N{MINUS SIGN}00.00 A", "")
+        for column in TraceColumn:
+            texts = ("000.00 mAh" if column is TraceColumn.CHARGE else "\N{MINUS SIGN}00.00 A", "")
             head = str(model.headerData(column, Qt.Orientation.Horizontal))
             widest = max(self.fontMetrics().horizontalAdvance(text) for text in (*texts, head))
             header.resizeSection(column, widest + _PADDING)
-        header.setSectionResizeMode(Column.CURVE, QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(False)
         self._row = row
         self.show_what_is_there()
 
     def show_what_is_there(self) -> None:
         """Hide the columns that have nothing to say now, and show the others."""
-        for column in Column:
+        for column in TraceColumn:
             if self.isColumnHidden(column) == self._table.is_of_use(column):
                 self.setColumnHidden(column, not self._table.is_of_use(column))
 

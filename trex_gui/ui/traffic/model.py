@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.transport.transactions import Assembler, Exchange, Wording, Words
+from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction, TransactionAssembler
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.session_thread import SessionThread
@@ -21,11 +21,11 @@ class Shelf:
     """The newest rows of one kind, oldest first, and how many went before them."""
 
     def __init__(self) -> None:
-        self._rows: list[Exchange] = []
+        self._rows: list[Transaction] = []
         self._gone = 0
 
     @property
-    def rows(self) -> Sequence[Exchange]:
+    def rows(self) -> Sequence[Transaction]:
         """What is kept."""
         return self._rows
 
@@ -34,11 +34,11 @@ class Shelf:
         """How many rows there ever were."""
         return self._gone + len(self._rows)
 
-    def since(self, count: int) -> Sequence[Exchange]:
+    def since(self, count: int) -> Sequence[Transaction]:
         """Return the rows behind the first `count`, as far as they are kept."""
         return self._rows[max(count - self._gone, 0) :]
 
-    def add(self, exchange: Exchange) -> None:
+    def add(self, exchange: Transaction) -> None:
         """Add a row; the oldest go, many at a time."""
         self._rows.append(exchange)
         if len(self._rows) > MOST_KEPT:
@@ -51,7 +51,7 @@ class Shelf:
         self._gone = 0
 
 
-class Transcript(QObject):
+class TrafficModel(QObject):
     """Reads the tape of a session thread a few times a second while there is a line.
 
     Two shelves: on one lies everything, on the other what is not polled all the time, and what
@@ -70,14 +70,14 @@ class Transcript(QObject):
     changed = Signal()
     cleared = Signal()
 
-    def __init__(self, line: SessionThread, wording: Wording) -> None:
+    def __init__(self, line: SessionThread, wording: Decoder) -> None:
         super().__init__(line)
         self.everything = Shelf()
         self.telling = Shelf()
         self.faults = 0
-        self._tape = line.tape
+        self._tape = line.log
         self._wording = wording
-        self._assembler = Assembler(wording)
+        self._assembler = TransactionAssembler(wording)
         self._newest = 0
         self._epoch = time.time() - now()
         self._timer = runtime().timer(self)
@@ -104,15 +104,15 @@ class Transcript(QObject):
             exchange.words = None
         self.changed.emit()
 
-    def words_of(self, exchange: Exchange) -> Words:
+    def decoded(self, exchange: Transaction) -> Decoded:
         """Return what a row means."""
-        return self._wording.words_of(exchange)
+        return self._wording.decoded(exchange)
 
     def shown(self, data: bytes) -> str:
         """Return bytes as a person reads them."""
         return self._wording.shown(data)
 
-    def wall_time(self, exchange: Exchange) -> float:
+    def wall_time(self, exchange: Transaction) -> float:
         """Return when a row was, in seconds since 1970."""
         return self._epoch + exchange.time
 
@@ -133,12 +133,12 @@ class Transcript(QObject):
         if rows:
             self.changed.emit()
 
-    def _put_away(self, exchange: Exchange) -> None:
+    def _put_away(self, exchange: Transaction) -> None:
         is_new = exchange.number > self._newest
         if is_new:
             self._newest = exchange.number
             self.everything.add(exchange)
-        is_fault = exchange.is_over and self.words_of(exchange).is_fault
+        is_fault = exchange.is_over and self.decoded(exchange).is_fault
         self.faults += is_fault
         if is_fault if exchange.is_routine else is_new:
             self.telling.add(exchange)

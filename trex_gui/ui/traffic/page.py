@@ -17,18 +17,18 @@ from PySide6.QtWidgets import (
 
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.traffic.model import Transcript
+from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.traffic.row_details import RowDetails
-from trex_gui.ui.traffic.saver import TranscriptSaver, row_of
-from trex_gui.ui.traffic.table import TranscriptTable
-from trex_gui.ui.traffic.table_view import TranscriptView
+from trex_gui.ui.traffic.saver import TrafficSaver, row_of
+from trex_gui.ui.traffic.table import TrafficTable
+from trex_gui.ui.traffic.table_view import TrafficView
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.visibility import only_when_visible
 
 _TYPING_MS = 200
 
 
-class TranscriptPage(QWidget):
+class TrafficPage(QWidget):
     """A table of what was sent and received, what of it is shown, and the chosen row in full.
 
     Signals:
@@ -40,17 +40,17 @@ class TranscriptPage(QWidget):
     refused = Signal(str)
 
     def __init__(
-        self, transcript: Transcript, key: str, who: str, parent: QWidget | None = None
+        self, traffic: TrafficModel, key: str, who: str, parent: QWidget | None = None
     ) -> None:
         """Show a transcript; `key` names the page and its settings, `who` the device."""
         super().__init__(parent)
         self.setObjectName(f"{key}Page")
-        self._transcript = transcript
+        self._traffic = traffic
         self._key = key
         self._who = who
         self._store = QSettings(self)
-        self._table = TranscriptTable(transcript, self)
-        self._saver = TranscriptSaver(transcript, self)
+        self._table = TrafficTable(traffic, self)
+        self._saver = TrafficSaver(traffic, self)
 
         self._words = QLineEdit(self)
         self._words.setObjectName(f"{key}Search")
@@ -74,11 +74,11 @@ class TranscriptPage(QWidget):
         copy.setToolTip(self.tr("Copy the chosen rows (Ctrl+C), or all that are shown"))
         save = self._button("Save", self.tr("Save…"), "save", self._ask_and_save)
         save.setToolTip(self.tr("Save the rows that are shown as text"))
-        clear = self._button("Clear", self.tr("Clear"), "clear", transcript.clear)
+        clear = self._button("Clear", self.tr("Clear"), "clear", traffic.clear)
         clear.setToolTip(self.tr("Forget every row"))
-        self._view = TranscriptView(self._table, self)
+        self._view = TrafficView(self._table, self)
         self._view.setObjectName(f"{key}View")
-        self._details = RowDetails(transcript, self._table, self)
+        self._details = RowDetails(traffic, self._table, self)
         self._details.setObjectName(f"{key}Details")
         self._summary = QLabel(self)
         self._summary.setObjectName(f"{key}Summary")
@@ -115,8 +115,8 @@ class TranscriptPage(QWidget):
         self._table.modelReset.connect(self._on_reset)
         self._saver.saved.connect(self._on_saved)
         self._saver.failed.connect(self.refused)
-        transcript.changed.connect(self._refresh)
-        transcript.cleared.connect(self._refresh)
+        traffic.changed.connect(self._refresh)
+        traffic.cleared.connect(self._refresh)
         self._polling.setChecked(self._store.value(f"{key}/polling", False, bool) is True)
         self._choose()
 
@@ -170,27 +170,27 @@ class TranscriptPage(QWidget):
 
     def _summarize(self) -> None:
         """Say what is there, and what of it is not shown."""
-        transcript = self._transcript
-        faults = transcript.faults
+        traffic = self._traffic
+        faults = traffic.faults
         parts = [
             self.tr("shown: {0}").format(f"{self._table.rowCount():,}"),
-            self.tr("exchanges in all: {0}").format(f"{transcript.everything.count:,}"),
+            self.tr("exchanges in all: {0}").format(f"{traffic.everything.count:,}"),
             self.tr("faults: {0}").format(f"{faults:,}"),
         ]
         if not self._polling.isChecked():
             parts.append(self.tr("polling is hidden"))
         if self._paused.isChecked():
             parts.append(self.tr("held still"))
-        if transcript.lost:
-            parts.append(self.tr("pieces lost: {0}").format(f"{transcript.lost:,}"))
+        if traffic.lost:
+            parts.append(self.tr("pieces lost: {0}").format(f"{traffic.lost:,}"))
         self._summary.setText(" · ".join(parts))
         self._view.set_empty_text(self._empty_text())
 
     def _empty_text(self) -> str:
         """Say why there is nothing in the table."""
-        if self._transcript.everything.rows and self._words.text().strip():
+        if self._traffic.everything.rows and self._words.text().strip():
             return self.tr("No row that is listed has this in it.")
-        if self._transcript.everything.rows and self._faults.isChecked():
+        if self._traffic.everything.rows and self._faults.isChecked():
             return self.tr("Nothing went wrong so far.")
         return self.tr(
             "Nothing to show yet. When {0} is connected, everything that goes over the line "
@@ -225,7 +225,7 @@ class TranscriptPage(QWidget):
         if not wanted:
             self.refused.emit(self.tr("There is nothing to copy."))
             return
-        lines = [row_of(self._transcript, row).text() for row in wanted]
+        lines = [row_of(self._traffic, row).text() for row in wanted]
         QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
         self.told.emit(self.tr("Copied rows: {0}.").format(f"{len(lines):,}"))
 

@@ -3,9 +3,9 @@
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QFrame, QPlainTextEdit, QWidget
 
-from trex_gui.core.transport.transactions import Exchange
-from trex_gui.ui.traffic.model import Transcript
-from trex_gui.ui.traffic.table import TranscriptTable
+from trex_gui.core.transport.transactions import Transaction
+from trex_gui.ui.traffic.model import TrafficModel
+from trex_gui.ui.traffic.table import TrafficTable
 
 _LINES = 5
 
@@ -14,10 +14,10 @@ class RowDetails(QPlainTextEdit):
     """Read only, to be selected and copied from."""
 
     def __init__(
-        self, transcript: Transcript, table: TranscriptTable, parent: QWidget | None = None
+        self, traffic: TrafficModel, table: TrafficTable, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._transcript = transcript
+        self._traffic = traffic
         self._table = table
         self.setAccessibleName(self.tr("The chosen row in full"))
         self.setReadOnly(True)
@@ -28,14 +28,14 @@ class RowDetails(QPlainTextEdit):
         margins = 2 * (round(self.document().documentMargin()) + self.frameWidth())
         self.setFixedHeight(self.fontMetrics().lineSpacing() * _LINES + margins)
 
-    def show_row(self, row: Exchange | None) -> None:
+    def show_row(self, row: Transaction | None) -> None:
         """Show a row, or that none is chosen."""
         text = "" if row is None else "\n".join(self._lines(row))
         if text != self.toPlainText():  # what somebody has selected in it stays so
             self.setPlainText(text)
 
-    def _lines(self, row: Exchange) -> list[str]:
-        shown = self._transcript.shown
+    def _lines(self, row: Transaction) -> list[str]:
+        shown = self._traffic.shown
         settings = row.settings
         where = "" if settings is None else self.tr(" at {0}").format(settings.short)
         lines = [f"{self._table.text(row, 0)}  #{row.number}{where}"]
@@ -48,5 +48,5 @@ class RowDetails(QPlainTextEdit):
             text = self.tr("took      {0:.1f} ms; {1} bytes need {2:.1f} ms on this wire")
             count = len(row.sent) + len(row.received)
             lines.append(text.format(row.seconds * 1e3, count, wire * 1e3))
-        lines.append(self._transcript.words_of(row).text)
+        lines.append(self._traffic.decoded(row).text)
         return lines

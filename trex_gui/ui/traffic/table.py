@@ -7,17 +7,17 @@ from datetime import datetime
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 from PySide6.QtGui import QFont, QFontDatabase
 
-from trex_gui.core.transport.transactions import Exchange
+from trex_gui.core.transport.transactions import Transaction
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.traffic.model import Shelf, Transcript
+from trex_gui.ui.traffic.model import Shelf, TrafficModel
 
 TIME, SENT, RECEIVED, TOOK, WORDS = range(5)
 
 Index = QModelIndex | QPersistentModelIndex
 
 
-class TranscriptTable(QAbstractTableModel):
+class TrafficTable(QAbstractTableModel):
     """What was sent, what came back, and what it means; a row an exchange.
 
     It changes only in `refresh`, so that nothing is done for a page that nobody sees.
@@ -26,24 +26,24 @@ class TranscriptTable(QAbstractTableModel):
         mono: what bytes are written in.
     """
 
-    def __init__(self, transcript: Transcript, parent: QObject | None = None) -> None:
+    def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._transcript = transcript
-        self._rows: list[Exchange] = []
+        self._traffic = traffic
+        self._rows: list[Transaction] = []
         self._seen = 0
-        self._last: Exchange | None = None
+        self._last: Transaction | None = None
         self._polling = False
         self._faults = False
         self._text = ""
         self._held_at: int | None = None
         self.mono = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
-        transcript.cleared.connect(self.begin)
+        traffic.cleared.connect(self.begin)
         theme().changed.connect(self._repaint)
 
     # --- Which rows ---------------------------------------------------------------------
 
     @property
-    def rows(self) -> Sequence[Exchange]:
+    def rows(self) -> Sequence[Transaction]:
         """What is listed, oldest first."""
         return self._rows
 
@@ -51,7 +51,7 @@ class TranscriptTable(QAbstractTableModel):
     def shelf(self) -> Shelf:
         """Where the rows come from."""
         polling = self._polling
-        return self._transcript.everything if polling else self._transcript.telling
+        return self._traffic.everything if polling else self._traffic.telling
 
     def choose(self, *, polling: bool, faults: bool, text: str) -> None:
         """List what is polled too; only what went wrong; only what has `text` in it."""
@@ -60,7 +60,7 @@ class TranscriptTable(QAbstractTableModel):
 
     def hold(self, *, still: bool) -> None:
         """List no row that comes from now on, or everything again with the next `refresh`."""
-        rows = self._transcript.everything.rows
+        rows = self._traffic.everything.rows
         self._held_at = (rows[-1].number if rows else 0) if still else None
 
     def begin(self) -> None:
@@ -85,7 +85,7 @@ class TranscriptTable(QAbstractTableModel):
             self.endInsertRows()
         self._note_seen(self.shelf.count, self.shelf.rows)
 
-    def _note_seen(self, count: int, rows: Sequence[Exchange]) -> None:
+    def _note_seen(self, count: int, rows: Sequence[Transaction]) -> None:
         self._seen = count
         self._last = rows[-1] if rows and not rows[-1].is_over else None
 
@@ -98,7 +98,7 @@ class TranscriptTable(QAbstractTableModel):
             del self._rows[:gone]
             self.endRemoveRows()
 
-    def _renew(self, row: Exchange) -> None:
+    def _renew(self, row: Transaction) -> None:
         """Show a row as it is now; it may only now have become one that is wanted, or none."""
         listed = bool(self._rows) and self._rows[-1] is row
         wanted = self._is_wanted(row)
@@ -114,15 +114,15 @@ class TranscriptTable(QAbstractTableModel):
             self._rows.append(row)
             self.endInsertRows()
 
-    def _is_wanted(self, row: Exchange) -> bool:
+    def _is_wanted(self, row: Transaction) -> bool:
         if not self._faults and not self._text:
             return True
-        words = self._transcript.words_of(row)
+        words = self._traffic.decoded(row)
         if self._faults and not words.is_fault:
             return False
         if not self._text:
             return True
-        shown = (words.text, self._transcript.shown(row.sent), self._transcript.shown(row.received))
+        shown = (words.text, self._traffic.shown(row.sent), self._traffic.shown(row.received))
         return any(self._text in text.casefold() for text in shown)
 
     def _repaint(self) -> None:
@@ -177,27 +177,27 @@ class TranscriptTable(QAbstractTableModel):
                 return icon("warning", "warning") if self._is_fault(row) else None
         return None
 
-    def text(self, row: Exchange, column: int) -> str:
+    def text(self, row: Transaction, column: int) -> str:
         """Return what stands in a column of a row."""
         match column:
             case 0:  # TIME
-                moment = datetime.fromtimestamp(self._transcript.wall_time(row)).astimezone()
+                moment = datetime.fromtimestamp(self._traffic.wall_time(row)).astimezone()
                 return moment.strftime("%H:%M:%S.") + f"{moment.microsecond // 1000:03d}"
             case 1:  # SENT
-                return self._transcript.shown(row.sent)
+                return self._traffic.shown(row.sent)
             case 2:  # RECEIVED
-                return self._transcript.shown(row.received)
+                return self._traffic.shown(row.received)
             case 3:  # TOOK
                 return "" if row.seconds is None else f"{row.seconds * 1e3:.1f}"
-        return self._transcript.words_of(row).text
+        return self._traffic.decoded(row).text
 
-    def _said(self, row: Exchange, column: int) -> str | None:
+    def _said(self, row: Transaction, column: int) -> str | None:
         """Say to who does not see it what the colour says."""
         if column == WORDS and self._is_fault(row):
             return self.tr("Fault: {0}").format(self.text(row, column))
         return None
 
-    def _font(self, row: Exchange, column: int) -> QFont | None:
+    def _font(self, row: Transaction, column: int) -> QFont | None:
         if column in {SENT, RECEIVED}:
             return self.mono
         if column == WORDS and row.note:
@@ -206,14 +206,14 @@ class TranscriptTable(QAbstractTableModel):
             return font
         return None
 
-    def _colour(self, row: Exchange, column: int) -> object:
+    def _colour(self, row: Transaction, column: int) -> object:
         if self._is_fault(row):
             return theme().color("danger") if column == WORDS else None
         quiet = row.note or row.is_routine or column in {TIME, TOOK}
         return theme().color("muted") if quiet else None
 
-    def _is_fault(self, row: Exchange) -> bool:
-        return self._transcript.words_of(row).is_fault
+    def _is_fault(self, row: Transaction) -> bool:
+        return self._traffic.decoded(row).is_fault
 
 
 def _alignment(column: int) -> Qt.AlignmentFlag:

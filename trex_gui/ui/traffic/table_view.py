@@ -5,7 +5,7 @@ from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.traffic.table import RECEIVED, SENT, TIME, TOOK, TranscriptTable
+from trex_gui.ui.traffic.table import RECEIVED, SENT, TIME, TOOK, TrafficTable
 from trex_gui.ui.widgets.header_names import name_headers
 
 _SAMPLES = {
@@ -17,10 +17,10 @@ _SAMPLES = {
 """What has to fit; longer bytes are cut, and stand in full below the table."""
 
 
-class TranscriptView(QTableView):
+class TrafficView(QTableView):
     """Rows that are chosen together, and follow each other closely."""
 
-    def __init__(self, table: TranscriptTable, parent: QWidget | None = None) -> None:
+    def __init__(self, table: TrafficTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._empty = ""
         self.setAccessibleName(self.tr("What went over the line"))

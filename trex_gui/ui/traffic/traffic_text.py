@@ -7,7 +7,7 @@ from typing import TextIO
 
 
 @dataclass(frozen=True, slots=True)
-class TranscriptRow:
+class TrafficRow:
     """One row: when (seconds since 1970), what went which way, how long it took, what it means.
 
     `sent` and `received` are bytes as a person reads them; `seconds` is `None` without an answer.
@@ -32,7 +32,7 @@ class TranscriptRow:
 HEAD = "\t".join(["time", "fault", "sent", "received", "took_ms", "meaning"])
 
 
-def write_transcript(file: TextIO, about: Iterable[str], rows: Iterable[TranscriptRow]) -> int:
+def write_traffic(file: TextIO, about: Iterable[str], rows: Iterable[TrafficRow]) -> int:
     """Write comment lines, the names of the columns, and rows; return how many rows."""
     file.writelines(f"# {line}\n" for line in about)
     file.write(f"{HEAD}\n")

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 _FOLDER = "settings/folder"
 
 
-class Answer(Enum):
+class SaveAnswer(Enum):
     """What to do with edits that are not saved."""
 
     SAVE = auto()
@@ -22,7 +22,7 @@ def tr(text: str) -> str:
     return QCoreApplication.translate("questions", text)
 
 
-def before_closing(window: QWidget, name: str) -> Answer:
+def before_closing(window: QWidget, name: str) -> SaveAnswer:
     """Ask what becomes of edits when a window closes."""
     button = QMessageBox.StandardButton
     answer = QMessageBox.question(
@@ -32,7 +32,9 @@ def before_closing(window: QWidget, name: str) -> Answer:
         button.Save | button.Discard | button.Cancel,
         button.Save,
     )
-    return {button.Save: Answer.SAVE, button.Discard: Answer.DISCARD}.get(answer, Answer.CANCEL)
+    return {button.Save: SaveAnswer.SAVE, button.Discard: SaveAnswer.DISCARD}.get(
+        answer, SaveAnswer.CANCEL
+    )
 
 
 def may_overwrite(window: QWidget, name: str) -> bool:

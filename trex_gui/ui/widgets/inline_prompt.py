@@ -13,7 +13,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class PromptAnswer:
     """One way to go on.
 
     Attributes:
@@ -35,7 +35,7 @@ def _nothing() -> None:
     pass
 
 
-class Question(QFrame):
+class InlinePrompt(QFrame):
     """A row across the window with an answer a button; hidden while nothing is asked.
 
     Cancel stands beside every answer and does nothing. One question is asked at a time: another
@@ -75,7 +75,7 @@ class Question(QFrame):
     def ask(
         self,
         text: str,
-        *answers: Answer,
+        *answers: PromptAnswer,
         still: Callable[[], bool] = _always,
         otherwise: Callable[[], object] = _nothing,
     ) -> None:
@@ -119,7 +119,7 @@ class Question(QFrame):
         if self.text and not self._still():
             self.withdraw()
 
-    def _on_answered(self, answer: Answer) -> None:
+    def _on_answered(self, answer: PromptAnswer) -> None:
         if self._still():
             self._close()
             answer.then()

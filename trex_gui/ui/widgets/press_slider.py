@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QSlider, QWidget
 from trex_gui.ui.widgets.painted_slider import PaintedSlider
 
 
-class HeldSlider(PaintedSlider):
+class PressSlider(PaintedSlider):
     """One that is pressed with the left button only, and let go where a hold cannot be told.
 
     Signals:

@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal, Slot
 
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.file_worker import Done, FileWorker, Tell
+from trex_gui.ui.workers.file_worker import Done, FileWorker, ProgressCallback
 
 _PATIENCE_MS = 1000
 """How long a disk that hangs is waited for when nobody wants the file any more."""
@@ -44,7 +44,7 @@ class FileSaver(QObject):
         """Whether a file is being written."""
         return self._worker is not None
 
-    def begin(self, path: Path, work: Callable[[Tell], int]) -> None:
+    def begin(self, path: Path, work: Callable[[ProgressCallback], int]) -> None:
         """Let `work` write the file in a thread; it returns how many rows it has written."""
         self._path = path
         self._worker = FileWorker(work, self)
@@ -61,7 +61,7 @@ class FileSaver(QObject):
         if worker.wait(self._finishing_ms) or worker.close(_PATIENCE_MS):
             worker.deleteLater()
         else:
-            orphaned_threads.keep(worker)
+            orphaned_threads.adopt(worker)
 
     @Slot(object)
     def _on_done(self, done: Done) -> None:

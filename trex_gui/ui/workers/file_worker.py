@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.thread import WorkerThread
 
@@ -22,7 +22,7 @@ _WORK, _REST = 0.01, 0.001
 Python changes threads by itself only every 5 ms, and both of them ask often and for little.
 """
 
-Tell = Callable[[float], None]
+ProgressCallback = Callable[[float], None]
 
 
 class _CancelledError(Exception):
@@ -34,7 +34,7 @@ class Done:
     """How the work ended: with its result, or with an error."""
 
     result: object = None
-    error: TrexError | None = None
+    error: StudioError | None = None
 
 
 class FileWorker(WorkerThread):
@@ -51,12 +51,14 @@ class FileWorker(WorkerThread):
     progressed = Signal(float)
     done = Signal(object)
 
-    def __init__(self, work: Callable[[Tell], object], parent: QObject | None = None) -> None:
+    def __init__(
+        self, work: Callable[[ProgressCallback], object], parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
         self.setObjectName("FileWorker")
         self._work = work
         self._cancelled = threading.Event()
-        self._told_at = self._rested_at = 0.0
+        self._last_flush = self._rested_at = 0.0
 
     def run(self) -> None:
         """Do the work; called by Qt in the new thread."""
@@ -65,12 +67,12 @@ class FileWorker(WorkerThread):
             result = self._work(self._tell)
         except _CancelledError:
             return
-        except TrexError as error:
+        except StudioError as error:
             self.done.emit(Done(error=error))
         except Exception as error:
             log.exception("work on a file")
             text = self.tr("A fault of the program has ended the work on this file ({0}).")
-            self.done.emit(Done(error=TrexError(text.format(type(error).__name__))))
+            self.done.emit(Done(error=StudioError(text.format(type(error).__name__))))
         else:
             if not self._cancelled.is_set():
                 self.done.emit(Done(result))
@@ -88,8 +90,8 @@ class FileWorker(WorkerThread):
         if self._cancelled.is_set():
             raise _CancelledError
         moment = now()
-        if moment >= self._told_at + _TELL:
-            self._told_at = moment
+        if moment >= self._last_flush + _TELL:
+            self._last_flush = moment
             self.progressed.emit(share)
         if moment >= self._rested_at + _WORK:
             runtime().sleep(_REST)

@@ -5,7 +5,7 @@ from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.core.session.request_queue import QueueInbox
+from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.devices.trex.session.messages import Close
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.thread import WorkerThread
@@ -19,7 +19,7 @@ class Runs(Protocol):
         ...
 
 
-MakeSession = Callable[[QueueInbox, Callable[[object], None]], Runs]
+MakeSession = Callable[[RequestQueue, Callable[[object], None]], Runs]
 """Makes a session from where its requests come and where its reports go."""
 
 
@@ -38,7 +38,7 @@ class LineWorker(WorkerThread):
     def __init__(self, make_session: MakeSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("LineWorker")
-        self._inbox = QueueInbox(runtime().condition())
+        self._inbox = RequestQueue(runtime().condition())
         self._session = make_session(self._inbox, self._report)
 
     def run(self) -> None:

@@ -10,7 +10,7 @@ from trex_gui.ui.workers.thread import WorkerThread
 _kept: list[WorkerThread] = []
 
 
-def keep(thread: WorkerThread) -> None:
+def adopt(thread: WorkerThread) -> None:
     """Take a thread that its owner gives up, until it has ended; to be called in its own thread.
 
     "Its own" is the one that the object lives in. Its owner may be destroyed from now on.
@@ -20,7 +20,7 @@ def keep(thread: WorkerThread) -> None:
         _kept.append(thread)
 
 
-def forget(thread: WorkerThread) -> bool:
+def release(thread: WorkerThread) -> bool:
     """Keep a thread no longer, which has ended; return whether it was kept."""
     if thread not in _kept:
         return False

@@ -151,7 +151,7 @@ class RecordThread(QObject, Generic[RecordT]):
         if worker.wait(0 if self._given_up else _PATIENCE_MS):
             return True
         self._given_up = True
-        orphaned_threads.keep(worker)
+        orphaned_threads.adopt(worker)
         return False
 
     # --- The thread that writes ---------------------------------------------------------
@@ -171,7 +171,7 @@ class RecordThread(QObject, Generic[RecordT]):
     def _on_finished(self) -> None:
         worker, self._worker = self._worker, None
         if worker is not None:
-            orphaned_threads.forget(worker)
+            orphaned_threads.release(worker)
             worker.deleteLater()
         self.changed.emit()
         if not self._refused:

@@ -6,15 +6,15 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.core.discovery.prober import Seek, Step
-from trex_gui.core.discovery.scan import PortSearch, search_port
+from trex_gui.core.discovery.prober import ProberInfo, ScanProgress
+from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.runtime import open_transport
 from trex_gui.ui.workers.thread import WorkerThread
 
 
 @dataclass(frozen=True, slots=True)
-class Errand:
+class ScanJob:
     """One port, and what to look for there.
 
     Attributes:
@@ -23,34 +23,34 @@ class Errand:
     """
 
     settings: LinkSettings
-    seeks: Mapping[str, Seek]
+    seeks: Mapping[str, ProberInfo]
     first: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Searched:
+class ScanResult:
     """What the search of one port has come to."""
 
     index: int
-    search: PortSearch
+    search: PortScan
 
 
-class FindWorker(WorkerThread):
+class ScanWorker(WorkerThread):
     """Runs one search.
 
     The object lives in the GUI thread; only `run` executes in the new one. `cancel` and `close`
     may be called from any thread. Its owner keeps it until it is finished.
 
     Signals:
-        stepped: index of the port, and the `Step` that comes next.
-        searched: a `Searched`, once for each port until it is cancelled.
+        stepped: index of the port, and the `ScanProgress` that comes next.
+        searched: a `ScanResult`, once for each port until it is cancelled.
     """
 
     stepped = Signal(int, object)
     searched = Signal(object)
 
     def __init__(
-        self, errands: Sequence[Errand], parent: QObject | None = None, *, full: bool = False
+        self, errands: Sequence[ScanJob], parent: QObject | None = None, *, full: bool = False
     ) -> None:
         super().__init__(parent)
         self.setObjectName("FindWorker")
@@ -65,11 +65,11 @@ class FindWorker(WorkerThread):
                 break
             self.searched.emit(self._search(index, errand))
 
-    def _search(self, index: int, errand: Errand) -> Searched:
-        def tell(step: Step) -> None:
+    def _search(self, index: int, errand: ScanJob) -> ScanResult:
+        def tell(step: ScanProgress) -> None:
             self.stepped.emit(index, step)
 
-        search = search_port(
+        search = scan_port(
             errand.settings,
             errand.seeks,
             first=errand.first,
@@ -78,7 +78,7 @@ class FindWorker(WorkerThread):
             cancelled=self._cancelled.is_set,
             open_wire=open_transport,
         )
-        return Searched(index, search)
+        return ScanResult(index, search)
 
     def cancel(self) -> None:
         """End after the question that is on its way: half a second, more behind a network."""

@@ -5,8 +5,8 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 
-from trex_gui.core.errors import TrexError
-from trex_gui.core.transport.traffic_log import Tape
+from trex_gui.core.errors import StudioError
+from trex_gui.core.transport.traffic_log import TrafficLog
 from trex_gui.devices.trex.session.messages import Close, Closed, Outcome
 from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.line_worker import LineWorker, MakeSession
@@ -23,7 +23,7 @@ class SessionThread(QObject):
     """One session after another, never two at a time.
 
     Attributes:
-        tape: what their bytes are noted on, where `transcript.taped` opens the line.
+        tape: what their bytes are noted on, where `traffic.logged` opens the line.
 
     Signals:
         started: a session begins.
@@ -39,7 +39,7 @@ class SessionThread(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.tape = Tape()
+        self.log = TrafficLog()
         self._worker: LineWorker | None = None
         self._late: LineWorker | None = None  # it was shut down; its last word still counts
         self._ending: list[LineWorker] = []  # each is given up, or between last report and end
@@ -147,7 +147,7 @@ class SessionThread(QObject):
 
     def _keep(self, worker: LineWorker) -> None:
         self._ending.append(worker)
-        orphaned_threads.keep(worker)
+        orphaned_threads.adopt(worker)
 
     def _take_reports(self) -> None:
         """Take what comes as events of this object; no event loop may run any more to bring it."""
@@ -178,7 +178,7 @@ class SessionThread(QObject):
 
     def _fault(self) -> Closed:
         """Return what to make of a session whose last report never came."""
-        error = TrexError(self.tr("The line was closed by a fault of the program."))
+        error = StudioError(self.tr("The line was closed by a fault of the program."))
         return Closed(error, self._may_move)
 
     def _leave(self, last: Closed) -> None:
@@ -201,5 +201,5 @@ class SessionThread(QObject):
             self.closed.emit(self._last or self._fault())
         if worker in self._ending:
             self._ending.remove(worker)
-            orphaned_threads.forget(worker)
+            orphaned_threads.release(worker)
             worker.deleteLater()

@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
@@ -15,7 +15,7 @@ ARACNA_MENUS = ["File", "Device", "Aracna", "Poses", "Window", "Help"]
 
 
 def assert_trex_workspace(window: RobotWindow) -> None:
-    assert window.robot.link is Link.NONE
+    assert window.robot.link is ConnectionState.NONE
     assert window.has("tabs")
     assert not window.has("aracnaTabs")
     assert window.menus == TREX_MENUS
@@ -24,7 +24,7 @@ def assert_trex_workspace(window: RobotWindow) -> None:
 
 
 def assert_robot_workspace(window: RobotWindow) -> None:
-    assert window.device.link is Link.NONE, "one device at a time"
+    assert window.device.link is ConnectionState.NONE, "one device at a time"
     assert window.has("aracnaTabs")
     assert not window.has("tabs")
     assert window.menus == ARACNA_MENUS
@@ -40,18 +40,18 @@ def press_control(window: RobotWindow, key: Qt.Key) -> None:
 
 def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
     qtbot.waitActive(window.window)
-    desk, aracna = window.program.desk.pages, window.program.aracna.pages
+    workspace, aracna = window.program.workspace.pages, window.program.aracna.pages
     window.choose_demo("trex")
     assert_trex_workspace(window)
     assert window.action("stop").text() == "&Stop motor"
     press_control(window, Qt.Key.Key_2)
-    assert (desk.currentIndex(), aracna.currentIndex()) == (1, 0)
+    assert (workspace.currentIndex(), aracna.currentIndex()) == (1, 0)
 
     window.choose_demo()
     assert_robot_workspace(window)
     assert window.action("stop").text() == "&Stop sequence"
     press_control(window, Qt.Key.Key_3)
-    assert (desk.currentIndex(), aracna.currentIndex()) == (1, 2)
+    assert (workspace.currentIndex(), aracna.currentIndex()) == (1, 2)
     press_control(window, Qt.Key.Key_1)
     assert aracna.currentIndex() == 0
 
@@ -87,11 +87,11 @@ def test_newest_device_choice_wins(
     port = program.ports.add_typed(quick_simulator.url)
     finder = program.connector.finder
     finder.start([port])
-    program.switchboard.connect_to(port)  # waits for the end of the search
+    program.device_manager.connect_to(port)  # waits for the end of the search
     program.connect_to_demo("aracna")
     window.wait_until_up()
     window.wait(lambda: not finder.running)
-    assert window.device.link is Link.NONE
+    assert window.device.link is ConnectionState.NONE
     window.press_disconnect()
 
     settings = LinkSettings(quick_simulator.url)
@@ -99,16 +99,16 @@ def test_newest_device_choice_wins(
     window.wait_until_up("trex")
     window.device.connect_to(settings)
     window.device.disconnect_line()
-    window.wait(lambda: window.device.link is Link.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.NONE)
     assert program.connector.port is None
     virtual_time.advance(0.5)
-    assert window.device.link is Link.NONE, "disconnecting drops the connection to come"
+    assert window.device.link is ConnectionState.NONE, "disconnecting drops the connection to come"
 
     settings = LinkSettings(start_simulator("--aracna", "--unpaced").url)
     window.robot.connect_to(settings)
     window.wait_until_up()
     window.robot.connect_to(settings)
     window.robot.disconnect_line()
-    window.wait(lambda: window.robot.link is Link.NONE)
+    window.wait(lambda: window.robot.link is ConnectionState.NONE)
     virtual_time.advance(0.5)
-    assert window.robot.link is Link.NONE, "disconnecting drops the connection to come"
+    assert window.robot.link is ConnectionState.NONE, "disconnecting drops the connection to come"

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtWidgets import QMessageBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 
 POSES = "Test:8:1024:1024:1024:1024:1024:1024:1024:1024\nPose=low:100,100,100,100,100,100,100,100\n"
 OTHER_POSES = POSES.replace("low", "other")
@@ -76,28 +76,28 @@ def test_dropped_files_open_in_their_workspace(
     assert banner(window) == "walk.ppr was opened."
 
     assert window.drop(make("rover.yaml", SETTINGS))
-    window.wait(lambda: len(window.program.desk.files.editors) == 1)
+    window.wait(lambda: len(window.program.workspace.files.editors) == 1)
     assert not shows_robot(window)
-    window.program.desk.files.close_all()
+    window.program.workspace.files.close_all()
 
 
 def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Make) -> None:
     window.choose_demo()
     assert window.drop(make("walk.PPR", POSES))
     window.wait(lambda: poses(window) == ["low"])
-    assert window.robot.link is Link.UP
+    assert window.robot.link is ConnectionState.UP
 
     assert window.drop(make("rover.txt", SETTINGS))
     window.wait_for_text("bannerText", "rover.txt is a settings file of a TReX.")
-    assert window.robot.link is Link.UP
+    assert window.robot.link is ConnectionState.UP
     assert shows_robot(window)
-    assert window.program.desk.files.editors == []
+    assert window.program.workspace.files.editors == []
 
     window.choose_demo("trex")
     assert window.drop(make("other.ppr", OTHER_POSES))
     window.wait_for_text("bannerText", "other.ppr is a pose file of an Aracna.")
     assert "connected to TReX: disconnect, then drop the file again" in banner(window)
-    assert window.device.link is Link.UP
+    assert window.device.link is ConnectionState.UP
     assert not shows_robot(window)
     assert poses(window) == ["low"]
 
@@ -107,10 +107,10 @@ def test_file_arguments_open_while_robot_connects(window: RobotWindow, make: Mak
     program.connect_to_demo("aracna")
     program.open_named(make("walk.ppr", POSES), connecting=True)
     program.open_named(make("rover.txt", SETTINGS), connecting=True)
-    assert len(program.desk.files.editors) == 1
+    assert len(program.workspace.files.editors) == 1
     window.wait_until_up()
     assert poses(window) == ["low"]
-    program.desk.files.close_all()
+    program.workspace.files.close_all()
 
 
 def test_pose_file_argument_opens_only_without_trex(window: RobotWindow, make: Make) -> None:

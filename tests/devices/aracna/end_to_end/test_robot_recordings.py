@@ -28,7 +28,7 @@ def close_recordings(window: RobotWindow) -> None:
 
 def assert_of_another_device(window: RobotWindow, device: str) -> None:
     assert opened(window) == []
-    assert window.program.desk.recordings.windows == []
+    assert window.program.workspace.recordings.windows == []
     assert window.has("banner")
     message = window.text("bannerText")
     assert f"a recording of another device: {device}. It opens where" in message
@@ -118,12 +118,12 @@ def test_dropped_recording_opens_only_with_its_device(window: RobotWindow, tmp_p
     assert window.drop(walk)
     [playback] = opened(window)
     window.wait(lambda: playback.playback.is_loaded)
-    assert window.program.desk.recordings.windows == []
+    assert window.program.workspace.recordings.windows == []
     close_recordings(window)
 
     window.choose_demo("trex")
     assert window.drop(board)
-    [of_board] = window.program.desk.recordings.windows
+    [of_board] = window.program.workspace.recordings.windows
     window.wait(lambda: of_board.playback.is_loaded)
     of_board.close()
 

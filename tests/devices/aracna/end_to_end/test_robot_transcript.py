@@ -2,11 +2,11 @@
 
 from tests.support.pages.robot import RobotWindow
 from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS
-from trex_gui.ui.traffic.table_view import TranscriptView
+from trex_gui.ui.traffic.table_view import TrafficView
 
 
 def column(window: RobotWindow, column: int) -> list[str]:
-    model = window.find(TranscriptView, "aracnaTranscriptView").model()
+    model = window.find(TrafficView, "aracnaTranscriptView").model()
     return [str(model.index(row, column).data()) for row in range(model.rowCount())]
 
 
@@ -18,7 +18,7 @@ def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWind
     window = connected_window
     pages = window.program.aracna.pages
     pages.setCurrentIndex(pages.count() - 1)
-    board = window.device.transcript
+    board = window.device.traffic
     assert board.everything.count == 0
     wait_for_row(window, "Opened the simulated robot")
     assert window.robot.move((300,) * 8)
@@ -45,10 +45,10 @@ def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWind
 def test_aracna_and_trex_traffic_logs_are_separate(connected_window: RobotWindow) -> None:
     window = connected_window
     window.choose_demo("trex")
-    board = window.device.transcript
+    board = window.device.traffic
     board.pull()
     assert any(row.sent == b"\x81" for row in board.everything.rows)
-    window.robot.transcript.pull()
-    rows = window.robot.transcript.everything.rows
+    window.robot.traffic.pull()
+    rows = window.robot.traffic.everything.rows
     assert rows[-1].note == "Closed."
     assert {row.sent for row in rows} <= {b"", b".q\n", b"\n"}

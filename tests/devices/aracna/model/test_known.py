@@ -2,13 +2,13 @@
 
 import pytest
 
-from trex_gui.devices.aracna.model.robot_state import Known
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Moved,
     Moving,
+    NotResponding,
     Restarted,
-    Silent,
     Stuck,
 )
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
@@ -19,8 +19,8 @@ THERE = Moved(13.0, GOALS, GOALS, 3.0)
 CONNECTED = Connected(1, 2, LinkSettings(""))
 
 
-def known(*reports: object) -> Known:
-    found = Known(2)
+def known(*reports: object) -> RobotState:
+    found = RobotState(2)
     for report in reports:
         found.take(report)
     return found
@@ -46,10 +46,10 @@ def test_watched_motion_has_end_time_until_it_is_answered() -> None:
     [
         (Restarted(11.0, voided=True),),
         (Restarted(11.0, voided=True), CONNECTED),
-        (Silent("gone"), CONNECTED),
+        (NotResponding("gone"), CONNECTED),
         (CONNECTED,),
         (Moved(11.0, GOALS, (-1, -1), 1.0),),
-        (Stuck(11.0, 1), Restarted(12.0, voided=True), Silent("gone")),
+        (Stuck(11.0, 1), Restarted(12.0, voided=True), NotResponding("gone")),
     ],
     ids=["restart", "answers again", "silence", "answers", "answer lost", "stuck"],
 )

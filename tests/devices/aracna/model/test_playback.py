@@ -14,7 +14,7 @@ from tests.devices.aracna.recordings import HEADER, MOTORS, T0, hang, loader_thr
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.devices.aracna.model.playback import RobotPlayback
 from trex_gui.devices.aracna.model.recorded import Moment
-from trex_gui.devices.aracna.model.robot_state import Known
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.units import degrees
 from trex_gui.devices.aracna.recording import FellSilent, Row
 from trex_gui.devices.aracna.recording.csv_reader import open_recording
@@ -43,7 +43,7 @@ def long(tmp_path: Path, qtbot: QtBot) -> Iterator[RobotPlayback]:
 
 def straight(what: list[Row], time: float) -> Moment:
     """What is known when everything up to a time is taken in."""
-    moment = Moment(Known(MOTORS))
+    moment = Moment(RobotState(MOTORS))
     for record in what:
         if record.time <= time:
             moment.take(record)

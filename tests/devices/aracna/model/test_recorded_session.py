@@ -27,7 +27,7 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.recording.recording import Marker
 from trex_gui.ui.devices.event_log import EventKind
@@ -49,17 +49,17 @@ class Session:
         self.robot = Robot()
         self.recorder = AracnaRecorder(self.robot)
         self.reported: list[Row] = []
-        self.links: list[Link] = []
+        self.links: list[ConnectionState] = []
         self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
         self.robot.reported.connect(self._on_reported)
         self.robot.connect_to(LinkSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
-        self.wait_for(Link.UP)
+        self.wait_for(ConnectionState.UP)
 
     def _on_reported(self, report: object) -> None:
         if self.recorder.recording and isinstance(report, RECORDED):
             self.reported.append(report)
 
-    def wait_for(self, link: Link) -> None:
+    def wait_for(self, link: ConnectionState) -> None:
         self.qtbot.waitUntil(lambda: self.robot.link is link, timeout=PATIENCE)
 
     def move(self, *goals: int) -> None:
@@ -80,7 +80,7 @@ class Session:
     def end(self) -> None:
         assert self.recorder.shut_down()
         self.robot.disconnect_line()
-        self.wait_for(Link.NONE)
+        self.wait_for(ConnectionState.NONE)
         assert self.robot.shut_down()
 
 
@@ -132,12 +132,14 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     session.qtbot.waitUntil(lambda: session.robot.known.moving is None, timeout=PATIENCE)
     session.links.clear()
     session.simulator.do("reset")
-    session.qtbot.waitUntil(lambda: Link.SILENT in session.links, timeout=PATIENCE)  # for a second
-    session.wait_for(Link.UP)
+    session.qtbot.waitUntil(
+        lambda: ConnectionState.SILENT in session.links, timeout=PATIENCE
+    )  # for a second
+    session.wait_for(ConnectionState.UP)
     session.simulator.do("line mute on")
-    session.wait_for(Link.SILENT)
+    session.wait_for(ConnectionState.SILENT)
     session.simulator.do("line mute off")
-    session.wait_for(Link.UP)
+    session.wait_for(ConnectionState.UP)
     found = session.stop()
     kinds = {type(row) for row in found}
     assert {Stuck, Restarted, FellSilent} <= kinds

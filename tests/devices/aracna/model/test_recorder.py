@@ -11,7 +11,7 @@ from tests.support.simulator import StartSimulator
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.aracna.model.recorder import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 
@@ -25,10 +25,10 @@ def robot(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[Robot]:
     simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
     robot.connect_to(LinkSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
-    qtbot.waitUntil(lambda: robot.link is Link.UP, timeout=15_000)
+    qtbot.waitUntil(lambda: robot.link is ConnectionState.UP, timeout=15_000)
     yield robot
     robot.disconnect_line()
-    qtbot.waitUntil(lambda: robot.link is Link.NONE, timeout=15_000)
+    qtbot.waitUntil(lambda: robot.link is ConnectionState.NONE, timeout=15_000)
     assert robot.shut_down()
 
 

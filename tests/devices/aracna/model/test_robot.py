@@ -13,7 +13,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.speeds import FIRST_SPEED
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Play, SpeedsHeld, Step
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.runtime import now
 
@@ -31,7 +31,7 @@ class RobotHarness:
         self.reports: list[object] = []
         self.messages: list[str] = []
         self.robot.reported.connect(self.reports.append)
-        self.links: list[tuple[Link, str]] = []
+        self.links: list[tuple[ConnectionState, str]] = []
         for signal in (self.robot.told, self.robot.refused, self.robot.failed):
             signal.connect(self.messages.append)
         self.robot.link_changed.connect(self._note_link)
@@ -41,7 +41,7 @@ class RobotHarness:
 
     def connect(self) -> None:
         self.robot.connect_to(LinkSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
-        self.wait(lambda: self.robot.link is Link.UP)
+        self.wait(lambda: self.robot.link is ConnectionState.UP)
 
     def wait(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition, timeout=15_000)
@@ -76,7 +76,7 @@ class RobotHarness:
     def end(self) -> None:
         """Give the line back, which may take longer than a program waits that ends."""
         self.robot.disconnect_line()
-        self.wait(lambda: self.robot.link is Link.NONE)
+        self.wait(lambda: self.robot.link is ConnectionState.NONE)
         assert self.robot.shut_down()
 
     def of(self, kind: type) -> list[object]:
@@ -268,7 +268,7 @@ def test_halt_now_ends_playback_from_other_thread(robot: Robot, harness: RobotHa
     thread.start()
     thread.join()
     harness.wait(lambda: robot.playing is None)
-    assert robot.link is Link.UP
+    assert robot.link is ConnectionState.UP
 
 
 def test_move_during_sequence_is_rejected(robot: Robot, harness: RobotHarness) -> None:
@@ -299,9 +299,9 @@ def test_board_restart_is_reported_and_speeds_are_resent(
     harness.simulator.do("power cycle")
     harness.wait(lambda: bool(harness.links))
     link, status = harness.links[0]
-    assert link is Link.SILENT
+    assert link is ConnectionState.SILENT
     assert "restarted" in status
-    harness.wait(lambda: robot.link is Link.UP)
+    harness.wait(lambda: robot.link is ConnectionState.UP)
     harness.move((310,) * 8)
     assert harness.speeds == [150] * 8
 
@@ -309,7 +309,7 @@ def test_board_restart_is_reported_and_speeds_are_resent(
 def test_unplugged_line_is_reported(robot: Robot, harness: RobotHarness) -> None:
     harness.move(LOW)
     harness.simulator.do("line unplug")
-    harness.wait(lambda: robot.link is Link.NONE)
+    harness.wait(lambda: robot.link is ConnectionState.NONE)
     assert len(harness.messages) == 1
     assert robot.present == (None,) * 8
     assert not robot.move(LOW)

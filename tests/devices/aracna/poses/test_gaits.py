@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from trex_gui.devices.aracna.poses.gaits import GAITS, STAND_UP, Gait, Stage
+from trex_gui.devices.aracna.poses.gaits import GAITS, STAND_UP, Gait, GaitStage
 from trex_gui.devices.aracna.poses.named_poses import KNOWN_POSES
 from trex_gui.devices.aracna.poses.pose import Pose
 
@@ -59,7 +59,7 @@ def test_standing_up_takes_3_s_to_flat_and_3_s_to_stand() -> None:
 
 def test_gait_interpolates_linearly_and_wraps_around() -> None:
     low, high = Pose("low", (0, 100)), Pose("high", (100, 300))
-    there_and_back = Gait("to and fro", (Stage(high, 2.0), Stage(low, 1.0)))
+    there_and_back = Gait("to and fro", (GaitStage(high, 2.0), GaitStage(low, 1.0)))
     assert there_and_back.start == low
     assert there_and_back.at(0.0) == (0, 100)
     assert there_and_back.at(0.5) == (25, 150)

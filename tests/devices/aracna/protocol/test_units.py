@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.devices.aracna.protocol import units
-from trex_gui.devices.aracna.protocol.joints import JOINTS, Kind, Limits, Side, factory_limits
+from trex_gui.devices.aracna.protocol.joints import JOINTS, JointKind, Limits, Side, factory_limits
 
 
 @given(position=st.integers(0, 1023))
@@ -51,7 +51,7 @@ def test_speed_for_time_matches_authors_formula() -> None:
 
 
 def test_even_motors_are_inner_joints_and_legs_are_pairs() -> None:
-    assert [joint.kind for joint in JOINTS] == [Kind.INNER, Kind.OUTER] * 4
+    assert [joint.kind for joint in JOINTS] == [JointKind.INNER, JointKind.OUTER] * 4
     assert all(JOINTS[motor].side is JOINTS[motor + 1].side for motor in range(0, 8, 2))
     front = {joint.motor for joint in JOINTS if joint.side in {Side.LEFT_FRONT, Side.RIGHT_FRONT}}
     right = {joint.motor for joint in JOINTS if joint.side in {Side.RIGHT_FRONT, Side.RIGHT_BACK}}

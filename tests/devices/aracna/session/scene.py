@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from tests.support.aracna import AracnaStage
-from trex_gui.devices.aracna.session.messages import Counted, Report, Request
+from trex_gui.devices.aracna.session.messages import LineStatsChanged, Report, Request
 from trex_gui.devices.aracna.session.session import AracnaSession
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Close
@@ -69,8 +69,12 @@ class ScriptedSession:
 
     @property
     def kinds(self) -> list[str]:
-        """Return the names of all reports, in order, except `Counted`."""
-        return [type(report).__name__ for report in self.reports if not isinstance(report, Counted)]
+        """Return the names of all reports, in order, except `LineStatsChanged`."""
+        return [
+            type(report).__name__
+            for report in self.reports
+            if not isinstance(report, LineStatsChanged)
+        ]
 
     def get(self, seconds: float) -> Request | None:
         end = self.line.now + seconds

@@ -5,10 +5,10 @@ import pytest
 from tests.support.aracna import AracnaStage
 from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.devices.aracna.protocol.replies import Positions, Version
-from trex_gui.devices.aracna.session.client import ASK_AGAIN, Client, shown
+from trex_gui.devices.aracna.session.client import ASK_AGAIN, AracnaClient, shown
 from trex_gui.devices.aracna.session.command_events import (
     Answered,
-    Late,
+    LateReply,
     Lost,
     News,
     Passing,
@@ -19,13 +19,13 @@ from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 THERE = (600,) * 8
 
 
-def client_of(stage: AracnaStage, motors: int = 8) -> Client:
-    client = Client(stage.transport, LinkSettings("virtual"))
+def client_of(stage: AracnaStage, motors: int = 8) -> AracnaClient:
+    client = AracnaClient(stage.transport, LinkSettings("virtual"))
     client.motors = motors
     return client
 
 
-def heard(client: Client, seconds: float) -> list[News]:
+def heard(client: AracnaClient, seconds: float) -> list[News]:
     """Listen in small slices for so long."""
     end = client.transport.clock() + seconds
     news: list[News] = []
@@ -60,7 +60,7 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     client = client_of(stage)
     client.move(THERE, 1.0)
     news = heard(client, 30.0)
-    assert [type(one) for one in news if not isinstance(one, Passing)] == [Late]
+    assert [type(one) for one in news if not isinstance(one, Passing)] == [LateReply]
     assert client.waits_for == 1
     behind = bytes(stage.transport.sent).partition(b"600\n")[2]
     assert behind == b".q\n" * behind.count(b".q\n")
@@ -95,7 +95,7 @@ def test_lost_move_ends_when_following_query_is_answered() -> None:
     stage.line.advance(0.2)
     stage.do("line drop 0 sent")
     late, lost = heard(client, 2.0)
-    assert isinstance(late, Late)
+    assert isinstance(late, LateReply)
     assert late.motor is None
     assert isinstance(lost, Lost)
     assert lost.free

@@ -3,21 +3,27 @@
 from itertools import pairwise
 
 from tests.devices.aracna.session.scene import ScriptedSession
-from trex_gui.devices.aracna.session.messages import Connected, Counted, Counters, Move, SetSpeeds
+from trex_gui.devices.aracna.session.messages import (
+    Connected,
+    LineStats,
+    LineStatsChanged,
+    Move,
+    SetSpeeds,
+)
 from trex_gui.devices.aracna.session.stats import INTERVAL
 
 THERE = (520,) * 8
 
 
-def last(session: ScriptedSession) -> Counters:
-    return session.of(Counted)[-1].counters
+def last(session: ScriptedSession) -> LineStats:
+    return session.of(LineStatsChanged)[-1].counters
 
 
 def test_counters_are_reported_soon_after_connecting() -> None:
     session = ScriptedSession().until(0.5)
     session.run()
     assert last(session).answers == last(session).requests == 1
-    assert session.when(Counted)[0] - session.when(Connected)[0] < 0.1
+    assert session.when(LineStatsChanged)[0] - session.when(Connected)[0] < 0.1
 
 
 def test_unanswered_queries_during_boot_are_not_counted() -> None:
@@ -33,7 +39,7 @@ def test_counters_are_reported_at_most_once_a_second() -> None:
         session.at(1 + number / 10, SetSpeeds(number + 1, (100 + number,) * 8))
     session.until(6.0)
     session.run()
-    times = session.when(Counted)
+    times = session.when(LineStatsChanged)
     assert 4 <= len(times) <= 7
     assert all(later - earlier >= INTERVAL for earlier, later in pairwise(times))
     assert last(session).answers >= 40
@@ -42,7 +48,7 @@ def test_counters_are_reported_at_most_once_a_second() -> None:
 def test_unchanged_counters_are_not_reported_again() -> None:
     session = ScriptedSession().until(1.9)  # before the robot is asked again whether it is there
     session.run()
-    assert len(session.of(Counted)) == 1
+    assert len(session.of(LineStatsChanged)) == 1
 
 
 def test_slowest_reply_time_excludes_motions() -> None:

@@ -9,21 +9,21 @@ from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, h
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
 from trex_gui.core.errors import PortUnavailable
-from trex_gui.devices.aracna.discovery.prober import QUESTION, QUESTIONS, Search, find_aracna
+from trex_gui.devices.aracna.discovery.prober import QUESTION, QUESTIONS, AracnaScan, find_aracna
 from trex_gui.devices.aracna.protocol.lines import QUERY
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.trex.discovery.probe import RINSE, RINSE_LINE
-from trex_gui.devices.trex.discovery.prober import Step, find
+from trex_gui.devices.trex.discovery.probe import FLUSH_BYTE, FLUSH_LINE
+from trex_gui.devices.trex.discovery.prober import ScanProgress, find
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 
 VIRTUAL = LinkSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
 
 __all__ = ["orders"]  # a fixture
 
 
-def search(stage: AracnaStage) -> Search:
+def search(stage: AracnaStage) -> AracnaScan:
     return find_aracna(VIRTUAL, open_wire=lambda _settings: stage.transport)
 
 
@@ -97,53 +97,53 @@ def test_silent_port_is_reported_with_hint_within_3_s() -> None:
     result = search(stage)
     assert not result.found
     assert stage.now - begun < 3.0
-    assert "No Aracna answers on virtual at 38400" in result.verdict()
-    assert "power" in result.verdict()
+    assert "No Aracna answers on virtual at 38400" in result.diagnosis()
+    assert "power" in result.diagnosis()
 
 
 def test_unknown_reply_is_shown_in_diagnosis() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\r\nERR 7\r\n")
-    assert "not as an Aracna does: ERR 7" in search(stage).verdict()
+    assert "not as an Aracna does: ERR 7" in search(stage).diagnosis()
 
 
 def test_robot_that_boots_but_never_answers_is_reported() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b".h\r\n")
-    assert "starts again and again" in search(stage).verdict()
+    assert "starts again and again" in search(stage).diagnosis()
 
 
 def test_echo_is_reported() -> None:
     board = a_board()
     board.power_off()
-    line = Line([board], echo=True)
+    line = SimulatedLine([board], echo=True)
     wire = Wire(line)
     result = find_aracna(VIRTUAL, open_wire=lambda _settings: wire)
-    assert "comes back" in result.verdict()
+    assert "comes back" in result.diagnosis()
 
 
 def test_network_port_of_fixed_rate_is_not_probed() -> None:
     stage = AracnaStage()
-    stage.transport.can_be_tuned = False
+    stage.transport.is_configurable = False
     result = search(stage)
     assert not stage.transport.sent
-    assert "was asked for" in result.verdict()
-    assert "--device aracna --port virtual" in result.verdict()
+    assert "was asked for" in result.diagnosis()
+    assert "--device aracna --port virtual" in result.diagnosis()
 
 
 def test_noise_is_not_reported_as_echo() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\xff\x00\xff")
-    assert "not as an Aracna does: FF 00 FF" in search(stage).verdict()
+    assert "not as an Aracna does: FF 00 FF" in search(stage).diagnosis()
 
 
 def test_search_reports_progress_and_can_be_cancelled() -> None:
     stage = AracnaStage()
     stage.do("line mute on")
-    steps: list[Step] = []
+    steps: list[ScanProgress] = []
     result = find_aracna(
         VIRTUAL,
         progress=steps.append,
@@ -174,7 +174,7 @@ def test_search_sends_no_command_that_trex_obeys(settings: LineSettings, orders:
     """Searches twice, for every rate, parity, number of stop bits, and with CRC."""
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     for _ in range(2):
-        wire = Wire(Line([board]))
+        wire = Wire(SimulatedLine([board]))
         assert not find_aracna(VIRTUAL, open_wire=lambda _settings, wire=wire: wire).found  # type: ignore[misc]
     assert not orders
     assert not board.memory.writes
@@ -199,7 +199,7 @@ def _orders_obeyed(
     while waiting:
         before = {waiting.popleft()}
         if rinsed:
-            before, first = hear(before, RINSE, RINSE_LINE, own, crc=crc)
+            before, first = hear(before, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
             obeyed |= first
         for question in questions:
             left, more = hear(before, question, LINE, own, crc=crc)
@@ -238,7 +238,7 @@ def test_probe_at_fixed_rate_would_start_trex_motor() -> None:
     own, host = LineSettings(28800), LINE
     begun: set[State] = {()}
     obeyed: set[str] = set()
-    for question in (RINSE, QUESTION) * 2:
+    for question in (FLUSH_BYTE, QUESTION) * 2:
         left, more = hear(begun, question, host, own, crc=False)
         begun |= left
         obeyed |= more

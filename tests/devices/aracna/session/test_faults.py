@@ -8,19 +8,19 @@ from trex_gui.devices.aracna.session.client import ASK_AGAIN
 from trex_gui.devices.aracna.session.liveness import BOOT
 from trex_gui.devices.aracna.session.messages import (
     Connected,
-    Counted,
     Drag,
     DragDropped,
     Ending,
+    LineStatsChanged,
     Move,
     Moved,
     Moving,
+    NotResponding,
     Passed,
     Play,
     PlayEnded,
     Restarted,
     SetSpeeds,
-    Silent,
     SpeedsHeld,
     Step,
     Stuck,
@@ -49,7 +49,7 @@ def _assert_goes_on_after_a_restart(session: ScriptedSession, *, voided: bool) -
     wait = session.when(Connected)[1] - session.when(Restarted)[0]
     assert BOOT <= wait < BOOT + 0.2
     assert session.line.station.firmware.boots == 2  # no second one, of what was sent too early
-    assert not session.of(Silent)
+    assert not session.of(NotResponding)
 
 
 def test_restart_while_idle_is_reported_and_robot_reconnects() -> None:
@@ -147,7 +147,7 @@ def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
         88 / 228 * 1.25 + 1.0, abs=0.06
     )
     assert session.of(Passed)[-1].present == (598,) * 3
-    assert not session.of(Silent)
+    assert not session.of(NotResponding)
     behind = bytes(session.stage.transport.sent).split(b".c" + b"600," * 7 + b"600\n")[1]
     assert behind == b".q\n" * behind.count(b".q\n")
     assert 1 < behind.count(b".q\n") <= 2 + 60 / ASK_AGAIN
@@ -170,7 +170,7 @@ def test_recovered_servo_ends_move_and_starts_nothing_else() -> None:
     assert [number for number, error in outcomes.items() if error is None] == [1, 2, 3, 7]
     assert {str(outcomes[number]) for number in (4, 5, 6)} == {STUCK}
     assert [dropped.goals for dropped in session.of(DragDropped)] == [(410,) * 8]
-    assert not session.of(Silent)
+    assert not session.of(NotResponding)
 
 
 def test_dead_servo_is_reported_in_held_speeds() -> None:
@@ -214,7 +214,7 @@ def test_stuck_motor_ends_playback() -> None:
     assert session.of(Stuck)[0].motor == 6
     assert "motor 6" in str(session.of(Outcome)[0].error)
     assert session.when(Moving)[-1] < session.when(Stuck)[0]
-    reports = [report for report in session.reports if not isinstance(report, Counted)]
+    reports = [report for report in session.reports if not isinstance(report, LineStatsChanged)]
     assert isinstance(reports[-2], Moved)  # told after all
 
 
@@ -250,7 +250,7 @@ def test_damaged_speed_reply_fails_in_1_s_and_robot_stays() -> None:
     assert isinstance(first.error, BadReply)
     assert second.error is None
     assert session.when(Outcome)[0] == pytest.approx(1.5, abs=0.1)
-    assert not session.of(Silent)
+    assert not session.of(NotResponding)
 
 
 @pytest.mark.parametrize("dropped", [1, 2, 4, 11, 33, 34])
@@ -290,7 +290,7 @@ def test_robot_mute_since_mid_motion_is_reported_silent() -> None:
     session.at(12.0, lambda: session.stage.do("line mute off")).until(16.0)
     session.run()
     assert session.of(Stuck)[0].motor is None
-    assert len(session.of(Silent)) == 1
+    assert len(session.of(NotResponding)) == 1
     assert len(session.of(Connected)) == 2
     assert isinstance({one.id: one.error for one in session.of(Outcome)}[3], NoReply)
     assert session.line.station.firmware.boots == 1
@@ -328,7 +328,7 @@ def test_move_sent_right_after_lost_reply_succeeds() -> None:
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert outcomes[3] is not None
     assert outcomes[4] is None
-    assert not session.of(Silent)
+    assert not session.of(NotResponding)
 
 
 def test_speeds_requested_while_stuck_are_never_sent() -> None:

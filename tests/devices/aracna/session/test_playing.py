@@ -26,7 +26,7 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
 )
 from trex_gui.devices.aracna.session.servos import TRUST
-from trex_gui.devices.aracna.session.step_clock import Playing, check
+from trex_gui.devices.aracna.session.step_clock import StepClock, check
 from trex_gui.devices.trex.session.messages import Outcome
 
 HERE = (512,) * 8
@@ -263,7 +263,7 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
 ) -> None:
     before, many, after = counts
     one = step(5, 1.0)
-    playing = Playing(Play(1, (one,) * many, rounds, (one,) * before, (one,) * after), 0.0)
+    playing = StepClock(Play(1, (one,) * many, rounds, (one,) * before, (one,) * after), 0.0)
     whole = [("in", index, 0) for index in range(before)]
     whole += [("steps", index, turn) for turn in range(rounds) for index in range(many)]
     out = [("out", index, 0) for index in range(after)]

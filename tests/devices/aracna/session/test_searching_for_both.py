@@ -7,25 +7,25 @@ import pytest
 from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
-from trex_gui.core.discovery.prober import Step
-from trex_gui.core.discovery.scan import PortSearch, search_port
+from trex_gui.core.discovery.prober import ScanProgress
+from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.aracna.discovery.prober import QUESTION, SEEK_ARACNA
+from trex_gui.devices.aracna.discovery.prober import ARACNA_PROBER, QUESTION
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.trex.discovery.probe import RINSE, RINSE_LINE
-from trex_gui.devices.trex.discovery.prober import SEEK_TREX, attempts
+from trex_gui.devices.trex.discovery.probe import FLUSH_BYTE, FLUSH_LINE
+from trex_gui.devices.trex.discovery.prober import TREX_PROBER, attempts
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 
 VIRTUAL = LinkSettings("virtual")
-SEEKS = {"trex": SEEK_TREX, "aracna": SEEK_ARACNA}
+SEEKS = {"trex": TREX_PROBER, "aracna": ARACNA_PROBER}
 
 __all__ = ["orders"]  # a fixture
 
 
-def search(wire: Transport, first: str | None = None) -> PortSearch:
-    return search_port(VIRTUAL, SEEKS, first=first, open_wire=lambda _settings: wire)
+def search(wire: Transport, first: str | None = None) -> PortScan:
+    return scan_port(VIRTUAL, SEEKS, first=first, open_wire=lambda _settings: wire)
 
 
 # --- What is found, and how soon ------------------------------------------------------------
@@ -33,7 +33,7 @@ def search(wire: Transport, first: str | None = None) -> PortSearch:
 
 @pytest.mark.parametrize("baud", [19200, 115200, 9600, 38400, 57600])
 def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
-    wire = Wire(Line([a_board(settings=LineSettings(baud).to_wire())]))
+    wire = Wire(SimulatedLine([a_board(settings=LineSettings(baud).to_wire())]))
     result = search(wire)
     assert (result.device, result.found[0].name) == ("trex", "TReX 1.2")
     assert QUESTION not in bytes(wire.sent)
@@ -41,7 +41,7 @@ def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
 
 
 def test_trex_at_unlikely_rate_is_found() -> None:
-    wire = Wire(Line([a_board(settings=LineSettings(4800, Detection.CRC7).to_wire())]))
+    wire = Wire(SimulatedLine([a_board(settings=LineSettings(4800, Detection.CRC7).to_wire())]))
     result = search(wire)
     assert result.found[0].settings.line == LineSettings(4800, Detection.CRC7)
 
@@ -64,7 +64,7 @@ def test_port_of_earlier_aracna_is_probed_for_aracna_first() -> None:
 
 
 def test_trex_is_found_on_port_of_earlier_aracna() -> None:
-    wire = Wire(Line([a_board()]))
+    wire = Wire(SimulatedLine([a_board()]))
     assert search(wire, "aracna").device == "trex"
 
 
@@ -93,8 +93,8 @@ def test_found_aracna_answers_first_query() -> None:
 def test_progress_names_probed_device() -> None:
     stage = AracnaStage()
     stage.do("power off")
-    steps: list[Step] = []
-    search_port(VIRTUAL, SEEKS, progress=steps.append, open_wire=lambda _settings: stage.transport)
+    steps: list[ScanProgress] = []
+    scan_port(VIRTUAL, SEEKS, progress=steps.append, open_wire=lambda _settings: stage.transport)
     assert [step.kind for step in steps] == ["TReX"] * 5 + ["Aracna"] * 5 + ["TReX"] * 83
     assert [step.done for step in steps] == list(range(93))
     assert {step.total for step in steps} == {93}
@@ -115,7 +115,7 @@ def test_silent_port_is_reported_for_both_devices() -> None:
 def test_echo_is_reported_for_both_devices() -> None:
     board = a_board()
     board.power_off()
-    trex, aracna = search(Wire(Line([board], echo=True))).lines
+    trex, aracna = search(Wire(SimulatedLine([board], echo=True))).lines
     assert trex.startswith("No TReX answers on virtual: everything sent comes back")
     assert "RS-232 side" in trex
     assert aracna.startswith("No Aracna answers on virtual at 38400 baud")
@@ -150,7 +150,7 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
         stage.transport.write = writes  # type: ignore[method-assign]
         return stage.transport
 
-    aracna, trex = search_port(VIRTUAL, SEEKS, open_wire=hear_something).lines
+    aracna, trex = scan_port(VIRTUAL, SEEKS, open_wire=hear_something).lines
     assert sent == 5
     assert "not as an Aracna does" in aracna
     assert trex.startswith("No TReX answers")
@@ -158,9 +158,9 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
 
 def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
     stage = AracnaStage()
-    stage.transport.can_be_tuned = False
+    stage.transport.is_configurable = False
     stage.line.host = LINE
-    stage.transport.tune = lambda line: None  # type: ignore[method-assign]
+    stage.transport.reconfigure = lambda line: None  # type: ignore[method-assign]
     trex, aracna = search(stage.transport).lines
     assert "set at the other end" in trex
     assert "No Aracna was asked for" in aracna
@@ -192,7 +192,7 @@ def test_search_sends_no_command_that_trex_obeys(
     settings: LineSettings, first: str, orders: list[str]
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
-    wire = Wire(Line([board]))
+    wire = Wire(SimulatedLine([board]))
     assert search(wire, first).device == "trex"
     assert not orders
     assert not board.memory.writes
@@ -207,7 +207,7 @@ def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
         begun: set[State] = {()}
         waiting = deque(begun)
         while waiting:
-            rinsed, obeyed = hear({waiting.popleft()}, RINSE, RINSE_LINE, own, crc=crc)
+            rinsed, obeyed = hear({waiting.popleft()}, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
             for question, line in questions:
                 left, more = hear(rinsed, question, line, own, crc=crc)
                 obeyed |= more

@@ -12,11 +12,11 @@ from trex_gui.devices.aracna.session.messages import (
     Move,
     Moved,
     Moving,
+    NotResponding,
     Passed,
     Restarted,
     SetLed,
     SetSpeeds,
-    Silent,
     SpeedsHeld,
     Stuck,
 )
@@ -226,8 +226,8 @@ def test_silent_robot_is_polled_until_it_answers() -> None:
     session = ScriptedSession().at(1.0, lambda: session.stage.do("line mute on"))
     session.at(6.0, Move(1, THERE)).at(10.0, lambda: session.stage.do("line mute off")).until(13.0)
     session.run()
-    assert session.kinds == ["Connected", "Silent", "Outcome", "Connected", "Closed"]
-    assert session.when(Silent)[0] < 5.0
+    assert session.kinds == ["Connected", "NotResponding", "Outcome", "Connected", "Closed"]
+    assert session.when(NotResponding)[0] < 5.0
     assert session.when(Connected)[1] < 12.0
     assert not session.of(Connected)[1].restarted
     assert isinstance(session.of(Outcome)[0].error, NoReply)

@@ -16,6 +16,7 @@ from trex_gui.devices.aracna.session.messages import (
     Move,
     Moved,
     Moving,
+    NotResponding,
     Play,
     PlayEnded,
     Request,
@@ -23,7 +24,6 @@ from trex_gui.devices.aracna.session.messages import (
     SetLed,
     SetSpeeds,
     SetTimeScale,
-    Silent,
     Step,
     StepBegun,
 )
@@ -106,7 +106,7 @@ def _assert_it_makes_sense(session: ScriptedSession) -> None:
                 begun += 1
             case PlayEnded():
                 ended += 1
-            case Restarted() | Silent():
+            case Restarted() | NotResponding():
                 is_there, moves = False, False
             case _:
                 pass

@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.talk import STRANGE_TALK, Said, assert_sayable, pieces_of, told
-from trex_gui.core.transport.traffic_log import Piece, Way
-from trex_gui.devices.aracna.session.traffic_decoder import AracnaWording
+from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
+from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 
 ARACNA: list[tuple[Said, str, bool]] = [
     ((b".q\n", b".q1,8\r\n"), "ask for version and motors → firmware 1, 8 motors", False),
@@ -37,7 +37,7 @@ ARACNA: list[tuple[Said, str, bool]] = [
 
 @pytest.mark.parametrize(("said", "text", "is_fault"), ARACNA, ids=lambda value: str(value)[:40])
 def test_exchange_is_decoded_as_text(said: Said, text: str, is_fault: bool) -> None:
-    assert told(AracnaWording(), pieces_of([said])) == [(text, is_fault)]
+    assert told(AracnaDecoder(), pieces_of([said])) == [(text, is_fault)]
 
 
 @given(st.lists(st.sampled_from(ARACNA), max_size=8), st.integers(1, 5))
@@ -45,31 +45,31 @@ def test_chunk_size_does_not_change_decoded_rows(
     talk: list[tuple[Said, str, bool]], cut: int
 ) -> None:
     said = [one[0] for one in talk if one[0][0]]
-    whole = told(AracnaWording(), pieces_of(said))
-    assert told(AracnaWording(), pieces_of(said, cut)) == whole
+    whole = told(AracnaDecoder(), pieces_of(said))
+    assert told(AracnaDecoder(), pieces_of(said, cut)) == whole
 
 
 def test_only_version_query_is_routine() -> None:
-    wording = AracnaWording()
+    wording = AracnaDecoder()
     assert wording.is_routine(b".q\n")
     assert not any(map(wording.is_routine, [b".c1,2\n", b".v1,2\n", b"\n", b".l1\n"]))
 
 
 @given(STRANGE_TALK, st.integers(1, 24))
 def test_any_bytes_can_be_decoded_as_text(talk: list[Said], cut: int) -> None:
-    assert_sayable(AracnaWording(), pieces_of(talk, cut))
+    assert_sayable(AracnaDecoder(), pieces_of(talk, cut))
 
 
 def test_late_reply_is_shown_with_its_command() -> None:
-    wording = AracnaWording()
+    wording = AracnaDecoder()
     pieces = [
-        Piece(1.0, Way.SENT, b".c5,6\n"),
-        Piece(2.0, Way.RECEIVED, b".c5,"),
-        Piece(4.0, Way.SENT, b".q\n"),
-        Piece(9.0, Way.SENT, b".q\n"),
-        Piece(9.5, Way.RECEIVED, b"6\r\n"),
-        Piece(9.6, Way.RECEIVED, b".q1,2\r\n"),
-        Piece(11.0, Way.SENT, b".q\n"),
+        TrafficEvent(1.0, TrafficDirection.SENT, b".c5,6\n"),
+        TrafficEvent(2.0, TrafficDirection.RECEIVED, b".c5,"),
+        TrafficEvent(4.0, TrafficDirection.SENT, b".q\n"),
+        TrafficEvent(9.0, TrafficDirection.SENT, b".q\n"),
+        TrafficEvent(9.5, TrafficDirection.RECEIVED, b"6\r\n"),
+        TrafficEvent(9.6, TrafficDirection.RECEIVED, b".q1,2\r\n"),
+        TrafficEvent(11.0, TrafficDirection.SENT, b".q\n"),
     ]
     first, second = told(wording, pieces)
     assert first == (
@@ -81,11 +81,11 @@ def test_late_reply_is_shown_with_its_command() -> None:
 
 def test_command_ended_only_by_next_query_is_a_fault() -> None:
     pieces = [
-        Piece(1.0, Way.SENT, b".c5,6\n"),
-        Piece(4.0, Way.SENT, b".q\n"),
-        Piece(4.1, Way.RECEIVED, b".q1,2\r\n"),
-        Piece(5.0, Way.LINE, text="Closed."),
+        TrafficEvent(1.0, TrafficDirection.SENT, b".c5,6\n"),
+        TrafficEvent(4.0, TrafficDirection.SENT, b".q\n"),
+        TrafficEvent(4.1, TrafficDirection.RECEIVED, b".q1,2\r\n"),
+        TrafficEvent(5.0, TrafficDirection.LINE, text="Closed."),
     ]
-    ((text, is_fault),) = told(AracnaWording(), pieces)
+    ((text, is_fault),) = told(AracnaDecoder(), pieces)
     assert is_fault
     assert text.endswith("firmware 1, 2 motors; no answer to the command itself")

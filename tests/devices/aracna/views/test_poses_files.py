@@ -19,11 +19,11 @@ def driver(qtbot: QtBot) -> Iterator[PosesPanelDriver]:
     driver.close()
 
 
-def answering(monkeypatch: pytest.MonkeyPatch, answer: file_questions.Answer) -> list[str]:
+def answering(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAnswer) -> list[str]:
     """Answer the question about edits that are not saved; return for which file it was asked."""
     asked: list[str] = []
 
-    def before_closing(_window: QWidget, name: str) -> file_questions.Answer:
+    def before_closing(_window: QWidget, name: str) -> file_questions.SaveAnswer:
         asked.append(name)
         return answer
 
@@ -53,11 +53,11 @@ def test_open_asks_about_unsaved_edits(
     path = tmp_path / "other.ppr"
     path.write_text("Aracna:8\nPose=only:1\n", encoding="utf-8")
     driver.library.add_pose(EIGHT, "mine")
-    asked = answering(monkeypatch, file_questions.Answer.CANCEL)
+    asked = answering(monkeypatch, file_questions.SaveAnswer.CANCEL)
     assert not driver.panel.files.open_file(path)
     assert asked == ["poses.ppr"]
     assert "mine" in driver.pose_names()
-    answering(monkeypatch, file_questions.Answer.DISCARD)
+    answering(monkeypatch, file_questions.SaveAnswer.DISCARD)
     assert driver.panel.files.open_file(path)
     assert driver.pose_names() == ["only"]
 

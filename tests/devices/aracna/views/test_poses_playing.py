@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.views.poses_stage import EIGHT, PosesPanelDriver
-from trex_gui.devices.aracna.model.robot_state import Playing
+from trex_gui.devices.aracna.model.robot_state import PlayState
 from trex_gui.devices.aracna.poses.sequence import SequenceStep
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play, Step
@@ -135,7 +135,7 @@ def test_speed_can_change_and_step_is_marked_during_playback(
     driver.panel.show_link(True)
     driver.choose_row("aracnaMotions", "push-ups (built in)")
     driver.click("aracnaPlay")
-    driver.panel.show_playing(Playing(2, 0, "steps", 1))
+    driver.panel.show_playing(PlayState(2, 0, "steps", 1))
     assert not driver.button("aracnaPlay").isEnabled()
     assert not driver.button("aracnaGoTo").isEnabled()
     assert driver.steps.model().index(1, 0).data() == "▶ 2"
@@ -208,7 +208,7 @@ def test_menu_plays_only_while_play_is_possible(
     driver.panel.show_present((512,) * 8)
     driver.panel.play()
     assert len(driver.plays) == 1
-    driver.panel.show_playing(Playing(1, 1))
+    driver.panel.show_playing(PlayState(1, 1))
     driver.panel.play()
     assert len(driver.plays) == 1
 

@@ -10,7 +10,7 @@ from tests.devices.trex.calibration.measure import neutral_of
 from tests.support.transmitter import RATE, Stick
 from trex_gui.devices.trex.calibration.holding import HELD, WINDOW
 from trex_gui.devices.trex.calibration.neutral import measure_neutral
-from trex_gui.devices.trex.calibration.problems import Kind
+from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.samples import Sample
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel, TravelWatch, Way
@@ -113,7 +113,7 @@ def test_ends_only_passed_are_reported_and_block_proposal(rate: float) -> None:
     assert not travel.held(Way.UP)
     assert not travel.is_enough
     proposal = proposal_of(stick, travel)
-    assert [problem.kind for problem in proposal.problems] == [Kind.NOT_HELD]
+    assert [problem.kind for problem in proposal.problems] == [ProblemKind.NOT_HELD]
     assert "Both ends were only passed, so they may lie further out" in proposal.problems[0].text
     assert proposal.calibration is None
 
@@ -121,7 +121,7 @@ def test_ends_only_passed_are_reported_and_block_proposal(rate: float) -> None:
 def test_single_end_only_passed_is_named() -> None:
     moves = (*push(1.0, 0.2, 1.2, 0.4), (0.5, -0.8), (0.5, 0.0))
     (problem,) = travel_of(Stick(), moves, 8.0).problems
-    assert problem.kind is Kind.NOT_HELD
+    assert problem.kind is ProblemKind.NOT_HELD
     assert problem.text.startswith("The end below was only passed, so it may")
 
 
@@ -182,7 +182,7 @@ def test_time_left_counts_samples_at_low_rate() -> None:
 def test_still_analog_input_is_reported_as_maybe_unconnected(volts: float, words: str) -> None:
     stick = Stick(rest=volts, source=InputSource.ANALOG)
     (problem,) = travel_of(stick, ((2.0, 0.0),), 50.0).problems
-    assert problem.kind is Kind.NEVER_MOVED
+    assert problem.kind is ProblemKind.NEVER_MOVED
     assert words in problem.text
     assert "Either nothing is connected to it" in problem.text
     assert "was not moved" in problem.text
@@ -191,7 +191,7 @@ def test_still_analog_input_is_reported_as_maybe_unconnected(volts: float, words
 def test_noisy_analog_input_is_reported_as_maybe_unconnected() -> None:
     found = neutral_of(Stick(rest=2.0, noise=0.4, source=InputSource.ANALOG))
     (problem,) = found.problems
-    assert problem.kind is Kind.NOISE
+    assert problem.kind is ProblemKind.NOISE
     assert "An input to which nothing is connected does that, too." in problem.text
     (problem,) = neutral_of(Stick(noise=60)).problems
     assert "nothing is connected" not in problem.text

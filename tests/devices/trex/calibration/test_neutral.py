@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from tests.devices.trex.calibration.measure import neutral_of
 from tests.support.transmitter import Stick
 from trex_gui.devices.trex.calibration.neutral import deadband_floor, measure_neutral
-from trex_gui.devices.trex.calibration.problems import Kind
+from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.samples import LIMITS, Sample
 from trex_gui.devices.trex.protocol.flags import InputSource
 
@@ -16,7 +16,7 @@ unhurried = settings(deadline=None)
 ANALOG = InputSource.ANALOG
 
 
-def kinds(stick: Stick, seed: int = 1) -> set[Kind]:
+def kinds(stick: Stick, seed: int = 1) -> set[ProblemKind]:
     return {problem.kind for problem in neutral_of(stick, seed).problems}
 
 
@@ -35,10 +35,10 @@ def test_stick_rest_is_measured_within_half_its_noise(
     stick = Stick(rest=rest, noise=noise, drift=drift, lost=lost, spikes=spikes)
     found = neutral_of(stick, seed)
     if found.invalid > 0.05:  # once in thousands so many are lost in a row
-        assert [problem.kind for problem in found.problems] == [Kind.JITTER]
+        assert [problem.kind for problem in found.problems] == [ProblemKind.JITTER]
     else:
         # A wild pulse that lost ones behind it repeat looks like a movement: rare, and no harm.
-        known = {Kind.JITTER, Kind.MOVED} if spikes and lost else {Kind.JITTER}
+        known = {ProblemKind.JITTER, ProblemKind.MOVED} if spikes and lost else {ProblemKind.JITTER}
         assert {problem.kind for problem in found.problems} <= known
     assert abs(found.value - rest * 2.5) <= max(1, found.noise / 2) + abs(drift) * 2.5
 
@@ -68,7 +68,7 @@ def test_noise_is_measured_within_factor_of_two(noise: float, seed: int) -> None
     seed=st.integers(0, 2**32),
 )
 def test_twitch_is_reported_as_movement(twitch: float, noise: float, seed: int) -> None:
-    assert kinds(Stick(twitches=twitch, noise=noise), seed) == {Kind.MOVED}
+    assert kinds(Stick(twitches=twitch, noise=noise), seed) == {ProblemKind.MOVED}
 
 
 @unhurried
@@ -76,13 +76,13 @@ def test_twitch_is_reported_as_movement(twitch: float, noise: float, seed: int) 
 @given(drift=st.one_of(st.floats(8, 200), st.floats(-200, -8)), seed=st.integers(0, 2**32))
 def test_drift_is_reported_as_movement_with_direction(drift: float, seed: int) -> None:
     (problem,) = neutral_of(Stick(drift=drift, noise=0.5), seed).problems
-    assert problem.kind is Kind.MOVED
+    assert problem.kind is ProblemKind.MOVED
     assert f"It drifted {'up' if drift > 0 else 'down'} by" in problem.text
 
 
 @pytest.mark.parametrize("source", InputSource)
 def test_drift_is_reported_only_beyond_its_limit(source: InputSource) -> None:
-    def problems(drift: int) -> list[Kind]:
+    def problems(drift: int) -> list[ProblemKind]:
         middle = source.highest_count // 2
         counts = [middle + step for step in (0, drift // 2, drift) for _ in range(25)]
         samples = [Sample(i / 50, count) for i, count in enumerate(counts)]
@@ -91,10 +91,10 @@ def test_drift_is_reported_only_beyond_its_limit(source: InputSource) -> None:
         return [problem.kind for problem in found.problems]
 
     assert problems(LIMITS[source].drifted) == []
-    assert problems(LIMITS[source].drifted + 1) == [Kind.MOVED]
+    assert problems(LIMITS[source].drifted + 1) == [ProblemKind.MOVED]
 
 
-def problems_of(counts: list[int]) -> list[tuple[Kind, str]]:
+def problems_of(counts: list[int]) -> list[tuple[ProblemKind, str]]:
     """Measure an RC input at rest that gives these counts, 50 a second."""
     found = measure_neutral([Sample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC)
     assert found is not None
@@ -105,19 +105,19 @@ def test_twitch_is_reported_only_beyond_ten_microseconds() -> None:
     rest = [3750] * 40
     assert problems_of([*rest, *[3775] * 5, *rest]) == []
     ((kind, text),) = problems_of([*rest, *[3776] * 5, *rest])
-    assert kind is Kind.MOVED
+    assert kind is ProblemKind.MOVED
     assert "between 1500 µs and 1510 µs" in text
 
 
 def test_missing_signal_is_reported_with_remedy() -> None:
     (problem,) = neutral_of(Stick(connected=False)).problems
-    assert problem.kind is Kind.NO_SIGNAL
+    assert problem.kind is ProblemKind.NO_SIGNAL
     assert "Is the transmitter on" in problem.text
 
 
 @pytest.mark.parametrize("lost", [0.7, 0.75])
 def test_intermittent_signal_is_reported(lost: float) -> None:
-    assert kinds(Stick(lost=lost)) <= {Kind.JITTER, Kind.NO_SIGNAL}
+    assert kinds(Stick(lost=lost)) <= {ProblemKind.JITTER, ProblemKind.NO_SIGNAL}
     assert kinds(Stick(lost=lost))
 
 
@@ -147,7 +147,7 @@ def test_frequent_outliers_are_reported_as_jitter() -> None:
     samples = [Sample(i / 50, 3750 if i % 9 else 5100) for i in range(80)]
     found = measure_neutral(samples, InputSource.RC)
     assert found is not None
-    assert [problem.kind for problem in found.problems] == [Kind.JITTER]
+    assert [problem.kind for problem in found.problems] == [ProblemKind.JITTER]
     assert "9 of 80" in found.problems[0].text or "8 of 80" in found.problems[0].text
 
 
@@ -157,7 +157,7 @@ def test_outliers_are_reported_only_beyond_three_percent() -> None:
 
     assert problems_of(with_outliers(20, 40, 60)) == []
     ((kind, text),) = problems_of(with_outliers(20, 40, 60, 80))
-    assert kind is Kind.JITTER
+    assert kind is ProblemKind.JITTER
     assert text.startswith("4 of 100 pulses were far from all others")
 
 
@@ -178,13 +178,13 @@ def test_outliers_at_end_of_samples_are_ignored(wild: int) -> None:
 
 
 def test_noise_beyond_any_deadband_is_reported() -> None:
-    assert kinds(Stick(noise=60)) == {Kind.NOISE}
+    assert kinds(Stick(noise=60)) == {ProblemKind.NOISE}
 
 
 def test_excessive_noise_is_reported_with_its_size() -> None:
     assert problems_of([3594, *[3906, 3594] * 40]) == []
     ((kind, text),) = problems_of([3593, *[3907, 3593] * 40])
-    assert kind is Kind.NOISE
+    assert kind is ProblemKind.NOISE
     assert text.startswith("At rest its noise is ±62.8 µs:")
 
 
@@ -213,5 +213,5 @@ def test_movement_is_reported_before_sampling_is_complete() -> None:
     moving = [Sample(i / 50, 3750 + 40 * i) for i in range(10)]
     found = measure_neutral(moving, InputSource.RC)
     assert found is not None
-    assert [problem.kind for problem in found.problems] == [Kind.MOVED]
+    assert [problem.kind for problem in found.problems] == [ProblemKind.MOVED]
     assert not found.is_complete

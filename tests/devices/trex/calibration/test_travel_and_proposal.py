@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.calibration.measure import check, learn, neutral_of, travel_of
 from tests.support.transmitter import HOLD, Stick
-from trex_gui.devices.trex.calibration.problems import Kind
+from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.samples import Sample
 from trex_gui.devices.trex.calibration.travel import Task, Travel, TravelWatch, Way, least_travel
@@ -130,7 +130,7 @@ def test_any_signal_gives_valid_calibration_or_fatal_problem(
 
 def kinds(
     stick: Stick, channel: int = 1, moves: tuple[tuple[float, float], ...] = HOLD
-) -> list[Kind]:
+) -> list[ProblemKind]:
     return [problem.kind for problem in learn(stick, channel, moves).problems]
 
 
@@ -138,34 +138,34 @@ ONLY_UP = ((0.3, 1.0), (0.3, 1.0), (0.3, 0.0), (0.3, 0.0))
 
 
 def test_stick_that_never_moves_is_reported() -> None:
-    assert kinds(Stick(noise=1), moves=((2.0, 0.0),)) == [Kind.NEVER_MOVED]
+    assert kinds(Stick(noise=1), moves=((2.0, 0.0),)) == [ProblemKind.NEVER_MOVED]
 
 
 def test_too_little_travel_is_reported_with_required_travel() -> None:
     (problem,) = learn(Stick(low=1450, high=1550)).problems
-    assert problem.kind is Kind.TOO_LITTLE
+    assert problem.kind is ProblemKind.TOO_LITTLE
     assert "81 µs are needed" in problem.text
     assert "127 speeds" in problem.text
 
 
 def test_travel_in_one_direction_is_reported() -> None:
-    assert kinds(Stick(), moves=ONLY_UP) == [Kind.ONE_DIRECTION]
+    assert kinds(Stick(), moves=ONLY_UP) == [ProblemKind.ONE_DIRECTION]
 
 
 def test_end_too_near_neutral_is_reported() -> None:
-    assert kinds(Stick(low=1440)) == [Kind.END_TOO_NEAR]
+    assert kinds(Stick(low=1440)) == [ProblemKind.END_TOO_NEAR]
 
 
 def test_neutral_outside_travel_is_reported() -> None:
     neutral = neutral_of(Stick())
     moved = Stick(rest=1700, low=1650, high=2000)
     travel = travel_of(moved, neutral)
-    assert [problem.kind for problem in travel.problems] == [Kind.NEUTRAL_OUTSIDE]
+    assert [problem.kind for problem in travel.problems] == [ProblemKind.NEUTRAL_OUTSIDE]
 
 
 def test_uneven_travel_is_reported_and_still_proposed() -> None:
     proposal = learn(Stick(low=1300))
-    assert [problem.kind for problem in proposal.problems] == [Kind.UNEVEN]
+    assert [problem.kind for problem in proposal.problems] == [ProblemKind.UNEVEN]
     assert proposal.calibration is not None
 
 
@@ -178,7 +178,7 @@ def test_outlier_pulses_do_not_extend_travel() -> None:
 
 def test_signal_lost_during_travel_is_reported() -> None:
     travel = travel_of(Stick(lost=0.7), neutral_of(Stick()), moves=HOLD * 3)
-    assert Kind.JITTER in [problem.kind for problem in travel.problems]
+    assert ProblemKind.JITTER in [problem.kind for problem in travel.problems]
 
 
 def travel_of_counts(counts: list[int | None]) -> Travel:
@@ -189,7 +189,7 @@ def travel_of_counts(counts: list[int | None]) -> Travel:
     return watch.travel
 
 
-def problems_with_lost_samples(lost: int) -> list[tuple[Kind, str]]:
+def problems_with_lost_samples(lost: int) -> list[tuple[ProblemKind, str]]:
     """Push a stick to both ends; `lost` of the 50 samples have no signal."""
     travel = travel_of_counts([*[None] * lost, *[5000] * 10, *[2500] * (40 - lost)])
     return [(problem.kind, problem.text) for problem in travel.problems]
@@ -198,13 +198,13 @@ def problems_with_lost_samples(lost: int) -> list[tuple[Kind, str]]:
 def test_lost_samples_are_reported_only_beyond_one_tenth() -> None:
     assert problems_with_lost_samples(5) == []
     ((kind, text),) = problems_with_lost_samples(6)
-    assert kind is Kind.JITTER
+    assert kind is ProblemKind.JITTER
     assert "12% of the samples had no valid pulse" in text
 
 
 def test_no_signal_is_reported_beyond_half_of_samples() -> None:
-    assert [kind for kind, _ in problems_with_lost_samples(25)] == [Kind.JITTER]
-    assert [kind for kind, _ in problems_with_lost_samples(26)] == [Kind.NO_SIGNAL]
+    assert [kind for kind, _ in problems_with_lost_samples(25)] == [ProblemKind.JITTER]
+    assert [kind for kind, _ in problems_with_lost_samples(26)] == [ProblemKind.NO_SIGNAL]
 
 
 def test_first_end_is_known_once_travel_is_enough() -> None:
@@ -312,7 +312,7 @@ def test_remark_describes_throttle_beyond_its_rest() -> None:
 
 def test_full_speed_beyond_throttle_rest_is_reported() -> None:
     (problem,) = check(THROTTLE, 3, Calibration(2600, 2750, 4700, 75)).problems
-    assert problem.kind is Kind.SPEEDS_UP
+    assert problem.kind is ProblemKind.SPEEDS_UP
     assert "to 127 of 127" in problem.text
     stick = Stick(rest=0.3, low=0.3, high=4.5, source=InputSource.ANALOG)
     (problem,) = check(stick, 3).problems
@@ -322,7 +322,7 @@ def test_full_speed_beyond_throttle_rest_is_reported() -> None:
 
 def test_deadband_below_noise_is_reported() -> None:
     (problem,) = check(Stick(noise=10), 1, Calibration(2550, 3750, 4950, 5)).problems
-    assert problem.kind is Kind.NOISE
+    assert problem.kind is ProblemKind.NOISE
     assert not problem.fatal
     assert check(Stick(noise=10), 1, Calibration(2550, 3750, 4950, 75)).problems == ()
 
@@ -363,7 +363,7 @@ def test_switching_point_is_reported_as_inferred() -> None:
 
 def test_unreversed_switch_resting_low_is_reported() -> None:
     (problem,) = check(THROTTLE, 5, reversed_=False).problems
-    assert problem.kind is Kind.NEVER_SWITCHES
+    assert problem.kind is ProblemKind.NEVER_SWITCHES
     assert "It is inactive in all its positions" in problem.text
     assert "Should it be reversed" in problem.text
 
@@ -373,7 +373,7 @@ def test_switch_resting_at_its_switching_point_is_reported() -> None:
         p.kind
         for p in check(THROTTLE, 5, Calibration(2700, 2750, 4700, 75), reversed_=False).problems
     ]
-    assert Kind.SWITCHES_AT_REST in kinds_
+    assert ProblemKind.SWITCHES_AT_REST in kinds_
 
 
 # --- A hand on the stick, a trim that moves ---------------------------------------------
@@ -390,7 +390,7 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
     wanted = propose(1, neutral, travel, reversed_now=False).calibration
     assert wanted is not None
     (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
-    assert problem.kind is Kind.RESTS_ELSEWHERE
+    assert problem.kind is ProblemKind.RESTS_ELSEWHERE
     assert problem.text.startswith("After letting go it rests at 1500 µs, not at ")
     assert "sample it again, or take the new rest" in problem.text
     taken = replace(wanted, neutral=travel.rest)

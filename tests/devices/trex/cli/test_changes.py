@@ -7,7 +7,7 @@ import pytest
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand
 from tests.support.virtual_devices import VirtualSimulator, VirtualTransport
-from trex_gui.devices.trex.settings.history import History
+from trex_gui.devices.trex.settings.history import SettingsHistory
 
 CALIBRATION = ("calibration", "set", "2", "2400", "3700", "5100", "60")
 
@@ -39,10 +39,10 @@ def test_changing_one_setting_shows_and_snapshots_old_value(
     assert result.exit_code == 0, result.stderr
     assert shown in " ".join(result.stderr.split("\n")).replace("   ", "  ")
     assert "→" not in result.stdout
-    (snapshot,) = History().snapshots()
+    (snapshot,) = SettingsHistory().snapshots()
     assert snapshot.reason == reason
     assert str(snapshot.path) in result.stderr
-    kept = History().load(snapshot)
+    kept = SettingsHistory().load(snapshot)
     assert kept.parameters["serial_timeout"] == 0
     assert len(kept.parameters) == 28
     assert {found.minimum for found in kept.calibrations.values()} == {2500}
@@ -59,7 +59,7 @@ def test_snapshot_restores_one_changed_setting(
     before = memory(trexcmd)
     assert trexcmd(*words).exit_code == 0
     assert memory(trexcmd) != before
-    (snapshot,) = History().snapshots()
+    (snapshot,) = SettingsHistory().snapshots()
     assert trexcmd("set-settings", str(snapshot.path)).exit_code == 0
     assert memory(trexcmd) == before
 
@@ -99,7 +99,7 @@ def test_unchanged_setting_is_not_written_again(
     assert again.exit_code == 0, again.stderr
     assert again.stdout == first.stdout
     assert "has this value already; nothing is written" in again.stderr
-    assert len(History().snapshots()) == 1
+    assert len(SettingsHistory().snapshots()) == 1
 
 
 @pytest.mark.parametrize(
@@ -107,7 +107,7 @@ def test_unchanged_setting_is_not_written_again(
 )
 def test_invalid_value_leaves_no_snapshot(trexcmd: RunCommand, words: tuple[str, ...]) -> None:
     assert trexcmd(*words).exit_code == 1
-    assert not History().snapshots()
+    assert not SettingsHistory().snapshots()
 
 
 @one_setting
@@ -124,7 +124,7 @@ def test_setting_rejected_in_rc_mode_leaves_no_snapshot(
     result = trexcmd(*words)
     assert result.exit_code == 1
     assert "not in serial mode" in result.stderr
-    assert not History().snapshots()
+    assert not SettingsHistory().snapshots()
 
 
 def test_set_warns_of_conflicting_settings(trexcmd: RunCommand) -> None:
@@ -167,7 +167,7 @@ def test_set_rejects_factory_reset(trexcmd: RunCommand, quick_simulator: Simulat
         assert "`trexcmd restore-defaults`" in result.stderr
     quick_simulator.do("power cycle")
     assert memory(trexcmd) == before
-    assert len(History().snapshots()) == 1
+    assert len(SettingsHistory().snapshots()) == 1
 
 
 # --- A file -----------------------------------------------------------------------------
@@ -261,7 +261,7 @@ def test_restore_defaults_lists_changes_before_prompt(
     }
     assert result.stdout == ""
     assert memory(trexcmd) == before
-    assert not History().snapshots()
+    assert not SettingsHistory().snapshots()
 
 
 def test_restore_defaults_names_inferred_defaults(

@@ -7,7 +7,7 @@ import pytest
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand
 from trex_gui.devices.trex.code_export.language import Language
-from trex_gui.devices.trex.settings.history import History
+from trex_gui.devices.trex.settings.history import SettingsHistory
 
 
 @pytest.mark.parametrize("language", list(Language))
@@ -41,12 +41,12 @@ def test_set_settings_takes_snapshot_before_writing(trexcmd: RunCommand, tmp_pat
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
     assert trexcmd("set-settings", "--dry-run", str(path)).exit_code == 0
-    assert not History().snapshots()
+    assert not SettingsHistory().snapshots()
     result = trexcmd("set-settings", str(path))
     assert result.exit_code == 0, result.stderr
-    (snapshot,) = History().snapshots()
+    (snapshot,) = SettingsHistory().snapshots()
     assert str(snapshot.path) in result.stderr
-    assert History().load(snapshot).parameters["serial_timeout"] == 0
+    assert SettingsHistory().load(snapshot).parameters["serial_timeout"] == 0
     assert trexcmd("set-settings", str(snapshot.path)).exit_code == 0
     assert trexcmd("get", "serial_timeout").stdout.startswith("0\t")
 
@@ -57,15 +57,15 @@ def test_set_settings_without_changes_takes_no_snapshot(
     path = tmp_path / "wish.txt"
     path.write_text("product: TReX\nserial_timeout: 0\n", encoding="utf-8")
     assert trexcmd("set-settings", str(path)).exit_code == 0
-    assert not History().snapshots()
+    assert not SettingsHistory().snapshots()
 
 
 def test_restore_defaults_takes_snapshot(trexcmd: RunCommand) -> None:
     assert trexcmd("set", "serial_timeout", "5").exit_code == 0
     assert trexcmd("restore-defaults", "--yes").exit_code == 0
-    snapshot, _before_set = History().snapshots()
+    snapshot, _before_set = SettingsHistory().snapshots()
     assert snapshot.reason == "trexcmd restore-defaults"
-    assert History().load(snapshot).parameters["serial_timeout"] == 5
+    assert SettingsHistory().load(snapshot).parameters["serial_timeout"] == 5
 
 
 def test_set_settings_writes_nothing_if_snapshot_fails(trexcmd: RunCommand, tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, History
+from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, SettingsHistory
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -24,7 +24,7 @@ def take(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) ->
         there.product, there.firmware, {**there.parameters, **values}, there.calibrations
     )
     now = NOON + timedelta(minutes=minutes)
-    return History().take(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
+    return SettingsHistory().take(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
 
 
 def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) -> None:
@@ -122,7 +122,7 @@ def test_set_settings_change_is_reverted_from_history(
     path = trexcmd("history", "path", "1").stdout.strip()
     assert trexcmd("set-settings", path).exit_code == 0
     assert stored() == before
-    assert len(History().snapshots()) == 2
+    assert len(SettingsHistory().snapshots()) == 2
 
 
 @pytest.mark.parametrize("word", ["first", "-1", "1.5", "./1"])
@@ -138,13 +138,13 @@ def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
     assert trexcmd("history", "keep", "all").exit_code == 0
     assert trexcmd("history", "keep").stdout == "all\n"
     assert trexcmd("history", "keep", "20").exit_code == 0
-    assert History().bound() == Bound(20)
+    assert SettingsHistory().bound() == Bound(20)
 
 
 @pytest.mark.parametrize("word", ["0", "-1", "many", "1.5", "10000000", "9" * 5000])
 def test_history_keep_rejects_invalid_limits(trexcmd: RunCommand, word: str) -> None:
     assert trexcmd("history", "keep", "--", word).exit_code == 2
-    assert History().bound() == Bound()
+    assert SettingsHistory().bound() == Bound()
 
 
 def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> None:
@@ -153,21 +153,21 @@ def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> Non
     result = trexcmd("history", "keep", "2", stdin="n\n")
     assert "Remove the oldest 3 of 5 snapshots for good?" in result.stderr
     assert result.exit_code == 1
-    assert len(History().snapshots()) == 5
-    assert History().bound() == Bound()
+    assert len(SettingsHistory().snapshots()) == 5
+    assert SettingsHistory().bound() == Bound()
     result = trexcmd("history", "keep", "2", stdin="y\n")
     assert result.exit_code == 0
     assert "3 snapshots removed" in result.stderr
-    assert len(History().snapshots()) == 2
+    assert len(SettingsHistory().snapshots()) == 2
     assert trexcmd("history", "keep", "1", "--yes").exit_code == 0
-    assert len(History().snapshots()) == 1
+    assert len(SettingsHistory().snapshots()) == 1
 
 
 def test_damaged_history_limit_is_reported(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     take()
-    (History().folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
+    (SettingsHistory().folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
     assert "none is removed" in trexcmd("history").stderr
     result = trexcmd("history", "keep")
     assert result.exit_code == 1
@@ -179,7 +179,7 @@ def test_damaged_history_limit_is_reported(
     assert "Warning: " in result.stderr
     assert "none is removed" in result.stderr
     assert trexcmd("history", "keep", "10").exit_code == 0
-    assert History().bound() == Bound(10)
+    assert SettingsHistory().bound() == Bound(10)
 
 
 def test_history_lists_snapshots_without_a_port(trexcmd: RunCommand) -> None:

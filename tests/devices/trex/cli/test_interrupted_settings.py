@@ -16,7 +16,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import History
+from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -63,8 +63,8 @@ class SettingsWrite:
 
     def assert_snapshot_complete(self) -> None:
         """Fail unless the snapshot holds everything the board stored before."""
-        (snapshot,) = History().snapshots()
-        assert History().load(snapshot) == self.before
+        (snapshot,) = SettingsHistory().snapshots()
+        assert SettingsHistory().load(snapshot) == self.before
 
 
 def named(said: str, beginning: str) -> set[str]:

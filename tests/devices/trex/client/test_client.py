@@ -11,7 +11,7 @@ from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, ResultCode
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     Command,
@@ -181,7 +181,7 @@ def test_late_reply_during_next_request_is_discarded(
     assert client.counters.stale == 1
 
 
-def silenced(stage: Stage, questions: int) -> Client:
+def silenced(stage: Stage, questions: int) -> TrexClient:
     """A client that has asked so many questions in vain."""
     stage.transport.latency = REAL_TIME
     client = stage.client()

@@ -13,8 +13,8 @@ import pytest
 from tests.devices.trex.session.helpers import commands
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
-from trex_gui.devices.trex.client.client import Client
-from trex_gui.devices.trex.client.writing import NotTried, Written, write_all
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.writing import Skipped, WriteResult, write_all
 from trex_gui.devices.trex.discovery.prober import find
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.commands import GetSignature, SetParameter
@@ -190,7 +190,7 @@ class Attempt:
     """A board, and one writing to it that something may disturb."""
 
     case: Case
-    results: tuple[Written, ...] = ()
+    results: tuple[WriteResult, ...] = ()
     board: Board = field(init=False)
     stage: Stage = field(init=False)
 
@@ -275,7 +275,7 @@ def answers(stage: Stage, settings: LinkSettings) -> bool:
     """Whether the board answers at these settings."""
     stage.line.host = settings.line
     stage.line.advance(1.0)
-    client = Client(stage.transport, settings)
+    client = TrexClient(stage.transport, settings)
     for _ in range(2):  # what a board at another rate has heard may stand before the first
         try:
             client.request(GetSignature())
@@ -443,7 +443,7 @@ def test_write_ends_when_board_returns_in_rc_mode() -> None:
 # --- Ended on purpose -------------------------------------------------------------------
 
 
-def ended_after(case: Case, count: int) -> tuple[Stage, tuple[Written, ...]]:
+def ended_after(case: Case, count: int) -> tuple[Stage, tuple[WriteResult, ...]]:
     """Write until so many settings were tried, then be asked to end."""
     attempt = Attempt(case)
     stage, settings = attempt.stage, case.link(case.before)
@@ -469,7 +469,7 @@ def test_cancelled_write_ends_between_settings(count: int) -> None:
     assert {str(one.error) for one in results if one.error is not None} == {
         "The writing was ended before this was tried."
     }
-    assert all(isinstance(one.error, NotTried) for one in results[count:])
+    assert all(isinstance(one.error, Skipped) for one in results[count:])
     stored = contents(stage.board.eeprom, case.specs)
     changed = {name for name in stored if stored[name] != case.before[name]}
     assert len({name.rsplit(" ", 1)[0] for name in changed}) == count

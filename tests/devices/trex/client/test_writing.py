@@ -18,7 +18,7 @@ from trex_gui.core.errors import (
     ResultCode,
 )
 from trex_gui.devices.trex.client.writing import (
-    Written,
+    WriteResult,
     write_all,
     write_calibration,
     write_parameter,
@@ -262,9 +262,9 @@ def test_results_contain_read_back_values(stage: Stage) -> None:
         stage.client().request, SPECS, [("serial_timeout", 5)], [(2, LEARNED), (3, LEARNED)]
     )
     assert results == (
-        Written("channel 2", LEARNED),
-        Written("channel 3", LEARNED),
-        Written("serial_timeout", 5),
+        WriteResult("channel 2", LEARNED),
+        WriteResult("channel 3", LEARNED),
+        WriteResult("serial_timeout", 5),
     )
 
 
@@ -324,7 +324,7 @@ def test_rejected_value_does_not_end_write(stage: Stage) -> None:
     wanted = [("motor_mode", 99), ("uart_settings", 0x0A)]
     first, second = write_all(stage.client().request, specs, wanted)
     assert isinstance(first.error, Rejected)
-    assert second == Written("uart_settings", 0x0A)
+    assert second == WriteResult("uart_settings", 0x0A)
 
 
 def test_progress_counts_each_write(stage: Stage) -> None:
@@ -353,7 +353,7 @@ def test_port_loss_keeps_results_of_earlier_writes(
 
     wanted = [("serial_timeout", 5), ("motor_mode", 1), ("uart_settings", 1)]
     first, *others = write_all(stage.client().request, SPECS, wanted, [], unplug)
-    assert first == Written("serial_timeout", 5)
+    assert first == WriteResult("serial_timeout", 5)
     assert [type(one.error) for one in others] == [PortUnavailable, PortUnavailable]
 
 

@@ -58,6 +58,6 @@ if __name__ == "__main__":
         word, a, b = line.split()
         try:
             obey(module, trex, word, int(a), int(b))
-        except module.TrexError as error:
+        except module.StudioError as error:
             say(error)
         say("done")

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 from trex_gui.cli.simulator import simulate_trex
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 PATIENCE = 15.0
@@ -59,7 +59,7 @@ class ParserEnd:
 
     def __init__(self, model: str, firmware: str) -> None:
         self._board = Board(model, firmware)
-        self._line = Line([self._board])
+        self._line = SimulatedLine([self._board])
         self._port = SerialPort(self._board)
         self._resumes_at = math.inf
         self._come = bytearray()
@@ -150,7 +150,7 @@ class WireEnd:
         self.wait(self._line.backlog)
 
     def read(self, size: int, seconds: float) -> bytes:
-        assert isinstance(self._line, Line)
+        assert isinstance(self._line, SimulatedLine)
         return self._line.read(size, seconds)
 
     def come(self) -> bytes:

@@ -3,7 +3,7 @@
 import pytest
 
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
-from trex_gui.devices.trex.discovery.diagnosis import why_no_board
+from trex_gui.devices.trex.discovery.diagnosis import diagnose
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
@@ -11,7 +11,7 @@ SETTINGS = LinkSettings("/dev/ttyUSB0")
 
 
 def test_missing_reply_message_lists_checks() -> None:
-    error = why_no_board(SETTINGS, echo=False, error=NoReply("No answer to 81."))
+    error = diagnose(SETTINGS, echo=False, error=NoReply("No answer to 81."))
     assert type(error) is NoReply
     assert "/dev/ttyUSB0 at 19200 baud, no error detection, 1 stop bit" in str(error)
     assert "power" in str(error)
@@ -20,26 +20,26 @@ def test_missing_reply_message_lists_checks() -> None:
 
 def test_missing_reply_message_names_device_number() -> None:
     settings = LinkSettings("/dev/ttyUSB0", device_number=12)
-    error = why_no_board(settings, echo=False, error=NoReply("x"))
+    error = diagnose(settings, echo=False, error=NoReply("x"))
     assert "device number is 12" in str(error)
 
 
 def test_echo_without_board_is_explained() -> None:
-    error = why_no_board(SETTINGS, echo=True, error=NoReply("x"))
+    error = diagnose(SETTINGS, echo=True, error=NoReply("x"))
     assert type(error) is NoReply
     assert "TX and RX are joined" in str(error)
 
 
 @pytest.mark.parametrize("echo", [False, True])
 def test_bad_reply_message_contains_its_error(*, echo: bool) -> None:
-    error = why_no_board(SETTINGS, echo=echo, error=BadReply("The reply 41 is damaged."))
+    error = diagnose(SETTINGS, echo=echo, error=BadReply("The reply 41 is damaged."))
     assert type(error) is BadReply
     assert "The reply 41 is damaged." in str(error)
 
 
 def test_port_error_is_returned_unchanged() -> None:
     gone = PortUnavailable("gone")
-    assert why_no_board(SETTINGS, echo=False, error=gone) is gone
+    assert diagnose(SETTINGS, echo=False, error=gone) is gone
 
 
 def test_framing_has_crc_only_if_line_has_one() -> None:

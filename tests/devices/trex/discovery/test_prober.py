@@ -18,13 +18,19 @@ from tests.support.virtual import VirtualTransport
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.simulator import sampling
 from trex_gui.core.simulator.sampling import _SAMPLE_AT, Receiver
-from trex_gui.devices.trex.discovery.probe import RINSE, RINSE_LINE, Attempt
-from trex_gui.devices.trex.discovery.prober import Found, Search, Step, attempts, find
+from trex_gui.devices.trex.discovery.probe import FLUSH_BYTE, FLUSH_LINE, Attempt
+from trex_gui.devices.trex.discovery.prober import (
+    FoundBoard,
+    ScanProgress,
+    TrexScan,
+    attempts,
+    find,
+)
 from trex_gui.devices.trex.protocol.commands import COMMANDS
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 from trex_gui.devices.trex.simulator.serial_control import SerialControl
 
 VIRTUAL = LinkSettings("virtual")
@@ -42,11 +48,11 @@ class Wire(VirtualTransport):
 
     unable: frozenset[int] = frozenset()
 
-    def __init__(self, line: Line) -> None:
+    def __init__(self, line: SimulatedLine) -> None:
         super().__init__(line)
         self.tuned: list[LineSettings] = []
 
-    def tune(self, line: LineSettings) -> None:
+    def reconfigure(self, line: LineSettings) -> None:
         if line.baud in self.unable:
             raise BadRequest("no such rate")
         self.tuned.append(line)
@@ -54,16 +60,16 @@ class Wire(VirtualTransport):
 
 
 def wire_of(*boards: Board, echo: bool = False) -> Wire:
-    line = Line(boards, echo=echo)
-    line.host = RINSE_LINE
+    line = SimulatedLine(boards, echo=echo)
+    line.host = FLUSH_LINE
     return Wire(line)
 
 
-def search(wire: Wire, *, full: bool = False) -> Search:
+def search(wire: Wire, *, full: bool = False) -> TrexScan:
     return find(VIRTUAL, lambda _settings: wire, full=full)
 
 
-def only(result: Search) -> Found:
+def only(result: TrexScan) -> FoundBoard:
     (found,) = result.found
     return found
 
@@ -247,7 +253,7 @@ def orders_obeyed(questions: Sequence[Attempt], own: LineSettings, *, crc: bool)
     obeyed: set[str] = set()
     while waiting:
         state = waiting.popleft()
-        rinsed, first = hear({state}, RINSE, RINSE_LINE, own, crc=crc)
+        rinsed, first = hear({state}, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
         obeyed |= first
         for attempt in questions:
             if attempt.line == own:
@@ -277,7 +283,7 @@ def test_no_full_search_sequence_forms_a_motor_command() -> None:
 def test_flush_byte_ends_partial_packets() -> None:
     begun = [(first, *rest) for first in range(0x80, 0xF2) for rest in ((), (1,), (1, 2))]
     for own in OWN:
-        left, obeyed = hear(begun, RINSE, RINSE_LINE, own, crc=False)
+        left, obeyed = hear(begun, FLUSH_BYTE, FLUSH_LINE, own, crc=False)
         assert left <= {(), (0x80,)}
         assert not obeyed
 
@@ -324,9 +330,9 @@ def test_flush_byte_precedes_each_probe() -> None:
     wire = wire_of(a_board())
     wire.line.mute = True
     search(wire)
-    assert bytes(wire.sent).startswith(RINSE + b"\x81" + RINSE + b"\x81")
-    assert wire.sent.count(RINSE) == len(BOARDS)
-    assert wire.tuned[0:-1:2] == [RINSE_LINE] * len(BOARDS)
+    assert bytes(wire.sent).startswith(FLUSH_BYTE + b"\x81" + FLUSH_BYTE + b"\x81")
+    assert wire.sent.count(FLUSH_BYTE) == len(BOARDS)
+    assert wire.tuned[0:-1:2] == [FLUSH_LINE] * len(BOARDS)
 
 
 def test_search_leaves_port_at_default_line_settings() -> None:
@@ -340,7 +346,7 @@ def test_search_leaves_port_at_default_line_settings() -> None:
 
 
 def test_progress_names_next_probe() -> None:
-    steps: list[Step] = []
+    steps: list[ScanProgress] = []
     wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
     find(VIRTUAL, lambda _settings: wire, steps.append)
     assert [(step.done, step.line.baud) for step in steps] == [(0, 19200), (1, 115200), (2, 9600)]
@@ -348,7 +354,7 @@ def test_progress_names_next_probe() -> None:
 
 
 def test_search_can_be_cancelled() -> None:
-    steps: list[Step] = []
+    steps: list[ScanProgress] = []
     wire = wire_of(a_board())
     wire.line.mute = True
     result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) == 4)
@@ -358,7 +364,7 @@ def test_search_can_be_cancelled() -> None:
 
 
 def test_device_number_scan_reports_progress_and_cancels() -> None:
-    steps: list[Step] = []
+    steps: list[ScanProgress] = []
     wire = wire_of(a_board(9))
     result = find(VIRTUAL, lambda _settings: wire, steps.append, lambda: len(steps) > 11, full=True)
     assert result.cancelled
@@ -368,10 +374,10 @@ def test_device_number_scan_reports_progress_and_cancels() -> None:
 
 def test_fixed_rate_port_is_probed_once() -> None:
     wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
-    wire.can_be_tuned = False
+    wire.is_configurable = False
     result = search(wire)
-    assert bytes(wire.sent) == RINSE + b"\x81"
-    assert "set at the other end" in result.verdict()
+    assert bytes(wire.sent) == FLUSH_BYTE + b"\x81"
+    assert "set at the other end" in result.diagnosis()
 
 
 def test_trex_jr_on_rs232_side_is_found_with_its_number() -> None:
@@ -410,7 +416,7 @@ def test_full_search_distinguishes_boards_of_two_models() -> None:
     boards = [a_board(9), a_board(12, model="trexjr")]
     result = search(wire_of(*boards))
     assert not result.found
-    assert "Several boards" in result.verdict()
+    assert "Several boards" in result.diagnosis()
     found = search(wire_of(*boards), full=True).found
     assert [(str(each.signature), each.settings.device_number) for each in found] == [
         ("TReX 1.2", 9),
@@ -429,15 +435,15 @@ def test_echo_without_reply_is_reported() -> None:
     board.power_off()
     result = search(wire_of(board, echo=True))
     assert result.echo
-    assert "comes back" in result.verdict()
+    assert "comes back" in result.diagnosis()
 
 
 def test_missing_reply_diagnosis_suggests_checking_power() -> None:
     board = a_board()
     board.power_off()
-    verdict = search(wire_of(board)).verdict()
-    assert "No TReX answers on virtual" in verdict
-    assert "power" in verdict
+    diagnosis = search(wire_of(board)).diagnosis()
+    assert "No TReX answers on virtual" in diagnosis
+    assert "power" in diagnosis
 
 
 def test_unknown_device_is_reported_with_its_bytes() -> None:
@@ -446,8 +452,8 @@ def test_unknown_device_is_reported_with_its_bytes() -> None:
     wire = wire_of(board)
     read = wire.read
     wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
-    verdict = search(wire).verdict()
-    assert "not answer as a TReX does: 45 52 52" in verdict
+    diagnosis = search(wire).diagnosis()
+    assert "not answer as a TReX does: 45 52 52" in diagnosis
 
 
 def test_board_waiting_for_firmware_is_reported() -> None:
@@ -461,7 +467,7 @@ def test_board_waiting_for_firmware_is_reported() -> None:
         return heard + b"?" if heard else b""
 
     wire.read = loader  # type: ignore[method-assign]
-    assert "waits for new firmware" in search(wire).verdict()
+    assert "waits for new firmware" in search(wire).diagnosis()
 
 
 def test_unsupported_baud_rates_are_skipped() -> None:

@@ -3,7 +3,10 @@
 import pytest
 
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle, where_to_look
+from trex_gui.devices.trex.discovery.reconnect_candidates import (
+    after_power_cycle,
+    reconnect_candidates,
+)
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -55,14 +58,14 @@ def test_invalid_uart_settings_predict_no_line() -> None:
 
 
 def test_unchanged_line_has_no_reconnect_candidates() -> None:
-    assert where_to_look(NOW, FACTORY, {**FACTORY, "serial_timeout": 5}, "1.2") == ()
+    assert reconnect_candidates(NOW, FACTORY, {**FACTORY, "serial_timeout": 5}, "1.2") == ()
 
 
 def test_reconnect_candidates_include_factory_polynomial() -> None:
     crc = LineSettings(19200, Detection.CRC7)
     link = LinkSettings("/dev/ttyUSB0", line=crc, polynomial=0x91)
     before = {**FACTORY, "uart_settings": crc.to_wire(), "crc7_polynomial": 0x11}
-    places = where_to_look(link, before, {**before, "crc7_polynomial": 0x15}, "1.2")
+    places = reconnect_candidates(link, before, {**before, "crc7_polynomial": 0x15}, "1.2")
     assert [place.polynomial for place in places] == [0x95, 0x89]
     assert {place.line for place in places} == {crc}
 
@@ -70,14 +73,14 @@ def test_reconnect_candidates_include_factory_polynomial() -> None:
 def test_reconnect_candidates_include_factory_device_number() -> None:
     link = LinkSettings("/dev/ttyUSB0", device_number=20)
     before = {**FACTORY, "device_number": 20}
-    places = where_to_look(link, before, {**before, "device_number": 9}, "1.2")
+    places = reconnect_candidates(link, before, {**before, "device_number": 9}, "1.2")
     assert [place.device_number for place in places] == [9, 7]
 
 
 def test_new_line_is_probed_with_new_and_factory_polynomial() -> None:
     crc = LineSettings(57600, Detection.CRC7)
     after = {**FACTORY, "uart_settings": crc.to_wire(), "crc7_polynomial": 0x15}
-    places = where_to_look(NOW, FACTORY, after, "1.2")
+    places = reconnect_candidates(NOW, FACTORY, after, "1.2")
     assert {(place.line, place.framing.polynomial) for place in places} >= {
         (crc, 0x95),
         (crc, 0x89),

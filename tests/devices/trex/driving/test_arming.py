@@ -17,24 +17,24 @@ from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.driving.arming import PULSE_INTERVAL, Guard
+from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL, ArmingWatchdog
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Ask,
     Close,
     Closed,
-    Halted,
+    Heartbeat,
+    MotorsStopped,
     Outcome,
-    Pulse,
     Reload,
     Report,
+    RunCommand,
     SetAuxiliary,
-    SetDrive,
+    SetMotor,
     Stop,
 )
-from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.session.session import TrexSession
 
 STOP_BYTES = bytes.fromhex("D0 7F 7F")
 
@@ -43,8 +43,8 @@ HEARTBEAT = Timeouts().heartbeat
 
 def pulses(stage: Stage, start: float, end: float) -> None:
     """Plan the signs of life of a window between two moments."""
-    for number in range(int((end - start) / PULSE_INTERVAL) + 1):
-        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+    for number in range(int((end - start) / HEARTBEAT_INTERVAL) + 1):
+        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
 
 
 # --- The lock after a stop --------------------------------------------------------------
@@ -53,7 +53,7 @@ def pulses(stage: Stage, start: float, end: float) -> None:
 def test_setpoints_during_lockout_are_dropped(stage: Stage) -> None:
     stage.script.at(1.0, Stop(1, lockout=3.0))
     for step in range(20):
-        stage.script.at(1.0 + step * 0.1, SetDrive(1, Drive.at(100)))
+        stage.script.at(1.0 + step * 0.1, SetMotor(1, Drive.at(100)))
         stage.script.at(1.0 + step * 0.1, SetAuxiliary(100))
     run_for(stage, 3.5)
     assert moving(stage.transport.sent) == [*STOP, *STOP]
@@ -62,10 +62,10 @@ def test_setpoints_during_lockout_are_dropped(stage: Stage) -> None:
 
 @pytest.mark.parametrize("lockout", [0.0, 1.0, math.inf])
 def test_setpoints_after_stop_are_dropped_until_armed(stage: Stage, lockout: float) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80))).at(1.2, Stop(1, lockout))
-    stage.script.at(1.2, SetDrive(1, Drive.at(80))).at(2.5, SetDrive(1, Drive.at(40)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80))).at(1.2, Stop(1, lockout))
+    stage.script.at(1.2, SetMotor(1, Drive.at(80))).at(2.5, SetMotor(1, Drive.at(40)))
     dropped = seen_at(stage, 2.8, lambda: is_stopped(stage.board))
-    stage.script.at(3.0, Arm()).at(3.0, SetDrive(1, Drive.at(50)))
+    stage.script.at(3.0, Arm()).at(3.0, SetMotor(1, Drive.at(50)))
     obeyed = seen_at(stage, 3.2, lambda: stage.board.motors[0].speed)
     run_for(stage, 3.5)
     assert dropped == [True], "it was on its way when the motors were stopped"
@@ -73,15 +73,17 @@ def test_setpoints_after_stop_are_dropped_until_armed(stage: Stage, lockout: flo
 
 
 def test_arming_ends_lockout_of_earlier_stop(stage: Stage) -> None:
-    stage.script.at(1.0, Stop(1, lockout=3.0)).at(1.2, Arm()).at(1.2, SetDrive(1, Drive.at(40)))
+    stage.script.at(1.0, Stop(1, lockout=3.0)).at(1.2, Arm()).at(1.2, SetMotor(1, Drive.at(40)))
     speeds = seen_at(stage, 1.4, lambda: stage.board.motors[0].speed)
     run_for(stage, 1.5)
     assert speeds == [40]
 
 
 def test_requested_motor_commands_are_rejected_in_lockout(stage: Stage) -> None:
-    stage.script.at(1.0, Ask(1, GetMode())).at(1.0, Ask(2, DriveMotor(1, Drive.at(99))))
-    stage.script.at(1.0, Stop(3, lockout=1.0)).at(1.5, Ask(4, DriveMotor(1, Drive.at(99))))
+    stage.script.at(1.0, RunCommand(1, GetMode())).at(
+        1.0, RunCommand(2, DriveMotor(1, Drive.at(99)))
+    )
+    stage.script.at(1.0, Stop(3, lockout=1.0)).at(1.5, RunCommand(4, DriveMotor(1, Drive.at(99))))
     run_for(stage, 1.8)
     found = outcomes(stage.reports)
     assert isinstance(found[2].error, BadRequest), "overtaken by the stop"
@@ -93,7 +95,7 @@ def test_requested_motor_commands_are_rejected_in_lockout(stage: Stage) -> None:
 
 def test_shorter_lockout_does_not_end_longer_one() -> None:
     now = 0.0
-    guard = Guard(lambda: now)
+    guard = ArmingWatchdog(lambda: now)
     guard.stop(3.0)
     guard.stop(0.0)
     guard.stop(1.0)
@@ -107,37 +109,37 @@ def test_shorter_lockout_does_not_end_longer_one() -> None:
 
 
 def test_armed_motors_stop_after_heartbeat_timeout(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80))).at(1.0, SetAuxiliary(30))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80))).at(1.0, SetAuxiliary(30))
     before = seen_at(stage, 1.0 + HEARTBEAT - 0.05, lambda: stage.board.motors[0].speed)
     after = seen_at(stage, 1.0 + HEARTBEAT + 0.05, lambda: is_stopped(stage.board))
-    stage.script.at(2.5, Pulse()).at(2.5, SetDrive(1, Drive.at(80)))  # what was late
+    stage.script.at(2.5, Heartbeat()).at(2.5, SetMotor(1, Drive.at(80)))  # what was late
     reports = run_for(stage, 3.0)
     assert before == [80]
     assert after == [True]
-    (halted,) = among(reports, Halted)
-    assert halted.proved
+    (halted,) = among(reports, MotorsStopped)
+    assert halted.confirmed
     assert "did not respond" in halted.reason
     assert is_stopped(stage.board), "late wishes count no more"
 
 
 def test_heartbeats_keep_motors_running(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     pulses(stage, 1.0, 5.0)
     speeds = seen_at(stage, 5.2, lambda: stage.board.motors[0].speed)
     reports = run_for(stage, 5.3)
     assert speeds == [80]
-    assert not among(reports, Halted)
+    assert not among(reports, MotorsStopped)
 
 
 def test_missing_heartbeat_is_ignored_if_never_armed(stage: Stage) -> None:
     reports = run_for(stage, 5.0)
-    assert not among(reports, Halted)
+    assert not among(reports, MotorsStopped)
     assert not moving(stage.transport.sent)
 
 
 def test_heartbeat_timeout_stops_motors_during_reload() -> None:
     stage, settings = staged(1200)
-    stage.script.at(4.0, Arm()).at(4.0, SetDrive(1, Drive.at(80))).at(4.5, Reload(1))
+    stage.script.at(4.0, Arm()).at(4.0, SetMotor(1, Drive.at(80))).at(4.5, Reload(1))
     after = seen_at(stage, 4.0 + HEARTBEAT + 0.5, lambda: is_stopped(stage.board))
     run_for(stage, 8.0, settings)
     assert after == [True]
@@ -153,7 +155,7 @@ def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
     def spoil(number: int) -> None:
         stage.line.to_drop_sent = number
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.0, SetMotor(1, Drive.at(80)))
     for step in range(100):  # a byte of each packet is lost, for two seconds
         stage.script.at(1.5 + step * 0.02, lambda: spoil(2))
     stage.script.at(3.6, Stop(2))
@@ -171,16 +173,16 @@ def test_late_confirmation_of_failed_stop_is_reported(stage: Stage) -> None:
         if isinstance(report, Outcome):
             stage.line.mute = False
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(80))).at(1.5, lose_our_ears).at(1.5, Stop(1))
+    stage.script.at(1.0, SetMotor(1, Drive.at(80))).at(1.5, lose_our_ears).at(1.5, Stop(1))
     stage.script.at(5.0, Close())
-    Session(
+    TrexSession(
         LinkSettings("virtual"),
         stage.script,
         hear_again_when_it_was_given_up,
         lambda _settings: stage.transport,
     ).run()
     assert isinstance(outcomes(stage.reports)[1].error, NoReply)
-    assert among(stage.reports, Halted) == [Halted("", proved=True)]
+    assert among(stage.reports, MotorsStopped) == [MotorsStopped("", confirmed=True)]
     assert stage.reports[-1] == Closed(None, may_move=False)
     assert is_stopped(stage.board)
 

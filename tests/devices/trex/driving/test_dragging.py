@@ -6,7 +6,7 @@ from tests.devices.trex.session.helpers import run_for, seen_at, staged
 from trex_gui.devices.trex.driving.motors import DRIVE_INTERVAL
 from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
 from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
-from trex_gui.devices.trex.session.messages import SetDrive
+from trex_gui.devices.trex.session.messages import SetMotor
 
 _MOVES = 10_000
 _RATE = 1000
@@ -19,7 +19,7 @@ def test_drag_sends_newest_positions_and_delivers_last_one(
     stage, settings = staged(baud)
     start = 1.0 + 4.0 * 1200 / baud
     for move in range(_MOVES):
-        stage.script.at(start + move / _RATE, SetDrive(1, Drive.at(move % 128)))
+        stage.script.at(start + move / _RATE, SetMotor(1, Drive.at(move % 128)))
     sent: list[tuple[float, int]] = []
     write = stage.transport.write
 

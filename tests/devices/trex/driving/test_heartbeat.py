@@ -2,7 +2,7 @@
 
 from tests.devices.trex.session.helpers import among, is_stopped, moving, run_for, seen_at, staged
 from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
-from trex_gui.devices.trex.session.messages import Arm, Connected, Occasion, SetDrive
+from trex_gui.devices.trex.session.messages import Arm, Connected, ReadReason, SetMotor
 
 
 def test_mode_change_stops_motors_and_drops_setpoints() -> None:
@@ -16,16 +16,16 @@ def test_mode_change_stops_motors_and_drops_setpoints() -> None:
     for step in range(60):
         if step == 10:
             stage.script.at(1.5, restart)
-        stage.script.at(1.0 + step / 20, SetDrive(1, Drive.at(60 + step % 40)))
+        stage.script.at(1.0 + step / 20, SetMotor(1, Drive.at(60 + step % 40)))
     stopped = seen_at(stage, 4.5, lambda: is_stopped(stage.board))
     told = among(run_for(stage, 5.0), Connected)
-    assert [(one.occasion, one.may_move) for one in told][-1] == (Occasion.MODE_CHANGED, False)
+    assert [(one.occasion, one.may_move) for one in told][-1] == (ReadReason.MODE_CHANGED, False)
     assert stopped == [True]
 
 
 def test_confirmed_setpoint_is_not_resent() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, SetDrive(1, Drive.at(50))).at(2.0, SetDrive(1, Drive.brake(127)))
+    stage.script.at(1.0, SetMotor(1, Drive.at(50))).at(2.0, SetMotor(1, Drive.brake(127)))
     run_for(stage, 4.0)
     sent = moving(stage.transport.sent)
     assert sent.count(DriveMotor(1, Drive.at(50))) == 1, "it would go round the current limiter"

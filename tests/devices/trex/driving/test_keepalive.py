@@ -9,8 +9,8 @@ from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.schedule import Topic
-from trex_gui.devices.trex.client.telemetry import Raw, StatusNews
-from trex_gui.devices.trex.driving.arming import PULSE_INTERVAL
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, Raw
+from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL
 from trex_gui.devices.trex.driving.keepalive import (
     longest_pause,
     silence,
@@ -23,9 +23,9 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
     Connected,
+    Heartbeat,
     Outcome,
-    Pulse,
-    SetDrive,
+    SetMotor,
     Stop,
     Write,
 )
@@ -49,15 +49,15 @@ def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection)
     stage, settings = staged(baud, detection)
     set_timeout(stage, 1)
     start = opening(baud)
-    stage.script.at(start, Arm()).at(start, SetDrive(1, Drive.at(90)))
+    stage.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
     for number in range(20):
-        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
     speeds = seen_at(stage, start + 5.0, lambda: stage.board.motors[0].speed)
     reports = run_for(stage, start + 5.1, settings)
     assert speeds == [90]
     fired = [
         one.time
-        for one in samples(reports, StatusNews)
+        for one in samples(reports, LatchedStatus)
         if one.uart & UartError.TIMEOUT and one.time > start + 0.5
     ]
     assert fired == []
@@ -69,7 +69,7 @@ def test_slow_line_omits_long_polls_while_armed() -> None:
     start = opening(1200)
     stage.script.at(start, Arm())
     for number in range(20):
-        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
     stage.script.at(start + 5.0, Stop(1))
     reports = run_for(stage, start + 8.0, settings)
     seen = [one.time for one in samples(reports, Raw)]
@@ -90,7 +90,7 @@ def test_timeout_written_while_connected_applies_at_once() -> None:
     stage.script.at(start, Write(1, (("serial_timeout", 1),)))
     stage.script.at(start + 1.0, Arm())
     for number in range(16):
-        stage.script.at(start + 1.0 + number * PULSE_INTERVAL, Pulse())
+        stage.script.at(start + 1.0 + number * HEARTBEAT_INTERVAL, Heartbeat())
     reports = run_for(stage, start + 4.0, settings)
     assert among(reports, Outcome)[0].error is None
     assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
@@ -104,20 +104,20 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
     stage.transport.latency = latency_of("/dev/ttyUSB0")
     set_timeout(stage, tenths)
     start = opening(baud)
-    stage.script.at(start, Arm()).at(start, SetDrive(1, Drive.at(90)))
+    stage.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
 
     def lose_an_answer() -> None:
         stage.line.to_drop = 1
 
     for number in range(80):
-        stage.script.at(start + number * PULSE_INTERVAL, Pulse())
+        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
         if number >= 4:
             # Somewhere else in the round of questions each time: each of them is hit.
-            stage.script.at(start + (number + 0.013 * number) * PULSE_INTERVAL, lose_an_answer)
-    reports = run_for(stage, start + 81 * PULSE_INTERVAL, settings)
+            stage.script.at(start + (number + 0.013 * number) * HEARTBEAT_INTERVAL, lose_an_answer)
+    reports = run_for(stage, start + 81 * HEARTBEAT_INTERVAL, settings)
     fired = [
         one
-        for one in samples(reports, StatusNews)
+        for one in samples(reports, LatchedStatus)
         if one.uart & UartError.TIMEOUT and one.time > start + 0.9
     ]
     survives = survives_a_loss(settings.line, tenths / 10, stage.transport.latency)

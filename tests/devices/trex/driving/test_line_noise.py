@@ -21,12 +21,12 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.setpoint_retry import LONGEST_REPEATING
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetRawChannels
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.session.messages import Arm, Halted, SetDrive, Silent, Stop
+from trex_gui.devices.trex.session.messages import Arm, MotorsStopped, NotResponding, SetMotor, Stop
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-FULL_BRAKE = SetDrive(1, Drive.brake(127))
+FULL_BRAKE = SetMotor(1, Drive.brake(127))
 
 
 def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
@@ -45,7 +45,7 @@ def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
 
 
 def is_braked(stage: Stage) -> bool:
-    return stage.board.motors[0].direction is Direction.BRAKE
+    return stage.board.motors[0].direction is MotorDirection.BRAKE
 
 
 @pytest.mark.parametrize("noise", [0.01, 0.02, 0.05])
@@ -53,7 +53,7 @@ def is_braked(stage: Stage) -> bool:
 def test_released_motor_does_not_keep_running_on_noisy_line(noise: float, seed: int) -> None:
     stage, _ = staged()
     stage.line._random.seed(seed)
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     stage.script.at(1.5, lambda: setattr(stage.line, "noise", noise)).at(1.6, FULL_BRAKE)
     seen: list[bool] = []
     for step in range(60):
@@ -77,7 +77,9 @@ def test_request_corrupted_into_command_is_undone_at_once() -> None:
     started: list[float] = []
     drive = stage.board.serial.drive
 
-    def note(number: int, direction: Direction, speed: int, *, accelerate: bool = False) -> None:
+    def note(
+        number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
+    ) -> None:
         started.append(stage.line.now)
         drive(number, direction, speed, accelerate=accelerate)
 
@@ -98,7 +100,7 @@ def test_line_error_before_driving_sends_no_motor_command() -> None:
 
 def test_brake_is_sent_only_twice_on_quiet_line() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(50))).at(1.4, FULL_BRAKE)
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
     pulses(stage, 1.5, 5.5)
     mark = seen_at(stage, 5.9, lambda: len(stage.transport.sent))
     run_for(stage, 6.0)
@@ -108,7 +110,7 @@ def test_brake_is_sent_only_twice_on_quiet_line() -> None:
 
 def test_brake_is_repeated_until_line_is_quiet() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(50))).at(1.4, FULL_BRAKE)
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
     pulses(stage, 1.5, 2.8)
     stage.script.at(3.0, lambda: setattr(stage.line, "to_drop", 1))
     pulses(stage, 3.0, 8.5)
@@ -129,7 +131,7 @@ def test_brake_is_repeated_until_line_is_quiet() -> None:
 
 def test_idle_refresh_skips_running_motor() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(2, Drive.at(50)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(2, Drive.at(50)))
     stage.script.at(1.2, lambda: setattr(stage.line, "to_drop", 1))
     pulses(stage, 1.3, 3.8)
     speeds = seen_at(stage, 3.9, lambda: stage.board.motors[1].speed)
@@ -160,7 +162,7 @@ def test_risky_polls_are_omitted_while_motors_may_move() -> None:
 def test_stop_holds_on_noisy_line(noise: float, seed: int) -> None:
     stage, _ = staged()
     stage.line._random.seed(seed)
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     stage.script.at(1.5, lambda: setattr(stage.line, "noise", noise)).at(1.6, Stop(1))
     stage.script.at(3.0, lambda: setattr(stage.line, "noise", 0.0))
     stopped = seen_at(stage, 5.5, lambda: is_stopped(stage.board))
@@ -171,20 +173,20 @@ def test_stop_holds_on_noisy_line(noise: float, seed: int) -> None:
 
 def test_stop_after_line_error_is_confirmed_on_quiet_line() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
     early = seen_at(stage, 2.0, lambda: outcomes(stage.reports))
     late = seen_at(stage, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(stage.reports))
     run_for(stage, 5.0)
     assert early == [{}], "a clean status alone proves nothing there"
     assert late[0][1].error is None
-    assert among(stage.reports, Halted) == [Halted("", proved=True)]
+    assert among(stage.reports, MotorsStopped) == [MotorsStopped("", confirmed=True)]
     assert moving(stage.transport.sent).count(STOP[0]) > 4
 
 
 def test_unconfirmed_stop_on_bad_line_is_reported() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     for step in range(60):
         if step == 2:
             stage.script.at(1.5, Stop(1))
@@ -198,7 +200,7 @@ def test_unconfirmed_stop_on_bad_line_is_reported() -> None:
 def test_unconfirmed_stop_is_reported_when_driving_again() -> None:
     stage, _ = staged()
     stage.script.at(1.4, lambda: setattr(stage.line, "to_drop", 1)).at(1.5, Stop(1))
-    stage.script.at(1.7, Arm()).at(1.7, SetDrive(1, Drive.at(30)))
+    stage.script.at(1.7, Arm()).at(1.7, SetMotor(1, Drive.at(30)))
     seen = seen_at(stage, 1.9, lambda: outcomes(stage.reports))
     speeds = seen_at(stage, 1.9, lambda: stage.board.motors[0].speed)
     run_for(stage, 2.0)
@@ -208,7 +210,7 @@ def test_unconfirmed_stop_is_reported_when_driving_again() -> None:
 
 def test_stop_is_confirmed_when_board_responds_again() -> None:
     stage, _ = staged()
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(80)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     stage.script.at(1.5, lambda: setattr(stage.line, "mute", True)).at(1.5, Stop(1))
     mark = seen_at(stage, 1.5, lambda: len(stage.transport.sent))
 
@@ -219,11 +221,11 @@ def test_stop_is_confirmed_when_board_responds_again() -> None:
 
     for hundredths in range(150, 250):
         stage.script.at(hundredths / 100, hear_again_when_given_up)
-    stage.script.at(2.5, SetDrive(1, Drive.at(60)))
+    stage.script.at(2.5, SetMotor(1, Drive.at(60)))
     run_for(stage, 5.5)
     assert isinstance(outcomes(stage.reports)[1].error, NoReply)
-    assert not among(stage.reports, Silent)
-    assert among(stage.reports, Halted) == [Halted("", proved=True)]
+    assert not among(stage.reports, NotResponding)
+    assert among(stage.reports, MotorsStopped) == [MotorsStopped("", confirmed=True)]
     assert set(moving(stage.transport.sent[mark[0] :])) <= {
         *STOP,
         DriveMotor(1, Drive.brake()),
@@ -251,7 +253,7 @@ def test_motor_stopped_by_board_is_not_restarted(status: Status, uart: UartError
         stage.board.serial.uart_errors |= uart
         stage.board.serial.stop_motors()
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(50))).at(1.01, stop_itself)
+    stage.script.at(1.0, SetMotor(1, Drive.at(50))).at(1.01, stop_itself)
     mark = seen_at(stage, 1.01, lambda: len(stage.transport.sent))
     still = seen_at(stage, 2.9, lambda: is_stopped(stage.board))
     run_for(stage, 3.0)
@@ -263,7 +265,7 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
     eeprom = Eeprom("trex")
     eeprom.write("uart_error_shutdown", 0)
     stage = Stage(Board(eeprom=eeprom))
-    stage.script.at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(50)))
+    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50)))
 
     def harm() -> None:
         stage.board.serial.report(UartError.PARITY, shut_down=False)
@@ -286,6 +288,6 @@ def test_arming_during_power_loss_causes_no_later_stop() -> None:
     stage, _ = staged()
     stage.script.at(1.0, stage.board.power_off).at(1.8, Arm()).at(3.5, stage.board.power_on)
     run_for(stage, 6.0)
-    assert among(stage.reports, Silent)
-    assert not among(stage.reports, Halted)
+    assert among(stage.reports, NotResponding)
+    assert not among(stage.reports, MotorsStopped)
     assert not moving(stage.transport.sent)

@@ -8,11 +8,11 @@ from tests.devices.trex.session.helpers import among, is_stopped, outcomes, stag
 from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.driving.arming import Guard
+from trex_gui.devices.trex.driving.arming import ArmingWatchdog
 from trex_gui.devices.trex.protocol.commands import DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.session.messages import Ask, Close, Closed, Request, Stop
-from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.session.messages import Close, Closed, Request, RunCommand, Stop
+from trex_gui.devices.trex.session.session import TrexSession
 
 Step = Callable[[], Request | None]
 
@@ -34,7 +34,7 @@ class Looks:
 def serve(stage: Stage, *steps: Step) -> None:
     _, settings = staged()
     inbox = Looks(stage, *steps)
-    Session(settings, inbox, stage.reports.append, lambda _: stage.transport).run()
+    TrexSession(settings, inbox, stage.reports.append, lambda _: stage.transport).run()
 
 
 @pytest.fixture
@@ -52,7 +52,7 @@ def test_requested_motor_command_never_follows_stop(stage: Stage) -> None:
         stage = staged()[0]
         serve(
             stage,
-            lambda: Ask(5, DriveMotor(1, Drive.at(100))),
+            lambda: RunCommand(5, DriveMotor(1, Drive.at(100))),
             *([nothing] * looks),
             lambda: Stop(6, 0.0),
             *([nothing] * 200),
@@ -88,29 +88,29 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(
 
 def test_late_heartbeat_does_not_hide_timeout() -> None:
     now = 10.0
-    guard = Guard(lambda: now)
+    guard = ArmingWatchdog(lambda: now)
     guard.arm()
     now += Timeouts().heartbeat + 0.5
-    guard.note_life(now)  # the window goes on before the line has looked
-    guard.note_life()  # and so does what somebody drags
+    guard.heartbeat_received(now)  # the window goes on before the line has looked
+    guard.heartbeat_received()  # and so does what somebody drags
     assert guard.is_abandoned
 
 
 def test_timestamped_heartbeats_prevent_false_timeout() -> None:
     now = begun = 10.0
-    guard = Guard(lambda: now)
+    guard = ArmingWatchdog(lambda: now)
     guard.arm()
     now += 3 * Timeouts().heartbeat
     for number in range(1, 12):
-        guard.note_life(begun + number * Timeouts().heartbeat / 4)
-        guard.note_life()
+        guard.heartbeat_received(begun + number * Timeouts().heartbeat / 4)
+        guard.heartbeat_received()
     assert begun + 11 * Timeouts().heartbeat / 4 < now
     assert not guard.is_abandoned
 
 
 def test_arming_again_clears_heartbeat_timeout() -> None:
     now = 10.0
-    guard = Guard(lambda: now)
+    guard = ArmingWatchdog(lambda: now)
     guard.arm()
     now += 2 * Timeouts().heartbeat
     assert guard.is_abandoned

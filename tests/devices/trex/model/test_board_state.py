@@ -6,9 +6,9 @@ import pytest
 
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.board_state import after_writing, in_force
-from trex_gui.devices.trex.model.settings.pending_reset import ResetOrder
+from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
@@ -26,11 +26,11 @@ STATE = DeviceState(
     dict.fromkeys(range(1, 6), FACTORY),
     calibrated=0,
 )
-ORDERED = (Written("factory_reset", 1),)
+ORDERED = (WriteResult("factory_reset", 1),)
 
 
 def test_verified_writes_update_the_board_state() -> None:
-    after = after_writing(STATE, [Written("motor_mode", 1), Written("channel 2", LEARNED)])
+    after = after_writing(STATE, [WriteResult("motor_mode", 1), WriteResult("channel 2", LEARNED)])
     assert after.parameters == {"motor_mode": 1, "serial_timeout": 0}
     assert after.calibrations[2] == LEARNED
     assert after.calibrations[1] == FACTORY
@@ -39,25 +39,25 @@ def test_verified_writes_update_the_board_state() -> None:
 
 
 def test_factory_calibration_counts_as_uncalibrated() -> None:
-    learned = after_writing(STATE, [Written("channel 2", LEARNED)])
-    assert after_writing(learned, [Written("channel 2", FACTORY)]).calibrated == 0
+    learned = after_writing(STATE, [WriteResult("channel 2", LEARNED)])
+    assert after_writing(learned, [WriteResult("channel 2", FACTORY)]).calibrated == 0
 
 
 @pytest.mark.parametrize(
     "result",
     [
-        Written("motor_mode", error=NoReply("x")),
-        Written("channel 2", error=NoReply("x")),
-        Written("factory_reset", 1),  # is no parameter that the board shows
+        WriteResult("motor_mode", error=NoReply("x")),
+        WriteResult("channel 2", error=NoReply("x")),
+        WriteResult("factory_reset", 1),  # is no parameter that the board shows
     ],
 )
-def test_unverified_result_does_not_change_the_state(result: Written) -> None:
+def test_unverified_result_does_not_change_the_state(result: WriteResult) -> None:
     assert after_writing(STATE, [result]) == STATE
 
 
 @pytest.mark.parametrize(("what", "channel"), [("channel 3", 3), ("channel_input_source", None)])
 def test_write_result_gives_its_channel(what: str, channel: int | None) -> None:
-    assert Written(what).channel == channel
+    assert WriteResult(what).channel == channel
 
 
 def test_active_values_come_from_the_line_settings() -> None:
@@ -81,17 +81,17 @@ def test_active_input_source_is_unknown_outside_serial_mode() -> None:
 # --- The order to reset -----------------------------------------------------------------
 
 
-def ordered() -> ResetOrder:
-    order = ResetOrder()
+def ordered() -> PendingReset:
+    order = PendingReset()
     order.note_written(ORDERED, STATE.parameters)
     assert order.stands
     return order
 
 
 def test_refused_reset_is_not_pending() -> None:
-    order = ResetOrder()
-    order.note_written([Written("factory_reset", error=NoReply("x"))], STATE.parameters)
-    order.note_written([Written("motor_mode", 1)], STATE.parameters)
+    order = PendingReset()
+    order.note_written([WriteResult("factory_reset", error=NoReply("x"))], STATE.parameters)
+    order.note_written([WriteResult("motor_mode", 1)], STATE.parameters)
     assert not order.stands
 
 

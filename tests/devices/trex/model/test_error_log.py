@@ -5,7 +5,7 @@ from datetime import UTC, datetime
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.model.errors import ErrorLog
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
 
@@ -17,14 +17,14 @@ def log(qtbot: QtBot) -> ErrorLog:
     return ErrorLog()
 
 
-def news(*bits: Status | UartError) -> StatusNews:
+def news(*bits: Status | UartError) -> LatchedStatus:
     status, uart = Status(0), UartError(0)
     for bit in bits:
         if isinstance(bit, Status):
             status |= bit
         else:
             uart |= bit
-    return StatusNews(1.0, status, uart)
+    return LatchedStatus(1.0, status, uart)
 
 
 def counts(log: ErrorLog) -> list[int]:

@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.ports import Ports
@@ -52,14 +52,14 @@ def store(device: Device, until: Until, **wires: int) -> None:
 
 def restart(device: Device, until: Until, act: Callable[[], None]) -> None:
     """Let a board be without power for a moment, and wait until it was missed and is back."""
-    seen: list[Link] = []
+    seen: list[ConnectionState] = []
 
     def note() -> None:
         seen.append(device.link)
 
     device.link_changed.connect(note)
     act()
-    until(lambda: Link.SILENT in seen and device.link is Link.UP)
+    until(lambda: ConnectionState.SILENT in seen and device.link is ConnectionState.UP)
     device.link_changed.disconnect(note)
 
 
@@ -76,23 +76,23 @@ def test_reconnect_at_new_line_settings_is_saved(
     until: Until,
 ) -> None:
     connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     store(device, until, **{UART: NEW.to_wire(), POLYNOMIAL: 0x11})
     device.expect((LinkSettings("", NEW, polynomial=0x91),))
     quick_simulator.do("power off")
-    until(lambda: device.link is Link.SILENT)
+    until(lambda: device.link is ConnectionState.SILENT)
     assert connector.settings == LinkSettings("")
     quick_simulator.do("power on")
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     there = LinkSettings(quick_simulator.url, NEW, polynomial=0x91)
     assert device.settings == there
     assert connector.settings == LinkSettings("", NEW, polynomial=0x91)
     assert Connector(device, ports).settings == connector.settings
     assert device.parameters.active_of(UART) == NEW.to_wire()
     connector.disconnect_port()
-    until(lambda: device.link is Link.NONE)
+    until(lambda: device.link is ConnectionState.NONE)
     connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     assert device.settings == there
 
 
@@ -106,13 +106,13 @@ def test_board_reconnects_at_a_new_baud_rate(
     baud: int,
 ) -> None:
     connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     store(device, until, **{UART: LineSettings(baud).to_wire()})
     device.expect((LinkSettings("", LineSettings(baud)),))
     quick_simulator.do("power off")
-    until(lambda: device.link is Link.SILENT)
+    until(lambda: device.link is ConnectionState.SILENT)
     quick_simulator.do("power on")
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     assert line_of(device) == LineSettings(baud)
 
 
@@ -120,16 +120,16 @@ def test_simulated_board_reconnects_at_its_last_settings(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((LinkSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
     assert line_of(device) == NEW
     assert connector.settings == LinkSettings("")  # which are for real boards
     connector.disconnect_port()
-    until(lambda: device.link is Link.NONE)
+    until(lambda: device.link is ConnectionState.NONE)
     connector.connect_to(ports.demo)
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     assert line_of(device) == NEW
 
 
@@ -137,14 +137,14 @@ def test_new_simulated_board_uses_factory_line_settings(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((LinkSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
     restart(device, until, connector.demo_board.restore_factory)
     assert line_of(device) == LineSettings()
     connector.simulator.stop()
-    until(lambda: device.link is Link.NONE)
+    until(lambda: device.link is ConnectionState.NONE)
     connector.connect_to(ports.demo)
-    until(lambda: device.link is Link.UP)
+    until(lambda: device.link is ConnectionState.UP)
     assert line_of(device) == LineSettings()

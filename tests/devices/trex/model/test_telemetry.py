@@ -9,11 +9,11 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
     Sample,
-    StatusNews,
 )
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.telemetry import Series, Telemetry
@@ -77,8 +77,8 @@ def test_batch_emits_one_update(telemetry: Telemetry, qtbot: QtBot) -> None:
 def test_status_and_mode_samples_set_only_the_time(telemetry: Telemetry) -> None:
     take(
         telemetry,
-        StatusNews(2.0, Status.MOTOR1_FAULT, UartError(0)),
-        ModeSeen(3.0, Mode.ANALOG),
+        LatchedStatus(2.0, Status.MOTOR1_FAULT, UartError(0)),
+        ModeSample(3.0, Mode.ANALOG),
     )
     assert telemetry.raw is None
     assert telemetry.latest == 3.0

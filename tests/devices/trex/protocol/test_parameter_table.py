@@ -10,7 +10,7 @@ from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import (
-    Kind,
+    ParameterKind,
     ParameterSet,
     ParameterSpec,
     parameters_of,
@@ -137,7 +137,7 @@ def test_every_parameter_has_name_and_description(model: str) -> None:
 @every_model
 def test_choice_parameter_has_a_word_for_every_value(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
-        if spec.kind is Kind.CHOICE:
+        if spec.kind is ParameterKind.CHOICE:
             assert set(spec.choices) == spec.valid
             assert len(set(spec.choices.values())) == len(spec.choices)
         else:
@@ -174,7 +174,7 @@ def test_wire_value_is_valid_only_within_limits(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
         for wire in range(-1, 130):
             allowed = spec.minimum <= wire <= spec.maximum
-            if spec.kind is Kind.UART:
+            if spec.kind is ParameterKind.UART:
                 allowed = allowed and wire & 0x0F <= 10
             assert (spec.problem(wire) is None) is allowed
 
@@ -189,10 +189,10 @@ def test_rejected_wire_value_names_parameter_value_and_limits(model: str) -> Non
         assert sentence.startswith(f"{spec.name} is ")
         assert sentence.endswith(f"not {refused}")
         limits = {
-            Kind.CHANNELS: ["1 to 5", "0 to 31"],
-            Kind.UART: ["0 to 10"],
-            Kind.CHOICE: [f"{wire} ({word})" for wire, word in spec.choices.items()],
-            Kind.RESET: ["127"],
+            ParameterKind.CHANNELS: ["1 to 5", "0 to 31"],
+            ParameterKind.UART: ["0 to 10"],
+            ParameterKind.CHOICE: [f"{wire} ({word})" for wire, word in spec.choices.items()],
+            ParameterKind.RESET: ["127"],
         }.get(spec.kind, [f"{spec.minimum} to {spec.maximum}", spec.text(spec.maximum)])
         for limit in limits:
             assert limit in sentence
@@ -229,7 +229,7 @@ def test_values_of_a_parameter_have_distinct_texts(model: str) -> None:
 @every_model
 def test_number_can_be_typed_without_unit_and_with_comma(model: str) -> None:
     for spec in parameters_of(model, "1.3"):
-        if spec.kind in {Kind.NUMBER, Kind.ACCELERATION}:
+        if spec.kind in {ParameterKind.NUMBER, ParameterKind.ACCELERATION}:
             for wire in sorted(spec.valid - {0})[::7]:
                 number = spec.text(wire).removesuffix(spec.unit).strip()
                 assert spec.wire(number) == wire

@@ -13,11 +13,11 @@ from trex_gui.core.errors import (
     PortUnavailable,
     Rejected,
     ResultCode,
-    TrexError,
+    StudioError,
 )
 
-EVERY_ERROR: list[TrexError] = [
-    TrexError("the worst has happened"),
+EVERY_ERROR: list[StudioError] = [
+    StudioError("the worst has happened"),
     BadRequest("a speed is 0 to 127, not 128"),
     PortUnavailable("/dev/ttyUSB0 is busy"),
     NoReply("2 of 7 bytes came"),
@@ -30,14 +30,14 @@ def test_examples_cover_every_error() -> None:
     defined = {
         found
         for found in vars(errors).values()
-        if isinstance(found, type) and issubclass(found, TrexError)
+        if isinstance(found, type) and issubclass(found, StudioError)
     }
     assert {type(error) for error in EVERY_ERROR} == defined
 
 
 @pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))
-def test_pickled_error_keeps_its_message(error: TrexError, protocol: int) -> None:
+def test_pickled_error_keeps_its_message(error: StudioError, protocol: int) -> None:
     arrived = pickle.loads(pickle.dumps(error, protocol))
     assert type(arrived) is type(error)
     assert str(arrived) == str(error)
@@ -45,7 +45,7 @@ def test_pickled_error_keeps_its_message(error: TrexError, protocol: int) -> Non
 
 
 @pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
-def test_copied_error_keeps_its_message(error: TrexError) -> None:
+def test_copied_error_keeps_its_message(error: StudioError) -> None:
     assert str(copy.deepcopy(error)) == str(error)
 
 
@@ -81,6 +81,6 @@ def test_result_codes_match_documentation() -> None:
 
 
 @pytest.mark.parametrize("error", EVERY_ERROR, ids=repr)
-def test_every_error_is_a_trex_error(error: TrexError) -> None:
-    assert isinstance(error, TrexError)
+def test_every_error_is_a_trex_error(error: StudioError) -> None:
+    assert isinstance(error, StudioError)
     assert isinstance(error, ValueError) is isinstance(error, BadRequest)

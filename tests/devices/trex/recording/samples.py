@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
-    StatusNews,
 )
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -23,13 +23,13 @@ from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.recording.csv_format import CsvWriter
 from trex_gui.devices.trex.recording.reader import TrexrecFile
 from trex_gui.devices.trex.recording.recording import (
-    AuxiliaryWish,
+    AuxiliarySetpointRecord,
     Header,
     Marker,
     Record,
     RecordingFile,
+    SetpointRecord,
     SettingsSeen,
-    Wish,
 )
 from trex_gui.devices.trex.recording.writer import TrexrecWriter
 
@@ -54,18 +54,18 @@ records: st.SearchStrategy[Record] = st.one_of(
     st.builds(Raw, times, st.tuples(*[st.none() | st.integers(0, 6250)] * 5)),
     st.builds(Remapped, times, st.tuples(*[st.integers(-127, 127)] * 5)),
     st.builds(
-        StatusNews, times, bytes_.map(lambda bits: Status(bits & 0xF1)), bytes_.map(UartError)
+        LatchedStatus, times, bytes_.map(lambda bits: Status(bits & 0xF1)), bytes_.map(UartError)
     ),
     st.builds(Control, times, st.booleans()),
-    st.builds(ModeSeen, times, st.sampled_from(Mode)),
+    st.builds(ModeSample, times, st.sampled_from(Mode)),
     st.builds(
-        Wish,
+        SetpointRecord,
         times,
         st.integers(1, 2),
         st.builds(Drive, st.sampled_from(Direction), seven_bits),
         st.booleans(),
     ),
-    st.builds(AuxiliaryWish, times, seven_bits, st.booleans()),
+    st.builds(AuxiliarySetpointRecord, times, seven_bits, st.booleans()),
     st.builds(Marker, times, st.sampled_from(["apply", "stop", "fault"]), words),
     st.builds(SettingsSeen, times, words),
 )
@@ -74,8 +74,8 @@ records: st.SearchStrategy[Record] = st.one_of(
 def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Record]:
     """What a board at full rate reports while somebody drives it."""
     random = Random(1)
-    due = {Currents: 0.0, Raw: 0.004, Remapped: 0.008, Control: 0.012, ModeSeen: 0.016}
-    rate = {Currents: 80, Raw: 50, Remapped: 50, Control: 10, ModeSeen: 1}
+    due = {Currents: 0.0, Raw: 0.004, Remapped: 0.008, Control: 0.012, ModeSample: 0.016}
+    rate = {Currents: 80, Raw: 50, Remapped: 50, Control: 10, ModeSample: 1}
     speed, duty = 0, 0.0
     while (at := min(due.values())) < seconds:
         kind = min(due, key=lambda kind: due[kind])
@@ -83,9 +83,9 @@ def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Re
         time = begin + at + random.random() * 0.002
         if random.random() < 0.01:
             speed = max(-127, min(127, speed + random.randint(-30, 30)))
-            yield Wish(time, random.randint(1, 2), Drive.at(speed), accelerate=True)
+            yield SetpointRecord(time, random.randint(1, 2), Drive.at(speed), accelerate=True)
             if random.random() < 0.02:
-                yield StatusNews(time, Status.MOTOR1_OVER_LIMIT, UartError(0))
+                yield LatchedStatus(time, Status.MOTOR1_OVER_LIMIT, UartError(0))
                 yield Marker(time, "stop", "A person pressed stop.")
         duty += (speed - duty) * 0.02
         sticks = [3750 + random.randint(-2, 2) for _ in range(4)]
@@ -100,7 +100,7 @@ def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Re
             case k if k is Control:
                 yield Control(time, by_serial=True)
             case _:
-                yield ModeSeen(time, Mode.SERIAL_RC)
+                yield ModeSample(time, Mode.SERIAL_RC)
 
 
 def write(path: Path, what: list[Record], *, flush_every: int = 0, finish: bool = True) -> int:

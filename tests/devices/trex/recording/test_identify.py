@@ -9,7 +9,7 @@ from tests.devices.trex.recording.samples import an_hour, write, write_an_hour_o
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.devices.trex.recording.columns import joined
 from trex_gui.devices.trex.recording.files import open_recording
-from trex_gui.devices.trex.recording.identify import stranger_text, whose
+from trex_gui.devices.trex.recording.identify import recorded_device, wrong_device_message
 
 
 def write_of(path: Path, about: object) -> None:
@@ -21,13 +21,15 @@ def write_of(path: Path, about: object) -> None:
 def test_trex_recording_is_identified_with_firmware(tmp_path: Path) -> None:
     write(tmp_path / "a.trexrec", list(an_hour(1)))
     write_an_hour_of_csv(tmp_path / "a.csv", 1)
-    assert whose(tmp_path / "a.trexrec") == whose(tmp_path / "a.csv") == "TReX 1.2"
+    assert (
+        recorded_device(tmp_path / "a.trexrec") == recorded_device(tmp_path / "a.csv") == "TReX 1.2"
+    )
 
 
 def test_other_device_is_named_from_header_and_rejected(tmp_path: Path) -> None:
     path = tmp_path / "mule.csv"
     write_of(path, {"robot": "Mule, the 2nd"})
-    assert whose(path) == "Mule, the 2nd"
+    assert recorded_device(path) == "Mule, the 2nd"
     with pytest.raises(RecordingError) as refused:
         open_recording(path)
     said = str(refused.value)
@@ -39,7 +41,7 @@ def test_other_device_is_named_from_header_and_rejected(tmp_path: Path) -> None:
 def test_file_without_device_is_not_a_recording(tmp_path: Path, about: object) -> None:
     path = tmp_path / "table.csv"
     write_of(path, about)
-    assert stranger_text(path) == ""
+    assert wrong_device_message(path) == ""
     with pytest.raises(RecordingError, match="This is no recording of TReX Studio"):
         open_recording(path)
 
@@ -48,5 +50,5 @@ def test_file_without_device_is_not_a_recording(tmp_path: Path, about: object) -
 def test_damaged_header_identifies_no_device(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "a.csv"
     path.write_bytes(data)
-    assert whose(path) == ""
-    assert whose(tmp_path / "none") == ""
+    assert recorded_device(path) == ""
+    assert recorded_device(tmp_path / "none") == ""

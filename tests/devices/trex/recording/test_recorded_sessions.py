@@ -13,8 +13,8 @@ from tests.devices.trex.recording.test_csv import assert_equal
 from tests.support.virtual import Stage
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.recording.files import open_recording, writer_for
-from trex_gui.devices.trex.recording.recording import Marker, Record, Wish
-from trex_gui.devices.trex.session.messages import Batch, Report, SetDrive, Stop
+from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord
+from trex_gui.devices.trex.session.messages import Batch, Report, SetMotor, Stop
 from trex_gui.devices.trex.simulator.firmware import Board
 
 
@@ -44,12 +44,12 @@ def record_virtually(seconds: int, folder: Path) -> list[Record]:
         drive = Drive.at(127 if minute % 2 else -90)
 
         def wish(at: float = begin, drive: Drive = drive) -> None:
-            put(Wish(at, 1, drive))
+            put(SetpointRecord(at, 1, drive))
 
         def stop(at: float = begin + 5) -> None:
             put(Marker(at, "stop", "Stop"))
 
-        stage.script.at(begin, wish).at(begin, SetDrive(1, drive))
+        stage.script.at(begin, wish).at(begin, SetMotor(1, drive))
         stage.script.at(begin + 5, stop).at(begin + 5, Stop(minute))
     stage.script.at(seconds, lambda: None)
     stage.run()
@@ -86,7 +86,7 @@ def replays_equal(what: list[Record], folder: Path) -> None:
 def test_recorded_minute_of_session_replays_unchanged(tmp_path: Path) -> None:
     what = record_virtually(60, tmp_path)
     assert len(what) > 9_000
-    assert any(isinstance(record, Wish) for record in what)
+    assert any(isinstance(record, SetpointRecord) for record in what)
     replays_equal(what, tmp_path)
 
 

@@ -10,11 +10,11 @@ from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parser import Packet, PacketParser
 from trex_gui.devices.trex.session.messages import Close, Outcome, Report
-from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 KindT = TypeVar("KindT")
 
@@ -74,7 +74,7 @@ def moving(sent: bytes | bytearray, polynomial: int | None = None) -> list[Comma
 def is_stopped(board: Board) -> bool:
     """Whether both motors are braked fully and the auxiliary one is off."""
     return board.aux.speed == 0 and all(
-        motor.direction is Direction.BRAKE and motor.speed == 127 for motor in board.motors
+        motor.direction is MotorDirection.BRAKE and motor.speed == 127 for motor in board.motors
     )
 
 
@@ -87,7 +87,7 @@ def run_for(stage: Stage, seconds: float, settings: LinkSettings | None = None) 
 def run_after_another(stage: Stage, seconds: float) -> list[Report]:
     """Run a session whose forerunner may have left motors running."""
     stage.script.at(seconds, Close())
-    Session(
+    TrexSession(
         LinkSettings("virtual"),
         stage.script,
         stage.reports.append,
@@ -107,7 +107,7 @@ def seen_at(stage: Stage, moment: float, look: Callable[[], KindT]) -> list[Kind
 def timed_run(stage: Stage, settings: LinkSettings) -> list[tuple[float, Report]]:
     """Run the script of a stage; return each report with the moment it was made."""
     reports: list[tuple[float, Report]] = []
-    session = Session(
+    session = TrexSession(
         settings,
         stage.script,
         lambda report: reports.append((stage.line.now, report)),
@@ -120,7 +120,7 @@ def timed_run(stage: Stage, settings: LinkSettings) -> list[tuple[float, Report]
 class FailingTransport(VirtualTransport):
     """A line that works for some calls and is gone from then on."""
 
-    def __init__(self, line: Line, calls: int, failure: Exception) -> None:
+    def __init__(self, line: SimulatedLine, calls: int, failure: Exception) -> None:
         super().__init__(line)
         self._left = calls
         self._failure = failure

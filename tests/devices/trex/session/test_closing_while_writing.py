@@ -20,7 +20,7 @@ from tests.devices.trex.client.test_interrupted_writing import (
 )
 from tests.devices.trex.session.helpers import commands, moving, outcomes, timed_run
 from trex_gui.core.errors import NoReply
-from trex_gui.devices.trex.client.writing import NotTried, Written
+from trex_gui.devices.trex.client.writing import Skipped, WriteResult
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetStatus
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import (
@@ -30,11 +30,11 @@ from trex_gui.devices.trex.session.messages import (
     Outcome,
     Report,
     SetAuxiliary,
-    SetDrive,
+    SetMotor,
     Stop,
     Write,
 )
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 PAIR = ("crc7_polynomial", "uart_settings")
 STEP = 0.004
@@ -68,7 +68,7 @@ class Writing:
         return outcomes(report for _, report in self.reports)[1]
 
     @property
-    def results(self) -> dict[str, Written]:
+    def results(self) -> dict[str, WriteResult]:
         return {result.what: result for result in self.attempt.results}
 
     def when(self, kind: type[Report]) -> float:
@@ -126,7 +126,7 @@ def test_close_reports_each_setting_as_stored_or_skipped(name: str) -> None:
         require_order(writing.attempt, lost=0)
         before, stored = writing.attempt.case.before, writing.attempt.stored
         untried = {what for what, one in writing.results.items() if one.error is not None}
-        assert all(isinstance(writing.results[what].error, NotTried) for what in untried)
+        assert all(isinstance(writing.results[what].error, Skipped) for what in untried)
         parameters = {what for what in untried if what in before}
         assert {what: stored[what] for what in parameters} == {
             what: before[what] for what in parameters
@@ -184,7 +184,7 @@ def test_close_does_not_wait_long_for_unresponsive_board() -> None:
         attempt.stage.script.at(moment, Close())
         writing = taken(run(attempt))
         require_order(attempt, lost=2)
-        assert {type(result.error) for result in attempt.results} & {NoReply, NotTried}
+        assert {type(result.error) for result in attempt.results} & {NoReply, Skipped}
         assert writing.when(Closed) - moment < 2.0
 
 
@@ -193,7 +193,7 @@ def test_close_does_not_wait_long_for_unresponsive_board() -> None:
 
 def driven(case: Case, moment: float) -> Attempt:
     attempt = begun(case)
-    attempt.stage.script.at(moments(case)[0], SetDrive(1, Drive.at(100)))
+    attempt.stage.script.at(moments(case)[0], SetMotor(1, Drive.at(100)))
     attempt.stage.script.at(moment, Close())
     return attempt
 
@@ -213,7 +213,7 @@ def test_close_stops_motors_before_remaining_writes() -> None:
         attempt = driven(case, moment)
         writing = stopped_first(attempt, moment)
         assert writing.reports[-1][1] == Closed(None, may_move=False)
-        assert all(motor.direction is Direction.BRAKE for motor in attempt.board.motors)
+        assert all(motor.direction is MotorDirection.BRAKE for motor in attempt.board.motors)
 
 
 def test_close_sends_one_confirmed_stop() -> None:
@@ -230,8 +230,8 @@ def test_close_drops_setpoints_during_remaining_writes() -> None:
     case = BY_WAY_OF_FACTORY
     for moment in moments(case)[::5]:
         attempt = begun(case)
-        script = attempt.stage.script.at(moment, SetDrive(1, Drive.at(100))).at(moment, Close())
-        script.at(moment, SetDrive(2, Drive.at(100))).at(moment + 0.01, SetAuxiliary(100))
+        script = attempt.stage.script.at(moment, SetMotor(1, Drive.at(100))).at(moment, Close())
+        script.at(moment, SetMotor(2, Drive.at(100))).at(moment + 0.01, SetAuxiliary(100))
         writing = run(attempt)
         assert writing.reports[-1][1] == Closed(None, may_move=False)
         assert [motor.speed for motor in attempt.board.motors] == [0, 0]

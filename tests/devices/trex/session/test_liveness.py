@@ -4,19 +4,19 @@ from tests.devices.trex.session.helpers import staged
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.session.liveness import Presence
+from trex_gui.devices.trex.session.liveness import LivenessMonitor
 
 ELSEWHERE = (LinkSettings("virtual", LineSettings(57600)),)
 
 
-def silent_at(now: float) -> Presence:
-    presence = Presence(Timeouts())
+def silent_at(now: float) -> LivenessMonitor:
+    presence = LivenessMonitor(Timeouts())
     assert [presence.note_failure(now) for _ in range(3)] == [False, False, True]
     return presence
 
 
 def test_reply_between_failures_keeps_board_responding() -> None:
-    presence = Presence(Timeouts())
+    presence = LivenessMonitor(Timeouts())
     for _ in range(10):
         assert not presence.note_failure(1.0)
         assert not presence.note_failure(1.1)
@@ -41,12 +41,12 @@ def test_reading_board_again_ends_not_responding() -> None:
 def test_candidates_are_scanned_only_when_not_responding() -> None:
     stage, settings = staged()
     client = stage.client(settings)
-    assert not Presence(Timeouts()).looks_around(client, ELSEWHERE)
+    assert not LivenessMonitor(Timeouts()).is_scanning(client, ELSEWHERE)
     presence = silent_at(0.0)
-    assert not presence.looks_around(client, ())
-    assert presence.looks_around(client, ELSEWHERE)
-    stage.transport.can_be_tuned = False
-    assert not presence.looks_around(client, ELSEWHERE)
+    assert not presence.is_scanning(client, ())
+    assert presence.is_scanning(client, ELSEWHERE)
+    stage.transport.is_configurable = False
+    assert not presence.is_scanning(client, ELSEWHERE)
 
 
 def test_scan_continues_until_board_is_read() -> None:
@@ -55,6 +55,6 @@ def test_scan_continues_until_board_is_read() -> None:
     presence = silent_at(0.0)
     stage.board.power_off()
     assert presence.look(client, ELSEWHERE) is None
-    assert presence.looks_around(client, ())
+    assert presence.is_scanning(client, ())
     presence.begin()
-    assert not presence.looks_around(client, ())
+    assert not presence.is_scanning(client, ())

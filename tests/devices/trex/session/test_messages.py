@@ -13,19 +13,19 @@ from trex_gui.core.errors import (
     PortUnavailable,
     Rejected,
     ResultCode,
-    TrexError,
+    StudioError,
 )
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
-    StatusNews,
 )
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
@@ -40,23 +40,23 @@ from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Ask,
     Batch,
     Close,
     Closed,
     Connected,
-    Expect,
-    Halted,
+    Heartbeat,
+    MotorsStopped,
+    NotResponding,
     Outcome,
     Progress,
-    Pulse,
     Reload,
     Report,
     Request,
+    RunCommand,
     SetAuxiliary,
-    SetDrive,
-    SetDrives,
-    Silent,
+    SetMotor,
+    SetMotors,
+    SetReconnectCandidates,
     Stop,
     Write,
 )
@@ -66,25 +66,25 @@ ThingT = TypeVar("ThingT")
 LEARNED = Calibration(2500, 3750, 5000, 75)
 
 REQUESTS: list[Request] = [
-    Ask(1, GetSignature()),
-    Ask(2, DriveBoth(Drive.at(5), Drive.brake(), accelerate=True)),
-    Ask(3, SetCalibration(2, LEARNED)),
-    Ask(4, GetCalibration(3)),
-    SetDrive(1, Drive.at(-127), accelerate=True),
-    SetDrives((SetDrive(1, Drive.at(5)), SetDrive(2, Drive.brake(3)))),
+    RunCommand(1, GetSignature()),
+    RunCommand(2, DriveBoth(Drive.at(5), Drive.brake(), accelerate=True)),
+    RunCommand(3, SetCalibration(2, LEARNED)),
+    RunCommand(4, GetCalibration(3)),
+    SetMotor(1, Drive.at(-127), accelerate=True),
+    SetMotors((SetMotor(1, Drive.at(5)), SetMotor(2, Drive.brake(3)))),
     SetAuxiliary(127),
     Stop(5),
     Stop(5, lockout=3.0),
     Arm(),
-    Pulse(),
+    Heartbeat(),
     Write(6, (("serial_timeout", 5),), ((1, LEARNED),)),
     Reload(7),
-    Expect((LinkSettings("", LineSettings(9600)),)),
+    SetReconnectCandidates((LinkSettings("", LineSettings(9600)),)),
     Close(),
 ]
 
-ERRORS: list[TrexError] = [
-    TrexError("a"),
+ERRORS: list[StudioError] = [
+    StudioError("a"),
     BadRequest("b"),
     PortUnavailable("c"),
     NoReply("d"),
@@ -96,18 +96,18 @@ SAMPLES = (
     Raw(1.0, (1, None, 3, 4, 5)),
     Remapped(1.0, (1, -2, 3, -4, 5)),
     Currents(1.0, (3, 4)),
-    StatusNews(1.0, Status.MOTOR1_FAULT | Status.UART_ERROR, UartError.CRC | UartError.FORMAT),
+    LatchedStatus(1.0, Status.MOTOR1_FAULT | Status.UART_ERROR, UartError.CRC | UartError.FORMAT),
     Control(1.0, by_serial=True),
-    ModeSeen(1.0, Mode.SERIAL_ANALOG),
+    ModeSample(1.0, Mode.SERIAL_ANALOG),
 )
 
 REPORTS: list[Report] = [
     Progress(1, 2, "x"),
-    Silent("x", Counters(requests=3)),
-    Halted("x", proved=False),
+    NotResponding("x", Counters(requests=3)),
+    MotorsStopped("x", confirmed=False),
     Batch(SAMPLES, Counters(1, 2, 3, 4, 0.5)),
     Outcome(1, LEARNED),
-    Outcome(2, (Written("channel 1", LEARNED), Written("motor_mode", 1))),
+    Outcome(2, (WriteResult("channel 1", LEARNED), WriteResult("motor_mode", 1))),
     Closed(None),
     Closed(None, may_move=True),
 ]
@@ -132,12 +132,12 @@ def test_every_command_survives_pickling() -> None:
     for opcode, cls in COMMANDS.items():
         data = b"\x00" * (cls.data_size - 2) + b"\x55\x2a" if 0xA0 <= opcode <= 0xAF else None
         command = cls.from_packet(opcode, data or b"\x01" * cls.data_size)
-        assert there_and_back(Ask(1, command)) == Ask(1, command)
+        assert there_and_back(RunCommand(1, command)) == RunCommand(1, command)
 
 
 @pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
-def test_pickled_error_keeps_type_and_message(error: TrexError) -> None:
-    for message in (Outcome(1, error=error), Closed(error), Written("motor_mode", error=error)):
+def test_pickled_error_keeps_type_and_message(error: StudioError) -> None:
+    for message in (Outcome(1, error=error), Closed(error), WriteResult("motor_mode", error=error)):
         arrived = there_and_back(message).error
         assert arrived is not None
         assert type(arrived) is type(error)
@@ -163,7 +163,7 @@ def test_all_reports_of_session_survive_pickling(model: str) -> None:
     stage.script.at(1.5, Stop(2)).at(1.6, Reload(3)).at(2.2, stage.board.power_off)
     reports = run_for(stage, 3.0, settings)
     assert {type(report) for report in reports} == {
-        Progress, Connected, Batch, Outcome, Silent, Closed,
+        Progress, Connected, Batch, Outcome, NotResponding, Closed,
     }  # fmt: skip
     for report in reports:
         assert there_and_back(report) == report

@@ -12,29 +12,29 @@ from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
-from trex_gui.devices.trex.discovery.probe import look_at, places_to_look
+from trex_gui.devices.trex.discovery.probe import is_board_at, reconnect_places
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode, GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.session.messages import (
-    Ask,
     Batch,
     Close,
     Closed,
     Connected,
-    Expect,
-    Occasion,
+    NotResponding,
+    ReadReason,
     Reload,
     Report,
-    SetDrive,
-    Silent,
+    RunCommand,
+    SetMotor,
+    SetReconnectCandidates,
     Stop,
     Write,
 )
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.serial_control import SerialControl
 
 OLD = LinkSettings("virtual")
@@ -77,7 +77,7 @@ class Place(Stage):
 
     def go(self, *expected: LinkSettings, new: LinkSettings | None = None) -> "Place":
         """Plan a break of the power, after which the board is at `new`."""
-        self.script.at(OFF - 0.1, Expect(expected))
+        self.script.at(OFF - 0.1, SetReconnectCandidates(expected))
         self.script.at(OFF, self.board.power_off)
         self.script.at(OFF, lambda: self.store(new or self.old))
         self.script.at(ON, self.board.power_on)
@@ -97,7 +97,7 @@ def the_return(place: Place, moment: float = 6.0) -> Connected:
     """Run, and return what was told when the board was back."""
     place.end(moment)
     first, second = place.connections
-    assert (first.occasion, second.occasion) == (Occasion.OPENED, Occasion.RETURNED)
+    assert (first.occasion, second.occasion) == (ReadReason.OPENED, ReadReason.RETURNED)
     assert first.settings == place.old
     assert place.reports[-1] == Closed(None)
     return second
@@ -221,7 +221,7 @@ def test_reconnect_clears_candidates() -> None:
 def test_reconnect_candidates_can_be_cleared() -> None:
     new = replace(OLD, line=CRC)
     place = Place().go(new, new=new)
-    place.script.at(ON - 0.1, Expect(()))
+    place.script.at(ON - 0.1, SetReconnectCandidates(()))
     place.end(6.0)
     assert len(place.connections) == 1
 
@@ -230,7 +230,7 @@ def test_counters_continue_after_reconnect(orders: list[str]) -> None:
     new = replace(OLD, line=CRC)
     place = Place().go(new, new=new)
     the_return(place)
-    (silent,) = among(place.reports, Silent)
+    (silent,) = among(place.reports, NotResponding)
     assert among(place.reports, Batch)[-1].counters.requests > silent.counters.requests > 100
 
 
@@ -282,8 +282,8 @@ def test_requests_are_rejected_while_reconnecting() -> None:
     place.script.at(ON + 0.01, place.board.power_off)
     marks: list[int] = []
     place.script.at(3.5, lambda: marks.append(len(place.transport.sent)))
-    place.script.at(4.0, Ask(1, GetSignature())).at(4.1, Reload(2))
-    place.script.at(4.2, Write(3, (("serial_timeout", 5),))).at(4.3, SetDrive(1, Drive.at(9)))
+    place.script.at(4.0, RunCommand(1, GetSignature())).at(4.1, Reload(2))
+    place.script.at(4.2, Write(3, (("serial_timeout", 5),))).at(4.3, SetMotor(1, Drive.at(9)))
     place.end(7.0)
     assert {str(outcomes(place.reports)[number].error) for number in (1, 2, 3)} == {
         "No board answers; it is being looked for."
@@ -329,7 +329,7 @@ def test_reconnect_probes_command_no_motor_at_any_settings(
 def runs(board: Board) -> bool:
     """Whether a motor is told to run."""
     return board.aux.target_speed > 0 or any(
-        motor.target_direction is not Direction.BRAKE for motor in board.motors
+        motor.target_direction is not MotorDirection.BRAKE for motor in board.motors
     )
 
 
@@ -346,7 +346,7 @@ def test_stop_retry_at_old_settings_starts_no_motor(
         if line.stop_bits == 2 or line == OLD.line:
             continue
         place = Place()
-        place.script.at(1.2, SetDrive(1, Drive.at(100)))
+        place.script.at(1.2, SetMotor(1, Drive.at(100)))
         place.go(LinkSettings("virtual", CRC), new=LinkSettings("virtual", line))
         place.script.at(ON, partial(setattr, place.line, "mute", True))
         seen: list[bool] = []
@@ -363,7 +363,7 @@ def test_stop_retry_at_old_settings_starts_no_motor(
 
 def test_factory_settings_are_probed_last() -> None:
     old, new = replace(OLD, line=CRC, name="here"), LinkSettings("", LineSettings(9600))
-    assert places_to_look(old, [new]) == (
+    assert reconnect_places(old, [new]) == (
         old,
         replace(new, url="virtual", name="here"),
         replace(old, line=LineSettings()),
@@ -372,11 +372,11 @@ def test_factory_settings_are_probed_last() -> None:
 
 def test_reconnect_candidates_are_unique() -> None:
     new = replace(OLD, line=CRC)
-    assert places_to_look(OLD, [new, OLD, new]) == (OLD, new)
+    assert reconnect_places(OLD, [new, OLD, new]) == (OLD, new)
 
 
 def test_polynomial_is_ignored_without_crc() -> None:
-    assert places_to_look(OLD, [replace(OLD, polynomial=0x91)]) == (OLD,)
+    assert reconnect_places(OLD, [replace(OLD, polynomial=0x91)]) == (OLD,)
 
 
 def test_probe_readable_as_motor_command_is_skipped() -> None:
@@ -384,26 +384,26 @@ def test_probe_readable_as_motor_command_is_skipped() -> None:
     unsafe = next(
         polynomial
         for polynomial in range(0x80, 0x100)
-        if places_to_look(
+        if reconnect_places(
             replace(OLD, line=LineSettings(14400, Detection.CRC7), polynomial=polynomial),
             [replace(OLD, line=LineSettings(38400, Detection.ODD))],
         )[0].line.baud
         != 14400
     )
     old = replace(OLD, line=LineSettings(14400, Detection.CRC7), polynomial=unsafe)
-    assert old in places_to_look(old, [replace(OLD, line=LineSettings(9600))])
+    assert old in reconnect_places(old, [replace(OLD, line=LineSettings(9600))])
 
 
 def test_unsupported_line_settings_are_skipped() -> None:
     place = Place(replace(OLD, line=LineSettings(9600))).go(replace(OLD, line=CRC), new=OLD)
-    tune = place.transport.tune
+    reconfigure = place.transport.reconfigure
 
     def refuse(line: LineSettings) -> None:
         if line == CRC:
             raise BadRequest("no such rate")
-        tune(line)
+        reconfigure(line)
 
-    place.transport.tune = refuse  # type: ignore[method-assign] # a knob
+    place.transport.reconfigure = refuse  # type: ignore[method-assign] # a knob
     assert the_return(place).settings == OLD
 
 
@@ -418,19 +418,19 @@ def test_port_loss_while_reconnecting_ends_session() -> None:
 
 def test_fixed_rate_port_probes_only_its_own_settings() -> None:
     place = Place().go(replace(OLD, line=CRC), new=OLD)
-    place.transport.can_be_tuned = False
+    place.transport.is_configurable = False
     assert the_return(place).settings == OLD
     assert bytes(place.transport.sent).count(b"\xff") <= 2  # when the line was opened
 
 
 def test_probe_finds_board_only_at_its_line_settings() -> None:
     place = Place(replace(OLD, line=CRC))
-    assert look_at(place.transport, place.old, echo=False)
-    assert not look_at(place.transport, OLD, echo=False)
+    assert is_board_at(place.transport, place.old, echo=False)
+    assert not is_board_at(place.transport, OLD, echo=False)
 
 
 def test_probe_ignores_board_with_wrong_device_number() -> None:
     place = Place()
     number = place.board.eeprom["device_number"]
-    assert look_at(place.transport, replace(OLD, device_number=number), echo=False)
-    assert not look_at(place.transport, replace(OLD, device_number=number + 1), echo=False)
+    assert is_board_at(place.transport, replace(OLD, device_number=number), echo=False)
+    assert not is_board_at(place.transport, replace(OLD, device_number=number + 1), echo=False)

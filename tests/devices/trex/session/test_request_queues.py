@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
-from trex_gui.devices.trex.driving.setpoints import DriveSlots, packets
+from trex_gui.devices.trex.driving.setpoints import SetpointSlots, packets
 from trex_gui.devices.trex.protocol.commands import (
     Drive,
     DriveAuxiliary,
@@ -17,18 +17,18 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Ask,
     Close,
-    Expect,
     Reload,
     Request,
+    RunCommand,
     SetAuxiliary,
-    SetDrive,
-    SetDrives,
+    SetMotor,
+    SetMotors,
+    SetReconnectCandidates,
     Stop,
     Write,
 )
-from trex_gui.devices.trex.session.request_queues import Mailbox
+from trex_gui.devices.trex.session.request_queues import RequestQueues
 
 modest = examples(40)
 
@@ -45,8 +45,8 @@ class Bag:
         return self.requests.popleft() if self.requests else None
 
 
-def mailbox(*requests: Request) -> Mailbox:
-    mail = Mailbox(Bag(*requests))
+def mailbox(*requests: Request) -> RequestQueues:
+    mail = RequestQueues(Bag(*requests))
     mail.collect()
     return mail
 
@@ -55,31 +55,31 @@ def mailbox(*requests: Request) -> Mailbox:
 
 
 def test_empty_slots_return_no_setpoints() -> None:
-    slots = DriveSlots()
+    slots = SetpointSlots()
     assert not slots
     assert slots.take() == []
 
 
 def test_newest_setpoint_for_motor_wins() -> None:
-    slots = DriveSlots()
+    slots = SetpointSlots()
     for speed in (10, 20, 30):
-        slots.put(SetDrive(2, Drive.at(speed)))
+        slots.put(SetMotor(2, Drive.at(speed)))
         slots.put(SetAuxiliary(speed + 1))
     assert packets(slots.take()) == [DriveMotor(2, Drive.at(30)), DriveAuxiliary(31)]
     assert not slots
 
 
 def test_setpoints_of_same_kind_share_one_packet() -> None:
-    slots = DriveSlots()
-    slots.put(SetDrive(2, Drive.brake(5), accelerate=True))
-    slots.put(SetDrive(1, Drive.at(-10), accelerate=True))
+    slots = SetpointSlots()
+    slots.put(SetMotor(2, Drive.brake(5), accelerate=True))
+    slots.put(SetMotor(1, Drive.at(-10), accelerate=True))
     assert packets(slots.take()) == [DriveBoth(Drive.at(-10), Drive.brake(5), accelerate=True)]
 
 
 def test_immediate_and_ramped_setpoints_use_two_packets() -> None:
-    slots = DriveSlots()
-    slots.put(SetDrive(1, Drive.at(10), accelerate=True))
-    slots.put(SetDrive(2, Drive.at(20)))
+    slots = SetpointSlots()
+    slots.put(SetMotor(1, Drive.at(10), accelerate=True))
+    slots.put(SetMotor(2, Drive.at(20)))
     assert packets(slots.take()) == [
         DriveMotor(1, Drive.at(10), accelerate=True),
         DriveMotor(2, Drive.at(20)),
@@ -87,15 +87,15 @@ def test_immediate_and_ramped_setpoints_use_two_packets() -> None:
 
 
 def test_auxiliary_setpoint_alone_makes_a_packet() -> None:
-    slots = DriveSlots()
+    slots = SetpointSlots()
     slots.put(SetAuxiliary(0, accelerate=True))
     assert slots
     assert packets(slots.take()) == [DriveAuxiliary(0, accelerate=True)]
 
 
 def test_cleared_setpoints_are_not_sent() -> None:
-    slots = DriveSlots()
-    slots.put(SetDrive(1, Drive.at(1)))
+    slots = SetpointSlots()
+    slots.put(SetMotor(1, Drive.at(1)))
     slots.put(SetAuxiliary(1))
     slots.clear()
     assert not slots
@@ -103,8 +103,8 @@ def test_cleared_setpoints_are_not_sent() -> None:
 
 
 def test_setpoint_of_corrupted_packet_is_queued_again() -> None:
-    slots = DriveSlots()
-    slots.put(SetDrive(1, Drive.at(1)))
+    slots = SetpointSlots()
+    slots.put(SetMotor(1, Drive.at(1)))
     slots.put(SetAuxiliary(1))
     taken = slots.take()
     slots.put_back(taken)
@@ -112,13 +112,13 @@ def test_setpoint_of_corrupted_packet_is_queued_again() -> None:
 
 
 def test_requeued_setpoint_does_not_replace_newer_one() -> None:
-    slots = DriveSlots()
-    damaged: list[SetDrive | SetAuxiliary] = [
-        SetDrive(1, Drive.at(1)),
-        SetDrive(2, Drive.at(1)),
+    slots = SetpointSlots()
+    damaged: list[SetMotor | SetAuxiliary] = [
+        SetMotor(1, Drive.at(1)),
+        SetMotor(2, Drive.at(1)),
         SetAuxiliary(1),
     ]
-    newer: list[SetDrive | SetAuxiliary] = [SetDrive(1, Drive.at(9)), SetAuxiliary(0)]
+    newer: list[SetMotor | SetAuxiliary] = [SetMotor(1, Drive.at(9)), SetAuxiliary(0)]
     for wish in newer:
         slots.put(wish)
     slots.put_back(damaged)
@@ -127,7 +127,7 @@ def test_requeued_setpoint_does_not_replace_newer_one() -> None:
 
 wishes = st.one_of(
     st.builds(
-        SetDrive,
+        SetMotor,
         st.sampled_from([1, 2]),
         st.builds(Drive.at, st.integers(-127, 127)),
         st.booleans(),
@@ -139,21 +139,21 @@ wishes = st.one_of(
 @modest
 @given(st.lists(wishes, max_size=20))
 def test_packets_contain_newest_setpoint_of_each_motor(
-    given_wishes: list[SetDrive | SetAuxiliary],
+    given_wishes: list[SetMotor | SetAuxiliary],
 ) -> None:
-    slots = DriveSlots()
+    slots = SetpointSlots()
     newest: dict[int, object] = {}
     for wish in given_wishes:
         slots.put(wish)
-        newest[wish.motor if isinstance(wish, SetDrive) else 0] = wish
+        newest[wish.motor if isinstance(wish, SetMotor) else 0] = wish
     sent: dict[int, object] = {}
     for command in packets(slots.take()):
         match command:
             case DriveBoth(first, second, accelerate):
-                sent[1] = SetDrive(1, first, accelerate)
-                sent[2] = SetDrive(2, second, accelerate)
+                sent[1] = SetMotor(1, first, accelerate)
+                sent[2] = SetMotor(2, second, accelerate)
             case DriveMotor(motor, drive, accelerate):
-                sent[motor] = SetDrive(motor, drive, accelerate)
+                sent[motor] = SetMotor(motor, drive, accelerate)
             case DriveAuxiliary(speed, accelerate):
                 sent[0] = SetAuxiliary(speed, accelerate)
     assert sent == newest
@@ -163,19 +163,19 @@ def test_packets_contain_newest_setpoint_of_each_motor(
 
 
 def test_jobs_keep_their_order() -> None:
-    jobs = (Ask(1, GetMode()), Write(2), Reload(3), Ask(4, GetMode()))
+    jobs = (RunCommand(1, GetMode()), Write(2), Reload(3), RunCommand(4, GetMode()))
     assert tuple(mailbox(*jobs).jobs) == jobs
 
 
 def test_setpoints_of_one_message_share_one_packet() -> None:
-    both = SetDrives((SetDrive(1, Drive.at(9)), SetDrive(2, Drive.at(-9))))
+    both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
     assert packets(mailbox(both).drives.take()) == [DriveBoth(Drive.at(9), Drive.at(-9))]
 
 
 def test_newest_setpoint_wins_with_two_motor_messages() -> None:
-    both = SetDrives((SetDrive(1, Drive.at(9)), SetDrive(2, Drive.at(-9))))
-    older, newer = SetDrive(2, Drive.at(50)), SetDrive(1, Drive.at(7))
-    assert mailbox(older, both, newer).drives.take() == [newer, SetDrive(2, Drive.at(-9))]
+    both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
+    older, newer = SetMotor(2, Drive.at(50)), SetMotor(1, Drive.at(7))
+    assert mailbox(older, both, newer).drives.take() == [newer, SetMotor(2, Drive.at(-9))]
     assert not mailbox(both, Stop(1)).drives
 
 
@@ -186,20 +186,20 @@ def test_stops_are_queued_separately_and_taken_once() -> None:
 
 
 def test_stop_discards_earlier_setpoints() -> None:
-    mail = mailbox(SetDrive(1, Drive.at(9)), SetAuxiliary(9), Stop(1))
+    mail = mailbox(SetMotor(1, Drive.at(9)), SetAuxiliary(9), Stop(1))
     assert not mail.drives
 
 
 def test_stop_discards_later_setpoints_until_armed() -> None:
-    wish = SetDrive(2, Drive.at(5))
-    assert not mailbox(SetDrive(1, Drive.at(9)), Stop(1), wish).drives
-    mail = mailbox(SetDrive(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), wish)
-    assert mail.drives.take() == [SetDrive(2, Drive.at(5))]
+    wish = SetMotor(2, Drive.at(5))
+    assert not mailbox(SetMotor(1, Drive.at(9)), Stop(1), wish).drives
+    mail = mailbox(SetMotor(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), wish)
+    assert mail.drives.take() == [SetMotor(2, Drive.at(5))]
 
 
 def test_stop_discards_setpoints_of_earlier_collect() -> None:
-    bag = Bag(SetDrive(1, Drive.at(9)))
-    mail = Mailbox(bag)
+    bag = Bag(SetMotor(1, Drive.at(9)))
+    mail = RequestQueues(bag)
     mail.collect()
     bag.requests.append(Stop(1))
     mail.collect()
@@ -208,13 +208,13 @@ def test_stop_discards_setpoints_of_earlier_collect() -> None:
 
 def test_collect_waits_only_for_first_request() -> None:
     bag = Bag(Reload(1), Reload(2))
-    Mailbox(bag).collect(0.5)
+    RequestQueues(bag).collect(0.5)
     assert bag.waits == [0.5, 0.0, 0.0]
 
 
 def test_negative_timeout_does_not_wait() -> None:
     bag = Bag()
-    Mailbox(bag).collect(-1.0)
+    RequestQueues(bag).collect(-1.0)
     assert bag.waits == [0.0]
 
 
@@ -225,13 +225,13 @@ def test_close_keeps_pending_jobs() -> None:
 
 
 def test_close_discards_earlier_and_later_setpoints() -> None:
-    before, after = SetDrive(1, Drive.at(9)), SetAuxiliary(9)
+    before, after = SetMotor(1, Drive.at(9)), SetAuxiliary(9)
     assert not mailbox(before, Close(), after).drives
 
 
 def test_abandon_returns_each_request_once() -> None:
     mail = mailbox(
-        Ask(1, GetMode()), Stop(2), SetDrive(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
+        RunCommand(1, GetMode()), Stop(2), SetMotor(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
     )
     assert sorted(mail.abandon()) == [1, 2, 3, 4, 5]
     assert mail.abandon() == []
@@ -241,5 +241,7 @@ def test_abandon_returns_each_request_once() -> None:
 def test_last_reconnect_candidates_replace_earlier_ones() -> None:
     here, there = LinkSettings("here"), LinkSettings("there")
     assert mailbox().expected == ()
-    assert mailbox(Expect((here,)), Stop(1), Expect((there, here))).expected == (there, here)
-    assert mailbox(Expect((here,)), Expect(())).expected == ()
+    assert mailbox(
+        SetReconnectCandidates((here,)), Stop(1), SetReconnectCandidates((there, here))
+    ).expected == (there, here)
+    assert mailbox(SetReconnectCandidates((here,)), SetReconnectCandidates(())).expected == ()

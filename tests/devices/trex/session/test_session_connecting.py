@@ -11,19 +11,19 @@ from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
-    Ask,
     Batch,
     Closed,
     Connected,
-    Occasion,
     Progress,
+    ReadReason,
     Reload,
     Report,
-    SetDrive,
+    RunCommand,
+    SetMotor,
     Stop,
     Write,
 )
-from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 
@@ -42,7 +42,7 @@ def test_connection_reports_state_of_board(stage: Stage) -> None:
     assert report.state.mode is Mode.SERIAL_RC
     assert report.state.parameters == stage.board.memory.stored()
     assert report.state.parameters["serial_timeout"] == 15
-    assert report.occasion is Occasion.OPENED
+    assert report.occasion is ReadReason.OPENED
     assert report.echo is False
 
 
@@ -101,7 +101,7 @@ def test_connecting_sends_no_motor_command(stage: Stage) -> None:
 
 
 def test_setpoint_before_board_is_read_is_sent(stage: Stage) -> None:
-    stage.script.at(0.0, SetDrive(1, Drive.at(30)))
+    stage.script.at(0.0, SetMotor(1, Drive.at(30)))
     run_for(stage, 1.0)
     assert len(among(stage.reports, Connected)) == 1
     assert moving(stage.transport.sent)
@@ -218,9 +218,9 @@ def test_requests_fail_when_port_does_not_open() -> None:
     def refuse(_settings: LinkSettings) -> Transport:
         raise refusal
 
-    for request in (Ask(1, GetMode()), Stop(2), Write(3), Reload(4)):
+    for request in (RunCommand(1, GetMode()), Stop(2), Write(3), Reload(4)):
         stage.script.at(0.0, request)
-    Session(LinkSettings("/dev/ttyUSB9"), stage.script, reports.append, refuse).run()
+    TrexSession(LinkSettings("/dev/ttyUSB9"), stage.script, reports.append, refuse).run()
     assert sorted(outcomes(reports)) == [1, 2, 3, 4]
     assert all(outcome.error is refusal for outcome in outcomes(reports).values())
     assert reports[-1] == Closed(refusal)
@@ -228,7 +228,7 @@ def test_requests_fail_when_port_does_not_open() -> None:
 
 def test_requests_fail_when_no_board_is_found(stage: Stage) -> None:
     stage.board.power_off()
-    stage.script.at(0.0, Ask(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
+    stage.script.at(0.0, RunCommand(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
     closed = end(stage)
     found = outcomes(stage.reports)
     assert sorted(found) == [1, 3, 4]

@@ -36,17 +36,17 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Ask,
     Closed,
     Connected,
     Reload,
+    RunCommand,
     SetAuxiliary,
-    SetDrive,
+    SetMotor,
     Stop,
     Write,
 )
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 STOP_PACKETS = bytes.fromhex("D0 7F 7F F0 00")
 
@@ -55,7 +55,7 @@ STOP_PACKETS = bytes.fromhex("D0 7F 7F F0 00")
 
 
 def test_setpoint_reaches_its_motor(stage: Stage) -> None:
-    stage.script.at(1.0, SetDrive(2, Drive.at(-80)))
+    stage.script.at(1.0, SetMotor(2, Drive.at(-80)))
     speeds = seen_at(stage, 1.1, lambda: stage.board.motors[1].speed)
     run_for(stage, 1.2)
     assert speeds == [80]
@@ -63,8 +63,8 @@ def test_setpoint_reaches_its_motor(stage: Stage) -> None:
 
 
 def test_setpoints_of_two_motors_share_one_packet(stage: Stage) -> None:
-    stage.script.at(1.0, SetDrive(2, Drive.at(20), accelerate=True))
-    stage.script.at(1.0, SetDrive(1, Drive.at(10), accelerate=True))
+    stage.script.at(1.0, SetMotor(2, Drive.at(20), accelerate=True))
+    stage.script.at(1.0, SetMotor(1, Drive.at(10), accelerate=True))
     stage.script.at(1.0, SetAuxiliary(30))
     run_for(stage, 1.1)
     driven = moving(stage.transport.sent)[:2]
@@ -78,7 +78,7 @@ def test_setpoints_of_two_motors_share_one_packet(stage: Stage) -> None:
 def test_fast_setpoints_do_not_flood_line(baud: int) -> None:
     stage, settings = staged(baud)
     for step in range(500):
-        stage.script.at(4.0 + step / 500, SetDrive(1, Drive.at(step % 100)))
+        stage.script.at(4.0 + step / 500, SetMotor(1, Drive.at(step % 100)))
     speeds = seen_at(stage, 5.5, lambda: stage.board.motors[0].speed)
     run_for(stage, 5.5, settings)
     packets = [one for one in moving(stage.transport.sent) if one not in STOP]
@@ -89,7 +89,7 @@ def test_fast_setpoints_do_not_flood_line(baud: int) -> None:
 def test_last_setpoint_acts_immediately_on_fast_line() -> None:
     stage, settings = staged(115200)
     for step in range(100):
-        stage.script.at(1.0 + step / 500, SetDrive(1, Drive.at(step)))
+        stage.script.at(1.0 + step / 500, SetMotor(1, Drive.at(step)))
     speeds = seen_at(stage, 1.0 + 99 / 500 + 0.025, lambda: stage.board.motors[0].speed)
     run_for(stage, 2.0, settings)
     assert speeds == [99]
@@ -99,7 +99,7 @@ def test_last_setpoint_acts_immediately_on_fast_line() -> None:
 def test_driving_leaves_time_for_polling(baud: int) -> None:
     stage, settings = staged(baud)
     for step in range(600):
-        stage.script.at(5.0 + step / 200, SetDrive(1 + step % 2, Drive.at(step % 100)))
+        stage.script.at(5.0 + step / 200, SetMotor(1 + step % 2, Drive.at(step % 100)))
     run_for(stage, 8.0, settings)
     between = [one.time for one in samples(stage.reports, Control) if 5.0 < one.time < 8.0]
     assert len(between) > 1
@@ -108,7 +108,7 @@ def test_driving_leaves_time_for_polling(baud: int) -> None:
 
 def test_setpoint_is_sent_during_reload() -> None:
     stage, settings = staged(1200)
-    stage.script.at(4.0, Reload(1)).at(4.5, SetDrive(1, Drive.at(60)))
+    stage.script.at(4.0, Reload(1)).at(4.5, SetMotor(1, Drive.at(60)))
     speeds = seen_at(stage, 4.8, lambda: stage.board.motors[0].speed)
     run_for(stage, 8.0, settings)
     assert speeds == [60]
@@ -116,7 +116,7 @@ def test_setpoint_is_sent_during_reload() -> None:
 
 
 def test_requested_motor_command_is_sent(stage: Stage) -> None:
-    stage.script.at(1.0, Ask(1, DriveMotor(1, Drive.at(5))))
+    stage.script.at(1.0, RunCommand(1, DriveMotor(1, Drive.at(5))))
     run_for(stage, 1.5)
     assert outcomes(stage.reports)[1].error is None
     assert moving(stage.transport.sent)[0] == DriveMotor(1, Drive.at(5))
@@ -126,7 +126,7 @@ def test_requested_motor_command_is_sent(stage: Stage) -> None:
 
 
 def test_stop_is_confirmed_by_status_reply(stage: Stage) -> None:
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.0, SetAuxiliary(100))
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.0, SetAuxiliary(100))
     stage.script.at(1.5, Stop(1))
     stopped = seen_at(stage, 1.52, lambda: is_stopped(stage.board))
     run_for(stage, 2.0)
@@ -149,7 +149,7 @@ def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
     stage, settings = staged(baud)
     asked = [4.5 + number * 1.017 for number in range(1, 5)]
     for number, moment in enumerate(asked):
-        stage.script.at(moment - 0.5, SetDrive(1, Drive.at(50)))
+        stage.script.at(moment - 0.5, SetMotor(1, Drive.at(50)))
         stage.script.at(moment, Stop(number))
     moments: list[float] = []
     send = stage.transport.write
@@ -167,7 +167,7 @@ def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
 
 def test_stop_overtakes_remaining_parameter_writes(stage: Stage) -> None:
     keys = ("serial_timeout", "motor1_acceleration", "motor2_acceleration", "aux_acceleration")
-    stage.script.at(1.0, SetDrive(1, Drive.at(100)))
+    stage.script.at(1.0, SetMotor(1, Drive.at(100)))
     stage.script.at(1.1, Write(1, tuple((key, 9) for key in keys)))
     stage.script.at(1.115, Stop(2))
     run_for(stage, 2.0)
@@ -202,7 +202,7 @@ def test_stop_overtakes_reload(stage: Stage) -> None:
 
 def test_stop_overtakes_queued_requests(stage: Stage) -> None:
     for number in range(1, 20):
-        stage.script.at(1.0, Ask(number, GetMode()))
+        stage.script.at(1.0, RunCommand(number, GetMode()))
     stage.script.at(1.0, Stop(20))
     run_for(stage, 2.0)
     assert next(iter(outcomes(stage.reports))) == 20
@@ -223,13 +223,13 @@ def test_simultaneous_stops_share_packets_and_get_outcomes(stage: Stage) -> None
 
 
 def test_setpoints_before_stop_are_discarded(stage: Stage) -> None:
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.0, SetAuxiliary(9)).at(1.0, Stop(1))
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.0, SetAuxiliary(9)).at(1.0, Stop(1))
     run_for(stage, 2.0)
     assert moving(stage.transport.sent) == [*STOP, *STOP]
 
 
 def test_setpoint_after_stop_and_arming_is_sent(stage: Stage) -> None:
-    stage.script.at(1.0, Stop(1)).at(1.0, Arm()).at(1.0, SetDrive(1, Drive.at(100)))
+    stage.script.at(1.0, Stop(1)).at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(100)))
     speeds = seen_at(stage, 1.5, lambda: stage.board.motors[0].speed)
     run_for(stage, 2.0)
     assert speeds == [100]
@@ -248,7 +248,7 @@ def test_stop_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
     def lose() -> None:
         stage.line.to_drop_sent = lost
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, lose).at(1.5, Stop(1))
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, lose).at(1.5, Stop(1))
     stopped = seen_at(stage, 1.7, lambda: stage.board.motors[0].speed == 127)
     run_for(stage, 2.0)
     assert stopped == [True]
@@ -287,13 +287,13 @@ def test_unanswered_stop_is_repeated_and_then_reported(stage: Stage) -> None:
     def silence() -> None:
         stage.line.mute = True
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, silence).at(1.5, Stop(1))
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, silence).at(1.5, Stop(1))
     run_for(stage, 3.0)
     error = outcomes(stage.reports)[1].error
     assert isinstance(error, NoReply)
     assert "cut its power" in str(error)
     assert moving(stage.transport.sent).count(STOP[0]) >= 10
-    assert stage.board.motors[0].direction is Direction.BRAKE
+    assert stage.board.motors[0].direction is MotorDirection.BRAKE
 
 
 def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
@@ -314,7 +314,7 @@ def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
 def test_motors_left_running_are_stopped_before_reading(
     stage: Stage,
 ) -> None:
-    stage.board.serial.drive(1, Direction.FORWARD, 100)
+    stage.board.serial.drive(1, MotorDirection.FORWARD, 100)
     reports = run_after_another(stage, 1.0)
     sent = commands(stage.transport.sent)
     assert sent.index(STOP[0]) < sent.index(GetSignature())
@@ -335,7 +335,7 @@ def test_unresponsive_board_with_running_motors_is_stopped(
     def cut_our_ears() -> None:
         stage.line.mute = True
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, cut_our_ears)
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, cut_our_ears)
     stopped = seen_at(stage, 2.0, lambda: is_stopped(stage.board))
     run_for(stage, 2.1)
     assert stopped == [True]
@@ -347,7 +347,7 @@ def test_returning_board_with_running_motors_is_stopped(
     def ears(*, mute: bool) -> None:
         stage.line.mute = mute
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100)))
+    stage.script.at(1.0, SetMotor(1, Drive.at(100)))
     stage.script.at(1.5, lambda: ears(mute=True)).at(3.0, lambda: ears(mute=False))
     stopped = seen_at(stage, 4.0, lambda: is_stopped(stage.board))
     reports = run_for(stage, 4.0)
@@ -357,7 +357,7 @@ def test_returning_board_with_running_motors_is_stopped(
 
 
 def test_confirmed_stop_is_not_repeated_on_close(stage: Stage) -> None:
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.2, Stop(1))
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.2, Stop(1))
     reports = run_for(stage, 2.0)
     assert [one for one in moving(stage.transport.sent) if one in STOP] == [*STOP, *STOP]
     assert reports[-1] == Closed(None, may_move=False)
@@ -367,7 +367,7 @@ def test_unconfirmed_stop_on_close_is_reported(stage: Stage) -> None:
     def silence() -> None:
         stage.line.mute = True
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, silence)
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, silence)
     assert run_for(stage, 1.5)[-1] == Closed(None, may_move=True)
     assert is_stopped(stage.board)
 
@@ -377,7 +377,7 @@ def test_stop_on_close_with_lost_bytes_is_resent(stage: Stage, lost: int) -> Non
     def lose() -> None:
         stage.line.to_drop_sent = lost
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, lose)
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, lose)
     assert run_for(stage, 1.5)[-1] == Closed(None, may_move=False)
     assert is_stopped(stage.board)
 
@@ -388,7 +388,7 @@ def test_setpoint_with_corrupted_echo_is_resent(board: Board) -> None:
     def lose() -> None:
         stage.line.to_drop = 1
 
-    stage.script.at(1.0, lose).at(1.0, SetDrive(1, Drive.at(50))).at(2.0, Ask(1, GetMode()))
+    stage.script.at(1.0, lose).at(1.0, SetMotor(1, Drive.at(50))).at(2.0, RunCommand(1, GetMode()))
     reports = run_for(stage, 3.0)
     # Once damaged and once whole; the echo said so, and the status of the board proves it.
     sent = moving(stage.transport.sent)

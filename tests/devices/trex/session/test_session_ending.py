@@ -17,7 +17,7 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
-from trex_gui.core.errors import PortUnavailable, TrexError
+from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
@@ -29,21 +29,21 @@ from trex_gui.devices.trex.protocol.commands import (
     GetStatus,
 )
 from trex_gui.devices.trex.session.messages import (
-    Ask,
     Close,
     Closed,
     Connected,
-    Occasion,
+    ReadReason,
     Reload,
     Request,
+    RunCommand,
     SetAuxiliary,
-    SetDrive,
+    SetMotor,
     Stop,
     Write,
 )
-from trex_gui.devices.trex.session.sample_batcher import Batches
+from trex_gui.devices.trex.session.sample_batcher import SampleBatcher
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 modest = examples(40)
 
@@ -57,10 +57,10 @@ GONE = PortUnavailable("The line is gone. Plug it in again.")
 @pytest.mark.parametrize(
     "wish",
     [
-        SetDrive(1, Drive.at(100)),
-        SetDrive(2, Drive.at(-100), accelerate=True),
+        SetMotor(1, Drive.at(100)),
+        SetMotor(2, Drive.at(-100), accelerate=True),
         SetAuxiliary(100),
-        Ask(1, DriveMotor(1, Drive.at(100))),
+        RunCommand(1, DriveMotor(1, Drive.at(100))),
     ],
     ids=str,
 )
@@ -69,28 +69,28 @@ def test_driven_motors_are_stopped_on_close(stage: Stage, wish: Request) -> None
     assert run_for(stage, 2.0)[-1] == Closed(None, may_move=False)
     assert commands(stage.transport.sent)[-6:] == [*STOP, GetStatus(), *STOP, GetStatus()]
     assert [motor.speed for motor in stage.board.motors] == [127, 127]
-    assert all(motor.direction is Direction.BRAKE for motor in stage.board.motors)
+    assert all(motor.direction is MotorDirection.BRAKE for motor in stage.board.motors)
     assert stage.board.aux.speed == 0
 
 
 def test_undriven_motors_get_no_stop_on_close(stage: Stage) -> None:
-    stage.script.at(1.0, Ask(1, GetMode())).at(1.2, Write(2, (("serial_timeout", 3),)))
+    stage.script.at(1.0, RunCommand(1, GetMode())).at(1.2, Write(2, (("serial_timeout", 3),)))
     run_for(stage, 2.0)
     assert moving(stage.transport.sent) == []
 
 
 def test_stop_is_transmitted_before_port_is_closed() -> None:
     stage, settings = staged(1200)
-    stage.script.at(5.0, SetDrive(1, Drive.at(100)))
+    stage.script.at(5.0, SetMotor(1, Drive.at(100)))
     run_for(stage, 6.0, settings)
     assert stage.line.backlog == 0.0
-    assert stage.board.motors[0].direction is Direction.BRAKE
+    assert stage.board.motors[0].direction is MotorDirection.BRAKE
 
 
 def test_close_does_not_wait_for_queued_requests(stage: Stage) -> None:
     keys = [spec.key for spec in stage.board.memory.parameters.readable]
     stage.script.at(1.0, Write(1, tuple((key, 1) for key in keys)))
-    stage.script.at(1.0, Reload(2)).at(1.0, Ask(3, GetMode()))
+    stage.script.at(1.0, Reload(2)).at(1.0, RunCommand(3, GetMode()))
     reports = run_for(stage, 1.05)
     assert stage.line.now < 1.15
     assert reports[-1] == Closed(None)
@@ -108,7 +108,7 @@ def test_unanswered_stop_delays_close_by_less_than_a_second(
     """The window waits for a second, then leaves a thread behind that holds the port."""
     stage.transport.latency = latency_of("/dev/ttyUSB0")
     if drives:
-        stage.script.at(0.9, SetDrive(1, Drive.at(60)))
+        stage.script.at(0.9, SetMotor(1, Drive.at(60)))
     stage.script.at(1.0, lambda: setattr(stage.line, "mute", True)).at(1.1, Stop(1))
     stage.script.at(1.1 + after, Close())
     reports = stage.run()
@@ -120,7 +120,7 @@ def test_unanswered_stop_delays_close_by_less_than_a_second(
 
 
 def test_queued_setpoint_is_not_sent_on_close(stage: Stage) -> None:
-    stage.script.at(1.0, SetDrive(1, Drive.at(100)))
+    stage.script.at(1.0, SetMotor(1, Drive.at(100)))
     run_for(stage, 1.0)
     assert moving(stage.transport.sent) == []
 
@@ -133,15 +133,15 @@ def test_second_close_is_ignored(stage: Stage) -> None:
 # --- The line is lost -------------------------------------------------------------------
 
 REQUESTS: list[Request] = [
-    Ask(1, GetMode()),
-    Ask(2, GetParameter(7)),
+    RunCommand(1, GetMode()),
+    RunCommand(2, GetParameter(7)),
     Write(3, (("serial_timeout", 4), ("motor_mode", 1), ("nonsense", 1))),
-    SetDrive(1, Drive.at(50)),
+    SetMotor(1, Drive.at(50)),
     Stop(4),
     Reload(5),
     SetAuxiliary(20),
     Write(6, (), ((1, Calibration(2400, 3750, 5000, 75)),)),
-    Ask(7, DriveMotor(2, Drive.at(9))),
+    RunCommand(7, DriveMotor(2, Drive.at(9))),
     Stop(8),
 ]
 
@@ -163,7 +163,11 @@ def test_each_request_has_one_outcome_when_port_is_lost(
 ) -> None:
     stage = stage_that_fails(calls, GONE, requests)
     reports = stage.run()
-    asked = {request.id for request in requests if isinstance(request, Ask | Stop | Write | Reload)}
+    asked = {
+        request.id
+        for request in requests
+        if isinstance(request, RunCommand | Stop | Write | Reload)
+    }
     if stage.line.now > 1.0:  # else those that nobody had taken from the inbox have none
         assert set(outcomes(reports)) == asked
     assert set(outcomes(reports)) <= asked
@@ -184,7 +188,9 @@ def test_requests_fail_with_error_of_lost_port(stage: Stage) -> None:
     def unplug() -> None:
         stage.transport.fail = GONE
 
-    stage.script.at(1.0, unplug).at(1.0, Ask(1, GetMode())).at(1.0, Write(2)).at(1.0, Stop(3))
+    stage.script.at(1.0, unplug).at(1.0, RunCommand(1, GetMode())).at(1.0, Write(2)).at(
+        1.0, Stop(3)
+    )
     reports = run_for(stage, 2.0)
     assert {one.id: one.error for one in outcomes(reports).values()} == {1: GONE, 2: GONE, 3: GONE}
 
@@ -193,7 +199,7 @@ def test_lost_port_is_closed_while_motors_run(stage: Stage) -> None:
     def unplug() -> None:
         stage.transport.fail = GONE
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, unplug)
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, unplug)
     assert run_for(stage, 9.0)[-1] == Closed(GONE, may_move=True)
     assert stage.transport.closed
 
@@ -210,7 +216,7 @@ def test_internal_error_ends_session_and_closes_port(
         reports = stage.run()
     closed = reports[-1]
     assert isinstance(closed, Closed)
-    assert isinstance(closed.error, TrexError)
+    assert isinstance(closed.error, StudioError)
     assert "made a mistake" in str(closed.error)
     assert "a bug" in str(closed.error)
     assert stage.transport.closed
@@ -222,7 +228,7 @@ def test_port_is_closed_when_last_samples_cannot_be_sent(
     def fail(*_: object) -> None:
         raise RuntimeError("nobody listens")
 
-    stage.script.at(1.0, lambda: monkeypatch.setattr(Batches, "tell", fail))
+    stage.script.at(1.0, lambda: monkeypatch.setattr(SampleBatcher, "tell", fail))
     with caplog.at_level(logging.CRITICAL):
         reports = stage.run()
     assert isinstance(reports[-1], Closed)
@@ -241,20 +247,20 @@ def test_internal_error_stops_driven_motors(stage: Stage, caplog: pytest.LogCapt
     def mistake() -> None:
         raise RuntimeError("a bug")
 
-    stage.script.at(1.0, SetDrive(1, Drive.at(100))).at(1.5, mistake)
+    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, mistake)
     with caplog.at_level(logging.CRITICAL):
         reports = run_for(stage, 2.0)
     assert isinstance(reports[-1], Closed)
     assert stage.transport.closed
     assert moving(stage.transport.sent)[-2:] == list(STOP)
-    assert stage.board.motors[0].direction is Direction.BRAKE
+    assert stage.board.motors[0].direction is MotorDirection.BRAKE
 
 
 # --- Answers ----------------------------------------------------------------------------
 
 
 def test_each_kind_of_request_gets_an_outcome(stage: Stage) -> None:
-    stage.script.at(1.0, Ask(1, GetParameter(0))).at(1.0, Reload(2)).at(1.0, Stop(3))
+    stage.script.at(1.0, RunCommand(1, GetParameter(0))).at(1.0, Reload(2)).at(1.0, Stop(3))
     stage.script.at(1.0, Write(4, (("serial_timeout", 9),)))
     reports = run_for(stage, 2.0)
     found = outcomes(reports)
@@ -271,19 +277,19 @@ def test_reload_is_reported_before_its_outcome(stage: Stage) -> None:
     stage.script.at(1.0, Reload(2))
     reports = run_for(stage, 2.0)
     again = among(reports, Connected)[1]
-    assert again.occasion is Occasion.RELOADED
+    assert again.occasion is ReadReason.RELOADED
     assert reports.index(again) < reports.index(outcomes(reports)[2])
 
 
 def test_invalid_request_gets_an_outcome(stage: Stage) -> None:
-    stage.script.at(1.0, Ask(1, GetParameter(300))).at(1.1, Ask(2, GetMode()))
+    stage.script.at(1.0, RunCommand(1, GetParameter(300))).at(1.1, RunCommand(2, GetMode()))
     found = outcomes(run_for(stage, 2.0))
     assert "0 to 127, not 300" in str(found[1].error)
     assert found[2].error is None
 
 
 def test_unanswered_request_gets_an_outcome(stage: Stage) -> None:
-    stage.script.at(1.0, Ask(1, GetParameter(0x60))).at(1.2, Ask(2, GetMode()))
+    stage.script.at(1.0, RunCommand(1, GetParameter(0x60))).at(1.2, RunCommand(2, GetMode()))
     found = outcomes(run_for(stage, 2.0))
     assert "No answer to 9F 60" in str(found[1].error)
     assert found[2].error is None

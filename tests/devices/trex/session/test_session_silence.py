@@ -16,20 +16,20 @@ from tests.devices.trex.session.helpers import (
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.devices.trex.client.telemetry import Currents
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Ask,
     Batch,
     Close,
     Closed,
     Connected,
-    Occasion,
+    NotResponding,
+    ReadReason,
     Reload,
+    RunCommand,
     SetAuxiliary,
-    SetDrive,
-    Silent,
+    SetMotor,
     Stop,
     Write,
 )
@@ -49,14 +49,14 @@ def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None
     stage, settings = staged(baud)
     stage.transport.latency = latency
     stage.script.at(2.0, stage.board.power_off).at(4.0, Close())
-    (at,) = [at for at, report in timed_run(stage, settings) if isinstance(report, Silent)]
+    (at,) = [at for at, report in timed_run(stage, settings) if isinstance(report, NotResponding)]
     assert 2.0 < at < 2.5
 
 
 def test_unresponsive_board_is_reported_once(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     run_for(stage, 4.0)
-    assert len(among(stage.reports, Silent)) == 1
+    assert len(among(stage.reports, NotResponding)) == 1
 
 
 def test_unresponsive_board_does_not_end_session(stage: Stage) -> None:
@@ -67,7 +67,7 @@ def test_unresponsive_board_does_not_end_session(stage: Stage) -> None:
 def test_unresponsive_board_yields_no_samples(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
     run_for(stage, 5.0)
-    last = stage.reports.index(among(stage.reports, Silent)[0])
+    last = stage.reports.index(among(stage.reports, NotResponding)[0])
     assert not among(stage.reports[last:], Batch)
 
 
@@ -84,7 +84,7 @@ def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
     for moment in (1.0, 1.5, 2.0, 2.5):
         stage.script.at(moment, lose)
     run_for(stage, 3.0)
-    assert not among(stage.reports, Silent)
+    assert not among(stage.reports, NotResponding)
     assert among(stage.reports, Batch)[-1].counters.silences == 4
 
 
@@ -104,11 +104,11 @@ def test_returning_board_is_read_again(stage: Stage, seconds: float) -> None:
     off_and_on(stage, 1.0, 1.0 + seconds)
     run_for(stage, 2.5 + seconds)
     first, second = among(stage.reports, Connected)
-    assert first.occasion is Occasion.OPENED
-    assert second.occasion is Occasion.RETURNED
+    assert first.occasion is ReadReason.OPENED
+    assert second.occasion is ReadReason.RETURNED
     assert second.occasion.power_cycled
     kinds = [type(report) for report in stage.reports]
-    assert kinds.index(Silent) < len(kinds) - 1 - kinds[::-1].index(Connected)
+    assert kinds.index(NotResponding) < len(kinds) - 1 - kinds[::-1].index(Connected)
     assert max(one.time for one in samples(stage.reports, Currents)) > 2.4 + seconds
 
 
@@ -142,8 +142,8 @@ def test_repeated_power_losses_and_returns_are_reported(stage: Stage) -> None:
     for number in range(3):
         off_and_on(stage, 1.0 + 3 * number, 2.5 + 3 * number)
     run_for(stage, 9.5)
-    kinds = [type(one) for one in stage.reports if isinstance(one, Connected | Silent)]
-    assert kinds == [Connected, *[Silent, Connected] * 3]
+    kinds = [type(one) for one in stage.reports if isinstance(one, Connected | NotResponding)]
+    assert kinds == [Connected, *[NotResponding, Connected] * 3]
 
 
 def test_board_reconnects_after_power_loss_during_reread(stage: Stage) -> None:
@@ -158,7 +158,7 @@ def test_board_reconnects_after_power_loss_during_reread(stage: Stage) -> None:
 
     stage.transport.write = fail_at_the_second_signature  # type: ignore[method-assign] # a knob
     run_for(stage, 7.0)
-    assert len(among(stage.reports, Silent)) == 1
+    assert len(among(stage.reports, NotResponding)) == 1
     assert len(among(stage.reports, Connected)) == 2
     assert stage.reports[-1] == Closed(None)
 
@@ -175,7 +175,7 @@ def test_power_loss_and_return_send_no_motor_command(stage: Stage) -> None:
 
 def test_setpoints_for_unresponsive_board_are_discarded(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
-    stage.script.at(2.0, SetDrive(1, Drive.at(100))).at(2.1, SetDrive(2, Drive.at(100)))
+    stage.script.at(2.0, SetMotor(1, Drive.at(100))).at(2.1, SetMotor(2, Drive.at(100)))
     stage.script.at(2.9, SetAuxiliary(100))
     stage.script.at(3.0, stage.board.power_on)
     run_for(stage, 5.0)
@@ -185,7 +185,7 @@ def test_setpoints_for_unresponsive_board_are_discarded(stage: Stage) -> None:
 
 def test_setpoint_after_return_is_sent(stage: Stage) -> None:
     off_and_on(stage, 1.0, 3.0)
-    stage.script.at(5.0, Arm()).at(5.0, SetDrive(1, Drive.at(100)))
+    stage.script.at(5.0, Arm()).at(5.0, SetMotor(1, Drive.at(100)))
     speeds = seen_at(stage, 5.1, lambda: stage.board.motors[0].speed)
     run_for(stage, 5.2)
     assert speeds == [100]
@@ -200,7 +200,7 @@ def test_stop_is_sent_to_unresponsive_board(stage: Stage) -> None:
 
 def test_requests_to_unresponsive_board_fail(stage: Stage) -> None:
     stage.script.at(1.0, stage.board.power_off)
-    stage.script.at(2.0, Ask(1, GetMode())).at(2.0, Reload(2))
+    stage.script.at(2.0, RunCommand(1, GetMode())).at(2.0, Reload(2))
     run_for(stage, 4.0)
     found = outcomes(stage.reports)
     assert isinstance(found[1].error, NoReply)
@@ -220,7 +220,7 @@ def test_write_to_unresponsive_board_fails_soon_for_each_key(stage: Stage) -> No
     assert at < 3.0
     assert outcome.error is None
     assert isinstance(outcome.value, tuple)
-    results = [one for one in outcome.value if isinstance(one, Written)]
+    results = [one for one in outcome.value if isinstance(one, WriteResult)]
     assert sorted(one.what for one in results) == sorted(keys)
     assert all(isinstance(one.error, NoReply) for one in results)
 
@@ -257,5 +257,5 @@ def test_silence_while_reading_new_mode_is_reported(stage: Stage) -> None:
     stage.transport.write = die_at_the_second_signature  # type: ignore[method-assign] # a knob
     stage.script.at(1.0, rearrange)
     reports = run_for(stage, 5.0)
-    assert len(among(reports, Silent)) == 1
+    assert len(among(reports, NotResponding)) == 1
     assert reports[-1] == Closed(None)

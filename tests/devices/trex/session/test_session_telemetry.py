@@ -18,15 +18,22 @@ from trex_gui.devices.trex.client.schedule import Topic, rates
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
     Sample,
-    StatusNews,
 )
 from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
-from trex_gui.devices.trex.session.messages import Ask, Batch, Close, Connected, Occasion, Write
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Close,
+    Connected,
+    ReadReason,
+    RunCommand,
+    Write,
+)
 from trex_gui.devices.trex.simulator.signals import Signal
 
 KINDS: dict[Topic, type[Sample]] = {
@@ -34,7 +41,7 @@ KINDS: dict[Topic, type[Sample]] = {
     Topic.RAW: Raw,
     Topic.REMAPPED: Remapped,
     Topic.CONTROL: Control,
-    Topic.MODE: ModeSeen,
+    Topic.MODE: ModeSample,
 }
 
 
@@ -127,7 +134,7 @@ def test_samples_contain_what_board_measures(stage: Stage) -> None:
     assert samples(reports, Remapped)[-1].values == (127, 0, 0, 0, 0)
     assert samples(reports, Currents)[-1].counts == (0, 20)
     assert samples(reports, Control)[-1].by_serial is True
-    assert samples(reports, ModeSeen)[-1].mode is Mode.SERIAL_RC
+    assert samples(reports, ModeSample)[-1].mode is Mode.SERIAL_RC
 
 
 def test_polling_sends_no_motor_command(stage: Stage) -> None:
@@ -139,7 +146,7 @@ def test_polling_sends_no_motor_command(stage: Stage) -> None:
 
 
 def test_clear_status_yields_no_sample(stage: Stage) -> None:
-    assert samples(run_for(stage, 3.0), StatusNews) == []
+    assert samples(run_for(stage, 3.0), LatchedStatus) == []
 
 
 def test_fault_is_reported_once_each_time_it_is_latched(stage: Stage) -> None:
@@ -148,7 +155,7 @@ def test_fault_is_reported_once_each_time_it_is_latched(stage: Stage) -> None:
         stage.board.set_fault(1, fault=False)
 
     stage.script.at(1.0, pulse).at(1.5, pulse)
-    news = samples(run_for(stage, 2.0), StatusNews)
+    news = samples(run_for(stage, 2.0), LatchedStatus)
     assert [(one.status, one.uart) for one in news] == [
         (Status.MOTOR1_FAULT, UartError(0)),
         (Status.MOTOR1_FAULT, UartError(0)),
@@ -162,7 +169,7 @@ def test_uart_error_is_reported_with_its_bits(stage: Stage) -> None:
         stage.board.report_error(UartError.PARITY)
 
     stage.script.at(1.0, spoil)
-    (news,) = samples(run_for(stage, 2.0), StatusNews)
+    (news,) = samples(run_for(stage, 2.0), LatchedStatus)
     assert news.status == Status.UART_ERROR
     assert news.uart == UartError.FRAMING | UartError.PARITY
 
@@ -175,7 +182,7 @@ def test_simultaneous_faults_are_reported_together(stage: Stage) -> None:
         stage.board.report_error(UartError.CRC)
 
     stage.script.at(1.0, break_down)
-    (news,) = samples(run_for(stage, 2.0), StatusNews)
+    (news,) = samples(run_for(stage, 2.0), LatchedStatus)
     assert news.status == Status.MOTOR1_FAULT | Status.MOTOR2_FAULT | Status.UART_ERROR
     assert news.uart == UartError.CRC
 
@@ -196,7 +203,7 @@ def test_status_bits_survive_lost_uart_error_byte(stage: Stage) -> None:
 
     stage.transport.write = lose_uart_errors  # type: ignore[method-assign] # one byte is lost
     stage.script.at(1.0, spoil)
-    news = samples(run_for(stage, 2.0), StatusNews)
+    news = samples(run_for(stage, 2.0), LatchedStatus)
     assert news[0].status == Status.MOTOR2_FAULT | Status.UART_ERROR
 
 
@@ -212,7 +219,7 @@ def test_lost_uart_error_request_is_repeated(stage: Stage) -> None:
 
     stage.transport.write = lose_the_first_question  # type: ignore[method-assign] # a knob
     stage.script.at(1.0, lambda: stage.board.report_error(UartError.CRC))
-    news = samples(run_for(stage, 2.0), StatusNews)
+    news = samples(run_for(stage, 2.0), LatchedStatus)
     assert [(one.status, one.uart) for one in news] == [
         (Status.UART_ERROR, UartError(0)),
         (Status(0), UartError.CRC),
@@ -231,13 +238,13 @@ def test_uart_error_is_read_after_lost_status_reply(stage: Stage) -> None:
 
     stage.transport.write = lose_the_first_answer  # type: ignore[method-assign] # a knob
     stage.script.at(1.0, lambda: stage.board.report_error(UartError.PARITY))
-    (news,) = samples(run_for(stage, 2.0), StatusNews)
+    (news,) = samples(run_for(stage, 2.0), LatchedStatus)
     assert news.uart == UartError.PARITY
 
 
 def test_error_latched_before_connecting_is_reported(stage: Stage) -> None:
     stage.board.report_error(UartError.TIMEOUT)
-    (news,) = samples(run_for(stage, 1.0), StatusNews)
+    (news,) = samples(run_for(stage, 1.0), LatchedStatus)
     assert news.uart == UartError.TIMEOUT
 
 
@@ -246,7 +253,7 @@ def test_error_latched_before_connecting_is_reported(stage: Stage) -> None:
 
 def test_telemetry_continues_during_single_requests(stage: Stage) -> None:
     for number in range(100):
-        stage.script.at(1.0 + number / 100, Ask(number, GetMode()))
+        stage.script.at(1.0 + number / 100, RunCommand(number, GetMode()))
     run_for(stage, 2.0)
     currents = [one for one in samples(stage.reports, Currents) if 1.0 < one.time < 2.0]
     assert len(currents) > 60
@@ -271,7 +278,7 @@ def test_mode_change_after_power_cycle_is_detected(stage: Stage) -> None:
     first, second = among(stage.reports, Connected)
     assert first.state.mode is Mode.SERIAL_RC
     assert second.state.mode is Mode.ANALOG
-    assert second.occasion is Occasion.MODE_CHANGED
+    assert second.occasion is ReadReason.MODE_CHANGED
     assert second.state.calibrations != first.state.calibrations
 
 

@@ -9,7 +9,7 @@ from tests.devices.trex.settings.samples import TREX, TREX_JR, any_settings, fac
 from tests.support.matrix import examples
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.comparison import Comparison, Row, compare
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
 
 modest = examples(40, phases=[Phase.generate])
@@ -26,7 +26,7 @@ def test_row_has_raw_and_readable_values() -> None:
     (row,) = compare(
         Settings(TREX, None, {"serial_timeout": 0}), Settings(TREX, None, {"serial_timeout": 15})
     ).rows
-    assert row == Row("serial_timeout", "Serial Timeout", 0, 15, "off", "1.5 s")
+    assert row == ComparisonRow("serial_timeout", "Serial Timeout", 0, 15, "off", "1.5 s")
     assert row.changed
     assert not row.is_missing
     assert not row.is_calibration

@@ -17,7 +17,13 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import BOUND_FILE, KEPT, Bound, History, default_folder
+from trex_gui.devices.trex.settings.history import (
+    BOUND_FILE,
+    KEPT,
+    Bound,
+    SettingsHistory,
+    default_folder,
+)
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -30,29 +36,29 @@ def settings_of_a_board(**values: int) -> Settings:
 
 
 @pytest.fixture
-def history(tmp_path: Path) -> History:
-    return History(tmp_path / "snapshots")
+def history(tmp_path: Path) -> SettingsHistory:
+    return SettingsHistory(tmp_path / "snapshots")
 
 
-def take(history: History, minutes: int = 0, **values: int) -> Path:
+def take(history: SettingsHistory, minutes: int = 0, **values: int) -> Path:
     settings = settings_of_a_board(**values)
     now = NOON + timedelta(minutes=minutes)
     return history.take(settings, adapter="FT232R (ttyUSB0)", reason="Apply", now=now).path
 
 
-def test_new_history_is_empty_and_creates_no_folder(history: History) -> None:
+def test_new_history_is_empty_and_creates_no_folder(history: SettingsHistory) -> None:
     assert history.snapshots() == ()
     assert not history.folder.exists()
 
 
-def test_saved_snapshot_loads_as_same_settings(history: History) -> None:
+def test_saved_snapshot_loads_as_same_settings(history: SettingsHistory) -> None:
     settings = settings_of_a_board(serial_timeout=5)
     snapshot = history.take(settings, adapter="/dev/ttyUSB0", reason="Apply of 2 settings")
     assert history.load(snapshot) == settings
     assert history.snapshots() == (snapshot,)
 
 
-def test_snapshot_lists_time_board_adapter_and_reason(history: History) -> None:
+def test_snapshot_lists_time_board_adapter_and_reason(history: SettingsHistory) -> None:
     take(history, device_number=9)
     (snapshot,) = history.snapshots()
     assert snapshot.taken == NOON
@@ -61,7 +67,7 @@ def test_snapshot_lists_time_board_adapter_and_reason(history: History) -> None:
     assert (snapshot.adapter, snapshot.reason) == ("FT232R (ttyUSB0)", "Apply")
 
 
-def test_newest_snapshot_is_first_even_within_one_second(history: History) -> None:
+def test_newest_snapshot_is_first_even_within_one_second(history: SettingsHistory) -> None:
     paths = [take(history, minutes, serial_timeout=minutes) for minutes in (2, 0, 1, 1, 1)]
     listed = [snapshot.path for snapshot in history.snapshots()]
     assert listed == [paths[0], paths[4], paths[3], paths[2], paths[1]]
@@ -71,13 +77,13 @@ def test_newest_snapshot_is_first_even_within_one_second(history: History) -> No
 # --- How many are kept ------------------------------------------------------------------
 
 
-def test_limit_removes_oldest_snapshots(history: History) -> None:
+def test_limit_removes_oldest_snapshots(history: SettingsHistory) -> None:
     history.keep(3)
     paths = [take(history, minutes) for minutes in range(5)]
     assert {snapshot.path for snapshot in history.snapshots()} == set(paths[2:])
 
 
-def test_new_snapshot_is_kept_if_clock_went_back(history: History) -> None:
+def test_new_snapshot_is_kept_if_clock_went_back(history: SettingsHistory) -> None:
     history.keep(2)
     for minutes in (10, 11):
         os.utime(take(history, minutes), (1, 1))  # saved before, by whatever clock
@@ -86,7 +92,7 @@ def test_new_snapshot_is_kept_if_clock_went_back(history: History) -> None:
     assert len(history.snapshots()) == 2
 
 
-def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: History) -> None:
+def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: SettingsHistory) -> None:
     history.keep(1)
     other = take(history, 1)
     os.utime(other, (2**32, 2**32))  # after anything saved now
@@ -96,7 +102,7 @@ def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: History) -> 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
 def test_dangling_snapshot_link_does_not_block_new_snapshot(
-    history: History,
+    history: SettingsHistory,
 ) -> None:
     history.keep(1)
     gone = take(history)
@@ -106,7 +112,7 @@ def test_dangling_snapshot_link_does_not_block_new_snapshot(
     assert [snapshot.path for snapshot in history.snapshots()] == [own]
 
 
-def test_history_without_limit_removes_nothing(history: History) -> None:
+def test_history_without_limit_removes_nothing(history: SettingsHistory) -> None:
     history.keep(None)
     for minutes in range(12):
         take(history, minutes)
@@ -114,22 +120,22 @@ def test_history_without_limit_removes_nothing(history: History) -> None:
     assert history.bound() == Bound(None)
 
 
-def test_limit_of_zero_is_rejected(history: History) -> None:
+def test_limit_of_zero_is_rejected(history: SettingsHistory) -> None:
     with pytest.raises(ValueError, match="at least one"):
         history.keep(0)
     assert history.bound() == Bound(KEPT)
 
 
-def test_limit_is_shared_between_programs(history: History) -> None:
+def test_limit_is_shared_between_programs(history: SettingsHistory) -> None:
     history.keep(2)
-    other = History(history.folder)
+    other = SettingsHistory(history.folder)
     assert other.bound() == Bound(2)
     for minutes in range(4):
         take(other, minutes)
     assert len(history.snapshots()) == 2
 
 
-def test_lower_limit_removes_and_returns_oldest_snapshots(history: History) -> None:
+def test_lower_limit_removes_and_returns_oldest_snapshots(history: SettingsHistory) -> None:
     paths = [take(history, minutes) for minutes in range(5)]
     beyond = history.beyond(2)
     assert [snapshot.path for snapshot in beyond] == paths[2::-1]
@@ -139,7 +145,7 @@ def test_lower_limit_removes_and_returns_oldest_snapshots(history: History) -> N
 
 
 @pytest.mark.parametrize("text", ["kept: 7\n", "# mine\n\n kept:7 # a week\n", "\ufeffkept: 7\r\n"])
-def test_limit_file_may_be_written_by_hand(history: History, text: str) -> None:
+def test_limit_file_may_be_written_by_hand(history: SettingsHistory, text: str) -> None:
     history.folder.mkdir()
     (history.folder / BOUND_FILE).write_bytes(text.encode())
     assert history.bound() == Bound(7)
@@ -152,7 +158,7 @@ def test_limit_file_may_be_written_by_hand(history: History, text: str) -> None:
         *("kept: 99999999", "kept: 2" + " " * 5000, "kept: 1.5", "KEPT"),
     ],
 )
-def test_damaged_limit_removes_nothing_and_is_reported(history: History, text: str) -> None:
+def test_damaged_limit_removes_nothing_and_is_reported(history: SettingsHistory, text: str) -> None:
     history.keep(2)
     (history.folder / BOUND_FILE).write_text(text, encoding="utf-8")
     for minutes in range(4):
@@ -165,7 +171,7 @@ def test_damaged_limit_removes_nothing_and_is_reported(history: History, text: s
     assert len(history.snapshots()) == 3
 
 
-def test_unreadable_limit_is_reported_and_cannot_be_set(history: History) -> None:
+def test_unreadable_limit_is_reported_and_cannot_be_set(history: SettingsHistory) -> None:
     (history.folder / BOUND_FILE).mkdir(parents=True)
     take(history)
     take(history, 1)
@@ -176,14 +182,14 @@ def test_unreadable_limit_is_reported_and_cannot_be_set(history: History) -> Non
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
-def test_dangling_limit_link_is_reported(history: History) -> None:
+def test_dangling_limit_link_is_reported(history: SettingsHistory) -> None:
     history.folder.mkdir()
     (history.folder / BOUND_FILE).symlink_to(history.folder / "elsewhere")
     assert "is missing" in history.bound().problem
 
 
 def test_limit_that_cannot_be_saved_removes_nothing(
-    history: History, monkeypatch: pytest.MonkeyPatch
+    history: SettingsHistory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for minutes in range(3):
         take(history, minutes)
@@ -206,8 +212,8 @@ import sys
 from datetime import UTC, datetime
 from pathlib import Path
 from tests.devices.trex.settings.test_history import settings_of_a_board
-from trex_gui.devices.trex.settings.history import History
-history = History(Path(sys.argv[1]))
+from trex_gui.devices.trex.settings.history import SettingsHistory
+history = SettingsHistory(Path(sys.argv[1]))
 sys.stdin.readline()
 for number in range(20):
     settings = settings_of_a_board(serial_timeout=int(sys.argv[2]) + number)
@@ -215,7 +221,7 @@ for number in range(20):
 """
 
 
-def test_programs_saving_in_same_second_lose_no_snapshot(history: History) -> None:
+def test_programs_saving_in_same_second_lose_no_snapshot(history: SettingsHistory) -> None:
     programs = [
         subprocess.Popen(
             [sys.executable, "-c", _MANY, str(history.folder), str(first)],
@@ -236,7 +242,7 @@ def test_programs_saving_in_same_second_lose_no_snapshot(history: History) -> No
 
 @pytest.mark.parametrize("failing", ["os.fsync", "pathlib.Path.hardlink_to pathlib.Path.replace"])
 def test_failed_save_leaves_no_partial_snapshot(
-    history: History, monkeypatch: pytest.MonkeyPatch, failing: str
+    history: SettingsHistory, monkeypatch: pytest.MonkeyPatch, failing: str
 ) -> None:
     take(history)
     before = sorted(history.folder.iterdir())
@@ -250,7 +256,7 @@ def test_failed_save_leaves_no_partial_snapshot(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs no hard links there")
 def test_snapshots_are_saved_without_hard_links(
-    history: History, monkeypatch: pytest.MonkeyPatch
+    history: SettingsHistory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def impossible(*arguments: object) -> None:
         raise PermissionError(errno.EPERM, "Operation not permitted")
@@ -262,7 +268,7 @@ def test_snapshots_are_saved_without_hard_links(
     assert all(history.load(found) == settings_of_a_board() for found in history.snapshots())
 
 
-def test_leftover_temporary_file_is_not_listed(history: History) -> None:
+def test_leftover_temporary_file_is_not_listed(history: SettingsHistory) -> None:
     path = take(history)
     path.rename(path.with_name(f".{path.name}.1a2b3c4d.tmp"))
     assert history.snapshots() == ()
@@ -271,7 +277,7 @@ def test_leftover_temporary_file_is_not_listed(history: History) -> None:
 # --- What is there ----------------------------------------------------------------------
 
 
-def test_limit_leaves_unrelated_files_alone(history: History) -> None:
+def test_limit_leaves_unrelated_files_alone(history: SettingsHistory) -> None:
     history.keep(1)
     take(history)
     names = ["notes.txt", "20261121T115900Z.txt", "20261121T115900Z-trex-1.2.txt.bak", "x"]
@@ -282,7 +288,7 @@ def test_limit_leaves_unrelated_files_alone(history: History) -> None:
     assert len(history.snapshots()) == 1
 
 
-def test_damaged_snapshot_is_listed_with_its_problem(history: History) -> None:
+def test_damaged_snapshot_is_listed_with_its_problem(history: SettingsHistory) -> None:
     path = take(history)
     path.write_bytes(b"\xff\x00 nothing of use")
     (snapshot,) = history.snapshots()
@@ -301,7 +307,9 @@ def test_damaged_snapshot_is_listed_with_its_problem(history: History) -> None:
         ("product: TReX Jr  # mine\r\n\r\nfirmware: '1.2'\r\n", ""),
     ],
 )
-def test_list_entry_is_read_from_file_header(history: History, text: str, problem: str) -> None:
+def test_list_entry_is_read_from_file_header(
+    history: SettingsHistory, text: str, problem: str
+) -> None:
     take(history).write_bytes(text.encode())
     (snapshot,) = history.snapshots()
     assert snapshot.problem == problem
@@ -309,7 +317,7 @@ def test_list_entry_is_read_from_file_header(history: History, text: str, proble
         assert (snapshot.product, snapshot.firmware) == ("TReX Jr", "1.2")
 
 
-def test_loading_removed_snapshot_reports_missing_file(history: History) -> None:
+def test_loading_removed_snapshot_reports_missing_file(history: SettingsHistory) -> None:
     take(history)
     (snapshot,) = history.snapshots()
     history.remove(snapshot)
@@ -323,20 +331,20 @@ def test_loading_removed_snapshot_reports_missing_file(history: History) -> None
 def test_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
     tmp_path.chmod(0o500)
     with pytest.raises(SettingsError, match="cannot be made"):
-        take(History(tmp_path / "snapshots"))
+        take(SettingsHistory(tmp_path / "snapshots"))
 
 
 def test_file_in_place_of_folder_is_reported(tmp_path: Path) -> None:
     (tmp_path / "snapshots").write_text("", encoding="utf-8")
     with pytest.raises(SettingsError, match="cannot be made"):
-        take(History(tmp_path / "snapshots"))
+        take(SettingsHistory(tmp_path / "snapshots"))
 
 
 @given(adapter=st.text(max_size=80), reason=st.text(max_size=80))
 def test_snapshot_accepts_any_adapter_and_reason(
     tmp_path_factory: pytest.TempPathFactory, adapter: str, reason: str
 ) -> None:
-    history = History(tmp_path_factory.mktemp("history"))
+    history = SettingsHistory(tmp_path_factory.mktemp("history"))
     settings = settings_of_a_board()
     snapshot = history.take(settings, adapter=adapter, reason=reason)
     assert history.load(snapshot) == settings
@@ -353,4 +361,4 @@ def test_environment_variable_sets_data_folder(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("TREX_STUDIO_DATA", str(tmp_path))
-    assert History().folder == tmp_path / "snapshots"
+    assert SettingsHistory().folder == tmp_path / "snapshots"

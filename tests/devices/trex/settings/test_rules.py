@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
-from trex_gui.devices.trex.settings.rules import RULES, Advice, Context, accept, advise
+from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, accept, advise
 
 thorough = examples(40, phases=[Phase.generate])
 NOTHING_ELSE = Context()
@@ -29,7 +29,7 @@ def trex(firmware: str | None = None, **parameters: int) -> Settings:
     return Settings(TREX, firmware, parameters)
 
 
-def only(given_settings: Settings, context: Context = NOTHING_ELSE) -> Advice:
+def only(given_settings: Settings, context: Context = NOTHING_ELSE) -> LintFinding:
     """Return the one advice on some settings."""
     (found,) = advise(given_settings, context)
     return found
@@ -42,13 +42,13 @@ def calibrated(key: str, *points: int) -> Settings:
 # One advice a rule, in full
 
 
-EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
+EXAMPLES: Mapping[str, tuple[Settings, Context, LintFinding]] = {
     found.rule: (given_settings, context, found)
     for given_settings, context, found in [
         (
             trex(serial_timeout=0),
             DRIVING,
-            Advice(
+            LintFinding(
                 "no_serial_timeout",
                 "Serial Timeout is off while a computer drives the motors: when the cable or the "
                 "computer fails, the motors go on as they were told last.",
@@ -60,7 +60,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex(motor_mode=1, motor1_current_limit=10, motor2_current_limit=20),
             Context(),
-            Advice(
+            LintFinding(
                 "limit_in_joint_mode",
                 "Motor 1 Current Limit (3 A) and Motor 2 Current Limit (6 A) do nothing in joint "
                 "mode, for the board measures no current then. The motor is not protected by it.",
@@ -72,7 +72,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex(motor2_current_limit=10, motor2_current_limit_p=0),
             Context(),
-            Advice(
+            LintFinding(
                 "limit_without_gain",
                 "Motor 2 Current Limit is 3 A, but its proportionality constant P, how strongly "
                 "the limiter answers, is 0. Inferred: what the board then does is documented "
@@ -85,7 +85,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex(motor1_current_limit=10, motor1_acceleration=0),
             Context(),
-            Advice(
+            LintFinding(
                 "limit_without_ramp",
                 "Motor 1 Current Limit is 3 A and Motor 1 Acceleration is 0, which means at once. "
                 "Inferred: as soon as the current falls below the limit, the motor jumps back to "
@@ -98,7 +98,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             Settings(TREX_JR, None, {"motor2_pwm_prescaler": 0, "motor2_pwm_maximum": 63}),
             Context(),
-            Advice(
+            LintFinding(
                 "pwm_above_rating",
                 "The PWM of motor 2 runs at 19.5 kHz (inferred), but the motor driver of a TReX "
                 "Jr is rated for 10 kHz; above that it gets hot. The prescaler clock / 64 gives "
@@ -111,7 +111,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex(required_channels=0b00111, ignored_channels=0b10110),
             Context(),
-            Advice(
+            LintFinding(
                 "required_but_ignored",
                 "Channels 2 and 3 are required and ignored at once: their signals move nothing, "
                 "but without them the motors may not run in RC mode (inferred).",
@@ -123,7 +123,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             calibrated("rc_channel_2", 2500, 3750, 5000, 1250),
             Context(),
-            Advice(
+            LintFinding(
                 "deadband_over_travel",
                 "The deadband of RC channel 2 reaches from its neutral to its minimum and "
                 "maximum: there is only standstill or full speed.",
@@ -133,7 +133,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             calibrated("analog_channel_3", 0, 512, 1100, 20),
             Context(),
-            Advice(
+            LintFinding(
                 "end_out_of_reach",
                 "The maximum of analog channel 3, 1100, lies above 1023, the highest count that "
                 "the board measures: full speed on that side is never reached.",
@@ -143,7 +143,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex(crc7_polynomial=0x1B, uart_settings=uart(19200, Detection.EVEN)),
             Context(),
-            Advice(
+            LintFinding(
                 "polynomial_without_crc",
                 "CRC-7 Polynomial is 0x9B instead of the factory's 0x89, but CRC-7 is not "
                 "switched on: no packet is checked with it.",
@@ -155,7 +155,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex(crc7_polynomial=0, uart_settings=uart(19200, Detection.CRC7)),
             Context(),
-            Advice(
+            LintFinding(
                 "crc_that_checks_nothing",
                 "With 0x80 as CRC-7 Polynomial the checksum of every packet is 0, so CRC-7 finds "
                 "no damage at all.",
@@ -167,7 +167,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex("1.1", uart_settings=uart(38400, Detection.ODD, 2)),
             Context(),
-            Advice(
+            LintFinding(
                 "half_rate",
                 "A TReX with firmware 1.1 set to 38400 baud really runs at 19200 baud; this was "
                 "mended in firmware 1.2. Programs have to use 19200 baud.",
@@ -179,7 +179,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex(uart_settings=uart(76800)),
             Context(port_rates=[9600, 57600, 115200]),
-            Advice(
+            LintFinding(
                 "rate_the_port_lacks",
                 "This computer's serial port cannot do 76800 baud: after the next power cycle it "
                 "would not reach the board any more.",
@@ -191,7 +191,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Advice]] = {
         (
             trex(uart_settings=uart(115200)),
             Context(used_by_line=LineSettings()),
-            Advice(
+            LintFinding(
                 "line_will_change",
                 "After the next power cycle the board talks at 115200 baud, no error detection, 1 "
                 "stop bit; now it is 19200 baud, no error detection, 1 stop bit. Programs that "
@@ -430,7 +430,7 @@ def any_context(draw: st.DrawFn) -> Context:
     )
 
 
-def is_told(found: Advice, after: tuple[Advice, ...]) -> bool:
+def is_told(found: LintFinding, after: tuple[LintFinding, ...]) -> bool:
     """Whether an advice is given again."""
     return any((one.rule, one.keys) == (found.rule, found.keys) for one in after)
 

@@ -5,7 +5,7 @@ import pickle
 
 import pytest
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.files.errors import Finding, SettingsError, Severity
 
 FINDING = Finding(12, "serial_timeout", "0 to 127 (off to 12.7 s), not 300")
@@ -30,7 +30,7 @@ def test_several_findings_have_one_line_each() -> None:
 
 
 def test_settings_error_is_trex_error() -> None:
-    assert isinstance(SettingsError("bench.txt", [FINDING]), TrexError)
+    assert isinstance(SettingsError("bench.txt", [FINDING]), StudioError)
 
 
 @pytest.mark.parametrize("protocol", range(2, pickle.HIGHEST_PROTOCOL + 1))

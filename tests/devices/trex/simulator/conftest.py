@@ -5,13 +5,13 @@ from collections.abc import Callable
 import pytest
 
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 Ask = Callable[[str], str]
 
 
-def make_ask(line: Line) -> Ask:
+def make_ask(line: SimulatedLine) -> Ask:
     def ask(packet: str) -> str:
         """Send a packet, wait until the wire is quiet, return what came."""
         line.send(bytes.fromhex(packet))
@@ -33,15 +33,15 @@ def port(board: Board) -> SerialPort:
 
 
 @pytest.fixture
-def line(board: Board) -> Line:
-    return Line([board])
+def line(board: Board) -> SimulatedLine:
+    return SimulatedLine([board])
 
 
 @pytest.fixture
-def asking() -> Callable[[Line], Ask]:
+def asking() -> Callable[[SimulatedLine], Ask]:
     return make_ask
 
 
 @pytest.fixture
-def ask(line: Line) -> Ask:
+def ask(line: SimulatedLine) -> Ask:
     return make_ask(line)

@@ -14,8 +14,8 @@ from tests.devices.trex.simulator.ports import (
     pass_pause,
 )
 from trex_gui.devices.trex.protocol.flags import UartError
-from trex_gui.devices.trex.simulator.line import Line
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.uart import RECEIVE_BUFFER, SEND_BUFFER, SerialPort
 
 WRITE = "AF 07 0F 55 2A"
@@ -106,7 +106,7 @@ def test_send_overrun_stops_motor(port: SerialPort) -> None:
     feed(port, "C2 7F")
     feed(port, WRITE + "81" * 5)
     pass_pause(port)
-    assert port.board.motors[0].direction is Direction.BRAKE
+    assert port.board.motors[0].direction is MotorDirection.BRAKE
 
 
 def test_bad_byte_during_write_discards_its_packet(port: SerialPort) -> None:
@@ -114,7 +114,7 @@ def test_bad_byte_during_write_discards_its_packet(port: SerialPort) -> None:
     port.feed_error(UartError.FRAMING)
     feed(port, "40")
     pass_pause(port)
-    assert port.board.motors[0].target_direction is Direction.BRAKE
+    assert port.board.motors[0].target_direction is MotorDirection.BRAKE
     assert UartError.FRAMING in errors(port)
 
 
@@ -123,7 +123,7 @@ def test_read_overrun_discards_affected_packet(port: SerialPort) -> None:
     feed(port, "10 F0")  # find no room
     pass_pause(port)
     feed(port, "40")  # belongs to what was lost
-    assert port.board.motors[0].target_direction is Direction.BRAKE
+    assert port.board.motors[0].target_direction is MotorDirection.BRAKE
     assert port.board.aux.speed == 0
     assert UartError.READ_OVERRUN in errors(port)
 
@@ -138,14 +138,14 @@ def test_power_cut_empties_buffers(port: SerialPort) -> None:
 
 
 def test_requests_buffered_during_write_are_answered_in_turn() -> None:
-    line = Line([a_board()])
+    line = SimulatedLine([a_board()])
     line.send(bytes.fromhex(WRITE + "82 83 82"))
     assert line.read(9, 1) == b"\x00r\x01r"
     assert line.boards[0].counters["bytes_missed"] == 0
 
 
 def test_board_receives_again_after_delayed_replies() -> None:
-    line = Line([a_board(uart_response_delay=1)])
+    line = SimulatedLine([a_board(uart_response_delay=1)])
     line.send(b"\x82\x83")
     assert line.read(2, 1) == b"r\x01"
     line.send(b"\x82")

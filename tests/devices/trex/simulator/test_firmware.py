@@ -6,10 +6,10 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, UartError
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.signals import Signal
 
-FORWARD = Direction.FORWARD
+FORWARD = MotorDirection.FORWARD
 
 
 def write(board: Board, key: str, value: int) -> None:

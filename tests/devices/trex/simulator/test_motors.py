@@ -2,9 +2,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.simulator.motors import AuxiliaryMotor, Direction, Motor, MotorSettings
+from trex_gui.devices.trex.simulator.motors import (
+    AuxiliaryMotor,
+    Motor,
+    MotorDirection,
+    MotorSettings,
+)
 
-BRAKE, REVERSE, FORWARD = Direction.BRAKE, Direction.REVERSE, Direction.FORWARD
+BRAKE, REVERSE, FORWARD = MotorDirection.BRAKE, MotorDirection.REVERSE, MotorDirection.FORWARD
 NO_RAMP = MotorSettings()
 
 
@@ -19,8 +24,8 @@ def updates(motor: Motor, settings: MotorSettings, count: int, current: int = 0)
 @pytest.mark.parametrize(
     ("bits", "direction"), [(0, BRAKE), (1, REVERSE), (2, FORWARD), (3, BRAKE), (0xC2, FORWARD)]
 )
-def test_direction_is_decoded_from_bits(bits: int, direction: Direction) -> None:
-    assert Direction.from_bits(bits) is direction
+def test_direction_is_decoded_from_bits(bits: int, direction: MotorDirection) -> None:
+    assert MotorDirection.from_bits(bits) is direction
 
 
 def test_set_command_acts_at_once_despite_ramp() -> None:
@@ -166,7 +171,7 @@ def test_lower_setpoint_applies_over_current_limit() -> None:
     steps=st.lists(
         st.tuples(
             st.booleans(),
-            st.sampled_from(Direction),
+            st.sampled_from(MotorDirection),
             st.integers(0, 127),
             st.integers(0, 127),
             st.integers(0, 255),
@@ -174,7 +179,7 @@ def test_lower_setpoint_applies_over_current_limit() -> None:
     ),
 )
 def test_speed_never_leaves_its_range(
-    steps: list[tuple[bool, Direction, int, int, int]],
+    steps: list[tuple[bool, MotorDirection, int, int, int]],
 ) -> None:
     motor = Motor()
     for sets, direction, speed, parameter, current in steps:

@@ -7,10 +7,10 @@ from hypothesis import strategies as st
 from tests.devices.trex.simulator.ports import NO_REPLY, a_board, ask, errors
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.uart import SEND_BUFFER, SerialPort
 
-FORWARD, REVERSE, BRAKE = Direction.FORWARD, Direction.REVERSE, Direction.BRAKE
+FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
 
 
 class TestMotorCommands:
@@ -34,7 +34,7 @@ class TestMotorCommands:
         port: SerialPort,
         packet: str,
         number: int,
-        direction: Direction,
+        direction: MotorDirection,
         speed: int,
         immediate: bool,
     ) -> None:
@@ -55,7 +55,7 @@ class TestMotorCommands:
     ) -> None:
         ask(port, bytes([command | second << 2 | first, 11, 22]).hex())
         motors = port.board.motors
-        wanted = [Direction.from_bits(first), Direction.from_bits(second)]
+        wanted = [MotorDirection.from_bits(first), MotorDirection.from_bits(second)]
         assert [motor.target_direction for motor in motors] == wanted
         assert [motor.target_speed for motor in motors] == [11, 22]
         assert ([motor.speed for motor in motors] == [11, 22]) == immediate

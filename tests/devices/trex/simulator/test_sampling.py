@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from trex_gui.core.simulator.sampling import Heard, Receiver, levels
+from trex_gui.core.simulator.sampling import Receiver, SampledByte, levels
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
@@ -19,9 +19,11 @@ settings = st.builds(
 )
 
 
-def heard(receiver: Receiver, data: bytes, sender: LineSettings, gap: float = 0.0) -> list[Heard]:
+def heard(
+    receiver: Receiver, data: bytes, sender: LineSettings, gap: float = 0.0
+) -> list[SampledByte]:
     """Send bytes, with a gap of so many bytes' time between them, and let the wire rest."""
-    result: list[Heard] = []
+    result: list[SampledByte] = []
     at = 0.0
     for byte in data:
         result += receiver.hear(at, byte, sender, sender.baud)
@@ -213,7 +215,7 @@ def test_decoding_does_not_depend_on_send_time(
     def sent_at(moment: float) -> list[tuple[int, UartError | None]]:
         sender, own = LineSettings(rates[0]), LineSettings(rates[1])
         receiver = Receiver(own, own.baud)
-        got: list[Heard] = []
+        got: list[SampledByte] = []
         for byte in data:
             got += receiver.hear(moment, byte, sender, sender.baud)
             moment += sender.seconds(1)

@@ -8,12 +8,12 @@ from itertools import permutations
 import pytest
 
 from tests.devices.trex.simulator.ports import a_board
-from trex_gui.core.simulator.sampling import Heard, Receiver
+from trex_gui.core.simulator.sampling import Receiver, SampledByte
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.line import SimulatedLine
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.uart import SerialPort, remainder
 
 NULL = b"\xff"
@@ -44,7 +44,7 @@ def moves(board: Board) -> bool:
     """Whether a motor runs, is told to, or the memory is being written."""
     return bool(
         any(
-            Direction.BRAKE not in {motor.direction, motor.target_direction}
+            MotorDirection.BRAKE not in {motor.direction, motor.target_direction}
             and (motor.speed or motor.target_speed)
             for motor in board.motors
         )
@@ -65,7 +65,7 @@ def alien_rates() -> Iterator[tuple[int, int]]:
         yield code, baud_rates()[host]
 
 
-def send_alone(line: Line, packet: bytes) -> None:
+def send_alone(line: SimulatedLine, packet: bytes) -> None:
     """Send a packet and a gap, and look at the board after every event."""
     (board,) = line.boards
     line.send(packet)
@@ -84,7 +84,7 @@ def test_single_packet_never_affects_board_at_another_rate(
     for code, baud in alien_rates():
         board = a_touchy_board(code, detection)
         stored = board.memory.stored()
-        line = Line([board], paced=paced)
+        line = SimulatedLine([board], paced=paced)
         line.host = LineSettings(baud)
         for packet in ALL:
             send_alone(line, packet)
@@ -97,7 +97,7 @@ def test_scan_packets_never_affect_board_at_another_rate(packets: Sequence[bytes
     for code, baud in alien_rates():
         board = a_touchy_board(code, Detection.NONE)
         stored = board.memory.stored()
-        line = Line([board])
+        line = SimulatedLine([board])
         line.host = LineSettings(baud)
         for packet in (*packets, *reversed(packets), *packets):
             send_alone(line, packet)
@@ -112,7 +112,7 @@ def words(packet: bytes, host: LineSettings, own: LineSettings) -> frozenset[Wor
     for skew in SKEWS:
         receiver = Receiver(own, own.baud)
         receiver._bit /= 1 + skew
-        heard: list[Heard] = []
+        heard: list[SampledByte] = []
         for index, byte in enumerate(packet):
             heard += receiver.hear(index * host.seconds(1), byte, host, host.baud)
         heard += receiver.rest(1.0)
@@ -173,7 +173,7 @@ def test_mixing_plain_and_crc_requests_can_start_aux_motor(host: int, board: int
     # Two thirds of the rate make F0 of 81, and 30 FD of 81 48: a search must not mix them.
     code = baud_rates().index(board)
     for settings in (a_touchy_board(code, Detection.NONE), a_board(settings=code)):
-        line = Line([settings])
+        line = SimulatedLine([settings])
         line.host = LineSettings(host)
         line.send(b"\x81")
         line.advance(0.05)

@@ -5,10 +5,10 @@ import pytest
 from tests.devices.trex.simulator.ports import SETTLED
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.signals import Signal
 
-FORWARD, REVERSE, BRAKE = Direction.FORWARD, Direction.REVERSE, Direction.BRAKE
+FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
 
 PULSES = 0.03
 """Seconds in which every input has had its pulse and the motors have been updated."""

@@ -9,7 +9,7 @@ from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
 from trex_gui.devices.trex.model.parameters.parameters import Column, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.settings.linter import Adviser
+from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
@@ -26,7 +26,7 @@ class ParametersDriver(WidgetDriver):
     def __init__(self, qtbot: QtBot) -> None:
         self.draft = SettingsDraft()
         self.model = self.draft.parameters
-        self.table = ParameterTable(self.draft, Adviser(self.draft))
+        self.table = ParameterTable(self.draft, SettingsLinter(self.draft))
         super().__init__(self.table, qtbot)
         self.rejected: list[str] = []
         self.table.refused.connect(self.rejected.append)

@@ -24,7 +24,7 @@ from trex_gui.devices.trex.model.demo.snapshot import (
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 from trex_gui.devices.trex.views.demo.panel import DemoPanel
 from trex_gui.devices.trex.views.demo.words import (
     PACKETS,
@@ -37,7 +37,7 @@ from trex_gui.devices.trex.views.demo.words import (
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.leds import Leds, is_lit
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 from trex_gui.ui.widgets.note import Note
 from trex_gui.ui.widgets.stick_slider import StickSlider
 
@@ -46,7 +46,7 @@ from trex_gui.ui.widgets.stick_slider import StickSlider
 
 def _at_work() -> DemoSnapshot:
     """A board whose LEDs have shown what is learned, in serial mode."""
-    line = Line([Board()])
+    line = SimulatedLine([Board()])
     line.advance(2)
     return read_snapshot(control(line, "show").removeprefix("ok "))
 
@@ -277,7 +277,7 @@ def test_wheel_moves_a_focused_slider_only(slider: StickSlider, qtbot: QtBot) ->
 
 
 def test_wheel_changes_a_focused_combo_box_only(qtbot: QtBot) -> None:
-    combo = CalmComboBox()
+    combo = NoWheelComboBox()
     qtbot.addWidget(combo)
     combo.addItems(["a", "b", "c"])
     combo.setCurrentIndex(1)

@@ -22,15 +22,15 @@ from tests.support.pages.settings import HistoryDialog
 from tests.support.snapshots import take
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, History
+from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, SettingsHistory
 from trex_gui.devices.trex.views.history import dialog as history_dialog
 
 MINUTE = timedelta(minutes=1)
 
 
 @pytest.fixture
-def history() -> History:
-    return History()  # in a folder of the test's own
+def history() -> SettingsHistory:
+    return SettingsHistory()  # in a folder of the test's own
 
 
 @pytest.fixture
@@ -38,7 +38,7 @@ def dialog(qtbot: QtBot) -> Iterator[HistoryDialog]:
     window = QWidget()
     qtbot.addWidget(window)
     dialog = history_dialog.HistoryDialog(Device(), window)
-    window.addAction("History", dialog.open_history).setObjectName("historyAction")
+    window.addAction("SettingsHistory", dialog.open_history).setObjectName("historyAction")
     yield HistoryDialog(WidgetDriver(window, qtbot))
     dialog.close()
 
@@ -55,7 +55,7 @@ def test_empty_history_says_when_snapshots_are_taken(dialog: HistoryDialog) -> N
 
 
 def test_newest_snapshot_is_compared_with_the_previous_one(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     take(history, MINUTE, serial_timeout=5)
     take(history, serial_timeout=7)
@@ -68,7 +68,7 @@ def test_newest_snapshot_is_compared_with_the_previous_one(
 
 
 def test_older_snapshot_shows_what_restoring_it_would_change(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     take(history, MINUTE, serial_timeout=5)
     take(history, serial_timeout=7)
@@ -78,7 +78,7 @@ def test_older_snapshot_shows_what_restoring_it_would_change(
 
 
 def test_two_snapshots_are_compared_from_newer_to_older(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
         take(history, ago * MINUTE, serial_timeout=wire)
@@ -90,7 +90,7 @@ def test_two_snapshots_are_compared_from_newer_to_older(
 
 
 def test_reference_snapshot_can_be_selected_and_is_kept(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
         take(history, ago * MINUTE, serial_timeout=wire)
@@ -108,7 +108,7 @@ def test_reference_snapshot_can_be_selected_and_is_kept(
 
 def test_settings_file_can_be_the_reference(
     dialog: HistoryDialog,
-    history: History,
+    history: SettingsHistory,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -124,7 +124,7 @@ def test_settings_file_can_be_the_reference(
 
 def test_missing_settings_file_is_reported(
     dialog: HistoryDialog,
-    history: History,
+    history: SettingsHistory,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -139,7 +139,9 @@ def test_missing_settings_file_is_reported(
     dialog.compare_with_file()
 
 
-def test_only_snapshot_shows_what_it_contains(dialog: HistoryDialog, history: History) -> None:
+def test_only_snapshot_shows_what_it_contains(
+    dialog: HistoryDialog, history: SettingsHistory
+) -> None:
     take(history, serial_timeout=7)
     dialog.open()
     assert dialog.values()["serial_timeout"] == ("not given", "0.7 s")
@@ -147,7 +149,7 @@ def test_only_snapshot_shows_what_it_contains(dialog: HistoryDialog, history: Hi
 
 
 def test_snapshot_of_another_product_is_not_compared(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     take(history, 2 * MINUTE, model="trexjr")
     take(history, MINUTE)
@@ -158,7 +160,7 @@ def test_snapshot_of_another_product_is_not_compared(
 
 
 def test_damaged_snapshot_is_explained_and_never_offered(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     take(history, 2 * MINUTE)
     take(history, MINUTE).path.write_text("rubbish\n", encoding="utf-8")
@@ -178,7 +180,7 @@ def test_damaged_snapshot_is_explained_and_never_offered(
     dialog.wait_for_text("comparisonSummary", "is damaged")
 
 
-def test_search_filters_the_list(dialog: HistoryDialog, history: History) -> None:
+def test_search_filters_the_list(dialog: HistoryDialog, history: SettingsHistory) -> None:
     take(history, MINUTE, reason="trexcmd set-settings rover.txt")
     take(history)
     dialog.open()
@@ -192,7 +194,7 @@ def test_search_filters_the_list(dialog: HistoryDialog, history: History) -> Non
 
 
 def test_snapshot_of_another_program_appears_on_refresh(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     take(history, MINUTE, serial_timeout=5)
     dialog.open()
@@ -205,7 +207,9 @@ def test_snapshot_of_another_program_appears_on_refresh(
 # --- What a person does -----------------------------------------------------------------
 
 
-def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog, history: History) -> None:
+def test_deletion_needs_confirmation_in_the_dialog(
+    dialog: HistoryDialog, history: SettingsHistory
+) -> None:
     for ago in (3, 2, 1):
         take(history, ago * MINUTE)
     dialog.open()
@@ -226,7 +230,7 @@ def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog, histor
 
 
 def test_deleting_the_last_snapshot_empties_the_history(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     take(history)
     dialog.open()
@@ -236,7 +240,7 @@ def test_deleting_the_last_snapshot_empties_the_history(
 
 
 def test_closing_with_an_open_question_deletes_nothing(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     take(history)
     dialog.open()
@@ -247,7 +251,7 @@ def test_closing_with_an_open_question_deletes_nothing(
 
 def test_copy_is_saved_as_a_settings_file(
     dialog: HistoryDialog,
-    history: History,
+    history: SettingsHistory,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -267,7 +271,9 @@ def test_copy_is_saved_as_a_settings_file(
 # --- How many are kept ------------------------------------------------------------------
 
 
-def test_higher_bound_is_set_without_a_question(dialog: HistoryDialog, history: History) -> None:
+def test_higher_bound_is_set_without_a_question(
+    dialog: HistoryDialog, history: SettingsHistory
+) -> None:
     dialog.open()
     assert not dialog.is_enabled("keptButton")
     dialog.find(QSpinBox, "keptField").setValue(1000)
@@ -281,7 +287,7 @@ def test_higher_bound_is_set_without_a_question(dialog: HistoryDialog, history: 
 
 
 def test_lower_bound_asks_and_says_how_many_are_removed(
-    dialog: HistoryDialog, history: History
+    dialog: HistoryDialog, history: SettingsHistory
 ) -> None:
     for ago in (3, 2, 1):
         take(history, ago * MINUTE)
@@ -299,7 +305,9 @@ def test_lower_bound_asks_and_says_how_many_are_removed(
     assert dialog.count() == 1
 
 
-def test_damaged_bound_is_reported_until_it_is_set(dialog: HistoryDialog, history: History) -> None:
+def test_damaged_bound_is_reported_until_it_is_set(
+    dialog: HistoryDialog, history: SettingsHistory
+) -> None:
     take(history)
     (history.folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
     dialog.open()
@@ -311,7 +319,9 @@ def test_damaged_bound_is_reported_until_it_is_set(dialog: HistoryDialog, histor
     assert dialog.banner == ""
 
 
-def test_bound_set_elsewhere_appears_on_refresh(dialog: HistoryDialog, history: History) -> None:
+def test_bound_set_elsewhere_appears_on_refresh(
+    dialog: HistoryDialog, history: SettingsHistory
+) -> None:
     take(history)
     dialog.open()
     history.keep(77)

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.parameters.parameters import Column
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import channels_in
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.protocol.parameters import Kind, ParameterSpec, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
 
 BOARDS = [(model.key, version) for model in device_table().models for version in model.firmware]
 SPECS = parameters_of("trexjr", "1.2")
@@ -84,12 +84,12 @@ def choose_line_settings(editor: WidgetDriver, wire: int) -> None:
 def enter(editor: WidgetDriver, spec: ParameterSpec, wire: int) -> None:
     """Enter a wire value with mouse and keys."""
     match spec.kind:
-        case Kind.CHOICE:
+        case ParameterKind.CHOICE:
             assert isinstance(editor.root, QComboBox)
             choose(editor.root, editor.root.findData(wire))
-        case Kind.CHANNELS:
+        case ParameterKind.CHANNELS:
             check_channels(editor, wire)
-        case Kind.UART:
+        case ParameterKind.UART:
             choose_line_settings(editor, wire)
         case _:
             type_number(editor.root, spec.text(wire))
@@ -126,7 +126,7 @@ def test_each_number_out_of_range_is_rejected_with_its_limits(
 ) -> None:
     parameters = ParametersDriver(qtbot)
     parameters.load(parameters_of(model_key, firmware))
-    no_numbers = {Kind.CHOICE, Kind.CHANNELS, Kind.UART}
+    no_numbers = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
     for spec in new_in(model_key, firmware):
         if spec.kind not in no_numbers:
             type_number(parameters.open_with_mouse(spec.key), "99999")

@@ -4,7 +4,7 @@ import json
 
 import click
 
-from trex_gui.core.cli.console import Interruption, Usage, say
+from trex_gui.core.cli.console import Interruption, UsageError, say
 from trex_gui.devices.aracna.cli import files, motion
 from trex_gui.devices.aracna.cli.format import listed
 from trex_gui.devices.aracna.cli.session import Talk, settings_of
@@ -98,9 +98,9 @@ def pose(
     are refused, those of a pose are cut to them. Prints where the motors are in the end.
     """
     if bool(values) == (name is not None):
-        raise Usage("Give either one position for each motor, or --pose NAME.")
+        raise UsageError("Give either one position for each motor, or --pose NAME.")
     if file is not None and name is None:
-        raise Usage("--file needs --pose NAME.")
+        raise UsageError("--file needs --pose NAME.")
     meant = None if name is None else files.pose_named(name, file)
     if meant is None and not no_limits:
         motion.check_limits(values)
@@ -175,7 +175,7 @@ def play(
 
 def _for_each(values: tuple[int, ...], motors: int, what: str) -> tuple[int, ...]:
     if len(values) != motors:
-        raise Usage(
+        raise UsageError(
             f"The robot has {motors} motors, which need {motors} {what}, not {len(values)}."
         )
     return values

@@ -3,7 +3,7 @@
 from collections.abc import Sequence as Many
 from pathlib import Path
 
-from trex_gui.core.cli.console import Refused, Usage, say
+from trex_gui.core.cli.console import CommandFailed, UsageError, say
 from trex_gui.devices.aracna.poses.named_poses import KNOWN_POSES
 from trex_gui.devices.aracna.poses.pose import Pose
 from trex_gui.devices.aracna.poses.project import Project
@@ -39,7 +39,7 @@ def pose_named(name: str, file: str | None) -> Pose:
         if pose.name == name:
             return pose
     known = ", ".join(pose.name for pose in poses) or "none"
-    raise Usage(f"There is no pose {name!r}. Known are: {known}.")
+    raise UsageError(f"There is no pose {name!r}. Known are: {known}.")
 
 
 def sequence_named(project: Project, name: str | None) -> Sequence:
@@ -51,13 +51,13 @@ def sequence_named(project: Project, name: str | None) -> Sequence:
     """
     names = ", ".join(one.name for one in project.sequences)
     if not project.sequences:
-        raise Refused("The file has no sequence.")
+        raise CommandFailed("The file has no sequence.")
     if name is None:
         if len(project.sequences) > 1:
-            raise Usage(f"Which sequence? Give --sequence. The file has: {names}.")
+            raise UsageError(f"Which sequence? Give --sequence. The file has: {names}.")
         return project.sequences[0]
     if (found := project.sequence(name)) is None:
-        raise Usage(f"There is no sequence {name!r}. The file has: {names}.")
+        raise UsageError(f"There is no sequence {name!r}. The file has: {names}.")
     return found
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 
-from trex_gui.core.cli.console import Interruption, Refused, Usage, say
+from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
 from trex_gui.devices.aracna.cli.format import amiss_after_move, amiss_after_speeds
 from trex_gui.devices.aracna.cli.session import Talk
 from trex_gui.devices.aracna.protocol.joints import factory_limits
@@ -101,7 +101,7 @@ def check_limits(goals: Sequence[int]) -> None:
         if not limit.allow(goal)
     ]
     if wrong:
-        raise Usage(f"Joint limits: {'; '.join(wrong)}. --no-limits lifts them.")
+        raise UsageError(f"Joint limits: {'; '.join(wrong)}. --no-limits lifts them.")
 
 
 def set_speeds(talk: Talk, speeds: Sequence[int]) -> list[str]:
@@ -152,4 +152,4 @@ def conclude(amiss: Sequence[str]) -> None:
     for sentence in amiss:
         say(sentence)
     if amiss:
-        raise Refused("Not every motor did as it was told.")
+        raise CommandFailed("Not every motor did as it was told.")

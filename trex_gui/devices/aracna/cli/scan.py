@@ -4,13 +4,18 @@ from typing import Any
 
 from trex_gui.core.cli.host import host
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.aracna.discovery.prober import SEEK_ARACNA, Found, Search, find_aracna
+from trex_gui.devices.aracna.discovery.prober import (
+    ARACNA_PROBER,
+    AracnaScan,
+    FoundRobot,
+    find_aracna,
+)
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
-__all__ = ["SEEK_ARACNA", "Found", "listed", "look", "row", "told"]
+__all__ = ["ARACNA_PROBER", "FoundRobot", "listed", "look", "row", "told"]
 
 
-def look(url: str, patience: float) -> Search:
+def look(url: str, patience: float) -> AracnaScan:
     """Return what asking for an Aracna on a port has seen. Moves nothing, whatever is there.
 
     Raises:
@@ -21,7 +26,7 @@ def look(url: str, patience: float) -> Search:
     )
 
 
-def listed(found: Found) -> dict[str, Any]:
+def listed(found: FoundRobot) -> dict[str, Any]:
     """Return what `list --json` says of it."""
     return {
         "answer": f"{found.name}, {found.motors} motors",
@@ -30,13 +35,13 @@ def listed(found: Found) -> dict[str, Any]:
     }
 
 
-def told(found: Found) -> str:
+def told(found: FoundRobot) -> str:
     """Return what `find` says of it to a person."""
     text = f"{found.name}, {found.motors} motors, on {found.settings.text()}."
     return f"{text} {found.note}".strip()
 
 
-def row(found: Found) -> dict[str, Any]:
+def row(found: FoundRobot) -> dict[str, Any]:
     """Return what `find --json` says of it, under the same names as of a TReX."""
     return {
         "port": found.settings.url,

@@ -5,13 +5,19 @@ from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Self
 
-from trex_gui.core.cli.console import Refused, Usage
+from trex_gui.core.cli.console import CommandFailed, UsageError
 from trex_gui.core.cli.host import host
-from trex_gui.core.errors import TrexError
-from trex_gui.core.session.request_queue import QueueInbox
+from trex_gui.core.errors import StudioError
+from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.aracna.session.messages import Connected, Report, Request, Silent, Stuck
+from trex_gui.devices.aracna.session.messages import (
+    Connected,
+    NotResponding,
+    Report,
+    Request,
+    Stuck,
+)
 from trex_gui.devices.aracna.session.session import AracnaSession
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Close, Closed, Outcome
@@ -27,7 +33,7 @@ def settings_of(port: str | None, patience: float) -> LinkSettings:
         Usage: no port is given.
     """
     if not port:
-        raise Usage("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
+        raise UsageError("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
     return LinkSettings(port, LINE, timeouts=Timeouts(extra=patience))
 
 
@@ -54,8 +60,8 @@ class Talk:
             interrupted: whether not to go on, where nothing was sent yet.
         """
         self._host = host()
-        self._inbox = QueueInbox(self._host.condition())
-        self._reports = QueueInbox(self._host.condition())
+        self._inbox = RequestQueue(self._host.condition())
+        self._reports = RequestQueue(self._host.condition())
         self._ids = itertools.count(1)
         self._hear = hear
         self._interrupted = interrupted
@@ -82,7 +88,7 @@ class Talk:
 
     def _may_go_on(self) -> None:
         if self._interrupted():
-            raise Refused("Broken off before anything was sent.")
+            raise CommandFailed("Broken off before anything was sent.")
 
     def __exit__(
         self,
@@ -126,7 +132,7 @@ class Talk:
             match report:
                 case Outcome(id=of, value=value, error=error) if of == number:
                     if error is not None:
-                        raise Refused(error) from error
+                        raise CommandFailed(error) from error
                     return value
                 case _:
                     _complain(report)
@@ -139,8 +145,8 @@ class Talk:
             if report is None:
                 continue
             if isinstance(report, Closed):
-                error = report.error or TrexError("The line was closed.")
-                raise Refused(error) from error
+                error = report.error or StudioError("The line was closed.")
+                raise CommandFailed(error) from error
             self._hear(report)
             yield report
 
@@ -148,9 +154,9 @@ class Talk:
 def _complain(report: Report) -> None:
     match report:
         case Stuck(motor=motor):
-            raise Refused(_stuck(motor))
-        case Silent(reason=reason):
-            raise Refused(reason)
+            raise CommandFailed(_stuck(motor))
+        case NotResponding(reason=reason):
+            raise CommandFailed(reason)
         case _:
             pass
 

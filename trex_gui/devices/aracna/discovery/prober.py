@@ -16,16 +16,23 @@ import contextlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
-from trex_gui.core.discovery.prober import Seek, Step, Telling, Verdict, never, silent
-from trex_gui.core.discovery.scan import ask_in_order, listen
+from trex_gui.core.discovery.prober import (
+    Diagnosis,
+    Evidence,
+    ProberInfo,
+    ScanProgress,
+    ignore_step,
+    never_cancelled,
+)
+from trex_gui.core.discovery.scan import listen, probe_in_order
 from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.aracna.protocol import lines
 from trex_gui.devices.aracna.protocol.replies import Reader, Version
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.aracna.session.diagnosis import is_echo, is_start, why_no_robot
+from trex_gui.devices.aracna.session.diagnosis import diagnose, is_echo, is_start
 from trex_gui.devices.aracna.session.liveness import motors_of
-from trex_gui.devices.trex.discovery.probe import rinse
+from trex_gui.devices.trex.discovery.probe import flush
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
@@ -45,7 +52,7 @@ _KEPT = 48
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class FoundRobot:
     """An Aracna, and how to reach it."""
 
     settings: LinkSettings
@@ -73,7 +80,7 @@ class Found:
 
 
 @dataclass(slots=True)
-class Search:
+class AracnaScan:
     """What a search has seen.
 
     Attributes:
@@ -86,44 +93,44 @@ class Search:
     """
 
     settings: LinkSettings
-    found: list[Found] = field(default_factory=list)
+    found: list[FoundRobot] = field(default_factory=list)
     heard: bytes = b""
     skipped: bool = False
     fixed: bool = False
     cancelled: bool = False
 
-    def verdict(self) -> str:
+    def diagnosis(self) -> str:
         """Say what was seen where no robot was found, and what to look at."""
         return self.judged().text
 
-    def judged(self) -> Verdict:
+    def judged(self) -> Diagnosis:
         """Say what was seen where no robot was found, what to look at, and how telling it is."""
         where = self.settings.text()
         if self.skipped:
             port = self.settings.name or self.settings.url
             text = f"No Aracna was asked for: {port} cannot be set to {LINE.text()}."
-            return Verdict(Telling.SILENCE, text)
+            return Diagnosis(Evidence.SILENCE, text)
         if self.fixed:
-            return Verdict(
-                Telling.SILENCE,
+            return Diagnosis(
+                Evidence.SILENCE,
                 f"No Aracna was asked for on {self.settings.name or self.settings.url}: its baud "
                 "rate is set at the other end of the network, and at another than its own a TReX "
                 "could take the question for an order. Where you know that it is an Aracna, say "
                 f"so once: trex-gui --device aracna --port {self.settings.url}",
             )
         if is_echo(self.heard):
-            return Verdict(
-                Telling.ECHO,
+            return Diagnosis(
+                Evidence.ECHO,
                 f"No Aracna answers on {where}: everything sent comes back, and nothing else. "
                 "The adapter's TX and RX are joined; nothing of an Aracna does that.",
             )
-        text = str(why_no_robot(self.settings, self.heard))
+        text = str(diagnose(self.settings, self.heard))
         if is_start(self.heard):
-            return Verdict(Telling.KNOWN, text)
-        return Verdict(Telling.STRANGE if self.heard.strip(b"\r\n") else Telling.SILENCE, text)
+            return Diagnosis(Evidence.KNOWN, text)
+        return Diagnosis(Evidence.STRANGE if self.heard.strip(b"\r\n") else Evidence.SILENCE, text)
 
 
-class AracnaSeeker:
+class AracnaProber:
     """Looks for a robot on one line, and remembers in a search what came.
 
     Attributes:
@@ -136,11 +143,11 @@ class AracnaSeeker:
         """Look on this port; there is one setting only, so `full` changes nothing."""
         del full
         self._known = known
-        self.search = Search(replace(settings, line=LINE, device_number=None))
+        self.search = AracnaScan(replace(settings, line=LINE, device_number=None))
         self._reader = Reader()
 
     @property
-    def found(self) -> Sequence[Found]:
+    def found(self) -> Sequence[FoundRobot]:
         """The robot, if it has answered."""
         return self.search.found
 
@@ -149,11 +156,11 @@ class AracnaSeeker:
         """Whether it has answered."""
         return bool(self.search.found)
 
-    def verdict(self) -> Verdict:
+    def diagnosis(self) -> Diagnosis:
         """Say what was tried and heard, where no robot was found."""
         return self.search.judged()
 
-    def overhear(self, line: LineSettings, data: bytes) -> None:
+    def note_unsolicited(self, line: LineSettings, data: bytes) -> None:
         """Notice a board that opening the port has reset."""
         if line == LINE:
             self._take(data)
@@ -162,7 +169,7 @@ class AracnaSeeker:
         self,
         wire: Transport,
         part: int,
-        progress: Callable[[Step], None],
+        progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
         """Ask until it answers or has not for long enough.
@@ -172,17 +179,17 @@ class AracnaSeeker:
         """
         del part  # there is one
         search = self.search
-        if not wire.can_be_tuned and not self._known:
+        if not wire.is_configurable and not self._known:
             search.fixed = True
             return
         for done in range(QUESTIONS):
             if cancelled():
                 search.cancelled = True
                 return
-            progress(Step(done, QUESTIONS, LINE))
+            progress(ScanProgress(done, QUESTIONS, LINE))
             try:
-                rinse(wire, search.settings.timeouts.extra)
-                wire.tune(LINE)
+                flush(wire, search.settings.timeouts.extra)
+                wire.reconfigure(LINE)
             except BadRequest:
                 search.skipped = True
                 return
@@ -213,21 +220,21 @@ class AracnaSeeker:
         for reply in self._reader.feed(data):
             if isinstance(reply, Version):
                 note = _RESETS if _HELLO in search.heard else ""
-                search.found.append(Found(search.settings, reply, note))
+                search.found.append(FoundRobot(search.settings, reply, note))
                 return
 
 
-SEEK_ARACNA = Seek("Aracna", AracnaSeeker, talks_at=LINE)
+ARACNA_PROBER = ProberInfo("Aracna", AracnaProber, announces_at=LINE)
 """How to look for an Aracna; its board says `.h` when it starts."""
 
 
 def find_aracna(
     settings: LinkSettings,
     *,
-    progress: Callable[[Step], None] = silent,
-    cancelled: Callable[[], bool] = never,
+    progress: Callable[[ScanProgress], None] = ignore_step,
+    cancelled: Callable[[], bool] = never_cancelled,
     open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
-) -> Search:
+) -> AracnaScan:
     """Look for an Aracna alone on a port; end when it answers.
 
     Args:
@@ -239,18 +246,18 @@ def find_aracna(
     Raises:
         PortUnavailable: the port cannot be opened, or is gone.
     """
-    seeker = AracnaSeeker(settings)
+    seeker = AracnaProber(settings)
     search = seeker.search
     wire = open_wire(search.settings)
     try:
-        seeker.overhear(LINE, listen(wire))
-        names = {"": SEEK_ARACNA.name}
-        ask_in_order(wire, {"": seeker}, names, progress=progress, cancelled=cancelled)
+        seeker.note_unsolicited(LINE, listen(wire))
+        names = {"": ARACNA_PROBER.name}
+        probe_in_order(wire, {"": seeker}, names, progress=progress, cancelled=cancelled)
     finally:
         # What a board at another rate has taken for a beginning must not be left to others.
         with contextlib.suppress(BadRequest, PortUnavailable):
-            if not search.found and wire.can_be_tuned:
-                rinse(wire, search.settings.timeouts.extra)
-            wire.tune(LINE)
+            if not search.found and wire.is_configurable:
+                flush(wire, search.settings.timeouts.extra)
+            wire.reconfigure(LINE)
         wire.close()
     return search

@@ -2,15 +2,15 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.transport.traffic_log import taped
-from trex_gui.devices.aracna.session.messages import Connected, Halt, Restarted, Silent
+from trex_gui.core.transport.traffic_log import logged
+from trex_gui.devices.aracna.session.messages import Connected, Halt, NotResponding, Restarted
 from trex_gui.devices.aracna.session.session import AracnaSession
-from trex_gui.devices.aracna.session.traffic_decoder import AracnaWording
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Closed
 from trex_gui.ui.runtime import now, open_transport
-from trex_gui.ui.traffic.model import Transcript
+from trex_gui.ui.traffic.model import TrafficModel
 from trex_gui.ui.workers.session_thread import SessionThread
 
 
@@ -36,14 +36,14 @@ class RobotConnection(SessionThread):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._link = Link.NONE
+        self._link = ConnectionState.NONE
         self._status = self.tr("Not connected.")
         self._next: LinkSettings | None = None
-        self.transcript = Transcript(self, AracnaWording())
+        self.traffic = TrafficModel(self, AracnaDecoder())
         self.closed.connect(self._on_closed)
 
     @property
-    def link(self) -> Link:
+    def link(self) -> ConnectionState:
         """How things stand."""
         return self._link
 
@@ -59,10 +59,10 @@ class RobotConnection(SessionThread):
             self._next = settings
             return
         where = settings.name or settings.url
-        self._stand(Link.OPENING, self.tr("Connecting to {0} …").format(where))
+        self._stand(ConnectionState.OPENING, self.tr("Connecting to {0} …").format(where))
         self.start(
             lambda inbox, tell: AracnaSession(
-                settings, inbox, tell, taped(self.tape, open_transport, now)
+                settings, inbox, tell, logged(self.log, open_transport, now)
             ),
             may_move=False,
         )
@@ -70,10 +70,10 @@ class RobotConnection(SessionThread):
     def leave(self) -> None:
         """Send nothing more and close the line; does not wait for it."""
         self._next = None
-        if self.is_open and self._link is not Link.CLOSING:
+        if self.is_open and self._link is not ConnectionState.CLOSING:
             self.submit(Halt())
             self.close()
-            self._stand(Link.CLOSING, self.tr("Disconnecting …"))
+            self._stand(ConnectionState.CLOSING, self.tr("Disconnecting …"))
 
     def end(self) -> bool:
         """Close the line for the end of the program; return whether it ended in time."""
@@ -82,26 +82,26 @@ class RobotConnection(SessionThread):
         in_time = self.shut_down()
         if was_open:
             self.left.emit()
-            self._stand(Link.NONE, self.tr("Not connected."))
+            self._stand(ConnectionState.NONE, self.tr("Not connected."))
         return in_time
 
     def follow(self, report: object) -> None:
         """Take what a report says of the link; one on its way when it was given up says nothing."""
-        if self._link is Link.CLOSING:
+        if self._link is ConnectionState.CLOSING:
             return
         match report:
             case Connected(version=version, motors=motors):
                 self.answered.emit(report)
                 text = self.tr("Connected to Aracna: firmware {0}, {1} motors.")
-                self._stand(Link.UP, text.format(version, motors))
+                self._stand(ConnectionState.UP, text.format(version, motors))
             case Restarted():
                 self.lapsed.emit()
                 text = self.tr("The board has restarted; it listens again in a second …")
-                self._stand(Link.SILENT, text)
-            case Silent():
+                self._stand(ConnectionState.SILENT, text)
+            case NotResponding():
                 self.lapsed.emit()
                 self._stand(
-                    Link.SILENT,
+                    ConnectionState.SILENT,
                     self.tr("The robot has stopped answering. Is its power on? Waiting for it …"),
                 )
             case _:
@@ -114,10 +114,10 @@ class RobotConnection(SessionThread):
         if following is not None:
             self.open(following)
             return
-        self._stand(Link.NONE, self.tr("Not connected."))
+        self._stand(ConnectionState.NONE, self.tr("Not connected."))
         if last.error is not None:
             self.failed.emit(str(last.error))
 
-    def _stand(self, link: Link, status: str) -> None:
+    def _stand(self, link: ConnectionState, status: str) -> None:
         self._link, self._status = link, status
         self.changed.emit()

@@ -9,22 +9,22 @@ from trex_gui.devices.aracna.model.automatic_stop import halt_because
 from trex_gui.devices.aracna.model.demo_robot import DemoRobot
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.protocol.lines import BAUD
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.ui.devices.device_kind import Kind
+from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
-from trex_gui.ui.devices.scanner import Finder
+from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
 
-ARACNA = Kind("aracna", "Aracna")
+ARACNA = DeviceKind("aracna", "Aracna")
 
 LINE = LineSettings(BAUD)
 """The firmware knows no other."""
 
 
-class AracnaWay(QObject):
-    """A robot, and the simulated one, as one; see `switchboard.Way`.
+class AracnaController(QObject):
+    """A robot, and the simulated one, as one; see `device_manager.Way`.
 
     Signals:
         changed: anything of what stands below.
@@ -35,14 +35,14 @@ class AracnaWay(QObject):
 
     changed = Signal()
     progressed = Signal(int, int, str)
-    stop_told = Signal(str)
+    stop_reported = Signal(str)
     failed = Signal(str)
 
     def __init__(
         self,
         robot: Robot,
         ports: Ports,
-        finder: Finder,
+        finder: DeviceScanner,
         parent: QObject | None = None,
         *,
         timeouts: Timeouts | None = None,
@@ -65,12 +65,12 @@ class AracnaWay(QObject):
         robot.link_changed.connect(self._on_link_changed)
 
     @property
-    def kind(self) -> Kind:
+    def kind(self) -> DeviceKind:
         """Aracna."""
         return ARACNA
 
     @property
-    def link(self) -> Link:
+    def link(self) -> ConnectionState:
         """How things stand."""
         return self._robot.link
 
@@ -138,7 +138,7 @@ class AracnaWay(QObject):
         """Send nothing more and close the line; a motion that runs ends by itself."""
         self._after_search = None
         self._demo_wanted = self._demo_in_use = False
-        if self._robot.link is Link.NONE:
+        if self._robot.link is ConnectionState.NONE:
             self._port = None
             self.changed.emit()
         self._robot.disconnect_line()
@@ -152,7 +152,7 @@ class AracnaWay(QObject):
         return halt_because(self._robot, reason)
 
     @property
-    def unstopped(self) -> str:
+    def unconfirmed_stop(self) -> str:
         """Nothing: no stop can be asked of this robot, which is told wherever one is pressed."""
         return ""
 
@@ -198,7 +198,7 @@ class AracnaWay(QObject):
     def _give_demo_up(self, reason: str) -> None:
         """Connect nothing; a line that was to make room for the simulated robot closes too."""
         self._demo_wanted = False
-        if self._robot.link is Link.NONE:
+        if self._robot.link is ConnectionState.NONE:
             self._port = None
         else:
             self._robot.disconnect_line()
@@ -207,8 +207,8 @@ class AracnaWay(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._robot.link is Link.UP and self._port is not None:
+        if self._robot.link is ConnectionState.UP and self._port is not None:
             self._ports.note_used(self._port)
-        if self._robot.link is Link.NONE and not self._demo_wanted:
+        if self._robot.link is ConnectionState.NONE and not self._demo_wanted:
             self._port = None
         self.changed.emit()

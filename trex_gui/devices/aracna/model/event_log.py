@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.devices.aracna.model.robot_state import Known, Missed, SpeedRefused
+from trex_gui.devices.aracna.model.robot_state import Missed, RobotState, SpeedRefused
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,
@@ -13,12 +13,12 @@ from trex_gui.devices.aracna.session.messages import (
     SpeedsHeld,
     Stuck,
 )
-from trex_gui.ui.devices.event_log import EventKind, Events
+from trex_gui.ui.devices.event_log import EventKind, EventLog
 
 
 def tr(text: str) -> str:
     """Translate a text of this file."""
-    return QCoreApplication.translate("Story", text)
+    return QCoreApplication.translate("RobotEventLog", text)
 
 
 def missed_text(missed: Missed) -> str:
@@ -40,14 +40,14 @@ def speed_text(refused: SpeedRefused) -> str:
     return text.format(refused.motor, refused.held, refused.wanted)
 
 
-def missed_texts(known: Known) -> list[str]:
+def missed_texts(known: RobotState) -> list[str]:
     """Say of each motor where it is that was sent elsewhere; once, where none has said it."""
     if known.is_lost:
         return [tr("the answer was lost (or no motor answers): positions are not known")]
     return [missed_text(each) for each in known.missed]
 
 
-def speed_texts(known: Known) -> list[str]:
+def speed_texts(known: RobotState) -> list[str]:
     """Say what the servos made of their speeds; once, where none answers."""
     if known.no_servo_answers:
         return [tr("no motor answers (−1): is the servo power on?")]
@@ -84,13 +84,13 @@ _ENDINGS = {
 }
 
 
-class Story:
+class RobotEventLog:
     """Writes into a list of events what is worth knowing afterwards."""
 
-    def __init__(self, events: Events) -> None:
+    def __init__(self, events: EventLog) -> None:
         self._events = events
 
-    def follow(self, report: object, known: Known) -> None:
+    def follow(self, report: object, known: RobotState) -> None:
         """Note a report, once it is taken into what is `known`."""
         match report:
             case Restarted():

@@ -6,26 +6,26 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import sentence
 from trex_gui.devices.aracna.model.connection import RobotConnection
-from trex_gui.devices.aracna.model.event_log import Story
+from trex_gui.devices.aracna.model.event_log import RobotEventLog
 from trex_gui.devices.aracna.model.limits import JointLimits
-from trex_gui.devices.aracna.model.robot_state import Known, Playing, Rate
-from trex_gui.devices.aracna.model.speeds import Speeds
+from trex_gui.devices.aracna.model.robot_state import PlayState, Rate, RobotState
+from trex_gui.devices.aracna.model.speeds import ServoSpeeds
 from trex_gui.devices.aracna.model.targets import Targets
 from trex_gui.devices.aracna.protocol.units import MOTORS
 from trex_gui.devices.aracna.session.messages import (
     Connected,
-    Counted,
-    Counters,
     DragDropped,
+    LineStats,
+    LineStatsChanged,
     Moved,
     Moving,
     SetLimits,
 )
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.ui.devices.event_log import EventKind, Events
+from trex_gui.ui.devices.event_log import EventKind, EventLog
 from trex_gui.ui.runtime import now
-from trex_gui.ui.traffic.model import Transcript
+from trex_gui.ui.traffic.model import TrafficModel
 
 
 class ObservedRobot(QObject):
@@ -56,8 +56,8 @@ class ObservedRobot(QObject):
         super().__init__(parent)
         self._clock = clock
         self._version: int | None = None
-        self._counters = Counters()
-        self._known = Known(MOTORS)
+        self._counters = LineStats()
+        self._known = RobotState(MOTORS)
         self._rate = Rate()
         self._moves_waiting = 0
         self._dragging = False
@@ -65,9 +65,9 @@ class ObservedRobot(QObject):
         self._line = RobotConnection(self)
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
-        self.speeds = Speeds(self._line, self)
-        self.events = Events(self, clock=clock)
-        self._story = Story(self.events)
+        self.speeds = ServoSpeeds(self._line, self)
+        self.events = EventLog(self, clock=clock)
+        self._story = RobotEventLog(self.events)
 
         self.limits.changed.connect(self._send_limits)
         self.speeds.changed.connect(self.changed)
@@ -82,7 +82,7 @@ class ObservedRobot(QObject):
     # --- What is known ------------------------------------------------------------------
 
     @property
-    def link(self) -> Link:
+    def link(self) -> ConnectionState:
         """How things stand."""
         return self._line.link
 
@@ -92,9 +92,9 @@ class ObservedRobot(QObject):
         return self._line.status
 
     @property
-    def transcript(self) -> Transcript:
+    def traffic(self) -> TrafficModel:
         """Every byte that went over its line."""
-        return self._line.transcript
+        return self._line.traffic
 
     @property
     def version(self) -> int | None:
@@ -102,7 +102,7 @@ class ObservedRobot(QObject):
         return self._version
 
     @property
-    def counters(self) -> Counters:
+    def counters(self) -> LineStats:
         """What the line has seen since the robot has answered first, as it was told last."""
         return self._counters
 
@@ -112,7 +112,7 @@ class ObservedRobot(QObject):
         return self._known.motors
 
     @property
-    def known(self) -> Known:
+    def known(self) -> RobotState:
         """Everything that it has reported; not to be written to."""
         return self._known
 
@@ -122,7 +122,7 @@ class ObservedRobot(QObject):
         return tuple(self._known.present)
 
     @property
-    def playing(self) -> Playing | None:
+    def playing(self) -> PlayState | None:
         """What is being played."""
         return self._known.playing
 
@@ -182,7 +182,7 @@ class ObservedRobot(QObject):
         self._line.follow(report)
         self._known.take(report)
         match report:
-            case Counted(counters=counters):
+            case LineStatsChanged(counters=counters):
                 self._counters = counters
             case Moving(goals=goals) if self._known.play is not None:
                 self.targets.set_all(goals)
@@ -215,12 +215,12 @@ class ObservedRobot(QObject):
     @Slot()
     def _on_left(self) -> None:
         self._version = None
-        self._counters = Counters()
+        self._counters = LineStats()
         self._moves_waiting = 0
         self._begin_with(self.motors)
 
     def _begin_with(self, motors: int) -> None:
-        self._known = Known(motors, left_until=self._known.goes_on_until)
+        self._known = RobotState(motors, left_until=self._known.goes_on_until)
         self._rate.forget()
         self._dragging = self._holding = False
         self.speeds.begin(motors)

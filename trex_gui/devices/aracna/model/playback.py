@@ -8,22 +8,22 @@ from PySide6.QtCore import QCoreApplication, QObject
 
 from trex_gui.core.recording.block_replay import BlockReplay
 from trex_gui.devices.aracna.model.recorded import MOST_ROWS, Moment, gather
-from trex_gui.devices.aracna.model.robot_state import Known
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.recording import Header, Row
 from trex_gui.devices.aracna.recording.csv_reader import RobotCsvFile, open_recording
 from trex_gui.ui.devices.event_log import Event
-from trex_gui.ui.playback.player import Player
-from trex_gui.ui.playback.recording_loader import Gathered
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.playback.player import RecordingPlayer
+from trex_gui.ui.playback.recording_loader import LoadedRecording
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.source import TraceInfo
 from trex_gui.ui.plotting.data.traces import Traces
-from trex_gui.ui.workers.file_worker import Tell
+from trex_gui.ui.workers.file_worker import ProgressCallback
 
 COLORS = ("motor1", "motor2", "good", "dirty", "danger", "muted", "warning", "plot_text")
 """The theme's colours of the motors' curves, motor 0 first; a number stands at each, too."""
 
 
-class RobotPlayback(Player[Header, Row, Moment]):
+class RobotPlayback(RecordingPlayer[Header, Row, Moment]):
     """One recording of a robot; a curve for each motor, in degrees."""
 
     def __init__(
@@ -53,14 +53,14 @@ class RobotPlayback(Player[Header, Row, Moment]):
         playback.start_reading()
         return playback
 
-    def gatherer(self) -> Callable[[Tell], Gathered[BlockReplay[Row, Moment]]]:
+    def loader(self) -> Callable[[ProgressCallback], LoadedRecording[BlockReplay[Row, Moment]]]:
         return partial(gather, self._file, most_rows=self._most_rows)
 
-    def traces_of(self, history: History, events: Sequence[Event]) -> Traces:
+    def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         return Traces([_trace(motor) for motor in range(self.header.motors)], history, events)
 
     def first(self) -> Moment:
-        return Moment(Known(self.header.motors))
+        return Moment(RobotState(self.header.motors))
 
 
 def _trace(motor: int) -> TraceInfo:

@@ -8,20 +8,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from trex_gui.core.recording.block_replay import BlockReplay
-from trex_gui.devices.aracna.model.robot_state import Known
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.units import degrees
 from trex_gui.devices.aracna.recording import FellSilent, Row
 from trex_gui.devices.aracna.recording.csv_reader import RobotCsvFile
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
+    NotResponding,
     Passed,
     PlayEnded,
-    Silent,
     StepBegun,
 )
 from trex_gui.devices.trex.recording.recording import Marker
-from trex_gui.ui.playback.recording_loader import Drawn, Gathered, gather_drawn
+from trex_gui.ui.playback.recording_loader import LoadedColumns, LoadedRecording, load_recording
 
 MOST_ROWS = 2_000_000
 """Rows that can be drawn: two hours of a sequence at the robot's highest rate, 144 MB."""
@@ -42,7 +42,7 @@ class Moment:
         step: the step of what was played that had begun last; `None` while nothing was played.
     """
 
-    known: Known
+    known: RobotState
     step: StepBegun | None = None
 
     def __copy__(self) -> "Moment":
@@ -55,7 +55,7 @@ class Moment:
         """Take a record as the newest."""
         match record:
             case FellSilent():
-                self.known.take(Silent(""))
+                self.known.take(NotResponding(""))
                 self.step = None
             case StepBegun():
                 self.step = record
@@ -69,7 +69,7 @@ class Moment:
 
 def gather(
     file: RobotCsvFile, tell: Callable[[float], None], most_rows: int = MOST_ROWS
-) -> Gathered[BlockReplay[Row, Moment]]:
+) -> LoadedRecording[BlockReplay[Row, Moment]]:
     """Read a recording of which only the head was read.
 
     The history has a column for each motor, in degrees: a row where a motion begins, one for each
@@ -80,8 +80,8 @@ def gather(
         RecordingError: it cannot be read.
     """
     motors = file.header.motors
-    replay = BlockReplay[Row, Moment](file, Moment(Known(motors)))
-    return gather_drawn(file, replay, Drawn(motors, _rows, most_rows, _NO_GAP), tell)
+    replay = BlockReplay[Row, Moment](file, Moment(RobotState(motors)))
+    return load_recording(file, replay, LoadedColumns(motors, _rows, most_rows, _NO_GAP), tell)
 
 
 def _rows(moment: Moment, records: Iterable[Row]) -> list[_Drawn]:

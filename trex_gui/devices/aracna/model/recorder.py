@@ -13,15 +13,15 @@ from trex_gui.devices.aracna.recording import CsvWriter, FellSilent, Header, Row
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
+    NotResponding,
     Passed,
     PlayEnded,
     Restarted,
-    Silent,
     SpeedsHeld,
     StepBegun,
     Stuck,
 )
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.recording.records_from import marker
 from trex_gui.ui.devices.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
@@ -55,7 +55,7 @@ class AracnaRecorder(RecordThread[Row]):
     @property
     def is_there(self) -> bool:
         """Whether a robot answers."""
-        return self._robot.link is Link.UP
+        return self._robot.link is ConnectionState.UP
 
     def start(self, path: Path) -> bool:
         """Record into a CSV file from now on; return whether that is possible now.
@@ -112,7 +112,7 @@ class AracnaRecorder(RecordThread[Row]):
                 | Restarted()
             ):
                 self.put(report)
-            case Silent():
+            case NotResponding():
                 self.put(FellSilent(self.clock()))
             case _:
                 pass
@@ -127,7 +127,7 @@ class AracnaRecorder(RecordThread[Row]):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self.recording and self._robot.link is Link.NONE:
+        if self.recording and self._robot.link is ConnectionState.NONE:
             self.end_because(self.tr("The recording {0} has ended with the connection."))
         elif self.recording and self._robot.motors != self._motors:
             self.end_because(self.tr("The recording {0} has ended: the robot has other motors."))

@@ -7,11 +7,11 @@ from trex_gui.devices.aracna.session.messages import (
     Connected,
     Moved,
     Moving,
+    NotResponding,
     Passed,
     Play,
     PlayEnded,
     Restarted,
-    Silent,
     SpeedsHeld,
     StepBegun,
     Stuck,
@@ -61,7 +61,7 @@ class SpeedRefused:
 
 
 @dataclass(frozen=True, slots=True)
-class Playing:
+class PlayState:
     """What is being played: `step` of `steps` (from 0) in `part` and `round`; `name` of the step.
 
     `step` is `None` before the first one has begun; `rounds` is 0 for ever.
@@ -102,7 +102,7 @@ class Rate:
 
 
 @dataclass(slots=True)
-class Known:
+class RobotState:
     """The newest of everything; nothing is known at first.
 
     Attributes:
@@ -128,7 +128,7 @@ class Known:
     left_until: float | None = None
     speeds: SpeedsHeld | None = None
     play: Play | None = None
-    playing: Playing | None = None
+    playing: PlayState | None = None
 
     def __post_init__(self) -> None:
         """Know of no position."""
@@ -152,7 +152,7 @@ class Known:
                 self.stuck = report
             case SpeedsHeld():
                 self.speeds = report
-            case Restarted() | Silent():
+            case Restarted() | NotResponding():
                 self._lose_sight()
             case Connected():
                 # What answers `.q` waits for no motor. Servos may move all the same: opening the
@@ -251,7 +251,9 @@ class Known:
         return self.moving is None and (self.moved is None or self.is_lost)
 
 
-def _place(play: Play, begun: StepBegun) -> Playing:
+def _place(play: Play, begun: StepBegun) -> PlayState:
     steps = {"in": play.blend_in, "out": play.blend_out}.get(begun.part, play.steps)
     name = steps[begun.index].name if begun.index < len(steps) else ""
-    return Playing(len(steps), play.rounds, begun.part, begun.index, begun.round, name, begun.late)
+    return PlayState(
+        len(steps), play.rounds, begun.part, begun.index, begun.round, name, begun.late
+    )

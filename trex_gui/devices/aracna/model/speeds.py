@@ -17,7 +17,7 @@ Where the motors are is not known then, and a servo that was just switched on ha
 """
 
 
-class Speeds(QObject):
+class ServoSpeeds(QObject):
     """One speed a motor, 0-1023; 0 is as fast as it can.
 
     Signals:

@@ -24,7 +24,7 @@ SLOWLY = 3.0
 
 
 @dataclass(frozen=True, slots=True)
-class Stage:
+class GaitStage:
     """Reach a pose in so many seconds, more than 0."""
 
     pose: Pose
@@ -44,7 +44,7 @@ class Gait:
     """
 
     name: str
-    stages: tuple[Stage, ...]
+    stages: tuple[GaitStage, ...]
     about: str = ""
     cyclic: bool = True
     ours: bool = False
@@ -94,7 +94,7 @@ def sampled(
     for number in range(1, samples + 1):
         positions = motion(seconds * number / samples)
         cut = tuple(min(max(round(position), 0), HIGHEST) for position in positions)
-        stages.append(Stage(Pose(f"{number} of {samples}", cut), seconds / samples))
+        stages.append(GaitStage(Pose(f"{number} of {samples}", cut), seconds / samples))
     return Gait(name, tuple(stages), about)
 
 
@@ -124,10 +124,10 @@ def _star(swung: int) -> Gait:
     return Gait(
         f"star {2 * swung}",
         (
-            Stage(pose("swing", standing, 1), 0.5),
-            Stage(pose("change over", swinging, 1), 0.2),
-            Stage(pose("swing back", swinging, -1), 0.5),
-            Stage(pose("change back", standing, 0), 0.2),
+            GaitStage(pose("swing", standing, 1), 0.5),
+            GaitStage(pose("change over", swinging, 1), 0.2),
+            GaitStage(pose("swing back", swinging, -1), 0.5),
+            GaitStage(pose("change back", standing, 0), 0.2),
         ),
         "Lifts two opposite legs, swings the other two, changes over and swings them back.",
     )
@@ -139,7 +139,7 @@ def _sine(time: float) -> tuple[float, ...]:
 
 STAND_UP = Gait(
     "stand up",
-    (Stage(FLAT, SLOWLY), Stage(STAND, SLOWLY)),
+    (GaitStage(FLAT, SLOWLY), GaitStage(STAND, SLOWLY)),
     "Lies down flat in 3 s and stands up in 3 s, from wherever it is.",
     cyclic=False,
 )
@@ -150,18 +150,18 @@ GAITS = (
     sampled("sine", _sine, 2 * math.pi, 16, "All motors together, 100 units about the centre."),
     Gait(
         "self-test",
-        (Stage(SELF_TEST_A, 1.0), Stage(SELF_TEST_B, 1.0)),
+        (GaitStage(SELF_TEST_A, 1.0), GaitStage(SELF_TEST_B, 1.0)),
         "To and fro between two poses; motors that stay more than 50 units off are suspect.",
     ),
     Gait(
         "push-ups",
-        (Stage(HALF_STAND, 1.0), Stage(STAND, 1.0)),
+        (GaitStage(HALF_STAND, 1.0), GaitStage(STAND, 1.0)),
         "Down to half-stand and up again.",
         ours=True,
     ),
     Gait(
         "lie down",
-        (Stage(HALF_STAND, 2.0), Stage(FLAT, 2.0)),
+        (GaitStage(HALF_STAND, 2.0), GaitStage(FLAT, 2.0)),
         "Over half-stand to flat, from wherever it is.",
         cyclic=False,
         ours=True,

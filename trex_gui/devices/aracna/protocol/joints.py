@@ -11,7 +11,7 @@ from enum import Enum
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 
 
-class Kind(Enum):
+class JointKind(Enum):
     """Which of the two joints of a leg."""
 
     INNER = "inner"
@@ -32,7 +32,7 @@ class Joint:
     """One joint and its motor (0-7); `side` is assumed, `kind` is known."""
 
     motor: int
-    kind: Kind
+    kind: JointKind
     side: Side
 
 
@@ -40,7 +40,7 @@ _SIDES = (Side.LEFT_FRONT, Side.RIGHT_FRONT, Side.RIGHT_BACK, Side.LEFT_BACK)
 """Motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 left."""
 
 JOINTS = tuple(
-    Joint(motor, Kind.OUTER if motor % 2 else Kind.INNER, _SIDES[motor // 2])
+    Joint(motor, JointKind.OUTER if motor % 2 else JointKind.INNER, _SIDES[motor // 2])
     for motor in range(MOTORS)
 )
 
@@ -70,10 +70,12 @@ class Limits:
         return self.low <= position <= self.high
 
 
-FACTORY_LIMITS = {Kind.INNER: Limits(50, 600), Kind.OUTER: Limits(0, 550)}
+FACTORY_LIMITS = {JointKind.INNER: Limits(50, 600), JointKind.OUTER: Limits(0, 550)}
 """They keep a joint from hitting body and screws; legs can still hit each other."""
 
 
 def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
     """Return the limits tuned on the robot, one a motor."""
-    return tuple(FACTORY_LIMITS[Kind.OUTER if motor % 2 else Kind.INNER] for motor in range(motors))
+    return tuple(
+        FACTORY_LIMITS[JointKind.OUTER if motor % 2 else JointKind.INNER] for motor in range(motors)
+    )

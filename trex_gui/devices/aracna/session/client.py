@@ -11,7 +11,7 @@ free again; a late answer to the command itself comes before it.
 from collections.abc import Sequence
 from dataclasses import replace
 
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, TrexError
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.aracna.protocol import lines
 from trex_gui.devices.aracna.protocol.replies import (
@@ -26,14 +26,14 @@ from trex_gui.devices.aracna.protocol.replies import (
 )
 from trex_gui.devices.aracna.session.command_events import (
     Answered,
-    Asked,
-    Late,
+    LateReply,
     Lost,
     News,
     Passing,
+    Sent,
     Voided,
 )
-from trex_gui.devices.aracna.session.messages import Counters
+from trex_gui.devices.aracna.session.messages import LineStats
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
@@ -50,7 +50,7 @@ _KEPT = 48
 """Bytes that are kept of what nobody understands, to show them."""
 
 
-class Client:
+class AracnaClient:
     """Talks over an open line, which it tells the robot's settings.
 
     Attributes:
@@ -63,9 +63,9 @@ class Client:
         self.transport = transport
         self.settings = replace(settings, line=LINE, device_number=None)
         self.motors = 0
-        self.asked: Asked | None = None
+        self.asked: Sent | None = None
         self.received = b""
-        self.counters = Counters()
+        self.counters = LineStats()
         self._strange = b""
         self._reader = Reader()
         self._passed: tuple[int, ...] | None = None
@@ -128,7 +128,7 @@ class Client:
         if self.asked is not None:
             raise BadRequest("One command at a time: the last one is not answered yet.")
         self.transport.write(line)
-        self.asked = Asked(letter, values, self.transport.clock(), seconds + self.slack)
+        self.asked = Sent(letter, values, self.transport.clock(), seconds + self.slack)
         self._passed = None
         self._strange = b""
         self._is_late = False
@@ -177,7 +177,7 @@ class Client:
                 self._ask_whether_free(max(asked.sent + asked.seconds, now) + ANSWER + self.slack)
         return []
 
-    def _answers(self, asked: Asked, reply: Reply) -> bool:
+    def _answers(self, asked: Sent, reply: Reply) -> bool:
         match reply:
             case Version():
                 return asked.letter == "q"
@@ -190,7 +190,7 @@ class Client:
             case _:
                 return False
 
-    def _behind(self, now: float) -> Asked | None:
+    def _behind(self, now: float) -> Sent | None:
         """Return what is answered next: the `.q` that went out behind a late command, if one did.
 
         The robot speaks then and does not listen.
@@ -198,12 +198,12 @@ class Client:
         if self._free_by is None:
             return None
         self._free_by = None
-        return Asked("q", (), now, ANSWER + self.slack)
+        return Sent("q", (), now, ANSWER + self.slack)
 
-    def _count_answer(self, asked: Asked, now: float) -> None:
+    def _count_answer(self, asked: Sent, now: float) -> None:
         counters = self.counters
         if not counters.answers:  # until now nobody knew whether it listens
-            self.counters = Counters(requests=1, answers=1)
+            self.counters = LineStats(requests=1, answers=1)
             return
         took = 0.0 if asked.letter == "c" else now - asked.sent
         self.counters = replace(
@@ -242,7 +242,7 @@ class Client:
             return [self._lose(self._why_lost(), now, free=False)]
         self._is_late = True
         self._ask_whether_free(now + ANSWER + self.slack)
-        return [Late(asked, self.waits_for, now)]
+        return [LateReply(asked, self.waits_for, now)]
 
     def _ask_whether_free(self, by: float) -> None:
         if self._free_by is None:
@@ -250,12 +250,12 @@ class Client:
             self.transport.write(lines.QUERY)
             self.counters = replace(self.counters, requests=self.counters.requests + 1)
 
-    def _why_lost(self) -> TrexError:
+    def _why_lost(self) -> StudioError:
         if self._strange:
             return BadReply(f"What came back is no answer to this: {shown(self._strange)}.")
         return NoReply("The robot has not answered in time.")
 
-    def _lose(self, error: TrexError, now: float, *, free: bool) -> Lost:
+    def _lose(self, error: StudioError, now: float, *, free: bool) -> Lost:
         assert self.asked is not None  # noqa: S101 - for the type checker
         lost, self.asked = self.asked, None
         if free or self._strange:  # the robot is there, or something came

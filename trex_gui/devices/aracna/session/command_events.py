@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.devices.aracna.protocol.replies import Led, Positions, Speeds, Version
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class Sent:
     """A command that is on its way.
 
     Attributes:
@@ -27,7 +27,7 @@ class Asked:
 class Answered:
     """Its answer is there."""
 
-    asked: Asked
+    asked: Sent
     reply: Version | Speeds | Positions | Led
     time: float
 
@@ -36,16 +36,16 @@ class Answered:
 class Passing:
     """The answer to a `.c` so far; the next motor is the one that is waited for."""
 
-    asked: Asked
+    asked: Sent
     present: tuple[int, ...]
     time: float
 
 
 @dataclass(frozen=True, slots=True)
-class Late:
+class LateReply:
     """The answer to a `.c` is late; `motor` is waited for, `None` where nothing has come."""
 
-    asked: Asked
+    asked: Sent
     motor: int | None
     time: float
 
@@ -57,8 +57,8 @@ class Lost:
     `free` says that the robot has answered a `.q` behind it: it is there, and idle.
     """
 
-    asked: Asked
-    error: TrexError
+    asked: Sent
+    error: StudioError
     free: bool
     time: float
 
@@ -67,8 +67,8 @@ class Lost:
 class Voided:
     """The firmware has started: what was on its way (`None`: nothing) is not answered."""
 
-    asked: Asked | None
+    asked: Sent | None
     time: float
 
 
-News = Answered | Passing | Late | Lost | Voided
+News = Answered | Passing | LateReply | Lost | Voided

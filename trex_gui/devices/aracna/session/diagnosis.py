@@ -1,6 +1,6 @@
 """Why no robot answers on a port: one sentence, and what to look at."""
 
-from trex_gui.core.errors import BadReply, NoReply, TrexError
+from trex_gui.core.errors import BadReply, NoReply, StudioError
 from trex_gui.devices.aracna.protocol import lines
 from trex_gui.devices.aracna.session.client import shown
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
@@ -31,7 +31,7 @@ def is_start(received: bytes) -> bool:
     return bool(heard) and not heard.replace(b".h", b"").strip(b"\r\nh")
 
 
-def why_no_robot(settings: LinkSettings, received: bytes) -> TrexError:
+def diagnose(settings: LinkSettings, received: bytes) -> StudioError:
     """Return an error that tells a person why no Aracna was found, from the first bytes heard."""
     where = settings.text()
     heard = received.strip(b"\r\n")
@@ -53,7 +53,7 @@ def why_no_robot(settings: LinkSettings, received: bytes) -> TrexError:
     )
 
 
-def why_stuck(motor: int | None) -> TrexError:
+def why_stuck(motor: int | None) -> StudioError:
     """Return an error for an answer to a `.c` that is late: which motor is waited for."""
     if motor is None:
         return NoReply("The robot has not answered in time.")

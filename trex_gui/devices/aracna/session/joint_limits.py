@@ -6,7 +6,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.aracna.protocol.joints import Limits
 
 
-class Fence:
+class GoalLimits:
     """Keeps goals within the newest limits; before there are any, as they are."""
 
     def __init__(self) -> None:

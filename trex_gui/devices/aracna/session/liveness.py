@@ -32,7 +32,7 @@ def motors_of(version: Version) -> int:
     return version.motors or _MOTORS.get(version.version, MOTORS)
 
 
-class Why(Enum):
+class QueryReason(Enum):
     """Why an answer to `.q` is awaited before anything else is sent."""
 
     OPENING = auto()
@@ -41,7 +41,7 @@ class Why(Enum):
     SILENT = auto()
 
 
-class Presence:
+class LivenessMonitor:
     """What is known of the robot's being there.
 
     Attributes:
@@ -50,7 +50,7 @@ class Presence:
     """
 
     def __init__(self, now: float) -> None:
-        self.why: Why | None = Why.OPENING
+        self.why: QueryReason | None = QueryReason.OPENING
         self.was_restarted = False
         self._ask_at = now
         self._until = now + PATIENCE
@@ -60,7 +60,7 @@ class Presence:
     def doubt(self, now: float) -> None:
         """It has not answered something; ask before anything else is sent."""
         if self.why is None:
-            self.why = Why.UNSURE
+            self.why = QueryReason.UNSURE
             self._ask_at = now
             self._until = now + RETRY
 
@@ -69,21 +69,21 @@ class Presence:
         self.was_restarted = True
         self._ask_at = now + BOOT
         self._until = now + PATIENCE
-        if self.why is Why.OPENING:
+        if self.why is QueryReason.OPENING:
             self._until = min(self._until, self._given_up_at)
         else:
-            self.why = Why.RESTARTED
+            self.why = QueryReason.RESTARTED
 
     def fall_silent(self, now: float) -> None:
         """It is called silent from here on."""
-        self.why = Why.SILENT
+        self.why = QueryReason.SILENT
         self._ask_at = now + SEARCH
 
     def note_answer(self, now: float) -> None:
         """It has answered something."""
         self._look_at = now + LOOK
 
-    def be_there(self, now: float) -> Why | None:
+    def be_there(self, now: float) -> QueryReason | None:
         """It has answered `.q`; return why that was awaited."""
         why, self.why = self.why, None
         self.was_restarted = False
@@ -93,7 +93,7 @@ class Presence:
     def retry(self, now: float) -> None:
         """An answer to `.q` has not come."""
         self._ask_at = max(self._ask_at, now)
-        if self.why is Why.SILENT:
+        if self.why is QueryReason.SILENT:
             self._ask_at = now + SEARCH - RETRY
 
     def is_due(self, now: float) -> bool:
@@ -102,7 +102,7 @@ class Presence:
 
     def is_over(self, now: float) -> bool:
         """Whether it has been asked in vain for long enough to say so."""
-        return self.why not in {None, Why.SILENT} and now >= self._until
+        return self.why not in {None, QueryReason.SILENT} and now >= self._until
 
     def seconds_to_next(self, now: float) -> float:
         """Return how long nothing has to be asked."""

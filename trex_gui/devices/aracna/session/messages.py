@@ -7,7 +7,7 @@ servo's units, speeds 0-1023 (0: as fast as it can). Times are seconds of the se
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Close, Closed, Outcome
 
@@ -124,7 +124,7 @@ Request = (
 
 
 @dataclass(frozen=True, slots=True)
-class Counters:
+class LineStats:
     """What the line has seen since the robot has answered first.
 
     Attributes:
@@ -147,10 +147,10 @@ class Counters:
 
 
 @dataclass(frozen=True, slots=True)
-class Counted:
+class LineStatsChanged:
     """How the line does; at most one a second, and only where something is new."""
 
-    counters: Counters
+    counters: LineStats
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,7 +222,7 @@ class DragDropped:
 
     time: float
     goals: tuple[int, ...]
-    error: TrexError
+    error: StudioError
 
 
 @dataclass(frozen=True, slots=True)
@@ -239,7 +239,7 @@ class Stuck:
 
 
 @dataclass(frozen=True, slots=True)
-class Silent:
+class NotResponding:
     """The robot has stopped answering; it is asked again and again until `Connected`."""
 
     reason: str
@@ -284,7 +284,7 @@ class PlayEnded:
 
 
 Report = (
-    Counted
+    LineStatsChanged
     | Connected
     | Restarted
     | Moving
@@ -293,7 +293,7 @@ Report = (
     | SpeedsHeld
     | DragDropped
     | Stuck
-    | Silent
+    | NotResponding
     | StepBegun
     | PlayEnded
     | Outcome

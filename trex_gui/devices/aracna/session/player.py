@@ -3,21 +3,21 @@
 import math
 from collections.abc import Callable
 
-from trex_gui.core.errors import TrexError
-from trex_gui.devices.aracna.session.joint_limits import Fence
+from trex_gui.core.errors import StudioError
+from trex_gui.devices.aracna.session.joint_limits import GoalLimits
 from trex_gui.devices.aracna.session.messages import Ending, Play, PlayEnded, Report, StepBegun
 from trex_gui.devices.aracna.session.servos import Servos
-from trex_gui.devices.aracna.session.step_clock import Playing, check, check_scale
+from trex_gui.devices.aracna.session.step_clock import StepClock, check, check_scale
 from trex_gui.devices.trex.session.messages import Outcome
 
 
-class Player:
+class SequencePlayer:
     """What is played at the moment, and where its step is: speeds, then goals, then arrived."""
 
-    def __init__(self, tell: Callable[[Report], None], fence: Fence) -> None:
+    def __init__(self, tell: Callable[[Report], None], goal_limits: GoalLimits) -> None:
         self._tell = tell
-        self._fence = fence
-        self._playing: Playing | None = None
+        self._goal_limits = goal_limits
+        self._playing: StepClock | None = None
         self._goals: tuple[int, ...] | None = None  # of the step that runs, not yet sent
         self._waits = False  # for the answer to them
         self._before: tuple[int, ...] | None = None  # speeds to give back in the end
@@ -35,7 +35,7 @@ class Player:
         """
         check(play, len(servos.speeds))
         self._before = None
-        self._playing = Playing(play, now)
+        self._playing = StepClock(play, now)
         self._goals, self._waits = None, False
 
     def end(self) -> None:
@@ -53,7 +53,7 @@ class Player:
         if self._playing is not None:
             self._playing.time_scale = time_scale
 
-    def stop(self, now: float, why: Ending, error: TrexError | None = None) -> None:
+    def stop(self, now: float, why: Ending, error: StudioError | None = None) -> None:
         """Play nothing any more, and tell it."""
         playing, self._playing = self._playing, None
         self._goals, self._waits = None, False
@@ -92,7 +92,7 @@ class Player:
             speeds = tuple(speed for speed in servos.speeds if speed is not None)
             self._before = speeds if len(speeds) == len(servos.speeds) else None
         late, seconds = self._playing.begin(turn, now)
-        self._goals = self._fence.crop(turn.step.goals)
+        self._goals = self._goal_limits.crop(turn.step.goals)
         self._tell(StepBegun(now, turn.part, turn.index, turn.round, late))
         return servos.speeds_to(self._goals, seconds)
 

@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 
-from trex_gui.core.errors import NoReply, TrexError
+from trex_gui.core.errors import NoReply, StudioError
 
 STUCK = "The robot is stuck: nothing was sent."
 
 
-def why_not_taken(wanted: Sequence[int], held: Sequence[int]) -> TrexError | None:
+def why_not_taken(wanted: Sequence[int], held: Sequence[int]) -> StudioError | None:
     """Return an error that names the motors that hold another speed; `None`: there is none."""
     wrong = [
         (motor, speed, holds)
@@ -27,7 +27,7 @@ def why_not_taken(wanted: Sequence[int], held: Sequence[int]) -> TrexError | Non
     return NoReply(f"{text[0].upper()}{text[1:]}.")
 
 
-def why_missed(off: Mapping[int, int]) -> TrexError:
+def why_missed(off: Mapping[int, int]) -> StudioError:
     """Return an error for a sequence whose step ended with motors far from their goals."""
     parts = [f"motor {motor} is {abs(units)} units off its goal" for motor, units in off.items()]
     text = "; ".join(parts)
@@ -37,6 +37,6 @@ def why_missed(off: Mapping[int, int]) -> TrexError:
     )
 
 
-def why_not_confirmed(error: TrexError) -> TrexError:
+def why_not_confirmed(error: StudioError) -> StudioError:
     """Return an error for speeds whose answer was lost: nobody knows what the servos hold."""
     return NoReply(f"The robot did not confirm its speeds, so no motor was moved. {error}")

@@ -2,46 +2,46 @@
 
 from collections.abc import Callable
 
-from trex_gui.core.errors import NoReply, TrexError
+from trex_gui.core.errors import NoReply, StudioError
 from trex_gui.devices.aracna.protocol.replies import Led, Positions, Speeds, Version
-from trex_gui.devices.aracna.session.client import Client
+from trex_gui.devices.aracna.session.client import AracnaClient
 from trex_gui.devices.aracna.session.command_events import (
     Answered,
-    Asked,
-    Late,
+    LateReply,
     Lost,
     News,
     Passing,
+    Sent,
     Voided,
 )
-from trex_gui.devices.aracna.session.diagnosis import why_no_robot, why_stuck
-from trex_gui.devices.aracna.session.liveness import Presence, Why, motors_of
+from trex_gui.devices.aracna.session.diagnosis import diagnose, why_stuck
+from trex_gui.devices.aracna.session.liveness import LivenessMonitor, QueryReason, motors_of
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Ending,
     Moved,
+    NotResponding,
     Passed,
     Report,
     Restarted,
-    Silent,
     SpeedsHeld,
     Stuck,
 )
-from trex_gui.devices.aracna.session.player import Player
+from trex_gui.devices.aracna.session.player import SequencePlayer
 from trex_gui.devices.aracna.session.rejections import (
     STUCK,
     why_missed,
     why_not_confirmed,
     why_not_taken,
 )
-from trex_gui.devices.aracna.session.request_queue import Waiting
+from trex_gui.devices.aracna.session.request_queue import RequestQueue
 from trex_gui.devices.aracna.session.servos import Servos, missed
 
 UNREAD = -1
 """Stands for a position that is not known, as in the robot's own answers."""
 
 
-class Hearing:
+class ReplyHandler:
     """Hears what comes of what a session has sent, and tells it.
 
     Attributes:
@@ -51,10 +51,10 @@ class Hearing:
 
     def __init__(
         self,
-        client: Client,
-        presence: Presence,
-        waiting: Waiting,
-        player: Player,
+        client: AracnaClient,
+        presence: LivenessMonitor,
+        waiting: RequestQueue,
+        player: SequencePlayer,
         tell: Callable[[Report], None],
     ) -> None:
         self.servos = Servos(0)
@@ -65,7 +65,7 @@ class Hearing:
         self._player = player
         self._tell = tell
 
-    def drop(self, now: float, why: Ending, reason: TrexError) -> None:
+    def drop(self, now: float, why: Ending, reason: StudioError) -> None:
         """Let nothing of what waits be sent; what is on its way goes on where it can."""
         if why is not Ending.HALTED:
             self._waiting.answer(error=reason)
@@ -82,7 +82,7 @@ class Hearing:
                 case Passing(present=present, time=time):
                     self._presence.note_answer(time)
                     self._tell(Passed(time, present))
-                case Late(motor=motor, time=time):
+                case LateReply(motor=motor, time=time):
                     self._note_late(motor, time)
                 case Lost():
                     self._note_loss(one)
@@ -137,11 +137,11 @@ class Hearing:
         if motors != self._client.motors:
             self._client.motors = motors
             self.servos = Servos(motors)
-            if why in {None, Why.UNSURE}:  # another robot: what was wished fits it no more
+            if why in {None, QueryReason.UNSURE}:  # another robot: what was wished fits it no more
                 self.drop(now, Ending.LOST, NoReply("Another robot answers now."))
-                why = Why.SILENT
-        if why not in {None, Why.UNSURE}:
-            restarted = was_restarted and why is not Why.OPENING
+                why = QueryReason.SILENT
+        if why not in {None, QueryReason.UNSURE}:
+            restarted = was_restarted and why is not QueryReason.OPENING
             self._tell(Connected(reply.version, motors, self._client.settings, restarted))
 
     def _note_loss(self, loss: Lost) -> None:
@@ -164,8 +164,8 @@ class Hearing:
         if not loss.free:
             self._presence.doubt(loss.time)
 
-    def _note_restart(self, asked: Asked | None, now: float) -> None:
-        is_opening = self._presence.why is Why.OPENING
+    def _note_restart(self, asked: Sent | None, now: float) -> None:
+        is_opening = self._presence.why is QueryReason.OPENING
         self.is_stuck = False
         self._presence.restart(now)
         if is_opening:
@@ -176,19 +176,19 @@ class Hearing:
         # all that is seen of either.
         self.servos.forget()
         self._tell(Restarted(now, voided))
-        self.drop(now, Ending.RESTARTED, TrexError("The robot's board has restarted."))
+        self.drop(now, Ending.RESTARTED, StudioError("The robot's board has restarted."))
 
-    def fall_silent(self, error: TrexError) -> None:
+    def fall_silent(self, error: StudioError) -> None:
         """Call the robot silent; one that has never answered is none.
 
         Raises:
             NoReply, BadReply: it has never answered; says what to look at.
         """
-        if self._presence.why is Why.OPENING:
-            raise why_no_robot(self._client.settings, self._client.received)
+        if self._presence.why is QueryReason.OPENING:
+            raise diagnose(self._client.settings, self._client.received)
         self._presence.fall_silent(self._client.transport.clock())
         self.servos.forget()
-        self._tell(Silent(str(error)))
+        self._tell(NotResponding(str(error)))
         self.drop(
             self._client.transport.clock(), Ending.LOST, NoReply("The robot has stopped answering.")
         )

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TypeVar
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.devices.aracna.session.messages import (
     Drag,
     DragDropped,
@@ -24,7 +24,7 @@ Job = Move | SetSpeeds | SetLed
 JobT = TypeVar("JobT", Move, SetLed, Drag, Job, "Job | Drag")
 
 
-class Waiting:
+class RequestQueue:
     """Jobs first come first served, the one that is on its way, and the newest drag.
 
     Every job gets its outcome through here, and exactly one.
@@ -79,7 +79,7 @@ class Waiting:
         jobs, self._jobs = self._jobs, deque()
         for one in jobs:
             if isinstance(one, SetSpeeds):
-                self._tell(Outcome(one.id, error=TrexError("Other speeds were chosen since.")))
+                self._tell(Outcome(one.id, error=StudioError("Other speeds were chosen since.")))
             else:
                 self._jobs.append(_at(one, job.speeds))
         if self.drag is not None:
@@ -105,7 +105,7 @@ class Waiting:
         try:
             self._prepares = send(job)
         except ValueError as error:  # a BadRequest; whatever else comes ends the line
-            self.answer(error=error if isinstance(error, TrexError) else TrexError(str(error)))
+            self.answer(error=error if isinstance(error, StudioError) else StudioError(str(error)))
             return
         if isinstance(job, Drag) and not self._prepares:
             self._sent = None
@@ -119,7 +119,7 @@ class Waiting:
         elif job is not None:
             self._jobs.appendleft(job)
 
-    def answer(self, value: object = None, error: TrexError | None = None) -> bool:
+    def answer(self, value: object = None, error: StudioError | None = None) -> bool:
         """End what is on its way; return whether there was anything.
 
         With a drag that is not sent go those that replaced it: it is told once.
@@ -134,16 +134,16 @@ class Waiting:
             self._tell(Outcome(job.id, value, error))
         return job is not None
 
-    def refuse(self, request: Request | None, error: TrexError) -> None:
+    def refuse(self, request: Request | None, error: StudioError) -> None:
         """End a request that never waited; some have no outcome."""
         if isinstance(request, Move | SetSpeeds | SetLed | Play):
             self._tell(Outcome(request.id, error=error))
 
-    def refuse_drag(self, drag: Drag, error: TrexError) -> None:
+    def refuse_drag(self, drag: Drag, error: StudioError) -> None:
         """Tell that a drag is not sent."""
         self._tell(DragDropped(self._clock(), drag.goals, error))
 
-    def drop(self, reason: TrexError) -> None:
+    def drop(self, reason: StudioError) -> None:
         """Let nothing of what waits be sent; the job that is on its way goes on.
 
         A motion of which only the speeds are on their way is not.

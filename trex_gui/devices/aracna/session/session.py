@@ -11,12 +11,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Protocol
 
-from trex_gui.core.errors import BadRequest, NoReply, TrexError
+from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.aracna.protocol import lines
-from trex_gui.devices.aracna.session.client import LINE, Client
-from trex_gui.devices.aracna.session.joint_limits import Fence
-from trex_gui.devices.aracna.session.liveness import RETRY, Presence, Why
+from trex_gui.devices.aracna.session.client import LINE, AracnaClient
+from trex_gui.devices.aracna.session.joint_limits import GoalLimits
+from trex_gui.devices.aracna.session.liveness import RETRY, LivenessMonitor, QueryReason
 from trex_gui.devices.aracna.session.messages import (
     Drag,
     Ending,
@@ -32,12 +32,12 @@ from trex_gui.devices.aracna.session.messages import (
     SetSpeeds,
     SetTimeScale,
 )
-from trex_gui.devices.aracna.session.player import Player
+from trex_gui.devices.aracna.session.player import SequencePlayer
 from trex_gui.devices.aracna.session.rejections import STUCK
-from trex_gui.devices.aracna.session.reply_handler import Hearing
-from trex_gui.devices.aracna.session.request_queue import Job, Waiting
+from trex_gui.devices.aracna.session.reply_handler import ReplyHandler
+from trex_gui.devices.aracna.session.request_queue import Job, RequestQueue
 from trex_gui.devices.aracna.session.servos import FRESH, TRUST, deadline
-from trex_gui.devices.aracna.session.stats import Counting
+from trex_gui.devices.aracna.session.stats import StatsReporter
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Close, Closed
 
@@ -81,9 +81,9 @@ class AracnaSession:
         self._inbox = inbox
         self._tell = tell
         self._open_transport = open_transport
-        self._fence = Fence()
-        self._waiting = Waiting(tell, self._now)
-        self._player = Player(tell, self._fence)
+        self._goal_limits = GoalLimits()
+        self._waiting = RequestQueue(tell, self._now)
+        self._player = SequencePlayer(tell, self._goal_limits)
 
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes; then report `Closed`.
@@ -91,29 +91,31 @@ class AracnaSession:
         Never raises: whatever happens, the port is given back and every request gets its
         outcome.
         """
-        error: TrexError | None = None
-        client: Client | None = None
+        error: StudioError | None = None
+        client: AracnaClient | None = None
         try:
-            client = self._client = Client(self._open_transport(self._settings), self._settings)
-            presence = self._presence = Presence(self._now())
-            self._hearing = Hearing(client, presence, self._waiting, self._player, self._tell)
-            counting = Counting(client, self._tell)
+            client = self._client = AracnaClient(
+                self._open_transport(self._settings), self._settings
+            )
+            presence = self._presence = LivenessMonitor(self._now())
+            self._hearing = ReplyHandler(client, presence, self._waiting, self._player, self._tell)
+            counting = StatsReporter(client, self._tell)
             while True:
                 self._step()
                 counting.look(self._now())
         except _Closing:
             pass
-        except TrexError as reason:
+        except StudioError as reason:
             error = reason
         except BaseException as reason:  # whatever ends this thread, the port is given back
             log.exception("the line session failed")
-            error = TrexError(f"The program made a mistake on this line: {reason!r}")
+            error = StudioError(f"The program made a mistake on this line: {reason!r}")
         if client is not None:
             client.close()
         self._finish(error, client)
 
-    def _finish(self, error: TrexError | None, client: Client | None) -> None:
-        reason = error or TrexError("The line was closed before this was done.")
+    def _finish(self, error: StudioError | None, client: AracnaClient | None) -> None:
+        reason = error or StudioError("The line was closed before this was done.")
         while (request := self._inbox.get(0.0)) is not None:
             self._waiting.refuse(request, reason)
         if client is not None:
@@ -177,12 +179,12 @@ class AracnaSession:
             match request:
                 case Halt():
                     self._hearing.drop(
-                        self._now(), Ending.HALTED, TrexError("Halted before it was sent.")
+                        self._now(), Ending.HALTED, StudioError("Halted before it was sent.")
                     )
                 case Drag():
                     self._take_drag(request)
                 case SetLimits(limits=limits):
-                    self._fence.set(limits)
+                    self._goal_limits.set(limits)
                 case EndPlay():
                     self._player.end()
                 case SetTimeScale(time_scale=scale):
@@ -221,7 +223,7 @@ class AracnaSession:
 
     @property
     def _is_there(self) -> bool:
-        return self._presence.why in {None, Why.UNSURE}
+        return self._presence.why in {None, QueryReason.UNSURE}
 
     def _check_presence(self) -> None:
         if not self._is_there:
@@ -251,7 +253,9 @@ class AracnaSession:
                 trust = FRESH if isinstance(job, Move) else TRUST
                 self._hearing.servos.doubt(self._now(), trust)
                 if speeds is not None and speeds != self._hearing.servos.speeds:
-                    lines.positions(self._fence.crop(goals), self._client.motors)  # refused first
+                    lines.positions(
+                        self._goal_limits.crop(goals), self._client.motors
+                    )  # refused first
                     self._client.set_speeds(speeds)
                     return True
                 self._move(goals)
@@ -268,7 +272,7 @@ class AracnaSession:
             BadRequest: not one of 0-1023 for each.
             PortUnavailable: the line is gone.
         """
-        goals = self._fence.crop(goals)
+        goals = self._goal_limits.crop(goals)
         fits = len(goals) == self._client.motors
         expected = self._hearing.servos.seconds_to(goals) if fits else 0.0
         self._client.move(goals, deadline(expected))

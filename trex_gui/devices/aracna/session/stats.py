@@ -2,20 +2,20 @@
 
 from collections.abc import Callable
 
-from trex_gui.devices.aracna.session.client import Client
-from trex_gui.devices.aracna.session.messages import Counted, Counters, Report
+from trex_gui.devices.aracna.session.client import AracnaClient
+from trex_gui.devices.aracna.session.messages import LineStats, LineStatsChanged, Report
 
 INTERVAL = 1.0
 """Seconds between two reports at least."""
 
 
-class Counting:
+class StatsReporter:
     """Tells what a client has counted, where it is new."""
 
-    def __init__(self, client: Client, tell: Callable[[Report], None]) -> None:
+    def __init__(self, client: AracnaClient, tell: Callable[[Report], None]) -> None:
         self._client = client
         self._tell = tell
-        self._told = Counters()
+        self._told = LineStats()
         self._next = client.transport.clock()
 
     def look(self, now: float) -> None:
@@ -24,10 +24,10 @@ class Counting:
         if now < self._next or _settled(counters) == _settled(self._told):
             return
         self._told, self._next = counters, now + INTERVAL
-        self._tell(Counted(counters))
+        self._tell(LineStatsChanged(counters))
 
 
-def _settled(counters: Counters) -> tuple[int, ...]:
+def _settled(counters: LineStats) -> tuple[int, ...]:
     """Return what changes with every end of a command, and with what comes unasked."""
     return (
         counters.answers,

@@ -69,7 +69,7 @@ def check_scale(scale: float) -> None:
         raise BadRequest(f"The time scale is {low:g} to {high:g}, not {scale:g}.")
 
 
-class Playing:
+class StepClock:
     """What is played, from the first step to the last.
 
     Attributes:

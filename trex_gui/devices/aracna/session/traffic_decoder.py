@@ -1,6 +1,6 @@
 """What the lines between a host and an Aracna mean, for a transcript."""
 
-from trex_gui.core.transport.transactions import Exchange, Wording, Words
+from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
     Hello,
     Led,
@@ -22,7 +22,7 @@ _UNREAD = -1
 _ANSWERED_LATE = frozenset({b".c", b".v", b".l"})
 
 
-class AracnaWording(Wording):
+class AracnaDecoder(Decoder):
     """Words for what `protocol.lines` sends and what `protocol.replies` reads."""
 
     def shown(self, data: bytes) -> str:
@@ -33,7 +33,7 @@ class AracnaWording(Wording):
         """The question by which the session sees that the robot is there."""
         return sent == b".q\n"
 
-    def is_whole(self, exchange: Exchange) -> bool:
+    def is_whole(self, exchange: Transaction) -> bool:
         """Whether a line of the command's own has come, or the robot has started anew."""
         lines = exchange.received.split(b"\n")[:-1]
         if not exchange.sent:
@@ -41,7 +41,7 @@ class AracnaWording(Wording):
         last = exchange.sent.rstrip(b"\n").rpartition(b"\n")[2][:2]
         return any(line.startswith((last, b".h")) for line in lines)
 
-    def goes_with(self, exchange: Exchange, sent: bytes) -> bool:
+    def goes_with(self, exchange: Transaction, sent: bytes) -> bool:
         """Whether it asks if the robot is free again, behind a command that it has not answered.
 
         A late answer to that command comes before the one to the question.
@@ -49,7 +49,7 @@ class AracnaWording(Wording):
         is_late = exchange.sent[:2] in _ANSWERED_LATE and not self.is_whole(exchange)
         return sent == b".q\n" and is_late
 
-    def read(self, exchange: Exchange) -> Words:
+    def read(self, exchange: Transaction) -> Decoded:
         """Say the command, and each line that came."""
         *lines, rest = exchange.received.split(b"\n")
         replies = [reply for line in lines for reply in _replies(line.removesuffix(b"\r"))]
@@ -57,11 +57,11 @@ class AracnaWording(Wording):
         said = [_said(reply) for reply in replies]
         if not exchange.sent:
             said += [f"a line that broke off: {self.shown(rest)}"] if rest else []
-            return Words("unasked: " + "; ".join(said), is_fault or bool(rest))
+            return Decoded("unasked: " + "; ".join(said), is_fault or bool(rest))
         asked = _asked(exchange.sent)
         if not self.is_whole(exchange) and exchange.sent.strip():
             if not exchange.is_over:
-                return Words(" → ".join([asked, *said]))
+                return Decoded(" → ".join([asked, *said]))
             said.append("the answer broke off" if rest else "no answer")
             is_fault = True
         elif exchange.sent.strip() and not any(_is_of(one, exchange.sent[:2]) for one in replies):
@@ -71,7 +71,7 @@ class AracnaWording(Wording):
             said.append(f"and behind it {self.shown(rest)}")
             is_fault = True
         is_fault |= exchange.sent[:2] != b".q" and Hello() in replies
-        return Words(f"{asked} → {'; '.join(said)}" if said else asked, is_fault)
+        return Decoded(f"{asked} → {'; '.join(said)}" if said else asked, is_fault)
 
 
 def _replies(line: bytes) -> list[Reply]:

@@ -202,9 +202,9 @@ class Firmware:
             yield Pause(READING)
             if servo.read(Register.MOVING) == 0:
                 return
-            hopeless = int(min(servo.remaining if servo.answers else _LUMP, _LUMP) / READING) - 1
-            if hopeless > 0:
-                yield Pause(hopeless * READING)
+            fatal_error = int(min(servo.remaining if servo.answers else _LUMP, _LUMP) / READING) - 1
+            if fatal_error > 0:
+                yield Pause(fatal_error * READING)
 
     def _print_value(self, value: int, index: int) -> _Part:
         is_last = index == len(self.servos) - 1

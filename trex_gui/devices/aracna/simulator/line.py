@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.simulator.rates import (
     is_other_rate,
 )
 from trex_gui.devices.aracna.simulator.servos import MARGIN, Servo
-from trex_gui.devices.aracna.simulator.station import Station
+from trex_gui.devices.aracna.simulator.station import RobotOnWire
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 _OLD_MOTORS = 2
@@ -83,7 +83,7 @@ class AracnaLine:
         self._host_busy_until = 0.0
         self._host_turn = 0
         self._injecting_until = 0.0
-        self.station = Station(firmware, self, keeps_last=keeps_last)
+        self.station = RobotOnWire(firmware, self, keeps_last=keeps_last)
         self.station.power_on()
 
     # The host's end

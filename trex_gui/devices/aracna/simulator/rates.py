@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable
 from functools import partial
 
-from trex_gui.core.simulator.sampling import Heard, Receiver
+from trex_gui.core.simulator.sampling import Receiver, SampledByte
 from trex_gui.core.simulator.timeline import Timeline
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
@@ -58,6 +58,6 @@ class Sampler:
         """Complete a byte behind which the sender has been silent."""
         self._pass_on(self._receiver.rest(math.nextafter(due, math.inf)))
 
-    def _pass_on(self, heard: Iterable[Heard]) -> None:
+    def _pass_on(self, heard: Iterable[SampledByte]) -> None:
         for each in heard:
             self._deliver(each.value)

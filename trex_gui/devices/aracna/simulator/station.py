@@ -33,7 +33,7 @@ class Surroundings(Protocol):
         """Let a byte to the host begin now; it arrives if `is_whole` at its end."""
 
 
-class Station:
+class RobotOnWire:
     """One board with its firmware.
 
     Polled, without interrupt or buffer: only while the program waits for a byte does it read

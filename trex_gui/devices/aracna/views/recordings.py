@@ -10,14 +10,14 @@ from trex_gui.devices.aracna.model.playback import RobotPlayback
 from trex_gui.devices.aracna.model.recorder import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.trex.views.recordings.recordings import SUFFIXES
-from trex_gui.ui.playback.keeper import RecordingKeeper, RecordingWords
+from trex_gui.ui.playback.keeper import RecordingManager, RecordingWords
 from trex_gui.ui.widgets.file_drop import FileDrop
 
 if TYPE_CHECKING:
     from trex_gui.devices.aracna.views.playback.window import RobotPlaybackWindow
 
 
-class AracnaRecordings(RecordingKeeper[AracnaRecorder, "RobotPlaybackWindow"]):
+class AracnaRecordings(RecordingManager[AracnaRecorder, "RobotPlaybackWindow"]):
     """One recorder, the row that shows that it records, and the windows of what was recorded."""
 
     def __init__(self, robot: Robot, window: QWidget) -> None:
@@ -26,9 +26,9 @@ class AracnaRecordings(RecordingKeeper[AracnaRecorder, "RobotPlaybackWindow"]):
         )
         self._robot = robot
 
-    def take_drops(self, frame: QWidget, desk: QWidget) -> None:
+    def take_drops(self, frame: QWidget, workspace: QWidget) -> None:
         """Open the recordings that are dropped on a window while this desk is shown in it."""
-        _DeskDrop(frame, desk).dropped.connect(self.open_file)
+        _DeskDrop(frame, workspace).dropped.connect(self.open_file)
 
     def open_window(self, path: Path) -> "RobotPlaybackWindow":
         playback = RobotPlayback.open(path)
@@ -44,12 +44,12 @@ class _DeskDrop(FileDrop):
     What was installed last is asked first: no other desk gets them while this one is shown.
     """
 
-    def __init__(self, frame: QWidget, desk: QWidget) -> None:
+    def __init__(self, frame: QWidget, workspace: QWidget) -> None:
         super().__init__(frame, SUFFIXES)
-        self._desk = desk
+        self._workspace = workspace
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        return self._desk.isVisible() and super().eventFilter(watched, event)
+        return self._workspace.isVisible() and super().eventFilter(watched, event)
 
 
 def _words() -> RecordingWords:

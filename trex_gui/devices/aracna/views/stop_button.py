@@ -4,7 +4,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.ui.widgets.red_button import RedButton
 
 
@@ -24,4 +24,7 @@ class StopSequenceButton(RedButton):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        self.setEnabled(self._robot.link in {Link.OPENING, Link.UP, Link.SILENT})
+        self.setEnabled(
+            self._robot.link
+            in {ConnectionState.OPENING, ConnectionState.UP, ConnectionState.SILENT}
+        )

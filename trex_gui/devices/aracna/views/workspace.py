@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
 
-from trex_gui.devices.aracna.model.controller import ARACNA, AracnaWay
+from trex_gui.devices.aracna.model.controller import ARACNA, AracnaController
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
@@ -20,20 +20,22 @@ from trex_gui.devices.aracna.views.menu import menus
 from trex_gui.devices.aracna.views.poses_page import PosesPage
 from trex_gui.devices.aracna.views.recordings import AracnaRecordings
 from trex_gui.devices.aracna.views.robot.page import RobotPage
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.ui.frame.actions import ActionInfo
-from trex_gui.ui.frame.workspace import Desk, FileKind
-from trex_gui.ui.traffic.page import TranscriptPage
+from trex_gui.ui.frame.workspace import FileKind, Workspace
+from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _PAGE = "aracna/page"
 _POSES = 1
 
 
-class AracnaDesk(Desk):
+class AracnaWorkspace(Workspace):
     """Everything of the window that is about an Aracna; it holds no state of the robot."""
 
-    def __init__(self, robot: Robot, library: Library, way: AracnaWay, frame: QMainWindow) -> None:
+    def __init__(
+        self, robot: Robot, library: Library, way: AracnaController, frame: QMainWindow
+    ) -> None:
         super().__init__(ARACNA.key, frame)
         self._robot = robot
         self._library = library
@@ -47,12 +49,12 @@ class AracnaDesk(Desk):
         tabs.setAccessibleName(self.tr("Pages"))
         self._page = RobotPage(robot, self)
         self._poses = PosesPage(robot, library, self)
-        transcript = TranscriptPage(robot.transcript, "aracnaTranscript", self.tr("a robot"), self)
+        traffic = TrafficPage(robot.traffic, "aracnaTranscript", self.tr("a robot"), self)
         pages = {
             self.tr("Robot"): self._page,
             self.tr("Poses"): self._poses,
             self.tr("Log"): LogPage(robot, self),
-            self.tr("Transcript"): transcript,
+            self.tr("Transcript"): traffic,
         }
         for title, page in pages.items():
             tabs.addTab(ScrollBox(page, self), title)
@@ -69,13 +71,13 @@ class AracnaDesk(Desk):
         layout.addWidget(bar)
 
         panel = self._poses.panel
-        for told in (robot.told, panel.told, self.recordings.told, transcript.told):
+        for told in (robot.told, panel.told, self.recordings.told, traffic.told):
             told.connect(self.told)
         for refused in (
             panel.refused,
             self.recordings.refused,
             robot.refused,
-            transcript.refused,
+            traffic.refused,
         ):
             refused.connect(self.refused)
         robot.failed.connect(self._on_robot_failed)
@@ -162,7 +164,7 @@ class AracnaDesk(Desk):
         self._on_demo_wanted()
         self._on_changed()
 
-    def possible(self) -> Mapping[str, bool]:
+    def enabled_actions(self) -> Mapping[str, bool]:
         """Return which of its actions can be done now."""
         robot, recorder = self._robot, self.recordings.recorder
         idle, undo = robot.playing is None, self._library.undo
@@ -173,7 +175,7 @@ class AracnaDesk(Desk):
             "aracna_centre": idle,
             "aracna_stand": idle,
             "aracna_play": self._page.controls.can_move,
-            "aracna_end": not idle and robot.link is Link.UP,
+            "aracna_end": not idle and robot.link is ConnectionState.UP,
             "aracna_record": recorder.recording or recorder.can_record,
             "aracna_limits": not robot.limits.are_factory,
             "aracna_capture": None not in robot.present,
@@ -202,7 +204,7 @@ class AracnaDesk(Desk):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        up = self._robot.link is Link.UP
+        up = self._robot.link is ConnectionState.UP
         if up and not self._was_up:
             self.settled.emit()
         self._was_up = up
@@ -216,9 +218,9 @@ class AracnaDesk(Desk):
         recording = self.recordings.recorder.recording
         text = self.tr("Stop &recording") if recording else self.tr("&Record…")
         self._actions["aracna_record"].setText(text)
-        if (possible := self.possible()) != self._told_possible:
-            self._told_possible = possible
-            self.possibilities_changed.emit()
+        if (enabled_actions := self.enabled_actions()) != self._told_possible:
+            self._told_possible = enabled_actions
+            self.actions_changed.emit()
 
     @Slot()
     def _on_demo_wanted(self) -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import ceil, pi, sqrt
 from statistics import median
 
-from trex_gui.devices.trex.calibration.problems import Kind, Problem
+from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.calibration.samples import LIMITS, Sample, deviation, runs
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -165,7 +165,7 @@ def no_signal(source: InputSource) -> Problem:
         )
     else:
         text = "No signal comes in."
-    return Problem(Kind.NO_SIGNAL, text)
+    return Problem(ProblemKind.NO_SIGNAL, text)
 
 
 def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int], int]:
@@ -208,14 +208,14 @@ def _movement(
         )
         if source is InputSource.ANALOG:
             text += _OPEN_INPUT
-        return [Problem(Kind.MOVED, text)]
+        return [Problem(ProblemKind.MOVED, text)]
     if drifts:
         way = "up" if drift > 0 else "down"
         text = (
             f"It drifted {way} by {source.text(abs(drift))} while it was sampled. Take the hands "
             "off and sample again; if it goes on, the stick or the transmitter warms up or is worn."
         )
-        return [Problem(Kind.MOVED, text)]
+        return [Problem(ProblemKind.MOVED, text)]
     return []
 
 
@@ -234,7 +234,7 @@ def _jitter(invalid: float, spikes: int, total: int) -> list[Problem]:
             f"{spikes} of {total} pulses were far from all others: the radio link is poor, or the "
             "cable picks up noise."
         )
-        return [Problem(Kind.JITTER, text)]
+        return [Problem(ProblemKind.JITTER, text)]
     return []
 
 
@@ -244,7 +244,7 @@ def lost_pulses(share: float, *, fatal: bool = True) -> Problem:
         f"The signal comes and goes: {share:.0%} of the samples had no valid pulse. Bring the "
         "transmitter nearer, or look after aerial and cable."
     )
-    return Problem(Kind.JITTER, text, fatal)
+    return Problem(ProblemKind.JITTER, text, fatal)
 
 
 def _stuck(counts: Sequence[int], spread: float, interval: float) -> list[Problem]:
@@ -269,7 +269,7 @@ def _stuck(counts: Sequence[int], spread: float, interval: float) -> list[Proble
         "or look after aerial and cable. Fewer than a third, or those of a steadier signal, are "
         "not noticed: the board repeats the last value."
     )
-    return [Problem(Kind.JITTER, text, fatal=False)]
+    return [Problem(ProblemKind.JITTER, text, fatal=False)]
 
 
 def _too_noisy(noise: int, source: InputSource) -> Problem:
@@ -279,4 +279,4 @@ def _too_noisy(noise: int, source: InputSource) -> Problem:
     )
     if source is InputSource.ANALOG:
         text += _OPEN_INPUT
-    return Problem(Kind.NOISE, text)
+    return Problem(ProblemKind.NOISE, text)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 
 
-class Kind(Enum):
+class ProblemKind(Enum):
     """What is wrong."""
 
     NO_SIGNAL = auto()
@@ -31,7 +31,7 @@ class Kind(Enum):
 class Problem:
     """What is wrong, as a sentence; one that is not `fatal` is only to be known."""
 
-    kind: Kind
+    kind: ProblemKind
     text: str
     fatal: bool = True
 

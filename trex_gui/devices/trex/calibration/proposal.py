@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import ceil
 
 from trex_gui.devices.trex.calibration.neutral import Neutral, swing_text
-from trex_gui.devices.trex.calibration.problems import Kind, Problem, has_fatal
+from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -61,7 +61,7 @@ def propose(channel: int, neutral: Neutral, travel: Travel, *, reversed_now: boo
     )
     if refused := wanted.problem():
         words = f"The board would not take what was measured: {refused}."
-        problems += (Problem(Kind.REFUSED, words),)
+        problems += (Problem(ProblemKind.REFUSED, words),)
         return Proposal(channel, neutral.source, None, reversed_now, "", (), problems)
     reasons = tuple(filter(None, (_ends_reason(neutral, travel), neutral.deadband_reason)))
     return Proposal(channel, neutral.source, wanted, reversed_, why, reasons, problems)

@@ -29,7 +29,7 @@ class Sample:
 
 
 @dataclass(frozen=True, slots=True)
-class Limits:
+class InputLimits:
     """What counts as movement, in counts, however quiet a signal is."""
 
     moved: int
@@ -38,8 +38,8 @@ class Limits:
 
 
 LIMITS = {
-    InputSource.RC: Limits(moved=25, drifted=12, noisy=312),  # 10, 5 and 125 us
-    InputSource.ANALOG: Limits(moved=8, drifted=4, noisy=128),  # 39, 20 and 626 mV
+    InputSource.RC: InputLimits(moved=25, drifted=12, noisy=312),  # 10, 5 and 125 us
+    InputSource.ANALOG: InputLimits(moved=8, drifted=4, noisy=128),  # 39, 20 and 626 mV
 }
 """Inferred, from what sticks do: a hand moves one further than this, a spring holds it closer."""
 

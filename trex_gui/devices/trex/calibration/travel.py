@@ -9,7 +9,7 @@ from statistics import median
 
 from trex_gui.devices.trex.calibration.holding import HELD, SLOW, WINDOW, EndWatch
 from trex_gui.devices.trex.calibration.neutral import Neutral, lost_pulses, no_signal
-from trex_gui.devices.trex.calibration.problems import Kind, Problem
+from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.calibration.samples import LIMITS, Sample
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -194,10 +194,10 @@ class Travel:
                 f"({text(self.low or 0)} and {text(self.high or 0)}). Was a trim moved? Begin "
                 "again with the sticks at rest."
             )
-            return (Problem(Kind.NEUTRAL_OUTSIDE, words),)
+            return (Problem(ProblemKind.NEUTRAL_OUTSIDE, words),)
         if longest < self.least:
             words = f"It went only {text(longest)} from its rest; {needed}."
-            return (Problem(Kind.TOO_LITTLE, words),)
+            return (Problem(ProblemKind.TOO_LITTLE, words),)
         if self.task is not Task.STICK:
             return self._passed()
         where = "below" if up > down else "above"
@@ -206,10 +206,10 @@ class Travel:
                 f"It went one way only, never {where} its rest. Push it the other way too; if it "
                 "cannot go there, it rested at an end while it was sampled."
             )
-            return (Problem(Kind.ONE_DIRECTION, words),)
+            return (Problem(ProblemKind.ONE_DIRECTION, words),)
         if shortest < self.least:
             words = f"The end {where} is only {text(shortest)} from its rest; {needed}."
-            return (Problem(Kind.END_TOO_NEAR, words),)
+            return (Problem(ProblemKind.END_TOO_NEAR, words),)
         if passed := self._passed():
             return passed
         if shortest < _UNEVEN * longest:
@@ -217,7 +217,7 @@ class Travel:
                 f"It went {text(longest)} to one side, {text(shortest)} {where}. Was it pushed "
                 "all the way?"
             )
-            return (Problem(Kind.UNEVEN, words, fatal=False),)
+            return (Problem(ProblemKind.UNEVEN, words, fatal=False),)
         return ()
 
     def _never_moved(self) -> Problem:
@@ -226,7 +226,7 @@ class Travel:
                 "It never moved: a steady signal comes in. Either another stick belongs to this "
                 "channel, or it was not moved."
             )
-            return Problem(Kind.NEVER_MOVED, words)
+            return Problem(ProblemKind.NEVER_MOVED, words)
         words = f"Nothing moves on this input: it stays at {self.source.text(self.neutral)}"
         if self.neutral <= _RAIL or self.neutral >= self.source.highest_count - _RAIL:
             words += ", an end of what can be measured"
@@ -234,7 +234,7 @@ class Travel:
             ". Either nothing is connected to it (its voltage then means nothing), or what is "
             "connected was not moved."
         )
-        return Problem(Kind.NEVER_MOVED, words)
+        return Problem(ProblemKind.NEVER_MOVED, words)
 
     def _passed(self) -> tuple[Problem, ...]:
         """Say which ends were only passed."""
@@ -250,7 +250,7 @@ class Travel:
         if len(ends) > 1:
             words = words.replace(" was only passed, so it", " were only passed, so they")
             words = words.replace("push it there", "push it to each")
-        return (Problem(Kind.NOT_HELD, words),)
+        return (Problem(ProblemKind.NOT_HELD, words),)
 
 
 class TravelWatch:

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.console import Interruption, Usage
+from trex_gui.core.cli.console import Interruption, UsageError
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.changes import prepare_one, read_board, say_what_follows
 from trex_gui.devices.trex.cli.common import (
@@ -122,7 +122,7 @@ def _parse(name: str, text: str) -> tuple[float, str]:
     found = _VALUE.fullmatch(text.strip())
     unit = found[2].lower() if found else ""
     if found is None or (unit and unit not in _UNITS) or (not unit and "." in found[1]):
-        raise Usage(f"{name.upper()} is counts (3750), or like 1500us or 2.5V, not {text!r}.")
+        raise UsageError(f"{name.upper()} is counts (3750), or like 1500us or 2.5V, not {text!r}.")
     return float(found[1]), unit
 
 

@@ -8,7 +8,7 @@ from trex_gui.core.errors import Rejected, ResultCode
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.cli.reconnect_hint import say_how_to_reach
 from trex_gui.devices.trex.cli.snapshots import keep
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.settings.from_board import settings_of
 from trex_gui.devices.trex.settings.rules import Context, advise
 
 
-def read_board(client: Client) -> DeviceState:
+def read_board(client: TrexClient) -> DeviceState:
     """Read everything, with a line on a terminal that says how far it is."""
     with ProgressLine("Reading") as line:
         return read_everything(client.request, line)
@@ -82,7 +82,7 @@ def prepare_one(
 
 
 def say_what_follows(
-    client: Client, link: LinkSettings, state: DeviceState, stored: Mapping[str, int]
+    client: TrexClient, link: LinkSettings, state: DeviceState, stored: Mapping[str, int]
 ) -> None:
     """Say what waits for a power cycle, and how the board is reached now and after it.
 

@@ -7,14 +7,14 @@ from typing import Any, TypeVar
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli.console import Refused, Usage
+from trex_gui.core.cli.console import CommandFailed, UsageError
 from trex_gui.core.cli.host import host
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, TrexError
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
-from trex_gui.devices.trex.discovery.diagnosis import why_no_board
+from trex_gui.devices.trex.discovery.diagnosis import diagnose
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.framing import Framing
@@ -35,7 +35,7 @@ def hexadecimal(text: str) -> int:
     try:
         return int(text, 16)
     except ValueError:
-        raise Usage(f"{text!r} is not a hexadecimal number such as 89.") from None
+        raise UsageError(f"{text!r} is not a hexadecimal number such as 89.") from None
 
 
 def complete_port(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
@@ -143,9 +143,9 @@ def link_settings(options: dict[str, Any], url: str | None = None) -> LinkSettin
     """
     url = url or options["port"]
     if not url:
-        raise Usage("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
+        raise UsageError("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
     if options["crc"] and options["parity"] != "none":
-        raise Usage("A TReX has either CRC or parity, not both.")
+        raise UsageError("A TReX has either CRC or parity, not both.")
     detection = {"none": Detection.NONE, "even": Detection.EVEN, "odd": Detection.ODD}
     line = LineSettings(
         options["baud"],
@@ -158,7 +158,7 @@ def link_settings(options: dict[str, Any], url: str | None = None) -> LinkSettin
         polynomial = hexadecimal(options["polynomial"])
         Framing(number, polynomial)
     except BadRequest as error:
-        raise Usage(str(error)) from error
+        raise UsageError(str(error)) from error
     return LinkSettings(url, line, number, polynomial, Timeouts(extra=options["patience"]))
 
 
@@ -192,12 +192,12 @@ def refusals() -> Iterator[None]:
     """Let whatever goes wrong on a line or in a file end the program with a sentence."""
     try:
         yield
-    except TrexError as error:
-        raise Refused(error) from error
+    except StudioError as error:
+        raise CommandFailed(error) from error
 
 
 @contextlib.contextmanager
-def open_line(settings: LinkSettings) -> Iterator[Client]:
+def open_line(settings: LinkSettings) -> Iterator[TrexClient]:
     """Open the line; whatever goes wrong on it ends the program with a sentence."""
     with refusals(), _begun(host().open_transport(settings), settings) as client:
         yield client
@@ -206,7 +206,7 @@ def open_line(settings: LinkSettings) -> Iterator[Client]:
 @contextlib.contextmanager
 def open_line_to_change(
     settings: LinkSettings,
-) -> Iterator[tuple[Client, frozenset[int] | None]]:
+) -> Iterator[tuple[TrexClient, frozenset[int] | None]]:
     """Open the line as `open_line` does; tell the baud rates that the port can do as well.
 
     `None` in their place: nobody knows.
@@ -219,8 +219,8 @@ def open_line_to_change(
 
 
 @contextlib.contextmanager
-def _begun(transport: Transport, settings: LinkSettings) -> Iterator[Client]:
-    client = Client(transport, settings)
+def _begun(transport: Transport, settings: LinkSettings) -> Iterator[TrexClient]:
+    client = TrexClient(transport, settings)
     try:
         client.detect_echo()
         yield client
@@ -229,7 +229,7 @@ def _begun(transport: Transport, settings: LinkSettings) -> Iterator[Client]:
         client.close()
 
 
-def identify(client: Client) -> Signature:
+def identify(client: TrexClient) -> Signature:
     """Return which board answers.
 
     Raises:
@@ -238,4 +238,4 @@ def identify(client: Client) -> Signature:
     try:
         return ask(client.request, GetSignature())
     except (NoReply, BadReply) as error:
-        raise why_no_board(client.settings, echo=client.echo, error=error) from error
+        raise diagnose(client.settings, echo=client.echo, error=error) from error

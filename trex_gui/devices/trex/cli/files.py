@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from trex_gui import __version__
-from trex_gui.core.cli.console import Interruption, ProgressLine, Usage, refuse, say
+from trex_gui.core.cli.console import Interruption, ProgressLine, UsageError, refuse, say
 from trex_gui.core.files.errors import Finding, SettingsError, Severity
 from trex_gui.devices.trex.cli.changes import (
     read_board,
@@ -27,12 +27,12 @@ from trex_gui.devices.trex.cli.common import (
 )
 from trex_gui.devices.trex.cli.settings_io import FILE, content_of, name_of, read_file, save_file
 from trex_gui.devices.trex.cli.snapshots import keep
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import NotTried, Written, write_all
+from trex_gui.devices.trex.client.writing import Skipped, WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.settings.comparison import Comparison, Row, compare
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.from_board import settings_of
@@ -108,7 +108,7 @@ def check_settings(file: str, out: str | None, as_json: bool) -> None:
     and order stay; only what can be mended is changed, such as a last line without an end.
     """
     if as_json and out == "-":
-        raise Usage("--json and OUT cannot both have standard output.")
+        raise UsageError("--json and OUT cannot both have standard output.")
     settings: Settings | None = None
     with refusals():
         data = content_of(file)
@@ -229,7 +229,9 @@ def _visible(wanted: Settings, state: DeviceState) -> Settings:
     return replace(wanted, calibrations=kept)
 
 
-def _write(client: Client, chosen: LinkSettings, state: DeviceState, rows: list[Row]) -> None:
+def _write(
+    client: TrexClient, chosen: LinkSettings, state: DeviceState, rows: list[ComparisonRow]
+) -> None:
     names = {row.key: row.name for row in rows}
     parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]
     calibrations: list[tuple[int, Calibration]] = []
@@ -261,13 +263,13 @@ def _write(client: Client, chosen: LinkSettings, state: DeviceState, rows: list[
         refuse(f"{begun} everything was stored; what was not tried is as it was.")
 
 
-def _say_failures(failed: list[Written], names: dict[str, str]) -> None:
+def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
     """Name what did not stick; what was not tried after a fatal error is only listed."""
     said: set[int] = set()
     untried: list[str] = []
     for result in failed:
         name, text = names[result.what], str(result.error)
-        if id(result.error) in said or isinstance(result.error, NotTried):
+        if id(result.error) in said or isinstance(result.error, Skipped):
             untried.append(name)
             continue
         said.add(id(result.error))
@@ -285,7 +287,7 @@ def _print(result: Comparison) -> None:
         click.echo(text)
 
 
-def _json_row(row: Row) -> dict[str, Any]:
+def _json_row(row: ComparisonRow) -> dict[str, Any]:
     def plain(value: int | Calibration | None) -> Any:
         if isinstance(value, Calibration):
             return {name: getattr(value, name) for name in CALIBRATION_FIELDS}

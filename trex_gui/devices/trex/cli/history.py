@@ -7,18 +7,18 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli.console import Usage, refuse, say
+from trex_gui.core.cli.console import UsageError, refuse, say
 from trex_gui.devices.trex.cli.common import json_option, link_options, refusals
 from trex_gui.devices.trex.cli.settings_io import read_file
 from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS
-from trex_gui.devices.trex.settings.history import History, Snapshot
+from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
 
 def _complete_number(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[Any]:
     del ctx, param
     return [
         CompletionItem(str(number), help=" ".join(_cells(number, snapshot)[1:]))
-        for number, snapshot in enumerate(History().snapshots(), 1)
+        for number, snapshot in enumerate(SettingsHistory().snapshots(), 1)
         if str(number).startswith(incomplete)
     ]
 
@@ -44,11 +44,11 @@ def history(ctx: click.Context, as_json: bool) -> None:
     if ctx.invoked_subcommand is None:
         _list(as_json)
     elif as_json:
-        raise Usage(f"--json belongs behind {ctx.invoked_subcommand}.")
+        raise UsageError(f"--json belongs behind {ctx.invoked_subcommand}.")
 
 
 def _list(as_json: bool) -> None:
-    history = History()
+    history = SettingsHistory()
     snapshots = history.snapshots()
     if problem := history.bound().problem:
         say(f"Warning: {problem}")
@@ -119,7 +119,7 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
 def path(number: str) -> None:
     """Print where the file of a snapshot lies."""
     if not number.isdecimal() or len(number) > 9:
-        raise Usage(f"{number!r} is not a number such as 1, the newest snapshot.")
+        raise UsageError(f"{number!r} is not a number such as 1, the newest snapshot.")
     click.echo(_path_of(number))
 
 
@@ -131,7 +131,7 @@ def keep(count: str | None, yes: bool) -> None:
 
     Asks before it removes the oldest, which are more than that.
     """
-    history = History()
+    history = SettingsHistory()
     if count is None:
         bound = history.bound()
         if bound.problem:
@@ -154,7 +154,7 @@ def _count(word: str) -> int | None:
     if word.casefold() == "all":
         return None
     if not word.isascii() or not word.isdecimal() or not 1 <= int(word[:8]) < 10**7:
-        raise Usage(f"{word!r} is neither a number of snapshots, at least 1, nor all.")
+        raise UsageError(f"{word!r} is neither a number of snapshots, at least 1, nor all.")
     return int(word)
 
 
@@ -162,7 +162,7 @@ def _path_of(word: str) -> Path:
     """Return the file of a snapshot that was named by its number, or a file by its name."""
     if not word.isdecimal() or len(word) > 9:
         return Path(word)
-    history = History()
+    history = SettingsHistory()
     snapshots = history.snapshots()
     if 1 <= int(word) <= len(snapshots):
         return snapshots[int(word) - 1].path

@@ -6,16 +6,16 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.console import Interruption, Refused, Usage, say
+from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.core.transport.port_holder import holder_of
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.cli.status import names_of
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP, who_controls
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.client.telemetry import StatusReader
-from trex_gui.devices.trex.driving.stopping import stop_and_prove
+from trex_gui.devices.trex.driving.stopping import stop_and_confirm
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     Drive,
@@ -85,7 +85,7 @@ def motor(
                 _stop(client, reader, timeout)
     say("Stopped.")
     if reason:
-        raise Refused(reason)
+        raise CommandFailed(reason)
 
 
 @click.command()
@@ -95,11 +95,11 @@ def stop(**options: Any) -> None:
     settings = link_settings(options)
     try:
         _stop_at(settings)
-    except Refused as refusal:
+    except CommandFailed as refusal:
         held = isinstance(refusal.__cause__, PortUnavailable) and holder_of(settings.url)
         if not held:
             raise
-        raise Refused(
+        raise CommandFailed(
             f"{refusal} If that is TReX Studio: Esc in its window stops the motors, and so does "
             "ending it."
         ) from refusal
@@ -109,14 +109,14 @@ def stop(**options: Any) -> None:
 def _stop_at(settings: LinkSettings) -> None:
     with open_line(settings) as client:
         reader = StatusReader(client.transport.clock)
-        if not stop_and_prove(client, reader, careful=True).proved:
+        if not stop_and_confirm(client, reader, careful=True).confirmed:
             identify(client)  # says why nothing answers
             raise NoReply(
                 "The stop was sent, but the board reports errors on the line each time. "
                 "If a motor still turns, cut its power."
             )
         if not ask(client.request, GetSerialControl()):
-            raise Refused(BEYOND_A_STOP)
+            raise CommandFailed(BEYOND_A_STOP)
 
 
 def _order(which: str, speed: int, *, accelerate: bool, brake: bool) -> Command[None]:
@@ -128,28 +128,28 @@ def _order(which: str, speed: int, *, accelerate: bool, brake: bool) -> Command[
     try:
         if which == "aux":
             if brake:
-                raise Usage("The auxiliary motor has no brake.")
+                raise UsageError("The auxiliary motor has no brake.")
             order: Command[None] = DriveAuxiliary(speed, accelerate)
         else:
             drive = Drive.brake(speed) if brake else Drive.at(speed)
             order = DriveMotor(int(which), drive, accelerate)
         order.data()
     except BadRequest as error:
-        raise Usage(str(error)) from error
+        raise UsageError(str(error)) from error
     return order
 
 
-def _check_control(client: Client, which: str) -> None:
+def _check_control(client: TrexClient, which: str) -> None:
     """Refuse where the motors would not obey, and an order would only wait in the board."""
     mode = ask(client.request, GetMode())
     joint = ask(client.request, GetParameter(parameter_number("motor_mode"))) == 1
     if not ask(client.request, GetSerialControl()):
-        raise Refused(who_controls(mode, by_serial=False, joint=joint))
+        raise CommandFailed(who_controls(mode, by_serial=False, joint=joint))
     if joint and which == "2":
         say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
 
 
-def _timeout(client: Client, signature: Signature) -> float:
+def _timeout(client: TrexClient, signature: Signature) -> float:
     """Return the board's serial timeout in seconds, 0 for none; warn where there is none."""
     spec = parameters_of(signature.model.key, signature.firmware)["serial_timeout"]
     wire = ask(client.request, GetParameter(spec.number))
@@ -170,7 +170,7 @@ class _Run:
     timeout: float
 
     def until_done(
-        self, client: Client, reader: StatusReader, interrupted: Interruption
+        self, client: TrexClient, reader: StatusReader, interrupted: Interruption
     ) -> str | None:
         """Drive until it is time to stop; return why that is too early, else `None`."""
         clock = client.transport.clock
@@ -214,15 +214,17 @@ def _what_now(timeout: float) -> str:
     return "If a motor still turns, cut its power."
 
 
-def _stop(client: Client, reader: StatusReader, timeout: float) -> None:
+def _stop(client: TrexClient, reader: StatusReader, timeout: float) -> None:
     """Stop everything.
 
     Raises:
         Refused: the board does not prove it.
     """
     try:
-        proved = stop_and_prove(client, reader, careful=True).proved
+        confirmed = stop_and_confirm(client, reader, careful=True).confirmed
     except PortUnavailable as error:
         raise PortUnavailable(f"{error} {_what_now(timeout)}") from error
-    if not proved:
-        raise Refused(f"The stop was sent, but the board does not confirm it. {_what_now(timeout)}")
+    if not confirmed:
+        raise CommandFailed(
+            f"The stop was sent, but the board does not confirm it. {_what_now(timeout)}"
+        )

@@ -5,7 +5,7 @@ from typing import Any
 
 import click
 
-from trex_gui.core.cli.console import Refused, Usage
+from trex_gui.core.cli.console import CommandFailed, UsageError
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     crc_option,
@@ -32,9 +32,9 @@ def _bytes(words: tuple[str, ...]) -> bytes:
     try:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
     except ValueError as error:
-        raise Usage(f'"{text}" is not hexadecimal bytes such as "86 1F".') from error
+        raise UsageError(f'"{text}" is not hexadecimal bytes such as "86 1F".') from error
     if not data:
-        raise Usage('Which bytes? Give them in hexadecimal, such as "86 1F".')
+        raise UsageError('Which bytes? Give them in hexadecimal, such as "86 1F".')
     return data
 
 
@@ -69,7 +69,7 @@ def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
     try:
         parser = PacketParser(hexadecimal(polynomial) if crc else None)
     except BadRequest as error:
-        raise Usage(str(error)) from error
+        raise UsageError(str(error)) from error
     events = parser.feed(data) + parser.flush()
     rows = [_row(event) for event in events]
     widths = [max(len(row[column]) for row in rows) for column in (0, 1)]
@@ -77,7 +77,7 @@ def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
         click.echo(f"{first:{widths[0]}}  {second:{widths[1]}}  {words}")
     bad = sum(isinstance(event, Malformed) for event in events)
     if bad:
-        raise Refused(f"{bad} of {len(events)} are no packets.")
+        raise CommandFailed(f"{bad} of {len(events)} are no packets.")
 
 
 def _row(event: Packet | Malformed) -> tuple[str, str, str]:

@@ -14,13 +14,13 @@ from trex_gui.devices.trex.cli.common import (
     link_settings,
     open_line,
 )
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.protocol.commands import GetParameter
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 
 
-def spec_of(client: Client, name: str) -> ParameterSpec:
+def spec_of(client: TrexClient, name: str) -> ParameterSpec:
     """Return the parameter that a person calls so, as it is for the board on the line.
 
     Raises:

@@ -7,10 +7,10 @@ from typing import Any
 import click
 from serial.tools import list_ports
 
-from trex_gui.core.cli.console import Interruption, ProgressLine, Refused, say
+from trex_gui.core.cli.console import CommandFailed, Interruption, ProgressLine, say
 from trex_gui.core.cli.host import host
-from trex_gui.core.discovery.prober import Sighting, Step, Telling
-from trex_gui.core.discovery.scan import search_port
+from trex_gui.core.discovery.prober import Evidence, FoundDevice, ScanProgress
+from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.aracna.cli import scan
@@ -22,14 +22,14 @@ from trex_gui.devices.trex.cli.common import (
     port_option,
     timeout_option,
 )
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
-from trex_gui.devices.trex.discovery.prober import SEEK_TREX
-from trex_gui.devices.trex.discovery.results import Found
+from trex_gui.devices.trex.discovery.prober import TREX_PROBER
+from trex_gui.devices.trex.discovery.results import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
-_SEEKS = {"trex": SEEK_TREX, "aracna": scan.SEEK_ARACNA}
+_SEEKS = {"trex": TREX_PROBER, "aracna": scan.ARACNA_PROBER}
 """What is looked for, the commonest first; see `link.seeking` for the order of the questions."""
 
 
@@ -68,15 +68,15 @@ def list_command(as_json: bool, **options: Any) -> None:
                 row |= {"product": answer.model.name, "firmware": answer.firmware}
             elif seen is not None and seen.found:
                 row |= scan.listed(seen.found[0])
-            elif seen is not None and (verdict := seen.judged()).telling > Telling.ECHO:
-                row["answer"] += f"; {verdict.text}"
+            elif seen is not None and (diagnosis := seen.judged()).telling > Evidence.ECHO:
+                row["answer"] += f"; {diagnosis.text}"
         rows.append(row)
         if not as_json:
             click.echo(f"{url}\t{row['answer']}")
     if as_json:
         click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
     if unreachable and options["port"]:
-        raise Refused(f"{options['port']} could not be looked at.")
+        raise CommandFailed(f"{options['port']} could not be looked at.")
 
 
 def _what_answers(settings: LinkSettings) -> Signature | str:
@@ -85,7 +85,7 @@ def _what_answers(settings: LinkSettings) -> Signature | str:
     Raises:
         PortUnavailable: it cannot be opened, or went away.
     """
-    client = Client(host().open_transport(settings), settings)
+    client = TrexClient(host().open_transport(settings), settings)
     try:
         client.detect_echo()
         return ask(client.request, GetSignature())
@@ -122,7 +122,7 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
                 break
             say(f"Searching {url} ...")
             with ProgressLine(f"Searching {url}") as line:
-                search = search_port(
+                search = scan_port(
                     LinkSettings(url, timeouts=Timeouts(extra=patience)),
                     _SEEKS,
                     full=full,
@@ -140,19 +140,19 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
     if as_json:
         click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
     if not rows:
-        raise Refused("The search was broken off." if interrupted else "No board was found.")
+        raise CommandFailed("The search was broken off." if interrupted else "No board was found.")
 
 
-def _show(line: ProgressLine, step: Step) -> None:
+def _show(line: ProgressLine, step: ScanProgress) -> None:
     line(step.done, step.total, f"{step.kind} at {step.line.text()}")
 
 
-def _report(found: Sighting) -> dict[str, Any]:
+def _report(found: FoundDevice) -> dict[str, Any]:
     """Tell a person of a device; return what `find --json` says of it."""
-    if isinstance(found, scan.Found):
+    if isinstance(found, scan.FoundRobot):
         say(scan.told(found))
         return scan.row(found)
-    assert isinstance(found, Found)  # noqa: S101 - there is no third kind
+    assert isinstance(found, FoundBoard)  # noqa: S101 - there is no third kind
     number = f", device number {found.device_number}" if found.device_number is not None else ""
     side = " (RS-232 side)" if found.echo else ""
     say(f"{found.signature} on {found.settings.text()}{number}{side}.")
@@ -161,7 +161,7 @@ def _report(found: Sighting) -> dict[str, Any]:
     return _row(found)
 
 
-def _row(found: Found) -> dict[str, Any]:
+def _row(found: FoundBoard) -> dict[str, Any]:
     line = found.settings.line
     return {
         "port": found.settings.url,

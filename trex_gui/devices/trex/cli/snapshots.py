@@ -3,7 +3,7 @@
 from trex_gui.core.cli.console import say
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import History
+from trex_gui.devices.trex.settings.history import SettingsHistory
 
 
 def keep(settings: Settings, link: LinkSettings, reason: str) -> None:
@@ -12,7 +12,7 @@ def keep(settings: Settings, link: LinkSettings, reason: str) -> None:
     Raises:
         SettingsError: it cannot be saved; nothing must be written to the board then.
     """
-    history = History()
+    history = SettingsHistory()
     snapshot = history.take(settings, adapter=link.name or link.url, reason=reason)
     say(f"What the board stores now is kept in {snapshot.path}.")
     if problem := history.bound().problem:

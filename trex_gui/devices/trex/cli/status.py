@@ -12,10 +12,10 @@ from trex_gui.devices.trex.cli.common import (
     link_settings,
     open_line,
 )
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.explanations import MODE_TEXT, who_controls
 from trex_gui.devices.trex.client.reading import DeviceState, ask, read_everything
-from trex_gui.devices.trex.client.telemetry import StatusNews, StatusReader
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.protocol.commands import GetCurrents, GetRawChannels, GetRemappedChannels
 from trex_gui.devices.trex.protocol.flags import (
     CHANNELS,
@@ -56,7 +56,7 @@ def status(as_json: bool, **options: Any) -> None:
         click.echo(f"  {key:28}{row['value']:>4}  {row['text']}")
 
 
-def names_of(news: StatusNews | None) -> list[str]:
+def names_of(news: LatchedStatus | None) -> list[str]:
     """Return the names of the latched bits."""
     status_bits = news.status if news else Status(0)
     uart_bits = news.uart if news else UartError(0)
@@ -64,7 +64,7 @@ def names_of(news: StatusNews | None) -> list[str]:
     return names + [name for bit, (name, _) in UART_MEANING.items() if bit & uart_bits]
 
 
-def _report(client: Client, state: DeviceState, news: StatusNews | None) -> dict[str, Any]:
+def _report(client: TrexClient, state: DeviceState, news: LatchedStatus | None) -> dict[str, Any]:
     raw = ask(client.request, GetRawChannels())
     remapped = ask(client.request, GetRemappedChannels())
     currents = ask(client.request, GetCurrents())

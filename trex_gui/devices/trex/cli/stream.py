@@ -11,20 +11,20 @@ from typing import Any, TextIO
 
 import click
 
-from trex_gui.core.cli.console import Interruption, Refused, Usage, say
+from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.client.schedule import Schedule, rates
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
     Sample,
-    StatusNews,
     StatusReader,
     poll,
 )
@@ -74,7 +74,7 @@ def stream(file: str | None, seconds: float | None, as_json: bool, **options: An
     stand in the first row after they were read, which clears them in the board.
     """
     if as_json and file is not None:
-        raise Usage("--json and --csv exclude each other; --json writes to standard output.")
+        raise UsageError("--json and --csv exclude each other; --json writes to standard output.")
     settings = link_settings(options)
     with open_line(settings) as client, _target(file) as target, Interruption() as interrupted:
         unit = identify(client).model.current_unit
@@ -94,7 +94,7 @@ def stream(file: str | None, seconds: float | None, as_json: bool, **options: An
             if writer.count:
                 say(f"{writer.count} rows.")
         if reason:
-            raise Refused(reason)
+            raise CommandFailed(reason)
 
 
 class _ModeChanged(Exception):  # noqa: N818 - no error, an event
@@ -116,7 +116,7 @@ def _target(file: str | None) -> Iterator[TextIO]:
         with Path(file).open("w", encoding="utf-8", newline="") as opened:
             yield opened
     except OSError as error:
-        raise Refused(f"{file} cannot be written: {error.strerror or error}.") from error
+        raise CommandFailed(f"{file} cannot be written: {error.strerror or error}.") from error
 
 
 @dataclass(slots=True)
@@ -154,9 +154,9 @@ class _Table:
                     self.row[channel_columns(source, channel)[2]] = value
             case Control(by_serial=by_serial):
                 self.row["serial_controls"] = int(by_serial)
-            case ModeSeen():
+            case ModeSample():
                 pass
-            case StatusNews(status=status, uart=uart):
+            case LatchedStatus(status=status, uart=uart):
                 self.row |= {status_column(bit): 1 for bit in Status if bit & status}
                 self.row |= {uart_column(bit): 1 for bit in UartError if bit & uart}
         return False
@@ -169,7 +169,7 @@ class _Table:
 
 
 def _rows(
-    client: Client, table: _Table, seconds: float | None, interrupted: Interruption
+    client: TrexClient, table: _Table, seconds: float | None, interrupted: Interruption
 ) -> Iterator[Row]:
     """Ask by the schedule and yield each row that becomes complete."""
     clock = client.transport.clock
@@ -188,7 +188,7 @@ def _rows(
         try:
             sample = poll(client.request, topic, clock, reader)
             if (
-                isinstance(sample, ModeSeen)
+                isinstance(sample, ModeSample)
                 and sample.mode is not table.mode
                 and client.request(GetMode()) is sample.mode  # one reading may be damage
             ):

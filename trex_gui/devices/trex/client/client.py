@@ -66,7 +66,7 @@ class Counters:
     answers: int = 0
 
 
-class Client:
+class TrexClient:
     """Runs transactions on one line.
 
     Attributes:
@@ -83,8 +83,8 @@ class Client:
         self._settings = settings
         self._framing = settings.framing
         self._free_at = transport.clock()
-        self._is_owed = False
-        self._owed = 0  # answers that never came, since one was known to be what it seemed
+        self._is_unanswered = False
+        self._unanswered = 0  # answers that never came, since one was known to be what it seemed
 
     @property
     def settings(self) -> LinkSettings:
@@ -123,7 +123,7 @@ class Client:
         line = self._settings.line
         parser = ReplyParser(command, self._framing, self.echo)
         self.drain()
-        stale = self._settle() + self._transport.discard()
+        stale = self._drain_late_reply() + self._transport.discard()
         self.counters.requests += 1
         self.counters.stale += len(stale)
         begun = self._transport.clock()
@@ -142,8 +142,8 @@ class Client:
             state = parser.feed(chunk)
             if isinstance(state, NeedData) and len(chunk) < wanted:
                 self.counters.silences += 1
-                self._is_owed = True
-                self._owed += 1
+                self._is_unanswered = True
+                self._unanswered += 1
                 raise NoReply(self._silence(packet, received))
         match state:
             case Malformed(raw, reason):
@@ -154,8 +154,8 @@ class Client:
                 raise BadReply(message)
             case Reply(raw, value):
                 took = self._transport.clock() - begun
-                if self._owed and command.reply_size():
-                    self._check_whose(raw)
+                if self._unanswered and command.reply_size():
+                    self._reject_late_reply(raw)
                 self.counters.answers += bool(command.reply_size())
                 if command.reply_size() or self.echo:
                     self.counters.slowest = max(self.counters.slowest, took)
@@ -199,25 +199,25 @@ class Client:
                 break
         return self.echo
 
-    def _settle(self) -> bytes:
+    def _drain_late_reply(self) -> bytes:
         """Let the answer pass that never came in time: it would be taken for the next one.
 
         It does not hold up a stop, which awaits nothing.
         """
-        if not self._is_owed:
+        if not self._is_unanswered:
             return b""
-        self._is_owed = False
+        self._is_unanswered = False
         if self.feeds_timeout:
             self._transport.write(_NULL)
         late = self._transport.read(_LONGEST_REPLY, self._transport.latency)
         # The rest of it is on its way; what goes on after that is no answer.
         rest = self._settings.line.seconds(_LONGEST_REPLY) if late else 0.0
         late += self._transport.read(_LONGEST_REPLY - len(late), rest)
-        if late and self._owed == 1:
-            self._owed = 0
+        if late and self._unanswered == 1:
+            self._unanswered = 0
         return late.removesuffix(_NULL) if self.echo and self.feeds_timeout else late
 
-    def _check_whose(self, answer: bytes) -> None:
+    def _reject_late_reply(self, answer: bytes) -> None:
         """Take an answer for that of the last question only if no other one follows it.
 
         Where answers never came, an adapter or the system may have held them up, and now all of
@@ -231,11 +231,11 @@ class Client:
         if more:
             # Until it is quiet; what goes on for longer is no answer.
             more += self._transport.read(
-                self._owed * _LONGEST_REPLY,
-                self._owed * self._settings.line.seconds(_LONGEST_REPLY),
+                self._unanswered * _LONGEST_REPLY,
+                self._unanswered * self._settings.line.seconds(_LONGEST_REPLY),
             )
             more += self._transport.discard()
-        self._owed = 0
+        self._unanswered = 0
         if more:
             self.counters.stale += len(answer) + len(more)
             raise BadReply("Answers were held up and came late: nobody knows which is whose.")

@@ -44,7 +44,7 @@ class Currents:
 
 
 @dataclass(frozen=True, slots=True)
-class StatusNews:
+class LatchedStatus:
     """Status bits and UART error bits that were latched since the last look."""
 
     time: float
@@ -52,7 +52,7 @@ class StatusNews:
     uart: UartError
 
     @property
-    def tells_of_damage(self) -> bool:
+    def has_line_error(self) -> bool:
         """Whether the line has damaged something; a timeout is no damage.
 
         Where an error is announced and its kind is not told, the question for it was damaged.
@@ -70,14 +70,14 @@ class Control:
 
 
 @dataclass(frozen=True, slots=True)
-class ModeSeen:
+class ModeSample:
     """The mode, looked at once in a while: it changes with the power."""
 
     time: float
     mode: Mode
 
 
-Sample = Raw | Remapped | Currents | StatusNews | Control | ModeSeen
+Sample = Raw | Remapped | Currents | LatchedStatus | Control | ModeSample
 
 
 class StatusReader:
@@ -96,7 +96,7 @@ class StatusReader:
         """Whether UART error bits may be waiting that no status announces any more."""
         return self._uart_due
 
-    def read(self, request: Requester) -> StatusNews | None:
+    def read(self, request: Requester) -> LatchedStatus | None:
         """Read and clear the status, and the UART errors when there may be some.
 
         Raises:
@@ -111,7 +111,7 @@ class StatusReader:
             with contextlib.suppress(NoReply, BadReply):
                 uart = request(GetUartErrors())
                 self._uart_due = False
-        return StatusNews(self._clock(), status, uart) if status or uart else None
+        return LatchedStatus(self._clock(), status, uart) if status or uart else None
 
 
 def poll(
@@ -140,6 +140,6 @@ def poll(
             return Control(clock(), by_serial)
         case Topic.MODE:
             mode = request(GetMode())
-            return ModeSeen(clock(), mode)
+            return ModeSample(clock(), mode)
         case Topic.STATUS:
             return reader.read(request)

@@ -14,7 +14,7 @@ from trex_gui.core.errors import (
     PortUnavailable,
     Rejected,
     ResultCode,
-    TrexError,
+    StudioError,
 )
 from trex_gui.devices.trex.client.client import Requester
 from trex_gui.devices.trex.client.reading import ATTEMPTS, Progress, ask, no_progress
@@ -35,12 +35,12 @@ _FAILURES = (BadRequest, Rejected, BadReply, NoReply, PortUnavailable)
 _LINE, _POLYNOMIAL = "uart_settings", "crc7_polynomial"
 
 
-class NotTried(TrexError):  # noqa: N818 - nothing went wrong
+class Skipped(StudioError):  # noqa: N818 - nothing went wrong
     """The writing was ended on purpose before this had its turn; it is as it was."""
 
 
 @dataclass(frozen=True, slots=True)
-class Written:
+class WriteResult:
     """How one write went: `stored` is the value that was read back, `error` why not.
 
     `what` is a parameter's key, or `channel N` for a calibration.
@@ -48,7 +48,7 @@ class Written:
 
     what: str
     stored: int | Calibration | None = None
-    error: TrexError | None = None
+    error: StudioError | None = None
 
     @property
     def channel(self) -> int | None:
@@ -175,7 +175,7 @@ def write_all(
     *,
     source: InputSource | None = None,
     cancelled: Callable[[], bool] = _never,
-) -> tuple[Written, ...]:
+) -> tuple[WriteResult, ...]:
     """Store calibrations, then parameters by key, and return how each went.
 
     Calibrations come first, while the board reads the inputs that they are for: `source`, or
@@ -231,8 +231,8 @@ class _Work:
     progress: Progress
     cancelled: Callable[[], bool]
     source: InputSource | None
-    results: list[Written] = field(default_factory=list)
-    hopeless: TrexError | None = None
+    results: list[WriteResult] = field(default_factory=list)
+    fatal_error: StudioError | None = None
 
     def store_calibration(self, channel: int, wanted: Calibration) -> None:
         """Store a calibration, unless that is hopeless."""
@@ -264,13 +264,13 @@ class _Work:
         """Store line settings and polynomial in the order that keeps the board reachable."""
         self._look_whether_cancelled()
         route = _Route.POLYNOMIAL_FIRST
-        if self.hopeless is None and len(dict(serial)) == 2:
+        if self.fatal_error is None and len(dict(serial)) == 2:
             try:
                 route = self._route(dict(serial))
                 if route is _Route.BY_WAY_OF_FACTORY:
                     write_parameter(self.request, self.specs[_LINE], self.specs[_LINE].default)
             except _FAILURES as error:
-                self.hopeless = error
+                self.fatal_error = error
         if route is _Route.LINE_FIRST:
             serial.reverse()
         for key, wire in serial:
@@ -301,23 +301,23 @@ class _Work:
                 )
                 is_gone = isinstance(result.error, (NoReply, PortUnavailable))
                 kind = type(result.error) if is_gone else BadReply
-                self.results[number] = Written(_LINE, error=kind(message))
+                self.results[number] = WriteResult(_LINE, error=kind(message))
 
     def _say(self, name: str) -> None:
         self.progress(len(self.results), self.total, name)
 
     def _look_whether_cancelled(self) -> None:
-        if self.hopeless is None and self.cancelled():
-            self.hopeless = NotTried("The writing was ended before this was tried.")
+        if self.fatal_error is None and self.cancelled():
+            self.fatal_error = Skipped("The writing was ended before this was tried.")
 
     def _try(self, what: str, write: Callable[[], int | Calibration]) -> None:
-        result = Written(what, error=self.hopeless)
-        if self.hopeless is None:
+        result = WriteResult(what, error=self.fatal_error)
+        if self.fatal_error is None:
             try:
-                result = Written(what, write())
+                result = WriteResult(what, write())
             except _FAILURES as error:
-                result = Written(what, error=error)
-                self.hopeless = _if_hopeless(error)
+                result = WriteResult(what, error=error)
+                self.fatal_error = _if_hopeless(error)
         self.results.append(result)
 
 
@@ -337,7 +337,7 @@ def _write_order(specs: ParameterSet, key: str) -> tuple[bool, bool, int]:
     return spec.needs_power_cycle, spec.group == "serial", spec.number
 
 
-def _if_hopeless(error: TrexError) -> TrexError | None:
+def _if_hopeless(error: StudioError) -> StudioError | None:
     """Return the error when every later write would meet it too."""
     if isinstance(error, (NoReply, PortUnavailable)):
         return error

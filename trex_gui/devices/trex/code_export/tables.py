@@ -19,7 +19,7 @@ _COMMENT_COLUMN = 42
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class TableRow:
     """One line of a table: code, and what follows it as a comment."""
 
     code: str
@@ -88,30 +88,30 @@ def _order(spec: ParameterSpec) -> tuple[bool, bool, int]:
     return spec.needs_power_cycle, spec.group == "serial", spec.number
 
 
-def _parameter(language: Language, spec: ParameterSpec, wire: int) -> Row:
+def _parameter(language: Language, spec: ParameterSpec, wire: int) -> TableRow:
     number, name = f"0x{spec.number:02X}", plain(spec.name)
     meaning = plain(parameter_text(spec, wire))
     match language:
         case Language.PYTHON:
-            return Row(f'({number}, {wire}, "{name}"),', meaning)
+            return TableRow(f'({number}, {wire}, "{name}"),', meaning)
         case Language.C:
-            return Row(f'{{{number}, {wire}, "{name}"}},', meaning)
+            return TableRow(f'{{{number}, {wire}, "{name}"}},', meaning)
         case Language.ARDUINO:  # names would take a quarter of an Uno's memory
-            return Row(f"{{{number}, {wire}}},", f"{name}: {plain(spec.text(wire))}")
+            return TableRow(f"{{{number}, {wire}}},", f"{name}: {plain(spec.text(wire))}")
 
 
 def _calibration(
     language: Language, source: InputSource, channel: int, calibration: Calibration
-) -> Row:
+) -> TableRow:
     letter = _LETTERS[source]
     values = ", ".join(str(getattr(calibration, field)) for field in CALIBRATION_FIELDS)
     text = plain(calibration_text(source, calibration))
     if language is Language.PYTHON:
-        return Row(f'("{letter}", {channel}, ({values})),', text)
-    return Row(f"{{'{letter}', {channel}, {{{values}}}}},", text)
+        return TableRow(f'("{letter}", {channel}, ({values})),', text)
+    return TableRow(f"{{'{letter}', {channel}, {{{values}}}}},", text)
 
 
-def _aligned(language: Language, rows: Iterable[Row]) -> str:
+def _aligned(language: Language, rows: Iterable[TableRow]) -> str:
     """Return rows under each other, their comments too."""
     rows = list(rows)
     # ruff's and black's style has two blanks before a comment and none to align them.

@@ -1,17 +1,17 @@
 """Why a line does not talk: one sentence and what to look at, from what was seen on it."""
 
-from trex_gui.core.errors import BadReply, NoReply, TrexError
+from trex_gui.core.errors import BadReply, NoReply, StudioError
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 _STRANGE, _ECHO, _NOBODY = "Something answers on", "Everything sent on", "No TReX answers on"
 
 
-def may_be_set_otherwise(text: str) -> bool:
+def suggests_scan(text: str) -> bool:
     """Whether a sentence of this module leaves open that the board has other settings."""
     return text.startswith((_STRANGE, _ECHO, _NOBODY))
 
 
-def why_no_board(settings: LinkSettings, *, echo: bool, error: TrexError) -> TrexError:
+def diagnose(settings: LinkSettings, *, echo: bool, error: StudioError) -> StudioError:
     """Return an error that tells a person why no TReX was found, and what to check.
 
     `error` is what the first question ended in; its type is kept.

@@ -21,15 +21,15 @@ from itertools import product
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.protocol.commands import GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
-RINSE = b"\xff"
-RINSE_LINE = LineSettings(1200)
+FLUSH_BYTE = b"\xff"
+FLUSH_LINE = LineSettings(1200)
 """What ends every packet that a board may have begun, and how it is sent."""
 
 QUIET = 0.13
@@ -76,7 +76,7 @@ class Attempt:
         return bool(self.polynomials) and (self.line.baud, self.question[-1]) in UNSAFE
 
 
-class Answer(Enum):
+class ReplyKind(Enum):
     """What came back to a question."""
 
     NOTHING = auto()
@@ -87,27 +87,27 @@ class Answer(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class ProbeReply:
     """What came back to a question: its kind, the bytes, and whether the question did too."""
 
-    answer: Answer
+    answer: ReplyKind
     data: bytes = b""
     echo: bool = False
 
 
-def rinse(wire: Transport, patience: float = 0.0) -> None:
+def flush(wire: Transport, patience: float = 0.0) -> None:
     """End every packet that a board may have begun, at whatever rate it runs.
 
     Raises:
         BadRequest: the port cannot be set to 1200 baud.
         PortUnavailable: the line is gone.
     """
-    wire.tune(RINSE_LINE)
-    wire.write(RINSE)
-    wire.wait(RINSE_LINE.seconds(len(RINSE)) + wire.latency + patience)
+    wire.reconfigure(FLUSH_LINE)
+    wire.write(FLUSH_BYTE)
+    wire.wait(FLUSH_LINE.seconds(len(FLUSH_BYTE)) + wire.latency + patience)
 
 
-def put_question(wire: Transport, attempt: Attempt, patience: float = 0.0) -> Heard:
+def send_probe(wire: Transport, attempt: Attempt, patience: float = 0.0) -> ProbeReply:
     """Ask once on a line that was rinsed and set, and judge what comes back.
 
     Raises:
@@ -122,17 +122,17 @@ def put_question(wire: Transport, attempt: Attempt, patience: float = 0.0) -> He
     echo = data.startswith(question)
     answer = data.removeprefix(question)
     if not answer:
-        return Heard(Answer.ECHO if echo else Answer.NOTHING, data, echo)
+        return ProbeReply(ReplyKind.ECHO if echo else ReplyKind.NOTHING, data, echo)
     body = answer[:-1] if attempt.polynomials else answer
     try:
         GetSignature().parse(body)
     except BadReply:
         several = answer.startswith(_NAME)
-        return Heard(Answer.SEVERAL if several else Answer.STRANGE, answer, echo)
-    return Heard(Answer.BOARD, answer, echo)
+        return ProbeReply(ReplyKind.SEVERAL if several else ReplyKind.STRANGE, answer, echo)
+    return ProbeReply(ReplyKind.BOARD, answer, echo)
 
 
-def look_at(wire: Transport, settings: LinkSettings, *, echo: bool) -> bool:
+def is_board_at(wire: Transport, settings: LinkSettings, *, echo: bool) -> bool:
     """Return whether the board answers at these settings; the line is set to them then.
 
     A board that is addressed by number is so only where somebody has answered. Takes as long
@@ -142,19 +142,19 @@ def look_at(wire: Transport, settings: LinkSettings, *, echo: bool) -> bool:
         BadRequest: the port cannot be set so.
         PortUnavailable: the line is gone.
     """
-    rinse(wire, settings.timeouts.extra)
-    wire.tune(settings.line)
-    heard = put_question(wire, Attempt.at(settings), settings.timeouts.extra)
-    if heard.answer not in {Answer.BOARD, Answer.SEVERAL}:
+    flush(wire, settings.timeouts.extra)
+    wire.reconfigure(settings.line)
+    heard = send_probe(wire, Attempt.at(settings), settings.timeouts.extra)
+    if heard.answer not in {ReplyKind.BOARD, ReplyKind.SEVERAL}:
         return False
     try:
-        ask(Client(wire, settings, echo=echo).request, GetSignature())
+        ask(TrexClient(wire, settings, echo=echo).request, GetSignature())
     except (NoReply, BadReply):
         return False
     return True
 
 
-def places_to_look(
+def reconnect_places(
     used: LinkSettings, expected: Iterable[LinkSettings]
 ) -> tuple[LinkSettings, ...]:
     """Return the settings at which a silent board may be, those in use first.

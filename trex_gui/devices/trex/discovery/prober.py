@@ -9,29 +9,43 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
-from trex_gui.core.discovery.prober import Seek, Step, Verdict, never, silent
-from trex_gui.core.discovery.scan import ask_in_order, listen
+from trex_gui.core.discovery.prober import (
+    Diagnosis,
+    ProberInfo,
+    ScanProgress,
+    ignore_step,
+    never_cancelled,
+)
+from trex_gui.core.discovery.scan import listen, probe_in_order
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.discovery.probe import (
-    RINSE_LINE,
-    Answer,
+    FLUSH_LINE,
     Attempt,
-    Heard,
+    ProbeReply,
+    ReplyKind,
     checksum,
-    put_question,
-    rinse,
+    flush,
+    send_probe,
 )
-from trex_gui.devices.trex.discovery.results import Found, Search
+from trex_gui.devices.trex.discovery.results import FoundBoard, TrexScan
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import parameter_number
 
-__all__ = ["SEEK_TREX", "Found", "Search", "Step", "TrexSeeker", "attempts", "find"]
+__all__ = [
+    "TREX_PROBER",
+    "FoundBoard",
+    "ScanProgress",
+    "TrexProber",
+    "TrexScan",
+    "attempts",
+    "find",
+]
 
 _LIKELY = (19200, 115200, 9600, 38400, 57600)
 
@@ -68,7 +82,7 @@ def _rank(baud: int) -> int:
     return _LIKELY.index(baud) if baud in _LIKELY else -baud
 
 
-class TrexSeeker:
+class TrexProber:
     """Looks for boards on one line, and remembers in a search what it saw.
 
     Attributes:
@@ -78,7 +92,7 @@ class TrexSeeker:
     def __init__(self, settings: LinkSettings, *, full: bool = False, known: bool = False) -> None:
         """Look on this port; `full` tries every polynomial and asks for each device number."""
         del known  # what is asked moves nothing, whoever is there
-        self.search = Search(settings.name or settings.url)
+        self.search = TrexScan(settings.name or settings.url)
         self._settings = settings
         self._full = full
         plan = list(attempts(full=full))
@@ -90,7 +104,7 @@ class TrexSeeker:
         return tuple(len(plan) for plan in self._plans)
 
     @property
-    def found(self) -> Sequence[Found]:
+    def found(self) -> Sequence[FoundBoard]:
         """The boards; more than one only where several share the line."""
         return self.search.found
 
@@ -99,11 +113,11 @@ class TrexSeeker:
         """Whether boards have answered."""
         return bool(self.search.found) or self.search.several is not None
 
-    def verdict(self) -> Verdict:
+    def diagnosis(self) -> Diagnosis:
         """Say what was tried and heard, where no board was found."""
         return self.search.judged()
 
-    def overhear(self, line: LineSettings, data: bytes) -> None:
+    def note_unsolicited(self, line: LineSettings, data: bytes) -> None:
         """Note what talks without being asked: no TReX does."""
         if data:
             self.search.strange.append((line, data))
@@ -112,7 +126,7 @@ class TrexSeeker:
         self,
         wire: Transport,
         part: int,
-        progress: Callable[[Step], None],
+        progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
         """Put the questions of a part, until a board has answered.
@@ -121,7 +135,7 @@ class TrexSeeker:
             PortUnavailable: the line is gone.
         """
         plan = self._plans[part]
-        if not wire.can_be_tuned:
+        if not wire.is_configurable:
             # A separator that is as fast as the question does not keep two of them apart.
             self.search.fixed = True
             plan = [Attempt(LineSettings())] if part == 0 else []
@@ -129,7 +143,7 @@ class TrexSeeker:
             if cancelled():
                 self.search.cancelled = True
                 return
-            progress(Step(done, len(plan), attempt.line))
+            progress(ScanProgress(done, len(plan), attempt.line))
             heard = self._put(wire, attempt)
             if heard is not None:
                 self._judge(wire, attempt, heard)
@@ -138,34 +152,34 @@ class TrexSeeker:
                     self._ask_each_number(wire, attempt, progress, cancelled)
                 return
 
-    def _put(self, wire: Transport, attempt: Attempt) -> Heard | None:
+    def _put(self, wire: Transport, attempt: Attempt) -> ProbeReply | None:
         """Ask once; `None`: the port cannot be set so."""
         try:
-            rinse(wire, self._settings.timeouts.extra)
-            wire.tune(attempt.line)
+            flush(wire, self._settings.timeouts.extra)
+            wire.reconfigure(attempt.line)
         except BadRequest:
             self.search.skipped.append(attempt.line)
             return None
-        heard = put_question(wire, attempt, self._settings.timeouts.extra)
+        heard = send_probe(wire, attempt, self._settings.timeouts.extra)
         self.search.echo = self.search.echo or heard.echo
         return heard
 
-    def _judge(self, wire: Transport, attempt: Attempt, heard: Heard) -> None:
-        found = self._confirm(wire, attempt) if heard.answer is Answer.BOARD else None
+    def _judge(self, wire: Transport, attempt: Attempt, heard: ProbeReply) -> None:
+        found = self._confirm(wire, attempt) if heard.answer is ReplyKind.BOARD else None
         if found is not None:
             self.search.found.append(found)
-        elif heard.answer is Answer.SEVERAL:
+        elif heard.answer is ReplyKind.SEVERAL:
             self.search.several = attempt.line
-        elif heard.answer in {Answer.STRANGE, Answer.BOARD}:
+        elif heard.answer in {ReplyKind.STRANGE, ReplyKind.BOARD}:
             self.search.strange.append((attempt.line, heard.data))
 
-    def _confirm(self, wire: Transport, attempt: Attempt) -> Found | None:
+    def _confirm(self, wire: Transport, attempt: Attempt) -> FoundBoard | None:
         """Ask a board that answered for more, at settings which it now is known to have."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
             settings = replace(
                 self._settings, line=attempt.line, device_number=None, polynomial=polynomial
             )
-            client = Client(wire, settings, echo=self.search.echo)
+            client = TrexClient(wire, settings, echo=self.search.echo)
             try:
                 signature = ask(client.request, GetSignature())
                 number = ask(client.request, GetParameter(parameter_number("device_number")))
@@ -173,48 +187,48 @@ class TrexSeeker:
             except (NoReply, BadReply):
                 continue
             note = _note(attempt.line, signature, stored)
-            return Found(settings, signature, number, self.search.echo, note)
+            return FoundBoard(settings, signature, number, self.search.echo, note)
         return None
 
     def _ask_each_number(
         self,
         wire: Transport,
         attempt: Attempt,
-        progress: Callable[[Step], None],
+        progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
         """Look which device numbers answer; several that do replace what answered for all."""
         polynomial = self.search.found[0].settings.polynomial if self.search.found else None
         polynomial = polynomial or (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
-        by_number: list[Found] = []
+        by_number: list[FoundBoard] = []
         for number in range(_NUMBERS):
             if cancelled():
                 self.search.cancelled = True
                 break
-            progress(Step(number, _NUMBERS, attempt.line, number))
+            progress(ScanProgress(number, _NUMBERS, attempt.line, number))
             settings = replace(
                 self._settings, line=attempt.line, device_number=number, polynomial=polynomial
             )
-            client = Client(wire, settings, echo=self.search.echo)
+            client = TrexClient(wire, settings, echo=self.search.echo)
             with contextlib.suppress(NoReply, BadReply):
                 signature = client.request(GetSignature())
-                by_number.append(Found(settings, signature, number, self.search.echo))
+                by_number.append(FoundBoard(settings, signature, number, self.search.echo))
         if len(by_number) > 1 or not self.search.found:
             self.search.found = by_number
 
 
-SEEK_TREX = Seek("TReX", TrexSeeker)
+TREX_PROBER = ProberInfo("TReX", TrexProber)
 """How to look for a TReX; it never talks without being asked."""
 
 
 def find(
     settings: LinkSettings,
     open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
-    progress: Callable[[Step], None] = silent,
-    cancelled: Callable[[], bool] = never,
+    progress: Callable[[ScanProgress], None] = ignore_step,
+    cancelled: Callable[[], bool] = never_cancelled,
     *,
     full: bool = False,
-) -> Search:
+) -> TrexScan:
     """Look for a TReX alone on a port, whatever it is set to; end with the first that answers.
 
     Args:
@@ -228,18 +242,18 @@ def find(
     Raises:
         PortUnavailable: the port cannot be opened, or is gone.
     """
-    wire = open_wire(replace(settings, line=RINSE_LINE, device_number=None))
-    seeker = TrexSeeker(settings, full=full)
+    wire = open_wire(replace(settings, line=FLUSH_LINE, device_number=None))
+    seeker = TrexProber(settings, full=full)
     try:
-        seeker.overhear(RINSE_LINE, listen(wire))
-        names = {"": SEEK_TREX.name}
-        ask_in_order(wire, {"": seeker}, names, progress=progress, cancelled=cancelled)
+        seeker.note_unsolicited(FLUSH_LINE, listen(wire))
+        names = {"": TREX_PROBER.name}
+        probe_in_order(wire, {"": seeker}, names, progress=progress, cancelled=cancelled)
     finally:
         # A byte that is on its way must not change its rate. And some boards with USB start
         # their loader when a port is closed at 1200 baud.
-        wire.wait(RINSE_LINE.seconds(2) + wire.latency)
+        wire.wait(FLUSH_LINE.seconds(2) + wire.latency)
         with contextlib.suppress(BadRequest, PortUnavailable):
-            wire.tune(LineSettings())
+            wire.reconfigure(LineSettings())
         wire.close()
     return seeker.search
 

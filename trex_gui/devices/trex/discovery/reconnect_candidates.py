@@ -16,7 +16,7 @@ POLYNOMIAL_BIT = 0x80
 """The highest bit of a CRC-7 polynomial; it is always set, and a board does not store it."""
 
 
-def where_to_look(
+def reconnect_candidates(
     link: LinkSettings, before: Mapping[str, int], after: Mapping[str, int], firmware: str
 ) -> tuple[LinkSettings, ...]:
     """Return where a board may be whose power fails while it is given other settings.

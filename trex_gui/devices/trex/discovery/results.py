@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from trex_gui.core.discovery.prober import Telling, Verdict
+from trex_gui.core.discovery.prober import Diagnosis, Evidence
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -15,7 +15,7 @@ _SHOWN = 12
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class FoundBoard:
     """A board, and how to reach it.
 
     Attributes:
@@ -39,7 +39,7 @@ class Found:
 
 
 @dataclass(slots=True)
-class Search:
+class TrexScan:
     """What a search has seen.
 
     Attributes:
@@ -53,7 +53,7 @@ class Search:
     """
 
     url: str
-    found: list[Found] = field(default_factory=list)
+    found: list[FoundBoard] = field(default_factory=list)
     echo: bool = False
     strange: list[tuple[LineSettings, bytes]] = field(default_factory=list)
     several: LineSettings | None = None
@@ -61,11 +61,11 @@ class Search:
     fixed: bool = False
     cancelled: bool = False
 
-    def verdict(self) -> str:
+    def diagnosis(self) -> str:
         """Say what was seen where no board was found, and what to look at."""
         return self.judged().text
 
-    def judged(self) -> Verdict:
+    def judged(self) -> Diagnosis:
         """Say what was seen where no board was found, what to look at, and how telling it is."""
         telling, text = self._what_was_seen()
         if self.skipped:
@@ -74,37 +74,37 @@ class Search:
                 f" The port cannot be set to {', '.join(map(str, rates))} baud, so nothing was "
                 "asked there."
             )
-        return Verdict(telling, text)
+        return Diagnosis(telling, text)
 
-    def _what_was_seen(self) -> tuple[Telling, str]:
+    def _what_was_seen(self) -> tuple[Evidence, str]:
         if self.several is not None:
-            return Telling.KNOWN, (
+            return Evidence.KNOWN, (
                 f"Several boards answer at once on {self.url} at {self.several.text()}. "
                 "The full search asks for each device number."
             )
         if self.strange:
             return self._what_came()
         if self.echo:
-            return Telling.ECHO, (
+            return Evidence.ECHO, (
                 f"No TReX answers on {self.url}: everything sent comes back, and nothing else, at "
                 "every rate. Either this is the RS-232 side of a board that is off, or the "
                 "adapter's TX and RX are joined."
             )
         if self.fixed:
-            return Telling.SILENCE, (
+            return Evidence.SILENCE, (
                 f"No TReX answers on {self.url}. Its baud rate is set at the other end of the "
                 "network, so only that one could be tried, without parity and without CRC."
             )
-        return Telling.SILENCE, (
+        return Evidence.SILENCE, (
             f"No TReX answers on {self.url} at any baud rate, with any parity or with CRC. Check "
             "that the board has power (an LED is lit), that the adapter's TX goes to SI and its "
             "RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board "
             "with a CRC polynomial of its own is only found by the full search."
         )
 
-    def _what_came(self) -> tuple[Telling, str]:
+    def _what_came(self) -> tuple[Evidence, str]:
         if all(data == _LOADER for _, data in self.strange):
-            return Telling.KNOWN, (
+            return Evidence.KNOWN, (
                 f"What is connected to {self.url} answers as a TReX that waits for new "
                 "firmware. Take the SO-G jumper off, then switch the board off and on."
             )
@@ -117,4 +117,4 @@ class Search:
         )
         if self.echo:
             text += " What is sent comes back, too."
-        return Telling.STRANGE, text
+        return Evidence.STRANGE, text

@@ -9,12 +9,12 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.commands import Command
 
-PULSE_INTERVAL = 0.25
+HEARTBEAT_INTERVAL = 0.25
 """Seconds between two signs of life of whoever has armed the motors."""
 
 
 @dataclass(slots=True)
-class Guard:
+class ArmingWatchdog:
     """Remembers stops, and whether whoever has armed the motors is still there.
 
     Attributes:
@@ -38,7 +38,7 @@ class Guard:
         return self.clock() < self._locked_until
 
     @property
-    def drops_wishes(self) -> bool:
+    def drops_setpoints(self) -> bool:
         """Whether wishes are dropped: motors were stopped, and nobody has armed them since."""
         return self._awaits_arm or self.is_locked
 
@@ -74,7 +74,7 @@ class Guard:
         self._locked_until = -math.inf
         self._heard_at = self.clock()
 
-    def note_life(self, sent: float | None = None) -> None:
+    def heartbeat_received(self, sent: float | None = None) -> None:
         """Somebody is there, or was when that was `sent`; now, where it does not tell.
 
         Whoever has been silent for too long stays lost: where window and line stood still together,
@@ -94,7 +94,7 @@ class Guard:
         if lockout > 0:
             self._locked_until = max(self._locked_until, self.clock() + lockout)
 
-    def give_up(self) -> None:
+    def disarm(self) -> None:
         """Drop every wish until somebody arms the motors again: those of the lost are late."""
         self.armed = False
         self._awaits_arm = True

@@ -8,11 +8,11 @@ told by nothing but what else the line damages: the rests are repeated until it 
 
 from collections.abc import Sequence
 
-from trex_gui.devices.trex.client.client import Client
-from trex_gui.devices.trex.driving.line_quality import QUIET, Calm
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.driving.line_quality import QUIET, LineQuality
 from trex_gui.devices.trex.driving.setpoints import packets
 from trex_gui.devices.trex.protocol.commands import Command, Drive, DriveMotor
-from trex_gui.devices.trex.session.messages import SetAuxiliary, SetDrive
+from trex_gui.devices.trex.session.messages import SetAuxiliary, SetMotor
 
 REST_INTERVAL = 0.1
 """Seconds between two repeats of the rests while the line is not quiet; after damage, none.
@@ -23,14 +23,14 @@ One of them may itself arrive as a command to drive, and the next one ends that.
 _MOTORS = (1, 2)
 
 
-def rests(wish: SetDrive | SetAuxiliary) -> bool:
+def is_idle(wish: SetMotor | SetAuxiliary) -> bool:
     """Whether a motor that obeys it comes to rest."""
     if isinstance(wish, SetAuxiliary):
         return not wish.speed
     return wish.drive.is_brake or not wish.drive.signed
 
 
-class Resting:
+class IdleRefresh:
     """Remembers which motors rest, and when to tell them so again.
 
     Motors that were never driven rest too, from the first wish, arming or stop on: they are
@@ -41,16 +41,16 @@ class Resting:
     """
 
     def __init__(self) -> None:
-        self.calm = Calm()
+        self.calm = LineQuality()
         self._is_in_charge = False
-        self._wished: dict[int, SetDrive] = {}
+        self._wished: dict[int, SetMotor] = {}
         self._auxiliary = SetAuxiliary(0)
         self._auxiliary_at_risk = False
         self._answers_since: int | None = None
         self._sent_at = 0.0
         self._seen = 0
 
-    def note_wishes(self, wishes: Sequence[SetDrive | SetAuxiliary], now: float) -> None:
+    def note_setpoints(self, wishes: Sequence[SetMotor | SetAuxiliary], now: float) -> None:
         """These are being sent."""
         self._is_in_charge = True
         for wish in wishes:
@@ -76,7 +76,7 @@ class Resting:
         """Motors are driven by commands that are none of ours: say nothing until a wish or stop."""
         self._is_in_charge = False
 
-    def due(self, client: Client, interval: float, *, armed: bool) -> float | None:
+    def due(self, client: TrexClient, interval: float, *, armed: bool) -> float | None:
         """Return when the rests are to be sent, on the line's clock; `None`: they are not."""
         self._is_in_charge = self._is_in_charge or armed
         if self.calm.is_quiet(client):
@@ -95,9 +95,9 @@ class Resting:
         own, at any damaged bit of the speed, is more dangerous than none.
         """
         self._seen = self.calm.damages
-        wished = [self._wished.get(motor, SetDrive(motor, Drive.brake())) for motor in _MOTORS]
-        wishes: list[SetDrive | SetAuxiliary] = [wish for wish in wished if rests(wish)]
-        if self._auxiliary_at_risk and rests(self._auxiliary):
+        wished = [self._wished.get(motor, SetMotor(motor, Drive.brake())) for motor in _MOTORS]
+        wishes: list[SetMotor | SetAuxiliary] = [wish for wish in wished if is_idle(wish)]
+        if self._auxiliary_at_risk and is_idle(self._auxiliary):
             self._endanger_auxiliary()
             wishes.append(self._auxiliary)
         commands = [command for wish in wishes for command in packets([wish])]

@@ -6,8 +6,8 @@ that was sent: without a CRC, one bit makes C0 7F (brake) into C2 7F (full speed
 those are noticed.
 """
 
-from trex_gui.devices.trex.client.client import Client, Counters
-from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.client.client import Counters, TrexClient
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.protocol.line_settings import Detection
 
 QUIET = 300
@@ -24,7 +24,7 @@ At 19200 baud and above they take 1.6 s.
 """
 
 
-class Calm:
+class LineQuality:
     """Counts the whole answers since the last damage; without any in sight a line is quiet.
 
     Attributes:
@@ -37,7 +37,7 @@ class Calm:
         self._harm = 0
         self._harmed_at: int | None = None
 
-    def look(self, client: Client) -> None:
+    def look(self, client: TrexClient) -> None:
         """See whether transactions have failed since the last look."""
         counters = client.counters
         harm = counters.silences + counters.damaged + counters.stale
@@ -48,12 +48,12 @@ class Calm:
             self._harm = harm
             self._note_damage()
 
-    def note(self, news: StatusNews | None) -> None:
+    def note(self, news: LatchedStatus | None) -> None:
         """Learn from a status what the board has seen."""
-        if news is not None and news.tells_of_damage:
+        if news is not None and news.has_line_error:
             self._note_damage()
 
-    def is_quiet(self, client: Client) -> bool:
+    def is_quiet(self, client: TrexClient) -> bool:
         """Whether what has been proved by clean statuses is proved for good."""
         self.look(client)
         if client.settings.line.detection is Detection.CRC7 or self._harmed_at is None:

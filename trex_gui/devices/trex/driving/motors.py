@@ -7,14 +7,14 @@ import logging
 from collections.abc import Callable, Sequence
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
-from trex_gui.devices.trex.client.client import Client
-from trex_gui.devices.trex.client.telemetry import StatusNews, StatusReader
-from trex_gui.devices.trex.driving.idle_refresh import Resting
-from trex_gui.devices.trex.driving.setpoint_retry import Repeating
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
+from trex_gui.devices.trex.driving.idle_refresh import IdleRefresh
+from trex_gui.devices.trex.driving.setpoint_retry import SetpointRetry
 from trex_gui.devices.trex.driving.setpoints import packets
-from trex_gui.devices.trex.driving.stopping import ATTEMPTS, send_stop, stop_and_prove
-from trex_gui.devices.trex.session.messages import Halted, Outcome, Stop
-from trex_gui.devices.trex.session.request_queues import Mailbox
+from trex_gui.devices.trex.driving.stopping import ATTEMPTS, send_stop, stop_and_confirm
+from trex_gui.devices.trex.session.messages import MotorsStopped, Outcome, Stop
+from trex_gui.devices.trex.session.request_queues import RequestQueues
 
 log = logging.getLogger(__name__)
 
@@ -51,7 +51,7 @@ _ABANDONED = "The window did not respond for a second."
 _OVERTAKEN = "A stop came before it; nothing was sent."
 
 
-class Motors:
+class MotorOutput:
     """Serves the stops and the wishes that wait in a mailbox, when the session lets it.
 
     `answer` gets the outcome of every stop, and what was stopped unasked. `take_news` gets the
@@ -63,9 +63,9 @@ class Motors:
 
     def __init__(
         self,
-        mail: Mailbox,
-        answer: Callable[[Outcome | Halted], None],
-        take_news: Callable[[Sequence[StatusNews]], None],
+        mail: RequestQueues,
+        answer: Callable[[Outcome | MotorsStopped], None],
+        take_news: Callable[[Sequence[LatchedStatus]], None],
         *,
         may_move: bool,
     ) -> None:
@@ -73,14 +73,14 @@ class Motors:
         self._answer = answer
         self._take_news = take_news
         self._drove_at = 0.0
-        self._repeating = Repeating()
+        self._repeating = SetpointRetry()
         self._tried_at: float | None = None
-        self._resting = Resting()
+        self._resting = IdleRefresh()
         self._unproved: list[Stop] = []
         self._proof_until = 0.0
         self.may_move = may_move
 
-    def seconds_to_drive(self, client: Client, *, silent: bool = False) -> float | None:
+    def seconds_to_drive(self, client: TrexClient, *, silent: bool = False) -> float | None:
         """Return how long what is to be sent must wait still; `None`: there is nothing.
 
         A `silent` board is told nothing again.
@@ -95,12 +95,12 @@ class Motors:
             moments.append(max(rest_at, earliest))
         return min(moments) - client.transport.clock() if moments else None
 
-    def is_careful(self, client: Client) -> bool:
+    def is_careful(self, client: TrexClient) -> bool:
         """Whether nothing must be asked that a damaged bit makes a motor command."""
         drives = self.may_move or self._mail.guard.armed
         return drives and not self._resting.calm.is_quiet(client)
 
-    def drive(self, client: Client) -> None:
+    def drive(self, client: TrexClient) -> None:
         """Send the newest wish for each motor; or, where none waits, what is to be sent again.
 
         Raises:
@@ -118,8 +118,8 @@ class Motors:
             return
         self.may_move = True
         self._tried_at = None
-        self._tell_unproved()
-        self._resting.note_wishes(wishes, self._drove_at)
+        self._report_unconfirmed()
+        self._resting.note_setpoints(wishes, self._drove_at)
         try:
             for command in packets(wishes):
                 client.request(command)
@@ -131,7 +131,7 @@ class Motors:
             raise
 
     def note_status(
-        self, news: StatusNews | None, now: float, *, is_whole: bool, stops_on_error: bool
+        self, news: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
     ) -> None:
         """Learn from a status that was read: whether what stands has arrived, or must go again.
 
@@ -152,7 +152,7 @@ class Motors:
         self._resting.leave()
         self.may_move = True
 
-    def stop(self, client: Client, status: StatusReader) -> None:
+    def stop(self, client: TrexClient, status: StatusReader) -> None:
         """Serve every stop that waits; each gets its outcome, even when the line is lost.
 
         On a line that damages bytes the outcome comes when it has been quiet for a while, or
@@ -177,7 +177,7 @@ class Motors:
         else:
             self._tell(stops, None if stopped else NoReply(_UNPROVED))
 
-    def stop_at_last(self, client: Client, status: StatusReader) -> None:
+    def stop_on_close(self, client: TrexClient, status: StatusReader) -> None:
         """Serve every stop that waits, and stop, before the line is given back.
 
         Raises:
@@ -189,11 +189,11 @@ class Motors:
         clock = client.transport.clock
         end = clock() + _CLOSING_SECONDS
         try:
-            proved = self.stop_and_prove(client, status, attempts, lambda: clock() >= end)
+            confirmed = self.stop_and_confirm(client, status, attempts, lambda: clock() >= end)
         except Exception:
             self._mail.stops = stops + self._mail.stops  # others may have come meanwhile
             raise
-        self._tell(stops, None if proved else NoReply(_UNPROVED))
+        self._tell(stops, None if confirmed else NoReply(_UNPROVED))
 
     def _take_stops(self) -> list[Stop]:
         stops, self._unproved = self._unproved + self._mail.take_stops(), []
@@ -206,7 +206,7 @@ class Motors:
         for stop in stops:
             self._answer(Outcome(stop.id, error=error))
 
-    def _tell_unproved(self) -> None:
+    def _report_unconfirmed(self) -> None:
         """Tell those whose stop is not proved yet that it is not."""
         stops, self._unproved = self._unproved, []
         self._tell(stops, NoReply(_DAMAGED))
@@ -215,9 +215,9 @@ class Motors:
         self._mail.collect()
         return self._mail.closing
 
-    def stop_and_prove(
+    def stop_and_confirm(
         self,
-        client: Client,
+        client: TrexClient,
         status: StatusReader,
         attempts: int = ATTEMPTS,
         hurries: Callable[[], bool] | None = None,
@@ -239,7 +239,7 @@ class Motors:
 
     def _stop(
         self,
-        client: Client,
+        client: TrexClient,
         status: StatusReader,
         attempts: int,
         *,
@@ -252,43 +252,43 @@ class Motors:
             PortUnavailable: the line is gone.
         """
         self._repeating.rest()
-        stopped = stop_and_prove(client, status, attempts, careful=careful, hurries=hurries)
+        stopped = stop_and_confirm(client, status, attempts, careful=careful, hurries=hurries)
         now = client.transport.clock()
         self._resting.note_stop(now)
         self._drove_at = now
         self._take_news(stopped.news)
         for news in stopped.news:
             self._resting.calm.note(news)
-        if stopped.proved and self._resting.calm.is_quiet(client):
+        if stopped.confirmed and self._resting.calm.is_quiet(client):
             self._stand_still()
         else:
             # Where it was heard, one of its packets may have become another one.
-            self.may_move |= stopped.proved
+            self.may_move |= stopped.confirmed
             self._tried_at = now
-        return stopped.proved
+        return stopped.confirmed
 
     def _stand_still(self) -> None:
         self.may_move = False
         self._tried_at = None
 
-    def stop_abandoned(self, client: Client, status: StatusReader) -> None:
+    def stop_abandoned(self, client: TrexClient, status: StatusReader) -> None:
         """Stop because nobody seems to be there who could.
 
         Raises:
             PortUnavailable: the line is gone.
         """
-        self._mail.guard.give_up()
+        self._mail.guard.disarm()
         self._mail.drives.clear()
         stopped = self._stop(client, status, ATTEMPTS, careful=False, hurries=self._is_to_close)
-        self._answer(Halted(_ABANDONED, proved=stopped and not self.may_move))
+        self._answer(MotorsStopped(_ABANDONED, confirmed=stopped and not self.may_move))
 
-    def seconds_to_insist(self, client: Client) -> float | None:
+    def seconds_to_stop_retry(self, client: TrexClient) -> float | None:
         """Return when to send a stop again that is not proved; `None`: the motors stand."""
         if self._tried_at is None or not self.may_move:
             return None
         return self._tried_at + INSISTING_INTERVAL - client.transport.clock()
 
-    def insist(self, client: Client, status: StatusReader) -> None:
+    def retry_stop(self, client: TrexClient, status: StatusReader) -> None:
         """Send a stop again that is not proved, and tell if it is at last.
 
         Raises:
@@ -300,11 +300,11 @@ class Motors:
         if stopped and not self.may_move:
             stops, self._unproved = self._unproved, []
             self._tell(stops, None)
-            self._answer(Halted("", proved=True))
+            self._answer(MotorsStopped("", confirmed=True))
         elif self._tried_at is not None and self._tried_at >= self._proof_until:
-            self._tell_unproved()
+            self._report_unconfirmed()
 
-    def stop_early(self, client: Client) -> None:
+    def stop_early(self, client: TrexClient) -> None:
         """Send the stops that wait, or are due, on a line of which nothing is known yet.
 
         They go on waiting for their proof. What may come back as an echo is let pass.
@@ -318,18 +318,18 @@ class Motors:
             client.drain()
             client.transport.wait(client.transport.latency)
 
-    def stop_unheard(self, client: Client) -> None:
+    def stop_without_reply(self, client: TrexClient) -> None:
         """Stop what may move on a board that does not answer: it may hear us all the same.
 
         Raises:
             PortUnavailable: the line is gone.
         """
         self._repeating.rest()
-        self._tell_unproved()
+        self._report_unconfirmed()
         if self.may_move:
             send_stop(client)
 
 
-def _interval(client: Client) -> float:
+def _interval(client: TrexClient) -> float:
     """Seconds between motor packets; leaves half of a slow line to everything else."""
     return max(DRIVE_INTERVAL, 2 * client.settings.line.seconds(_LONGEST_DRIVE))

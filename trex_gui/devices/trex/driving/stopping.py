@@ -8,8 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadReply, NoReply
-from trex_gui.devices.trex.client.client import Client
-from trex_gui.devices.trex.client.telemetry import StatusNews, StatusReader
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.protocol.commands import STOP
 
 _CLEAN_ROUNDS = 2
@@ -33,11 +33,11 @@ ATTEMPTS = 20
 class Stopped:
     """How a stop went; `news` are the latched bits that looking for the proof has cleared."""
 
-    proved: bool
-    news: tuple[StatusNews, ...]
+    confirmed: bool
+    news: tuple[LatchedStatus, ...]
 
 
-def send_stop(client: Client) -> None:
+def send_stop(client: TrexClient) -> None:
     """Brake both motors fully and switch the auxiliary motor off; proves nothing.
 
     Raises:
@@ -51,8 +51,8 @@ def _never() -> bool:
     return False
 
 
-def stop_and_prove(
-    client: Client,
+def stop_and_confirm(
+    client: TrexClient,
     reader: StatusReader,
     attempts: int = ATTEMPTS,
     *,
@@ -67,7 +67,7 @@ def stop_and_prove(
     Raises:
         PortUnavailable: the line is gone.
     """
-    news: list[StatusNews] = []
+    news: list[LatchedStatus] = []
     clean = 0
     wanted = _CAREFUL_ROUNDS if careful else _CLEAN_ROUNDS
     for _ in range(attempts):
@@ -81,7 +81,7 @@ def stop_and_prove(
             continue
         if seen is not None:
             news.append(seen)
-        is_clean = not reader.uart_due and (seen is None or not seen.tells_of_damage)
+        is_clean = not reader.uart_due and (seen is None or not seen.has_line_error)
         clean = clean + 1 if is_clean else 0
         if clean == wanted:
             return Stopped(True, tuple(news))

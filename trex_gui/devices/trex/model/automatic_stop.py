@@ -2,13 +2,13 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import NoReply, TrexError, sentence
+from trex_gui.core.errors import NoReply, StudioError, sentence
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.device import Device
 
 
-class UnaskedStop(QObject):
+class AutomaticStop(QObject):
     """Stops the motors because of something that happened, and follows what becomes of it.
 
     Of stops that come one upon the other only the newest is told of.
@@ -36,7 +36,7 @@ class UnaskedStop(QObject):
         """
         self._unproved = ""
         self._newest += 1
-        if self._device.link is Link.NONE:
+        if self._device.link is ConnectionState.NONE:
             return self._out_of_reach(reason) if self._device.may_move else ""
         number, self._awaited = self._newest, reason
         self._device.stop_motors(
@@ -46,7 +46,7 @@ class UnaskedStop(QObject):
 
     # --- What has become of it ----------------------------------------------------------
 
-    def _on_stopped(self, number: int, reason: str, error: TrexError | None) -> None:
+    def _on_stopped(self, number: int, reason: str, error: StudioError | None) -> None:
         if number != self._newest:
             return
         self._awaited = ""
@@ -55,7 +55,7 @@ class UnaskedStop(QObject):
             return
         if self._device.may_move:
             self._unproved = reason
-        self.told.emit(self._not_proved(reason, error))
+        self.told.emit(self._not_confirmed(reason, error))
 
     @Slot()
     def _on_link_changed(self) -> None:
@@ -63,11 +63,13 @@ class UnaskedStop(QObject):
 
         But of one that was asked of a line that had just ended nothing is heard.
         """
-        if self._device.link is Link.NONE:
+        if self._device.link is ConnectionState.NONE:
             reason, self._awaited, self._unproved = self._awaited, "", ""
             if reason:
                 self.told.emit(self._closed(reason))
-        elif self._unproved and self._device.link is Link.UP and not self._device.may_move:
+        elif (
+            self._unproved and self._device.link is ConnectionState.UP and not self._device.may_move
+        ):
             reason, self._unproved = self._unproved, ""
             self.told.emit(self._proved(reason))
 
@@ -88,7 +90,7 @@ class UnaskedStop(QObject):
             return f"{reason}. {BEYOND_A_STOP}"
         return self.tr("{0}, so the motors were stopped.").format(reason)
 
-    def _not_proved(self, reason: str, error: TrexError) -> str:
+    def _not_confirmed(self, reason: str, error: StudioError) -> str:
         if isinstance(error, NoReply):  # it says what was sent, and what to do
             return f"{reason}. {sentence(error)}"
         text = self.tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")

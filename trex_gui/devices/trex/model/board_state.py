@@ -4,13 +4,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.flags import InputSource, channel_mask, channels_in
 
 
-def after_writing(state: DeviceState, results: Sequence[Written]) -> DeviceState:
+def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceState:
     """Return the state with the values that were read back after they were written."""
     parameters, calibrations = dict(state.parameters), dict(state.calibrations)
     learned = set(channels_in(state.calibrated))

@@ -14,23 +14,23 @@ from trex_gui.devices.trex.session.messages import (
     Batch,
     Closed,
     Connected,
-    Halted,
+    MotorsStopped,
+    NotResponding,
     Outcome,
     Progress,
     Reload,
     Report,
     Request,
-    Silent,
     Stop,
     Write,
 )
-from trex_gui.devices.trex.session.traffic_decoder import TrexWording
-from trex_gui.ui.traffic.model import Transcript
+from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.ui.traffic.model import TrafficModel
 
 log = logging.getLogger(__name__)
 
 
-class Link(Enum):
+class ConnectionState(Enum):
     """How things stand between the program and a board."""
 
     NONE = auto()
@@ -57,7 +57,7 @@ class Connection(QObject):
         silenced: the board has stopped answering.
         left: the line is closed, and nothing of the board counts any more: the `Closed`; `None`
             at the end of the program, where the session does not end in time.
-        halted: the line session has stopped the motors by itself: the `Halted`.
+        halted: the line session has stopped the motors by itself: the `MotorsStopped`.
         sampled: a `Batch`.
         progressed: steps done, steps in all, what comes next.
         failed: why the line is closed, for people.
@@ -76,7 +76,7 @@ class Connection(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._link = Link.NONE
+        self._link = ConnectionState.NONE
         self._status = self.tr("Not connected.")
         self._settings: LinkSettings | None = None
         self._echo = False
@@ -84,15 +84,15 @@ class Connection(QObject):
         self._counters = Counters()
         self._next: LinkSettings | None = None
         self._line = Line(self)
-        self._wording = TrexWording()
-        self.transcript = Transcript(self._line, self._wording)
+        self._wording = TrexDecoder()
+        self.traffic = TrafficModel(self._line, self._wording)
         self._line.reported.connect(self._on_reported)
         self._line.closed.connect(self._on_closed)
 
     # --- What is known ------------------------------------------------------------------
 
     @property
-    def link(self) -> Link:
+    def link(self) -> ConnectionState:
         """How things stand."""
         return self._link
 
@@ -139,16 +139,16 @@ class Connection(QObject):
             return
         self._settings = settings
         self._counters = Counters()
-        self._stand(Link.OPENING, self.tr("Connecting to {0} …").format(settings.text()))
+        self._stand(ConnectionState.OPENING, self.tr("Connecting to {0} …").format(settings.text()))
         self._line.open(settings, may_move=may_move)
 
     def close(self) -> None:
         """Stop the motors if they were driven, and close the line; does not wait for it."""
         self._next = None
-        if self._line.is_open and self._link is not Link.CLOSING:
+        if self._line.is_open and self._link is not ConnectionState.CLOSING:
             self.closing.emit()
             self._line.close()
-            self._stand(Link.CLOSING, self.tr("Disconnecting …"))
+            self._stand(ConnectionState.CLOSING, self.tr("Disconnecting …"))
 
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every motor, from any thread; see `Line.stop_now`."""
@@ -161,7 +161,7 @@ class Connection(QObject):
         in_time = self._line.shut_down()
         if was_open:
             self.left.emit(self._line.last)
-            self._stand(Link.NONE, self.tr("Not connected."))
+            self._stand(ConnectionState.NONE, self.tr("Not connected."))
         return in_time
 
     def submit(self, request: Request) -> bool:
@@ -191,15 +191,15 @@ class Connection(QObject):
             case Batch():
                 self._counters = report.counters
                 self.sampled.emit(report)
-            case Halted():
+            case MotorsStopped():
                 self.halted.emit(report)
             case Progress(done=done, total=total, what=what):
                 self.progressed.emit(done, total, what)
-            case Connected() | Silent() if self._link is Link.CLOSING:
+            case Connected() | NotResponding() if self._link is ConnectionState.CLOSING:
                 pass  # it was on its way when the line was given up
             case Connected():
                 self._take(report)
-            case Silent(reason=reason, counters=counters):
+            case NotResponding(reason=reason, counters=counters):
                 self._counters = counters
                 self._fall_silent(reason)
 
@@ -207,18 +207,18 @@ class Connection(QObject):
         self._settings = report.settings
         self._echo = report.echo
         self._port_rates = report.port_rates
-        self.transcript.note_settings(report.settings, echo=report.echo)
+        self.traffic.note_settings(report.settings, echo=report.echo)
         if self._wording.board != report.state.signature:
             self._wording.board = report.state.signature
-            self.transcript.forget_words()
+            self.traffic.forget_words()
         self.answered.emit(report)
-        self._stand(Link.UP, self.tr("Connected to {0}.").format(report.state.signature))
+        self._stand(ConnectionState.UP, self.tr("Connected to {0}.").format(report.state.signature))
         self.settled.emit()
 
     def _fall_silent(self, reason: str) -> None:
         self.silenced.emit()
         self._stand(
-            Link.SILENT,
+            ConnectionState.SILENT,
             self.tr("The board has stopped answering. Is its power on? Waiting for it …"),
         )
         log.info("the board fell silent: %s", reason)
@@ -230,11 +230,11 @@ class Connection(QObject):
         if following is not None:
             self.open(following, may_move=last.may_move)
             return
-        self._stand(Link.NONE, self.tr("Not connected."))
+        self._stand(ConnectionState.NONE, self.tr("Not connected."))
         if last.error is not None:
             self.failed.emit(str(last.error))
 
-    def _stand(self, link: Link, status: str) -> None:
+    def _stand(self, link: ConnectionState, status: str) -> None:
         self._link = link
         self._status = status
         self.changed.emit()

@@ -7,12 +7,12 @@ from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.model.demo.board import DemoBoard
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.crc7 import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
-from trex_gui.ui.devices.scanner import Finder
+from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
 
 _LINE = "line/settings"
@@ -55,7 +55,7 @@ class Connector(QObject):
         self._demo_settings: LinkSettings | None = None
         self.simulator = Simulator(self)
         self.demo_board = DemoBoard(self.simulator, self)
-        self.finder = Finder(self.simulator, self, timeouts=self._timeouts)
+        self.finder = DeviceScanner(self.simulator, self, timeouts=self._timeouts)
         self._after_search: Port | None = None
 
         self.simulator.ready.connect(self._on_simulator_ready)
@@ -125,7 +125,7 @@ class Connector(QObject):
         self._after_search = None
         self._demo_wanted = False
         self._set_demo_in_use(False)
-        if self._device.link is Link.NONE:
+        if self._device.link is ConnectionState.NONE:
             self._set_port(None)
         self._device.disconnect_line()
 
@@ -159,7 +159,7 @@ class Connector(QObject):
     def _give_demo_up(self, reason: str) -> None:
         """Connect nothing; a line that was to make room for the simulated board closes too."""
         self._demo_wanted = False
-        if self._device.link is Link.NONE:
+        if self._device.link is ConnectionState.NONE:
             self._set_port(None)
         else:
             self._device.disconnect_line()
@@ -195,10 +195,10 @@ class Connector(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._device.link is Link.UP and self._port is not None:
+        if self._device.link is ConnectionState.UP and self._port is not None:
             self._ports.note_used(self._port)
             self._note_settings(self._port)
-        if self._device.link is Link.NONE and not self._demo_wanted:
+        if self._device.link is ConnectionState.NONE and not self._demo_wanted:
             self._set_port(None)
 
     def _note_settings(self, port: Port) -> None:

@@ -2,40 +2,40 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.devices.trex.model.automatic_stop import UnaskedStop
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.automatic_stop import AutomaticStop
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.ui.devices.device_kind import TREX, Kind
+from trex_gui.ui.devices.device_kind import TREX, DeviceKind
 from trex_gui.ui.devices.ports import Port
 
 
-class TrexWay(QObject):
-    """A device and its connector as one; see `switchboard.Way`."""
+class TrexController(QObject):
+    """A device and its connector as one; see `device_manager.Way`."""
 
     changed = Signal()
     progressed = Signal(int, int, str)
-    stop_told = Signal(str)
+    stop_reported = Signal(str)
 
     def __init__(self, device: Device, connector: Connector, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
         self._connector = connector
-        self._unasked = UnaskedStop(device, self)
-        self._unasked.told.connect(self.stop_told)
+        self._unasked = AutomaticStop(device, self)
+        self._unasked.told.connect(self.stop_reported)
         device.link_changed.connect(self.changed)
         device.progressed.connect(self.progressed)
         connector.port_changed.connect(self.changed)
         connector.settings_changed.connect(self.changed)
 
     @property
-    def kind(self) -> Kind:
+    def kind(self) -> DeviceKind:
         """TReX."""
         return TREX
 
     @property
-    def link(self) -> Link:
+    def link(self) -> ConnectionState:
         """How things stand."""
         return self._device.link
 
@@ -93,13 +93,13 @@ class TrexWay(QObject):
         self._device.motors.press_stop()
 
     def stop_because(self, reason: str) -> str:
-        """Stop the motors; `stop_told` tells whether the board has confirmed it."""
+        """Stop the motors; `stop_reported` tells whether the board has confirmed it."""
         return self._unasked.stop(reason)
 
     @property
-    def unstopped(self) -> str:
+    def unconfirmed_stop(self) -> str:
         """A stop that no board has confirmed, where the line is closed."""
-        if self._device.link is not Link.NONE or not self._device.may_move:
+        if self._device.link is not ConnectionState.NONE or not self._device.may_move:
             return ""
         return self.tr("The stop is not confirmed. If a motor still turns, cut its power.")
 

@@ -8,42 +8,42 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.telemetry import StatusNews
-from trex_gui.devices.trex.client.writing import Written
-from trex_gui.devices.trex.discovery.reconnect_candidates import where_to_look
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
 from trex_gui.devices.trex.model.board_state import after_writing, in_force
-from trex_gui.devices.trex.model.connection import Connection, Link
+from trex_gui.devices.trex.model.connection import Connection, ConnectionState
 from trex_gui.devices.trex.model.driving.board_stop import SHUTDOWN, why_the_board_stopped
-from trex_gui.devices.trex.model.driving.drive_controller import AfterStop, Driving
+from trex_gui.devices.trex.model.driving.drive_controller import AfterStop, DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.errors import ErrorLog
 from trex_gui.devices.trex.model.event_watch import EventWatch
 from trex_gui.devices.trex.model.parameters.parameters import Column
 from trex_gui.devices.trex.model.settings.apply import Apply
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.settings.edit_backup import KeptEdits
-from trex_gui.devices.trex.model.settings.pending_reset import ResetOrder
+from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
+from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Closed,
     Connected,
-    Expect,
-    Occasion,
     Outcome,
+    ReadReason,
     Reload,
+    SetReconnectCandidates,
     Write,
 )
 from trex_gui.devices.trex.settings.document import calibration_key
 from trex_gui.devices.trex.settings.factory import factory_settings
-from trex_gui.devices.trex.settings.history import History
-from trex_gui.ui.devices.event_log import Events
-from trex_gui.ui.traffic.model import Transcript
+from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.ui.devices.event_log import EventLog
+from trex_gui.ui.traffic.model import TrafficModel
 
 _TIMEOUT = "serial_timeout"
 
-__all__ = ["AfterStop", "Device", "Link"]
+__all__ = ["AfterStop", "ConnectionState", "Device"]
 
 
 class Device(QObject):
@@ -55,7 +55,7 @@ class Device(QObject):
         progressed: steps done, steps in all, what comes next.
         failed: why a connection ended or something asked did not work, for people.
         told: what was done without being asked, for people.
-        applied: the `Written` of everything that Apply tried.
+        applied: the `WriteResult` of everything that Apply tried.
         sampled: a `Batch`; the models of the device have taken it in.
         pending_changed: how many edits of parameters and calibrations wait for Apply.
 
@@ -83,16 +83,16 @@ class Device(QObject):
         self.undo = self.draft.undo
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
-        self.history = History()
+        self.history = SettingsHistory()
         self._apply = Apply(self.draft, self.history, self._ask, self)
         self.motors = Motors(self)
         self._connection = Connection(self)
-        self._driving = Driving(self.motors, self._connection, self)
-        self.events = Events(self)
+        self._driving = DriveController(self.motors, self._connection, self)
+        self.events = EventLog(self)
         self._event_watch = EventWatch(self.events, self.motors, self._connection, self)
         self.telemetry.watch(self.motors)
-        self._kept = KeptEdits(self.history, self)
-        self._reset_order = ResetOrder()
+        self._kept = EditBackup(self.history, self)
+        self._reset_order = PendingReset()
         self._state: DeviceState | None = None
 
         self._connection.changed.connect(self.link_changed)
@@ -103,7 +103,7 @@ class Device(QObject):
         self._connection.sampled.connect(self._on_sampled)
         self._connection.progressed.connect(self.progressed)
         self._connection.failed.connect(self.failed)
-        self._driving.proved.connect(self.link_changed)
+        self._driving.confirmed.connect(self.link_changed)
         self._driving.failed.connect(self.failed)
         self.draft.pending_changed.connect(self.pending_changed)
         self.draft.replacing.connect(self._kept.keep)
@@ -116,7 +116,7 @@ class Device(QObject):
     # --- What is known ------------------------------------------------------------------
 
     @property
-    def link(self) -> Link:
+    def link(self) -> ConnectionState:
         """How things stand."""
         return self._connection.link
 
@@ -142,9 +142,9 @@ class Device(QObject):
         return self._state
 
     @property
-    def transcript(self) -> Transcript:
+    def traffic(self) -> TrafficModel:
         """Every byte that went over its line."""
-        return self._connection.transcript
+        return self._connection.traffic
 
     @property
     def echo(self) -> bool:
@@ -162,12 +162,12 @@ class Device(QObject):
         return self._connection.counters
 
     def key_of(self, what: str) -> str:
-        """Return the key, as a settings file spells it, of what a `Written` is about."""
-        channel = Written(what).channel
+        """Return the key, as a settings file spells it, of what a `WriteResult` is about."""
+        channel = WriteResult(what).channel
         return what if channel is None else calibration_key(self.calibrations.source, channel)
 
     def name_of(self, what: str) -> str:
-        """Return the name for people of what a `Written` is about."""
+        """Return the name for people of what a `WriteResult` is about."""
         index = self.parameters.index_of(what, Column.NAME)
         return str(index.data()) if index.isValid() else what
 
@@ -179,7 +179,7 @@ class Device(QObject):
     @property
     def control_text(self) -> str:
         """Who controls the motors, as a sentence; empty while no board answers."""
-        if self._state is None or self.link is not Link.UP:
+        if self._state is None or self.link is not ConnectionState.UP:
             return ""
         seen = self.telemetry.serial_controls
         by_serial = self._state.serial_controls if seen is None else seen
@@ -205,7 +205,7 @@ class Device(QObject):
         `None` while no board answers, or where it was not read.
         """
         wire = None if self._state is None else self._state.parameters.get(_TIMEOUT)
-        if self._state is None or wire is None or self.link is not Link.UP:
+        if self._state is None or wire is None or self.link is not ConnectionState.UP:
             return None
         return wire * self._state.specs[_TIMEOUT].scale
 
@@ -222,7 +222,7 @@ class Device(QObject):
     # --- What a person does -------------------------------------------------------------
 
     def connect_to(self, settings: LinkSettings) -> None:
-        """Open a line and read everything; ends in `Link.UP` or in `failed`.
+        """Open a line and read everything; ends in `ConnectionState.UP` or in `failed`.
 
         A line that is open is closed first.
         """
@@ -308,11 +308,11 @@ class Device(QObject):
         if self._state is None or self.settings is None:
             return
         firmware = self._state.signature.firmware
-        self.expect(where_to_look(self.settings, self._state.parameters, stored, firmware))
+        self.expect(reconnect_candidates(self.settings, self._state.parameters, stored, firmware))
 
     def expect(self, settings: tuple[LinkSettings, ...]) -> None:
         """Name where else to look for the board when it falls silent; replaces what was named."""
-        self._connection.submit(Expect(settings))
+        self._connection.submit(SetReconnectCandidates(settings))
 
     @property
     def pending(self) -> int:
@@ -334,7 +334,7 @@ class Device(QObject):
             self.failed.emit(self.tr("Reading again failed. {0}").format(outcome.error))
 
     @Slot(object)
-    def _on_applied(self, results: tuple[Written, ...]) -> None:
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         self._note_written(results)
         self.link_changed.emit()
         names = tuple(self.name_of(result.what) for result in results)
@@ -346,7 +346,7 @@ class Device(QObject):
         self.link_changed.emit()
         self.failed.emit(reason)
 
-    def _note_written(self, results: tuple[Written, ...]) -> None:
+    def _note_written(self, results: tuple[WriteResult, ...]) -> None:
         """Let `state` say what the board holds now."""
         if self._state is None:
             return
@@ -361,7 +361,7 @@ class Device(QObject):
     def _on_answered(self, report: Connected) -> None:
         state, occasion = report.state, report.occasion
         self._state = state
-        if occasion is Occasion.OPENED:
+        if occasion is ReadReason.OPENED:
             if self.pending and self.parameters.model_key == state.signature.model.key:
                 text = self.tr("Edits made before wait here: {0}. Apply writes them to this board.")
                 self.told.emit(text.format(self.pending))
@@ -379,14 +379,14 @@ class Device(QObject):
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
         for sample in batch.samples:
-            if isinstance(sample, StatusNews):
+            if isinstance(sample, LatchedStatus):
                 self.errors.take(sample)
                 self._follow_board_stop(sample)
         self.telemetry.take(batch)
         self._follow_control()
         self.sampled.emit(batch)
 
-    def _follow_board_stop(self, news: StatusNews) -> None:
+    def _follow_board_stop(self, news: LatchedStatus) -> None:
         """Wish nothing any more of motors that the board has stopped by itself."""
         errors_stop = bool(self._state and self._state.parameters.get(SHUTDOWN))
         why = why_the_board_stopped(news, errors_stop=errors_stop)

@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 
 from PySide6.QtCore import QObject, Signal
 
-from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
 from trex_gui.ui.runtime import now
 
@@ -68,7 +68,7 @@ class ErrorLog(QObject):
             if entry.seen_at > since and (isinstance(entry.bit, UartError) or entry.bit & of_motor)
         ]
 
-    def take(self, news: StatusNews) -> None:
+    def take(self, news: LatchedStatus) -> None:
         """Count the bits of one look at the status."""
         today = datetime.now(UTC).astimezone()
         for index, entry in enumerate(self._entries):

@@ -2,13 +2,13 @@
 
 from PySide6.QtCore import QObject, Slot
 
-from trex_gui.devices.trex.client.telemetry import StatusNews
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
-from trex_gui.devices.trex.session.messages import Batch, Closed, Connected, Occasion
-from trex_gui.ui.devices.event_log import EventKind, Events
+from trex_gui.devices.trex.session.messages import Batch, Closed, Connected, ReadReason
+from trex_gui.ui.devices.event_log import EventKind, EventLog
 
 GOES_ON = 1.0
 """Seconds within which a bit that is seen again is the same event going on.
@@ -30,7 +30,11 @@ class EventWatch(QObject):
     """Stands beside the models of one board and adds to its list of events."""
 
     def __init__(
-        self, events: Events, motors: Motors, connection: Connection, parent: QObject | None = None
+        self,
+        events: EventLog,
+        motors: Motors,
+        connection: Connection,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._events = events
@@ -42,7 +46,7 @@ class EventWatch(QObject):
         connection.left.connect(self._on_left)
         connection.sampled.connect(self._on_sampled)
 
-    def note_applied(self, results: tuple[Written, ...], names: tuple[str, ...]) -> None:
+    def note_applied(self, results: tuple[WriteResult, ...], names: tuple[str, ...]) -> None:
         """Note what Apply has written; `names` are those of `results`, for people."""
         done = [name for name, one in zip(names, results, strict=True) if one.error is None]
         failed = len(results) - len(done)
@@ -62,14 +66,14 @@ class EventWatch(QObject):
     @Slot(object)
     def _on_answered(self, report: Connected) -> None:
         match report.occasion:
-            case Occasion.OPENED:
+            case ReadReason.OPENED:
                 self._events.clear()
                 self._seen.clear()
-            case Occasion.RETURNED:
+            case ReadReason.RETURNED:
                 self._events.add(EventKind.LINK, self.tr("The board answers again"))
-            case Occasion.MODE_CHANGED:
+            case ReadReason.MODE_CHANGED:
                 self._events.add(EventKind.LINK, self.tr("The board was switched off and on"))
-            case Occasion.RELOADED:
+            case ReadReason.RELOADED:
                 pass
 
     @Slot()
@@ -83,10 +87,10 @@ class EventWatch(QObject):
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
         for sample in batch.samples:
-            if isinstance(sample, StatusNews):
+            if isinstance(sample, LatchedStatus):
                 self._note_bits(sample)
 
-    def _note_bits(self, news: StatusNews) -> None:
+    def _note_bits(self, news: LatchedStatus) -> None:
         for bit, kind in _KINDS.items():
             if news.status & bit:
                 self._note_bit(kind, STATUS_MEANING[bit][0], news.time)

@@ -2,17 +2,17 @@
 
 import math
 
-from trex_gui.core.transport.traffic_log import taped
+from trex_gui.core.transport.traffic_log import logged
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import (
     Close,
     SetAuxiliary,
-    SetDrive,
-    SetDrives,
+    SetMotor,
+    SetMotors,
     Stop,
     Write,
 )
-from trex_gui.devices.trex.session.session import Session
+from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.session_thread import NOBODY, SessionThread
 
@@ -22,7 +22,7 @@ class Line(SessionThread):
 
     def moves(self, request: object) -> bool:
         """Wishes move motors; writing and reading do not."""
-        return isinstance(request, (SetDrive, SetDrives, SetAuxiliary))
+        return isinstance(request, (SetMotor, SetMotors, SetAuxiliary))
 
     def writes(self, request: object) -> bool:
         """The end of the program waits longer for what is being stored."""
@@ -31,8 +31,8 @@ class Line(SessionThread):
     def open(self, settings: LinkSettings, *, may_move: bool) -> None:
         """Start a session; `may_move` says that motors may be turning from an earlier one."""
         self.start(
-            lambda inbox, tell: Session(
-                settings, inbox, tell, taped(self.tape, open_transport, now), may_move=may_move
+            lambda inbox, tell: TrexSession(
+                settings, inbox, tell, logged(self.log, open_transport, now), may_move=may_move
             ),
             may_move=may_move,
         )

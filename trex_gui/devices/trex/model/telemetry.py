@@ -8,15 +8,15 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
-    StatusNews,
 )
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.session.messages import Batch
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.ring import Ring
 
 _INPUT_HISTORY = 3_000
@@ -55,7 +55,7 @@ class Telemetry(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.currents = History(len(Series))
+        self.currents = SampleHistory(len(Series))
         self.inputs = Ring(_INPUT_HISTORY, columns=len(CHANNELS))
         self.raw: tuple[int | None, ...] | None = None
         self.remapped: tuple[int, ...] | None = None
@@ -109,7 +109,7 @@ class Telemetry(QObject):
                     )
                 case Control(by_serial=by_serial):
                     self.serial_controls = by_serial
-                case StatusNews() | ModeSeen():
+                case LatchedStatus() | ModeSample():
                     pass
             self.latest = sample.time
         self.samples += len(batch.samples)

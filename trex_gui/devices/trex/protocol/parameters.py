@@ -24,7 +24,7 @@ _ROUNDING = 0.01
 _PREFIXES = {"m": 1e-3, "k": 1e3, "": 1.0}
 
 
-class Kind(StrEnum):
+class ParameterKind(StrEnum):
     """How a parameter is coded, and so which editor fits it."""
 
     NUMBER = "number"
@@ -48,7 +48,7 @@ class ParameterSpec:
     number: int
     key: str
     name: str
-    kind: Kind
+    kind: ParameterKind
     description: str
     group: str
     subject: str
@@ -67,7 +67,7 @@ class ParameterSpec:
     @property
     def readable(self) -> bool:
         """Whether 0x9F answers it; the factory reset can only be written."""
-        return self.kind is not Kind.RESET
+        return self.kind is not ParameterKind.RESET
 
     @property
     def limits_confirmed(self) -> bool:
@@ -98,11 +98,11 @@ class ParameterSpec:
     def short_range(self) -> str:
         """The allowed values in few words, for a table."""
         match self.kind:
-            case Kind.CHOICE:
+            case ParameterKind.CHOICE:
                 return ", ".join(self.choices.values())
-            case Kind.CHANNELS:
+            case ParameterKind.CHANNELS:
                 return "any of 1 to 5"
-            case Kind.UART:
+            case ParameterKind.UART:
                 return "baud, check, stop bits"
             case _ if self.minimum == self.maximum:
                 return self.text(self.minimum)
@@ -111,11 +111,11 @@ class ParameterSpec:
     def range_text(self) -> str:
         """The allowed values as a person reads them."""
         match self.kind:
-            case Kind.CHOICE:
+            case ParameterKind.CHOICE:
                 return " or ".join(f"{wire} ({word})" for wire, word in self.choices.items())
-            case Kind.CHANNELS:
+            case ParameterKind.CHANNELS:
                 return f"channels 1 to 5 (wire value 0 to {self.maximum})"
-            case Kind.UART:
+            case ParameterKind.UART:
                 return "a baud rate, error detection and stop bits (low four bits 0 to 10)"
             case _ if self.minimum == self.maximum:
                 return str(self.minimum)
@@ -127,15 +127,15 @@ class ParameterSpec:
     def text(self, wire: int) -> str:
         """Return a wire value in the unit that a person knows; any 0-127, allowed or not."""
         match self.kind:
-            case Kind.CHANNELS:
+            case ParameterKind.CHANNELS:
                 return _channels_text(wire) if wire <= self.maximum else f"wire {wire}"
-            case Kind.CHOICE:
+            case ParameterKind.CHOICE:
                 return self.choices.get(wire, f"wire {wire}")
-            case Kind.POLYNOMIAL:
+            case ParameterKind.POLYNOMIAL:
                 return f"0x{0x80 | wire:02X}"
-            case Kind.PWM_MAXIMUM:
+            case ParameterKind.PWM_MAXIMUM:
                 return str(device_table().pwm.maximum(wire))
-            case Kind.UART:
+            case ParameterKind.UART:
                 return _uart_text(wire)
         if wire == 0 and self.zero:
             return self.zero
@@ -156,7 +156,7 @@ class ParameterSpec:
         for wire in sorted(self.valid):
             if wanted.casefold() == self.text(wire).casefold():
                 return wire
-        is_list = self.kind is Kind.CHANNELS
+        is_list = self.kind is ParameterKind.CHANNELS
         meant = self._wire_of_channels(wanted) if is_list else self._wire_of_number(wanted)
         if meant is None or meant not in self.valid:
             given = wanted if len(wanted) <= 40 else f"{wanted[:40]}…"
@@ -165,11 +165,11 @@ class ParameterSpec:
 
     def _spoken_range(self) -> str:
         """The allowed values in the words and units that a person types."""
-        if self.kind is Kind.CHOICE:
+        if self.kind is ParameterKind.CHOICE:
             return " or ".join(self.choices.values())
-        if self.kind is Kind.CHANNELS:
+        if self.kind is ParameterKind.CHANNELS:
             return "none or some of the channels 1 to 5, such as 1, 3"
-        if self.kind is Kind.UART:
+        if self.kind is ParameterKind.UART:
             return f"written as {self.text(self.default)}, with a baud rate that the board has"
         return self.short_range()
 
@@ -192,11 +192,13 @@ class ParameterSpec:
     @property
     def _has_steps(self) -> bool:
         """Whether the values are a quantity, so that something lies between two of them."""
-        return bool(self.unit) or self.kind is Kind.PWM_MAXIMUM
+        return bool(self.unit) or self.kind is ParameterKind.PWM_MAXIMUM
 
     def _steps(self, text: str) -> float | None:
         """Return the number in `text` in wire steps, which may be broken; `None`: no number."""
-        if self.kind in {Kind.POLYNOMIAL, Kind.UART} and text.lower().startswith("0x"):
+        if self.kind in {ParameterKind.POLYNOMIAL, ParameterKind.UART} and text.lower().startswith(
+            "0x"
+        ):
             try:
                 value = float(int(text, 16))
             except (ValueError, OverflowError):
@@ -207,10 +209,10 @@ class ParameterSpec:
             if found is None or factor is None:
                 return None
             value = float(found[1].replace(",", ".")) * factor
-        if self.kind is Kind.PWM_MAXIMUM:
+        if self.kind is ParameterKind.PWM_MAXIMUM:
             pwm = device_table().pwm
             return (value - pwm.offset) / pwm.scale
-        if self.kind is Kind.POLYNOMIAL and 0x80 <= value <= 0xFF:
+        if self.kind is ParameterKind.POLYNOMIAL and 0x80 <= value <= 0xFF:
             return value - 0x80
         return value / self.scale
 
@@ -218,7 +220,7 @@ class ParameterSpec:
         """Return what a number in the given unit must be multiplied with; `None`: not ours."""
         if not given or given.casefold() == self.unit.casefold():
             return 1
-        if self.kind is Kind.ACCELERATION:
+        if self.kind is ParameterKind.ACCELERATION:
             return None
         own = next((p for p in ("m", "k") if self.unit.startswith(p) and len(self.unit) > 1), "")
         base = self.unit.removeprefix(own)
@@ -333,9 +335,9 @@ def _read_spec(row: Mapping[str, Any], model: Model) -> ParameterSpec:
     inferred.discard("default")
     if default_source == "inferred":
         inferred.add("default")
-    kind = Kind(row["kind"])
+    kind = ParameterKind(row["kind"])
     valid = range(row["min"], row["max"] + 1)
-    if kind is Kind.UART:
+    if kind is ParameterKind.UART:
         valid_wires = frozenset(wire for wire in valid if _is_line_setting(wire))
     else:
         valid_wires = frozenset(valid)

@@ -35,20 +35,20 @@ from typing import Any
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
-    StatusNews,
 )
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.driving import Direction
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.recording.recording import (
-    AuxiliaryWish,
+    AuxiliarySetpointRecord,
     Marker,
     Record,
+    SetpointRecord,
     SettingsSeen,
-    Wish,
 )
 
 _SILENT = 0xFFFF
@@ -77,25 +77,27 @@ _KINDS: dict[type[Any], _Kind] = {
     Currents: _Kind(1, "HH", lambda r: r.counts, lambda t, a, b: Currents(t, (a, b))),
     Raw: _Kind(2, "HHHHH", lambda r: tuple(_SILENT if c is None else c for c in r.counts), _raw),
     Remapped: _Kind(3, "bbbbb", lambda r: r.values, lambda t, *v: Remapped(t, v)),
-    StatusNews: _Kind(
+    LatchedStatus: _Kind(
         4,
         "BB",
         lambda r: (int(r.status), int(r.uart)),
-        lambda t, s, u: StatusNews(t, Status(s), UartError(u)),
+        lambda t, s, u: LatchedStatus(t, Status(s), UartError(u)),
     ),
     Control: _Kind(5, "B", lambda r: (int(r.by_serial),), lambda t, c: Control(t, bool(c))),
-    ModeSeen: _Kind(6, "B", lambda r: (ord(r.mode.value),), lambda t, m: ModeSeen(t, Mode(chr(m)))),
-    Wish: _Kind(
+    ModeSample: _Kind(
+        6, "B", lambda r: (ord(r.mode.value),), lambda t, m: ModeSample(t, Mode(chr(m)))
+    ),
+    SetpointRecord: _Kind(
         7,
         "BBBB",
         lambda r: (r.motor, int(r.drive.direction), r.drive.speed, int(r.accelerate)),
-        lambda t, m, d, s, a: Wish(t, m, Drive(Direction(d), s), bool(a)),
+        lambda t, m, d, s, a: SetpointRecord(t, m, Drive(Direction(d), s), bool(a)),
     ),
-    AuxiliaryWish: _Kind(
+    AuxiliarySetpointRecord: _Kind(
         8,
         "BB",
         lambda r: (r.speed, int(r.accelerate)),
-        lambda t, s, a: AuxiliaryWish(t, s, bool(a)),
+        lambda t, s, a: AuxiliarySetpointRecord(t, s, bool(a)),
     ),
     Marker: _Kind(9, "ss", lambda r: (r.kind, r.text), Marker),
     SettingsSeen: _Kind(10, "s", lambda r: (r.text,), SettingsSeen),

@@ -28,10 +28,10 @@ from trex_gui.core.recording.csv_lines import CsvLines
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
-    StatusNews,
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Status, UartError
 from trex_gui.devices.trex.recording.columns import (
@@ -43,12 +43,12 @@ from trex_gui.devices.trex.recording.columns import (
     plain_line,
 )
 from trex_gui.devices.trex.recording.recording import (
-    AuxiliaryWish,
+    AuxiliarySetpointRecord,
     Header,
     Marker,
     Record,
+    SetpointRecord,
     SettingsSeen,
-    Wish,
 )
 
 SUFFIX = ".csv"
@@ -103,21 +103,21 @@ class CsvWriter(CsvLines[Record]):
             case Control(by_serial=by_serial):
                 name = "control"
                 known[-2] = str(int(by_serial))
-            case ModeSeen(mode=mode):
+            case ModeSample(mode=mode):
                 name = "mode"
                 known[-1] = mode.value
-            case StatusNews(status=status, uart=uart):
+            case LatchedStatus(status=status, uart=uart):
                 name = "status"
                 news = ",".join(
                     str(int(bool(bit & (status if isinstance(bit, Status) else uart))))
                     for bit in self._bits
                 )
-            case Wish(motor=motor, drive=drive, accelerate=accelerate):
+            case SetpointRecord(motor=motor, drive=drive, accelerate=accelerate):
                 name = "wish"
                 brake = str(drive.speed) if drive.is_brake else ""
                 direction = drive.direction.name.lower()
                 wish = f"{motor},{direction},{drive.signed},{brake},,{int(accelerate)}"
-            case AuxiliaryWish(speed=speed, accelerate=accelerate):
+            case AuxiliarySetpointRecord(speed=speed, accelerate=accelerate):
                 name = "auxiliary"
                 wish = f",,,,{speed},{int(accelerate)}"
             case Marker():

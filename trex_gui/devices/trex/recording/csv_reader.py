@@ -6,10 +6,10 @@ from trex_gui.core.recording.csv_blocks import CsvBlocks, Row
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
-    StatusNews,
 )
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.driving import Direction
@@ -22,12 +22,12 @@ from trex_gui.devices.trex.recording.columns import (
 )
 from trex_gui.devices.trex.recording.csv_format import columns
 from trex_gui.devices.trex.recording.recording import (
-    AuxiliaryWish,
+    AuxiliarySetpointRecord,
     Header,
     Marker,
     Record,
+    SetpointRecord,
     SettingsSeen,
-    Wish,
 )
 
 
@@ -63,19 +63,21 @@ def _remapped(time: float, row: Row, _unit: float) -> Remapped:
     return Remapped(time, tuple(int(row[f"channel_{channel}_remapped"]) for channel in CHANNELS))
 
 
-def _status(time: float, row: Row, _unit: float) -> StatusNews:
+def _status(time: float, row: Row, _unit: float) -> LatchedStatus:
     status, uart = Status(0), UartError(0)
     for bit in Status:
         status |= bit if row[status_column(bit)] == "1" else Status(0)
     for error in UartError:
         uart |= error if row[uart_column(error)] == "1" else UartError(0)
-    return StatusNews(time, status, uart)
+    return LatchedStatus(time, status, uart)
 
 
-def _wish(time: float, row: Row, _unit: float) -> Wish:
+def _wish(time: float, row: Row, _unit: float) -> SetpointRecord:
     direction = Direction[row["direction"].upper()]
     speed = int(row["brake"]) if row["brake"] else abs(int(row["speed"]))
-    return Wish(time, int(row["wished_motor"]), Drive(direction, speed), row["accelerate"] == "1")
+    return SetpointRecord(
+        time, int(row["wished_motor"]), Drive(direction, speed), row["accelerate"] == "1"
+    )
 
 
 _MAKERS: dict[str, Callable[[float, Row, float], Record]] = {
@@ -85,8 +87,8 @@ _MAKERS: dict[str, Callable[[float, Row, float], Record]] = {
     "status": _status,
     "wish": _wish,
     "control": lambda time, row, _: Control(time, bool(int(row["serial_controls"]))),
-    "mode": lambda time, row, _: ModeSeen(time, Mode(row["mode"])),
-    "auxiliary": lambda time, row, _: AuxiliaryWish(
+    "mode": lambda time, row, _: ModeSample(time, Mode(row["mode"])),
+    "auxiliary": lambda time, row, _: AuxiliarySetpointRecord(
         time, int(row["auxiliary_speed"]), row["accelerate"] == "1"
     ),
     "event": lambda time, row, _: Marker(

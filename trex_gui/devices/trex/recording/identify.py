@@ -13,7 +13,7 @@ _LONGEST_HEAD = 1 << 18
 _LONGEST_NAME = 60
 
 
-def whose(path: Path) -> str:
+def recorded_device(path: Path) -> str:
     """Return the device that a recording says it is of; empty where the file is none.
 
     A board is named with its firmware; the header of any other device's recording names that
@@ -33,9 +33,9 @@ def whose(path: Path) -> str:
     return recording.header.board
 
 
-def stranger_text(path: Path) -> str:
+def wrong_device_message(path: Path) -> str:
     """Say what the recording of another device is and how it opens; empty where it is none."""
-    device = whose(path)
+    device = recorded_device(path)
     if not device:
         return ""
     return (

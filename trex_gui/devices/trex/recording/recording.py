@@ -18,7 +18,7 @@ LONGEST_TEXT = 60_000
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
+class SetpointRecord:
     """What motor 1 or 2 was asked to do, as it was handed to the line."""
 
     time: float
@@ -28,7 +28,7 @@ class Wish:
 
 
 @dataclass(frozen=True, slots=True)
-class AuxiliaryWish:
+class AuxiliarySetpointRecord:
     """The speed, 0-127, that the auxiliary motor was asked for."""
 
     time: float
@@ -53,7 +53,7 @@ class SettingsSeen:
     text: str
 
 
-Record = Sample | Wish | AuxiliaryWish | Marker | SettingsSeen
+Record = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | SettingsSeen
 """Times are seconds on the session's clock, which only rises while a computer runs."""
 
 

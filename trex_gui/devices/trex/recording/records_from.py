@@ -6,13 +6,13 @@ from trex_gui import __version__
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.recording.recording import (
     LONGEST_TEXT,
-    AuxiliaryWish,
+    AuxiliarySetpointRecord,
     Header,
     Marker,
+    SetpointRecord,
     SettingsSeen,
-    Wish,
 )
-from trex_gui.devices.trex.session.messages import SetAuxiliary, SetDrive
+from trex_gui.devices.trex.session.messages import SetAuxiliary, SetMotor
 from trex_gui.devices.trex.settings.from_board import settings_of
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -41,11 +41,13 @@ def settings_seen(state: DeviceState, time: float) -> SettingsSeen:
     return SettingsSeen(time, settings_text(state))
 
 
-def wish_of(request: SetDrive | SetAuxiliary, time: float) -> Wish | AuxiliaryWish:
+def wish_of(
+    request: SetMotor | SetAuxiliary, time: float
+) -> SetpointRecord | AuxiliarySetpointRecord:
     """Return what was asked of a motor."""
-    if isinstance(request, SetDrive):
-        return Wish(time, request.motor, request.drive, request.accelerate)
-    return AuxiliaryWish(time, request.speed, request.accelerate)
+    if isinstance(request, SetMotor):
+        return SetpointRecord(time, request.motor, request.drive, request.accelerate)
+    return AuxiliarySetpointRecord(time, request.speed, request.accelerate)
 
 
 def marker(time: float, kind: str, text: str) -> Marker:

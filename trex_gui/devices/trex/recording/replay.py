@@ -10,21 +10,21 @@ from trex_gui.core.recording.errors import RecordingError
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
-    ModeSeen,
+    LatchedStatus,
+    ModeSample,
     Raw,
     Remapped,
-    StatusNews,
 )
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.recording.csv_format import CsvWriter
 from trex_gui.devices.trex.recording.recording import (
-    AuxiliaryWish,
+    AuxiliarySetpointRecord,
     Marker,
     Record,
     RecordingFile,
+    SetpointRecord,
     SettingsSeen,
-    Wish,
 )
 
 STOP = "stop"
@@ -58,18 +58,18 @@ class Latest:
                 self.remapped = values
             case Control(by_serial=by_serial):
                 self.by_serial = by_serial
-            case ModeSeen(mode=mode):
+            case ModeSample(mode=mode):
                 self.mode = mode
-            case Wish(motor=motor, drive=drive):
+            case SetpointRecord(motor=motor, drive=drive):
                 self.wishes = {**self.wishes, motor: drive}
-            case AuxiliaryWish(speed=speed):
+            case AuxiliarySetpointRecord(speed=speed):
                 self.auxiliary = speed
             case Marker(kind=kind):
                 if kind == STOP:
                     self.wishes, self.auxiliary = {}, None
             case SettingsSeen(text=text):
                 self.settings = text
-            case StatusNews():
+            case LatchedStatus():
                 pass
 
 

@@ -1,14 +1,14 @@
 """Whether the board still answers; where it does not, when and where to look for it again."""
 
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.session.reconnecting import Search
+from trex_gui.devices.trex.session.reconnecting import ReconnectSearch
 
 _FAILURES_TO_SILENCE = 3
 
 
-class Presence:
+class LivenessMonitor:
     """One board, as far as its answers tell; knows no clock.
 
     Attributes:
@@ -21,7 +21,7 @@ class Presence:
         self.silent = False
         self.retry_at = 0.0
         self._failures = 0
-        self._search = Search()
+        self._search = ReconnectSearch()
 
     def begin(self) -> None:
         """Take the board for there: everything was read."""
@@ -47,15 +47,15 @@ class Presence:
         """Look again after the usual pause."""
         self.retry_at = now + self._retry
 
-    def looks_around(self, client: Client, expected: tuple[LinkSettings, ...]) -> bool:
+    def is_scanning(self, client: TrexClient, expected: tuple[LinkSettings, ...]) -> bool:
         """Whether a silent board may be at other settings.
 
         Then nothing goes out but stops and what is harmless to a board at any rate.
         """
-        can = client.transport.can_be_tuned
+        can = client.transport.is_configurable
         return self.silent and can and (self._search.has_looked or bool(expected))
 
-    def look(self, client: Client, expected: tuple[LinkSettings, ...]) -> Client | None:
+    def look(self, client: TrexClient, expected: tuple[LinkSettings, ...]) -> TrexClient | None:
         """Put one question; return who talks to the board from now on, if it answered.
 
         Raises:

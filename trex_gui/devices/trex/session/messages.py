@@ -7,7 +7,7 @@ nobody above it notices the difference.
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
@@ -19,7 +19,7 @@ from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 
 @dataclass(frozen=True, slots=True)
-class Ask:
+class RunCommand:
     """Run one command; answered by an `Outcome` with the same `id`."""
 
     id: int
@@ -27,7 +27,7 @@ class Ask:
 
 
 @dataclass(frozen=True, slots=True)
-class SetDrive:
+class SetMotor:
     """What motor 1 or 2 shall do from now on; a newer one replaces one that still waits."""
 
     motor: int
@@ -36,10 +36,10 @@ class SetDrive:
 
 
 @dataclass(frozen=True, slots=True)
-class SetDrives:
+class SetMotors:
     """What both motors shall do from now on, in one packet: neither begins before the other."""
 
-    drives: tuple[SetDrive, SetDrive]
+    drives: tuple[SetMotor, SetMotor]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,15 +66,15 @@ class Stop:
 class Arm:
     """The motors are armed from here on, until a `Stop`; has no outcome.
 
-    The line is kept busy enough for the board's own serial timeout then, and where neither a
-    `Pulse` nor a wish comes for `Timeouts.heartbeat` seconds, the motors are stopped; `Halted`
-    tells.
+    While they are, polling keeps the board's own serial timeout from running out. Without a
+    `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds the motors are stopped and
+    `MotorsStopped` is reported.
     """
 
 
 @dataclass(frozen=True, slots=True)
-class Pulse:
-    """Whoever has armed the motors is still there; due every `guard.PULSE_INTERVAL` seconds.
+class Heartbeat:
+    """Whoever has armed the motors is still there; due every `guard.HEARTBEAT_INTERVAL` seconds.
 
     Attributes:
         sent: when, on the line's clock; `None`: when it is read.
@@ -104,7 +104,7 @@ class Reload:
 
 
 @dataclass(frozen=True, slots=True)
-class Expect:
+class SetReconnectCandidates:
     """When the board falls silent, look for it at these settings too; has no outcome.
 
     Replaces what was expected before; without any settings nothing is expected. A board that
@@ -120,10 +120,20 @@ class Close:
     """Stop the motors if they were driven, give the port back, end."""
 
 
-MotorRequest = SetDrive | SetDrives | SetAuxiliary
+MotorRequest = SetMotor | SetMotors | SetAuxiliary
 """What asks motors for something."""
 
-Request = Ask | MotorRequest | Stop | Arm | Pulse | Write | Reload | Expect | Close
+Request = (
+    RunCommand
+    | MotorRequest
+    | Stop
+    | Arm
+    | Heartbeat
+    | Write
+    | Reload
+    | SetReconnectCandidates
+    | Close
+)
 
 # --- Out --------------------------------------------------------------------------------
 
@@ -137,7 +147,7 @@ class Progress:
     what: str
 
 
-class Occasion(Enum):
+class ReadReason(Enum):
     """Why everything was read."""
 
     OPENED = auto()
@@ -148,7 +158,7 @@ class Occasion(Enum):
     @property
     def power_cycled(self) -> bool:
         """Whether the board's power was off since it was read before, as far as can be told."""
-        return self in {Occasion.RETURNED, Occasion.MODE_CHANGED}
+        return self in {ReadReason.RETURNED, ReadReason.MODE_CHANGED}
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,14 +174,14 @@ class Connected:
 
     state: DeviceState
     echo: bool
-    occasion: Occasion
+    occasion: ReadReason
     settings: LinkSettings
     may_move: bool = False
     port_rates: frozenset[int] | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class Silent:
+class NotResponding:
     """The port is there, but the board has stopped answering; the session goes on trying."""
 
     reason: str
@@ -179,7 +189,7 @@ class Silent:
 
 
 @dataclass(frozen=True, slots=True)
-class Halted:
+class MotorsStopped:
     """The motors were stopped unasked, or a stop that was not proved has been at last.
 
     Attributes:
@@ -188,7 +198,7 @@ class Halted:
     """
 
     reason: str
-    proved: bool
+    confirmed: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,7 +218,7 @@ class Outcome:
 
     id: int
     value: object = None
-    error: TrexError | None = None
+    error: StudioError | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,8 +229,8 @@ class Closed:
     stop was proved since.
     """
 
-    error: TrexError | None
+    error: StudioError | None
     may_move: bool = False
 
 
-Report = Progress | Connected | Silent | Halted | Batch | Outcome | Closed
+Report = Progress | Connected | NotResponding | MotorsStopped | Batch | Outcome | Closed

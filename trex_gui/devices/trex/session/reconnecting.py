@@ -4,14 +4,14 @@ import logging
 from collections import deque
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.client.client import Client
-from trex_gui.devices.trex.discovery.probe import look_at, places_to_look
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.discovery.probe import is_board_at, reconnect_places
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 log = logging.getLogger(__name__)
 
 
-class Search:
+class ReconnectSearch:
     """Looks at one place after the other, round and round.
 
     Attributes:
@@ -37,7 +37,7 @@ class Search:
         """Take the board for found."""
         self.has_looked = False
 
-    def look(self, client: Client, expected: tuple[LinkSettings, ...]) -> Client | None:
+    def look(self, client: TrexClient, expected: tuple[LinkSettings, ...]) -> TrexClient | None:
         """Put one question; return who talks to the board from now on, if it answered.
 
         Raises:
@@ -48,20 +48,20 @@ class Search:
             self._places.clear()  # of the others, where it is not expected any more
             self._expected = expected
         if not self._places:
-            self._places.extend(places_to_look(client.settings, expected))
+            self._places.extend(reconnect_places(client.settings, expected))
         place, transport = self._places.popleft(), client.transport
         try:
-            found = look_at(transport, place, echo=client.echo)
+            found = is_board_at(transport, place, echo=client.echo)
         except BadRequest as error:
             log.info("%s: %s", place.text(), error)
             found = False
         if not found:
             # A stop must find the line as the board was heard last.
-            transport.tune(client.settings.line)
+            transport.reconfigure(client.settings.line)
             return None
         if place == client.settings:
             return client
         log.info("the board came back at %s", place.text())
-        there = Client(transport, place, echo=client.echo)
+        there = TrexClient(transport, place, echo=client.echo)
         there.counters = client.counters
         return there

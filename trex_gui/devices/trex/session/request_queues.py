@@ -4,20 +4,20 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from trex_gui.devices.trex.driving.arming import Guard
-from trex_gui.devices.trex.driving.setpoints import DriveSlots
+from trex_gui.devices.trex.driving.arming import ArmingWatchdog
+from trex_gui.devices.trex.driving.setpoints import SetpointSlots
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Ask,
     Close,
-    Expect,
-    Pulse,
+    Heartbeat,
     Reload,
     Request,
+    RunCommand,
     SetAuxiliary,
-    SetDrive,
-    SetDrives,
+    SetMotor,
+    SetMotors,
+    SetReconnectCandidates,
     Stop,
     Write,
 )
@@ -32,7 +32,7 @@ class Inbox(Protocol):
 
 
 @dataclass(slots=True)
-class Mailbox:
+class RequestQueues:
     """What waits to be served.
 
     Attributes:
@@ -47,9 +47,9 @@ class Mailbox:
 
     inbox: Inbox
     stops: list[Stop] = field(default_factory=list)
-    drives: DriveSlots = field(default_factory=DriveSlots)
-    jobs: deque[Ask | Write | Reload] = field(default_factory=deque)
-    guard: Guard = field(default_factory=Guard)
+    drives: SetpointSlots = field(default_factory=SetpointSlots)
+    jobs: deque[RunCommand | Write | Reload] = field(default_factory=deque)
+    guard: ArmingWatchdog = field(default_factory=ArmingWatchdog)
     overtaken: list[int] = field(default_factory=list)
     expected: tuple[LinkSettings, ...] = ()
     closing: bool = False
@@ -72,15 +72,15 @@ class Mailbox:
                 case Arm():
                     if not self.closing:
                         self.guard.arm()
-                case Pulse(sent=sent):
-                    self.guard.note_life(sent)
-                case SetDrive() | SetDrives() | SetAuxiliary():
-                    self.guard.note_life()
-                    if not self.closing and not self.guard.drops_wishes:
+                case Heartbeat(sent=sent):
+                    self.guard.heartbeat_received(sent)
+                case SetMotor() | SetMotors() | SetAuxiliary():
+                    self.guard.heartbeat_received()
+                    if not self.closing and not self.guard.drops_setpoints:
                         self.drives.put(request)
-                case Expect(settings=settings):
+                case SetReconnectCandidates(settings=settings):
                     self.expected = settings
-                case Ask() | Write() | Reload():
+                case RunCommand() | Write() | Reload():
                     self.jobs.append(request)
             request = self.inbox.get(0.0)
 
@@ -88,7 +88,7 @@ class Mailbox:
         self.stops.append(stop)
         self.guard.stop(stop.lockout)
         self.drives.clear()
-        late = [job for job in self.jobs if isinstance(job, Ask) and job.command.moves]
+        late = [job for job in self.jobs if isinstance(job, RunCommand) and job.command.moves]
         for job in late:
             self.jobs.remove(job)
             self.overtaken.append(job.id)

@@ -11,23 +11,23 @@ FRAME = 1 / 60
 """Seconds between two batches."""
 
 
-class Batches:
+class SampleBatcher:
     """Gathers samples; knows no clock but the times it is given."""
 
     def __init__(self, emit: Callable[[Batch], None]) -> None:
         self._emit = emit
         self._samples: list[Sample] = []
-        self._told_at = 0.0
+        self._last_flush = 0.0
         self.add = self._samples.append
         self.extend = self._samples.extend
 
     def seconds_to_next(self, now: float) -> float | None:
         """Return when what was gathered is due; `None`: there is nothing."""
-        return self._told_at + FRAME - now if self._samples else None
+        return self._last_flush + FRAME - now if self._samples else None
 
     def tell(self, counters: Counters, now: float) -> None:
         """Tell what was gathered, if it is anything."""
-        self._told_at = now
+        self._last_flush = now
         if self._samples:
             batch = Batch(tuple(self._samples), replace(counters))
             self._samples.clear()

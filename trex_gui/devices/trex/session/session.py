@@ -9,36 +9,36 @@ import logging
 from collections.abc import Callable
 from dataclasses import replace
 
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, Rejected, TrexError
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, Rejected, StudioError
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.client.client import Client
+from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.client.schedule import Topic
-from trex_gui.devices.trex.client.telemetry import ModeSeen, StatusNews, StatusReader, poll
-from trex_gui.devices.trex.client.writing import Written, write_all
-from trex_gui.devices.trex.discovery.diagnosis import why_no_board
-from trex_gui.devices.trex.driving.arming import Guard
-from trex_gui.devices.trex.driving.motors import Motors
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader, poll
+from trex_gui.devices.trex.client.writing import WriteResult, write_all
+from trex_gui.devices.trex.discovery.diagnosis import diagnose
+from trex_gui.devices.trex.driving.arming import ArmingWatchdog
+from trex_gui.devices.trex.driving.motors import MotorOutput
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
-from trex_gui.devices.trex.session.liveness import Presence
+from trex_gui.devices.trex.session.liveness import LivenessMonitor
 from trex_gui.devices.trex.session.messages import (
-    Ask,
     Closed,
     Connected,
-    Occasion,
+    NotResponding,
     Outcome,
     Progress,
+    ReadReason,
     Reload,
     Report,
-    Silent,
+    RunCommand,
     Write,
 )
 from trex_gui.devices.trex.session.polling import Polling
-from trex_gui.devices.trex.session.request_queues import Inbox, Mailbox
-from trex_gui.devices.trex.session.sample_batcher import Batches
+from trex_gui.devices.trex.session.request_queues import Inbox, RequestQueues
+from trex_gui.devices.trex.session.sample_batcher import SampleBatcher
 
 log = logging.getLogger(__name__)
 
@@ -54,7 +54,7 @@ def _known(*moments: float | None) -> list[float]:
     return [seconds for seconds in moments if seconds is not None]
 
 
-class Session:
+class TrexSession:
     """Serves one line from opening it to giving it back.
 
     `emit` is called with every report, from wherever `run` runs. `may_move` says that motors
@@ -73,10 +73,10 @@ class Session:
         self._settings = settings
         self._emit = emit
         self._open_transport = open_transport
-        self._mail = Mailbox(inbox, guard=Guard(timeouts=settings.timeouts))
-        self._batches = Batches(emit)
-        self._motors = Motors(self._mail, emit, self._batches.extend, may_move=may_move)
-        self._presence = Presence(settings.timeouts)
+        self._mail = RequestQueues(inbox, guard=ArmingWatchdog(timeouts=settings.timeouts))
+        self._batches = SampleBatcher(emit)
+        self._motors = MotorOutput(self._mail, emit, self._batches.extend, may_move=may_move)
+        self._presence = LivenessMonitor(settings.timeouts)
         self._state: DeviceState | None = None
         self._polling = Polling()
         self._port_rates: frozenset[int] | None = None
@@ -87,13 +87,13 @@ class Session:
         Never raises: whatever happens, the motors are stopped if they were driven, the port
         is given back and every request gets its outcome.
         """
-        error: TrexError | None = None
+        error: StudioError | None = None
         is_open = False
         try:
             _ = self._settings.framing  # impossible settings must not open the port
             transport = self._open_transport(self._settings)
             self._port_rates = transport.rates()
-            self._client = Client(transport, self._settings)
+            self._client = TrexClient(transport, self._settings)
             self._mail.guard.clock = transport.clock
             is_open = True
             self._status = StatusReader(transport.clock)
@@ -102,11 +102,11 @@ class Session:
                 self._step()
         except _Closing:
             pass
-        except TrexError as reason:
+        except StudioError as reason:
             error = reason
         except BaseException as reason:  # whatever ends this thread, motors come first
             log.exception("the line session failed")
-            error = TrexError(f"The program made a mistake on this line: {reason!r}")
+            error = StudioError(f"The program made a mistake on this line: {reason!r}")
         if is_open:
             self._leave_safely()
         self._finish(error)
@@ -118,16 +118,16 @@ class Session:
         try:
             echo = self._client.detect_echo(self._stop_early)
             if self._motors.may_move:
-                self._motors.stop_and_prove(self._client, self._status)
-            self._read_everything(Occasion.OPENED)
+                self._motors.stop_and_confirm(self._client, self._status)
+            self._read_everything(ReadReason.OPENED)
         except (NoReply, BadReply) as error:
-            raise why_no_board(self._settings, echo=echo, error=error) from error
+            raise diagnose(self._settings, echo=echo, error=error) from error
 
     def _stop_early(self) -> None:
         self._mail.collect()
         self._motors.stop_early(self._client)
 
-    def _read_everything(self, occasion: Occasion) -> None:
+    def _read_everything(self, occasion: ReadReason) -> None:
         """Read everything and tell it. But on a mere reload nothing drives meanwhile.
 
         Whoever drives does not know yet that the board was without power, or is another one, and
@@ -136,11 +136,11 @@ class Session:
         if occasion.power_cycled:
             self._give_up_driving()
         self._state = read_everything(self._request, self._progress)
-        if occasion is not Occasion.RELOADED:
+        if occasion is not ReadReason.RELOADED:
             if occasion.power_cycled or self._mail.guard.armed:
                 self._give_up_driving()
             if self._motors.may_move:
-                self._motors.stop_and_prove(self._client, self._status)
+                self._motors.stop_and_confirm(self._client, self._status)
         self._polling.start(self._state, self._now())
         self._presence.begin()
         self._mail.guard.is_reachable = True
@@ -158,16 +158,16 @@ class Session:
 
     def _give_up_driving(self) -> None:
         """Drop what is wished until somebody arms the motors again."""
-        self._mail.guard.give_up()
+        self._mail.guard.disarm()
         self._motors.forget()
 
     def _leave_safely(self) -> None:
         """Stop what was driven and give the port back, whatever the line does."""
         try:
             if self._motors.may_move or self._mail.stops:
-                self._motors.stop_at_last(self._client, self._status)
+                self._motors.stop_on_close(self._client, self._status)
             self._client.drain()
-        except TrexError:
+        except StudioError:
             log.info("the line was left without a proved stop", exc_info=True)
         except Exception:
             log.exception("leaving the line failed")
@@ -177,9 +177,9 @@ class Session:
             log.exception("the last samples could not be told")
         self._client.close()
 
-    def _finish(self, error: TrexError | None) -> None:
+    def _finish(self, error: StudioError | None) -> None:
         self._mail.collect()
-        reason = error or TrexError("The line was closed before this was done.")
+        reason = error or StudioError("The line was closed before this was done.")
         for waiting in self._mail.abandon():
             self._emit(Outcome(waiting, error=reason))
         self._emit(Closed(error, self._motors.may_move))
@@ -210,8 +210,8 @@ class Session:
         careful = self._motors.is_careful(self._client)
         return self._polling.next(now, self._line, armed=self._mail.guard.armed, careful=careful)
 
-    def _has_to_insist(self) -> bool:
-        seconds = self._motors.seconds_to_insist(self._client)
+    def _has_to_retry_stop(self) -> bool:
+        seconds = self._motors.seconds_to_stop_retry(self._client)
         return not self._presence.silent and seconds is not None and seconds <= 0
 
     def _collect(self, seconds: float = 0.0) -> None:
@@ -226,7 +226,7 @@ class Session:
         else:
             moments += _known(
                 self._polling.seconds_to_next(now, armed=self._mail.guard.armed),
-                self._motors.seconds_to_insist(self._client),
+                self._motors.seconds_to_stop_retry(self._client),
             )
         moments += _known(
             self._batches.seconds_to_next(now),
@@ -252,8 +252,8 @@ class Session:
         if self._mail.guard.is_abandoned:
             self._motors.stop_abandoned(self._client, self._status)
             return True
-        if self._has_to_insist():
-            self._motors.insist(self._client, self._status)
+        if self._has_to_retry_stop():
+            self._motors.retry_stop(self._client, self._status)
             return True
         seconds = self._seconds_to_drive()
         if seconds is None or seconds > 0:
@@ -276,13 +276,13 @@ class Session:
 
     # --- What was asked -----------------------------------------------------------------
 
-    def _run(self, job: Ask | Write | Reload) -> None:
+    def _run(self, job: RunCommand | Write | Reload) -> None:
         try:
             value: object = None
             match job:
-                case _ if self._presence.looks_around(self._client, self._mail.expected):
+                case _ if self._presence.is_scanning(self._client, self._mail.expected):
                     self._refuse()
-                case Ask(command=command):
+                case RunCommand(command=command):
                     self._mail.guard.check(command)
                     if command.moves:
                         # At once: behind a stop that comes now it would start what was stopped.
@@ -293,7 +293,7 @@ class Session:
                 case Write():
                     value = self._write(job)
                 case Reload():
-                    returned = Occasion.RETURNED if self._presence.silent else Occasion.RELOADED
+                    returned = ReadReason.RETURNED if self._presence.silent else ReadReason.RELOADED
                     self._read_everything(returned)
         except (BadRequest, NoReply, BadReply, Rejected) as error:
             self._emit(Outcome(job.id, error=error))
@@ -304,7 +304,7 @@ class Session:
         else:
             self._emit(Outcome(job.id, value))
 
-    def _write(self, job: Write) -> tuple[Written, ...]:
+    def _write(self, job: Write) -> tuple[WriteResult, ...]:
         """Write until it is done or `Close` comes, which leaves the rest and no value halfway.
 
         How everything went is told before the line is closed. Motors that may turn do not wait
@@ -320,7 +320,7 @@ class Session:
             nonlocal has_stopped
             if is_closing() and self._motors.may_move and not has_stopped:
                 has_stopped = True
-                self._motors.stop_at_last(self._client, self._status)
+                self._motors.stop_on_close(self._client, self._status)
             self._serve_urgent()
             return self._client.request(command)
 
@@ -366,18 +366,22 @@ class Session:
             sample = poll(self._request, topic, self._now, self._status)
             self._presence.note_answer()
             if topic is Topic.STATUS:
-                self._note_status(sample if isinstance(sample, StatusNews) else None)
+                self._note_status(sample if isinstance(sample, LatchedStatus) else None)
             if sample is not None:
                 self._batches.add(sample)
-            if isinstance(sample, ModeSeen) and self._state and sample.mode is not self._state.mode:
+            if (
+                isinstance(sample, ModeSample)
+                and self._state
+                and sample.mode is not self._state.mode
+            ):
                 # The power was off and a jumper has moved: everything may be different now.
                 if self._motors.may_move:
-                    self._motors.stop_and_prove(self._client, self._status)
-                self._read_everything(Occasion.MODE_CHANGED)
+                    self._motors.stop_and_confirm(self._client, self._status)
+                self._read_everything(ReadReason.MODE_CHANGED)
         except (NoReply, BadReply) as error:
             self._note_failure(error)
 
-    def _note_status(self, news: StatusNews | None) -> None:
+    def _note_status(self, news: LatchedStatus | None) -> None:
         values = {} if self._state is None else self._state.parameters
         self._motors.note_status(
             news,
@@ -386,27 +390,27 @@ class Session:
             stops_on_error=bool(values.get("uart_error_shutdown")),
         )
 
-    def _note_failure(self, error: TrexError) -> None:
+    def _note_failure(self, error: StudioError) -> None:
         if self._presence.note_failure(self._now()):
             self._give_up_driving()
             self._mail.guard.is_reachable = False
-            self._motors.stop_unheard(self._client)
+            self._motors.stop_without_reply(self._client)
             self._flush()
-            self._emit(Silent(str(error), replace(self._client.counters)))
+            self._emit(NotResponding(str(error), replace(self._client.counters)))
 
     # --- Silence ------------------------------------------------------------------------
 
     def _look_again(self) -> None:
         """See whether the board is back; if it is, it may have been through a power cycle."""
         try:
-            self._motors.stop_unheard(self._client)
-            if not self._presence.looks_around(self._client, self._mail.expected):
+            self._motors.stop_without_reply(self._client)
+            if not self._presence.is_scanning(self._client, self._mail.expected):
                 self._client.request(GetMode())
             elif not self._look_at_next_place():
                 return
             if self._motors.may_move:
-                self._motors.stop_and_prove(self._client, self._status)
-            self._read_everything(Occasion.RETURNED)
+                self._motors.stop_and_confirm(self._client, self._status)
+            self._read_everything(ReadReason.RETURNED)
         except (NoReply, BadReply):
             self._presence.retry_later(self._now())
 

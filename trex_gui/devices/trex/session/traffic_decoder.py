@@ -2,7 +2,7 @@
 
 from functools import lru_cache
 
-from trex_gui.core.transport.transactions import Exchange, Wording, Words
+from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction
 from trex_gui.devices.trex.protocol.commands import Command, Signature
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.descriptions import describe, describe_reply, is_refusal
@@ -21,7 +21,7 @@ _POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
 """Command bytes that a session repeats by itself: what changes while a board runs, and nothing."""
 
 
-class TrexWording(Wording):
+class TrexDecoder(Decoder):
     """Words for both sub-protocols, with and without CRC and echo.
 
     Attributes:
@@ -41,38 +41,38 @@ class TrexWording(Wording):
             return len(sent) > 2 and sent[2] | 0x80 in _POLLED
         return sent[0] in _POLLED
 
-    def is_whole(self, exchange: Exchange) -> bool:
+    def is_whole(self, exchange: Transaction) -> bool:
         """Whether the reply has its size, behind its echo if there is one."""
         if not exchange.sent:
             return False
         packet = _packets(exchange.sent, _polynomial(exchange.settings))[-1]
         return isinstance(packet, Packet) and not isinstance(_reply(packet, exchange), NeedData)
 
-    def read(self, exchange: Exchange) -> Words:
+    def read(self, exchange: Transaction) -> Decoded:
         """Say the packet, and what was answered or what is wrong with that."""
         if not exchange.sent:
-            return Words("bytes that nobody asked for", is_fault=True)
+            return Decoded("bytes that nobody asked for", is_fault=True)
         packets = _packets(exchange.sent, _polynomial(exchange.settings))
         said = "; ".join(map(self._said, packets))
         packet = packets[-1]
         if isinstance(packet, Malformed):
-            return Words(said)
+            return Decoded(said)
         match _reply(packet, exchange):
             case Reply(value=value):
                 answer = describe_reply(packet.command, value, self.board)
-                return Words(f"{said} → {answer}" if answer else said, is_refusal(value))
+                return Decoded(f"{said} → {answer}" if answer else said, is_refusal(value))
             case Malformed() if not packet.command.reply_size():
                 text = "bytes that it does not ask for; perhaps a late answer"
-                return Words(f"{said} → {text}", is_fault=True)
+                return Decoded(f"{said} → {text}", is_fault=True)
             case Malformed(reason=reason):
-                return Words(f"{said} → damaged: {reason}", is_fault=True)
+                return Decoded(f"{said} → damaged: {reason}", is_fault=True)
             case _ if not exchange.is_over:
-                return Words(said)
+                return Decoded(said)
         if not exchange.received:
-            return Words(f"{said} → no answer", is_fault=True)
+            return Decoded(f"{said} → no answer", is_fault=True)
         if exchange.received == exchange.sent:
-            return Words(f"{said} → only its echo came back", is_fault=True)
-        return Words(f"{said} → the answer is not complete", is_fault=True)
+            return Decoded(f"{said} → only its echo came back", is_fault=True)
+        return Decoded(f"{said} → the answer is not complete", is_fault=True)
 
     def _said(self, packet: Packet | Malformed) -> str:
         if isinstance(packet, Malformed):
@@ -89,7 +89,7 @@ def _packets(sent: bytes, polynomial: int | None) -> tuple[Packet | Malformed, .
     return (*parser.feed(sent), *parser.flush())
 
 
-def _reply(packet: Packet, exchange: Exchange) -> Reply[object] | NeedData | Malformed:
+def _reply(packet: Packet, exchange: Transaction) -> Reply[object] | NeedData | Malformed:
     """Judge what came; where nobody knows of an echo, the length tells one from an answer."""
     framing = Framing(packet.device_number, _polynomial(exchange.settings))
     if exchange.echo is not None:

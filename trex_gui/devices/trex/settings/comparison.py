@@ -19,7 +19,7 @@ _NOT_GIVEN = "not given"
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class ComparisonRow:
     """One setting before and after.
 
     Attributes:
@@ -63,11 +63,11 @@ class Comparison:
             why.
     """
 
-    rows: tuple[Row, ...]
+    rows: tuple[ComparisonRow, ...]
     left_out: tuple[str, ...] = ()
 
     @property
-    def differing(self) -> tuple[Row, ...]:
+    def differing(self) -> tuple[ComparisonRow, ...]:
         """The rows whose two sides are not equal."""
         return tuple(row for row in self.rows if row.before != row.after)
 
@@ -154,10 +154,10 @@ def _specs_of(product: Model, firmware: str | None) -> Mapping[str, ParameterSpe
     return {spec.key: spec for spec in specs_for(product, firmware).readable}
 
 
-def _parameter_row(key: str, before: Settings, after: Settings) -> Row:
+def _parameter_row(key: str, before: Settings, after: Settings) -> ComparisonRow:
     old, new = before.parameters.get(key), after.parameters.get(key)
     old_spec, new_spec = _specs(before)[key], _specs(after)[key]
-    return Row(
+    return ComparisonRow(
         key,
         old_spec.name,
         old,
@@ -167,12 +167,12 @@ def _parameter_row(key: str, before: Settings, after: Settings) -> Row:
     )
 
 
-def _calibration_rows(before: Settings, after: Settings) -> Iterator[Row]:
+def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonRow]:
     for key, place in CALIBRATION_KEYS.items():
         source, channel = place
         old, new = before.calibrations.get(place), after.calibrations.get(place)
         if old is not None or new is not None:
-            yield Row(
+            yield ComparisonRow(
                 key,
                 f"Calibration of {source.value} channel {channel}",
                 old,
@@ -182,7 +182,7 @@ def _calibration_rows(before: Settings, after: Settings) -> Iterator[Row]:
             )
 
 
-def _counts(noun: str, rows: list[Row]) -> str:
+def _counts(noun: str, rows: list[ComparisonRow]) -> str:
     """Return `29 parameters: 4 will change, 25 match`."""
     changed = sum(row.changed for row in rows)
     missing = sum(row.is_missing for row in rows)
@@ -192,7 +192,7 @@ def _counts(noun: str, rows: list[Row]) -> str:
     return f"{len(rows)} {noun}{'' if len(rows) == 1 else 's'}: {', '.join(parts)}"
 
 
-def _cells(row: Row) -> Iterator[tuple[str, str, str]]:
+def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
     """Yield the lines of a row: key, wire values, physical values."""
     if isinstance(row.before, Calibration) and isinstance(row.after, Calibration):
         source, _ = CALIBRATION_KEYS[row.key]

@@ -13,7 +13,7 @@ import yaml
 
 from trex_gui.core.files.errors import Finding, SettingsError
 from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
-from trex_gui.devices.trex.settings.plain_yaml import LINE_END, Word, compose, words_of
+from trex_gui.devices.trex.settings.plain_yaml import LINE_END, Word, compose, decoded
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import (
     calibration_line,
@@ -50,7 +50,7 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     old, _ = read_settings(text, name)
     wanted = _without_refused(settings)
     mark = _MARK if text.startswith(_MARK) else ""
-    page = _Page.of(text.removeprefix(_MARK), name)
+    page = _Document.of(text.removeprefix(_MARK), name)
     _exchange_values(page, old, wanted)
     page.align_comments()
     _renew_comments(page, old, wanted)
@@ -94,7 +94,7 @@ class _Entry:
 
 
 @dataclass(slots=True)
-class _Page:
+class _Document:
     """A text, what stands where in it, and the changes collected so far."""
 
     body: str
@@ -105,8 +105,8 @@ class _Page:
     edits: list[tuple[int, int, str]] = field(default_factory=list)
 
     @classmethod
-    def of(cls, body: str, name: str) -> "_Page":
-        root, words = compose(body, name), words_of(body)
+    def of(cls, body: str, name: str) -> "_Document":
+        root, words = compose(body, name), decoded(body)
         by_start = {word.start: number for number, word in enumerate(words)}
         by_end = {word.end: number for number, word in enumerate(words)}
         entries = {}
@@ -244,7 +244,7 @@ def _spelled_like(old: str, wire: int) -> str:
     return f"{old[:2]}{wire:0{len(digits)}{letters}}"
 
 
-def _exchange_values(page: _Page, old: Settings, new: Settings) -> None:
+def _exchange_values(page: _Document, old: Settings, new: Settings) -> None:
     if old.product != new.product:
         page.put(page.entries["product"].value, new.product.name)
     if old.firmware != new.firmware and None not in {old.firmware, new.firmware}:
@@ -262,7 +262,7 @@ def _exchange_values(page: _Page, old: Settings, new: Settings) -> None:
                 page.put_number(node, wire)
 
 
-def _renew_comments(page: _Page, old: Settings, new: Settings) -> None:
+def _renew_comments(page: _Document, old: Settings, new: Settings) -> None:
     """Renew what the program itself wrote beside values; the model decides some of it."""
     for spec in new.specs.readable:
         if spec.key in old.parameters and spec.key in new.parameters:
@@ -278,7 +278,7 @@ def _renew_comments(page: _Page, old: Settings, new: Settings) -> None:
                 page.renew_comment(key, before, after)
 
 
-def _remove(page: _Page, wanted: Settings) -> None:
+def _remove(page: _Document, wanted: Settings) -> None:
     for key in page.entries:
         if not _has(wanted, key):
             page.remove(key)
@@ -292,7 +292,7 @@ def _has(settings: Settings, key: str) -> bool:
     return key == "product" or key in settings.parameters
 
 
-def _missing_lines(page: _Page, settings: Settings) -> Iterator[str]:
+def _missing_lines(page: _Document, settings: Settings) -> Iterator[str]:
     """Yield a line for each setting that the page lacks, in the order of the table."""
     if settings.firmware is not None and "firmware" not in page.entries:
         yield f"firmware: {settings.firmware}"

@@ -45,7 +45,7 @@ kept: {}
 
 @dataclass(frozen=True, slots=True)
 class Snapshot:
-    """One file of the history; what it holds is read by `History.load`.
+    """One file of the history; what it holds is read by `SettingsHistory.load`.
 
     Attributes:
         path: the file.
@@ -92,7 +92,7 @@ def default_folder() -> Path:
     return Path(data).absolute() / "snapshots"
 
 
-class History:
+class SettingsHistory:
     """The snapshots in one folder.
 
     Only the bound that the person has set removes snapshots, the oldest first and never the

@@ -106,7 +106,7 @@ class Word:
     end: int
 
 
-def words_of(text: str) -> list[Word]:
+def decoded(text: str) -> list[Word]:
     """Return the words of a text that `compose` takes, in their order.
 
     Between two of them there are only white space and comments.

@@ -12,7 +12,7 @@ from trex_gui.core.files.errors import Finding, SettingsError, Severity
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.protocol.parameters import Kind, ParameterSpec, parameters_of
+from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec, parameters_of
 from trex_gui.devices.trex.settings.document import (
     CALIBRATION_FIELDS,
     CALIBRATION_KEYS,
@@ -248,10 +248,10 @@ def _shown(node: yaml.Node) -> str:
 
 def _range(spec: ParameterSpec) -> str:
     """The allowed wire values first, for those are what the file holds."""
-    if spec.kind in {Kind.CHOICE, Kind.UART}:
+    if spec.kind in {ParameterKind.CHOICE, ParameterKind.UART}:
         return spec.range_text()
     low, high = spec.text(spec.minimum), spec.text(spec.maximum)
-    meaning = "channels 1 to 5" if spec.kind is Kind.CHANNELS else f"{low} to {high}"
+    meaning = "channels 1 to 5" if spec.kind is ParameterKind.CHANNELS else f"{low} to {high}"
     wires = f"{spec.minimum} to {spec.maximum}"
     return wires if meaning == wires else f"{wires} ({meaning})"
 
@@ -264,7 +264,7 @@ def _hint(spec: ParameterSpec, node: yaml.Node) -> str:
     if _INTEGER.fullmatch(text) and _integer(node) is None:  # in quotes
         return f"; write {text}" if spec.problem(int(text, 0)) is None else ""
     # 9600 or 1.5 might be meant in any unit; a whole polynomial is known by its highest bit.
-    if spec.kind is not Kind.POLYNOMIAL and not any(c.isalpha() for c in text):
+    if spec.kind is not ParameterKind.POLYNOMIAL and not any(c.isalpha() for c in text):
         return ""
     try:
         return f"; {shortened(text)} is written {spec.wire(text)}"

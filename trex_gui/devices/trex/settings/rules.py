@@ -43,7 +43,7 @@ class Context:
 
 
 @dataclass(frozen=True, slots=True)
-class Advice:
+class LintFinding:
     """One oddity.
 
     Attributes:
@@ -64,7 +64,7 @@ class Advice:
 _NOTHING_MORE = Context()
 
 
-def advise(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[Advice, ...]:
+def advise(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFinding, ...]:
     """Return what is odd about the settings, always in the same order.
 
     A rule that needs a setting which is not given, or whose value the board would refuse, says
@@ -73,18 +73,18 @@ def advise(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[Advice
     """
     case = _Case.of(settings, context)
     return tuple(
-        Advice(rule, odd.message, odd.keys, odd.change, _proposal(case, odd.change))
+        LintFinding(rule, odd.message, odd.keys, odd.change, _proposal(case, odd.change))
         for rule, find in RULES.items()
         for odd in find(case)
     )
 
 
-def accept(settings: Settings, advice: Advice) -> Settings:
+def accept(settings: Settings, advice: LintFinding) -> Settings:
     """Return the settings with what an advice proposes."""
     return replace(settings, parameters={**settings.parameters, **advice.change})
 
 
-class _Odd(NamedTuple):
+class _Match(NamedTuple):
     """What a rule found: message, keys and change of the advice."""
 
     message: str
@@ -165,11 +165,11 @@ def _channels(mask: int) -> str:
 # The rules, in the order in which a person reads them: safety, motors, channels, line
 
 
-def _no_timeout(case: _Case) -> Iterator[_Odd]:
+def _no_timeout(case: _Case) -> Iterator[_Match]:
     key = "serial_timeout"
     if case.context.drives_from_computer and case.wires.get(key) == 0:
         change = {key: case.settings.specs[key].wire(_TIMEOUT)}
-        yield _Odd(
+        yield _Match(
             f"{case.name(key)} is off while a computer drives the motors: when the cable or the "
             "computer fails, the motors go on as they were told last.",
             (key,),
@@ -177,12 +177,12 @@ def _no_timeout(case: _Case) -> Iterator[_Odd]:
         )
 
 
-def _limit_in_joint_mode(case: _Case) -> Iterator[_Odd]:
+def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
     keys = [f"motor{motor}_current_limit" for motor in _MOTORS]
     if set_keys := [key for key in keys if case.is_joint and case.wires.get(key)]:
         limits = _joined([f"{case.name(key)} ({case.text(key)})" for key in set_keys])
         verb = "does" if len(set_keys) == 1 else "do"
-        yield _Odd(
+        yield _Match(
             f"{limits} {verb} nothing in joint mode, for the board measures no current then. "
             "The motor is not protected by it.",
             ("motor_mode", *set_keys),
@@ -190,11 +190,11 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Odd]:
         )
 
 
-def _limit_without_gain(case: _Case) -> Iterator[_Odd]:
+def _limit_without_gain(case: _Case) -> Iterator[_Match]:
     for motor in () if case.is_joint else _MOTORS:
         limit, gain = f"motor{motor}_current_limit", f"motor{motor}_current_limit_p"
         if case.wires.get(limit) and case.wires.get(gain) == 0:
-            yield _Odd(
+            yield _Match(
                 f"{case.name(limit)} is {case.text(limit)}, but its proportionality constant P, "
                 "how strongly the limiter answers, is 0. Inferred: what the board then does is "
                 "documented nowhere, and the limit may have no effect.",
@@ -203,11 +203,11 @@ def _limit_without_gain(case: _Case) -> Iterator[_Odd]:
             )
 
 
-def _limit_without_ramp(case: _Case) -> Iterator[_Odd]:
+def _limit_without_ramp(case: _Case) -> Iterator[_Match]:
     for motor in () if case.is_joint else _MOTORS:
         limit, ramp = f"motor{motor}_current_limit", f"motor{motor}_acceleration"
         if case.wires.get(limit) and case.wires.get(ramp) == 0:
-            yield _Odd(
+            yield _Match(
                 f"{case.name(limit)} is {case.text(limit)} and {case.name(ramp)} is 0, which "
                 "means at once. Inferred: as soon as the current falls below the limit, the "
                 "motor jumps back to its full target speed, so it may run in jerks.",
@@ -216,7 +216,7 @@ def _limit_without_ramp(case: _Case) -> Iterator[_Odd]:
             )
 
 
-def _pwm_above_rating(case: _Case) -> Iterator[_Odd]:
+def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
     pwm, highest = device_table().pwm, case.settings.product.highest_pwm
     for motor in _MOTORS:
         prescaler, top = f"motor{motor}_pwm_prescaler", f"motor{motor}_pwm_maximum"
@@ -235,19 +235,19 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Odd]:
         if better:
             gives = _kilohertz(frequencies[better[0]])
             message += f" The prescaler {case.text(prescaler, better[0])} gives {gives}."
-        yield _Odd(message, (prescaler, top), {prescaler: better[0]} if better else {})
+        yield _Match(message, (prescaler, top), {prescaler: better[0]} if better else {})
 
 
 def _kilohertz(hertz: float) -> str:
     return f"{hertz / 1000:.3g} kHz" if hertz < 1e6 else f"{hertz / 1e6:.3g} MHz"
 
 
-def _required_but_ignored(case: _Case) -> Iterator[_Odd]:
+def _required_but_ignored(case: _Case) -> Iterator[_Match]:
     required, ignored = case.wires.get("required_channels"), case.wires.get("ignored_channels")
     if required is None or ignored is None or not (both := required & ignored):
         return
     is_one = len(channels_in(both)) == 1
-    yield _Odd(
+    yield _Match(
         f"{_channels(both)} {'is' if is_one else 'are'} required and ignored at once: "
         f"{'its signal moves' if is_one else 'their signals move'} nothing, but without "
         f"{'it' if is_one else 'them'} the motors may not run in RC mode (inferred).",
@@ -264,13 +264,13 @@ def _motor_calibrations(case: _Case) -> Iterator[tuple[str, str, InputSource, Ca
             yield key, f"{source.value} channel {channel}", source, found
 
 
-def _deadband_over_travel(case: _Case) -> Iterator[_Odd]:
+def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
     for key, name, _, found in _motor_calibrations(case):
         ends = {"minimum": found.neutral - found.minimum, "maximum": found.maximum - found.neutral}
         # An end that coincides with neutral is meant so: a channel that goes one way.
         if lost := [end for end, travel in ends.items() if 0 < travel <= found.deadband]:
             where = "on that side there is" if len(lost) == 1 else "there is"
-            yield _Odd(
+            yield _Match(
                 f"The deadband of {name} reaches from its neutral to its {_joined(lost)}: {where} "
                 "only standstill or full speed.",
                 (key,),
@@ -278,7 +278,7 @@ def _deadband_over_travel(case: _Case) -> Iterator[_Odd]:
             )
 
 
-def _end_out_of_reach(case: _Case) -> Iterator[_Odd]:
+def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
     for key, name, source, found in _motor_calibrations(case):
         lowest = _SHORTEST_PULSE if source is InputSource.RC else 0
         highest = source.highest_count
@@ -288,7 +288,7 @@ def _end_out_of_reach(case: _Case) -> Iterator[_Odd]:
         if found.maximum > max(highest, found.neutral):
             odd.append(f"maximum of {name}, {found.maximum}, lies above {highest}, the highest")
         for end in odd:
-            yield _Odd(
+            yield _Match(
                 f"The {end} count that the board measures: full speed on that side is never "
                 "reached.",
                 (key,),
@@ -296,12 +296,12 @@ def _end_out_of_reach(case: _Case) -> Iterator[_Odd]:
             )
 
 
-def _polynomial_without_crc(case: _Case) -> Iterator[_Odd]:
+def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
     key, line = "crc7_polynomial", case.line
     if key not in case.wires or line is None or line.detection is Detection.CRC7:
         return
     if case.wires[key] != case.default(key):
-        yield _Odd(
+        yield _Match(
             f"{case.name(key)} is {case.text(key)} instead of the factory's "
             f"{case.text(key, case.default(key))}, but CRC-7 is not switched on: no packet is "
             "checked with it.",
@@ -310,11 +310,11 @@ def _polynomial_without_crc(case: _Case) -> Iterator[_Odd]:
         )
 
 
-def _crc_that_checks_nothing(case: _Case) -> Iterator[_Odd]:
+def _crc_that_checks_nothing(case: _Case) -> Iterator[_Match]:
     key, line = "crc7_polynomial", case.line
     if case.wires.get(key) == 0 and line is not None and line.detection is Detection.CRC7:
         # Divided by x^7, the seven zero bits behind any packet leave no remainder.
-        yield _Odd(
+        yield _Match(
             f"With {case.text(key)} as {case.name(key)} the checksum of every packet is 0, so "
             "CRC-7 finds no damage at all.",
             (key, "uart_settings"),
@@ -322,12 +322,12 @@ def _crc_that_checks_nothing(case: _Case) -> Iterator[_Odd]:
         )
 
 
-def _half_rate(case: _Case) -> Iterator[_Odd]:
+def _half_rate(case: _Case) -> Iterator[_Match]:
     line = case.line
     if line is None or (real := case.real(line.baud)) == line.baud:
         return
     honest = {"uart_settings": replace(line, baud=real).to_wire()} if real in baud_rates() else {}
-    yield _Odd(
+    yield _Match(
         f"A {case.board} set to {line.baud} baud really runs at {real} baud; this was mended in "
         f"firmware {device_table().half_rate_fixed_in}. Programs have to use {real} baud.",
         ("uart_settings",),
@@ -335,7 +335,7 @@ def _half_rate(case: _Case) -> Iterator[_Odd]:
     )
 
 
-def _rate_the_port_lacks(case: _Case) -> Iterator[_Odd]:
+def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
     line, rates, used = case.line, case.context.port_rates, case.context.used_by_line
     if line is None or rates is None:
         return
@@ -347,7 +347,7 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Odd]:
     best = slower[-1] if slower else known[0] if known else None
     if used is not None and used.baud in baud_rates() and case.real(used.baud) == used.baud:
         best = used.baud
-    yield _Odd(
+    yield _Match(
         f"This computer's serial port cannot do {wanted} baud: after the next power cycle it "
         "would not reach the board any more.",
         ("uart_settings",),
@@ -355,13 +355,13 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Odd]:
     )
 
 
-def _line_will_change(case: _Case) -> Iterator[_Odd]:
+def _line_will_change(case: _Case) -> Iterator[_Match]:
     line, used = case.line, case.context.used_by_line
     if line is None or used is None:
         return
     real = replace(line, baud=case.real(line.baud))
     if real != used:
-        yield _Odd(
+        yield _Match(
             f"After the next power cycle the board talks at {real.text()}; now it is "
             f"{used.text()}. Programs that talk to it have to be changed then.",
             ("uart_settings",),
@@ -369,7 +369,7 @@ def _line_will_change(case: _Case) -> Iterator[_Odd]:
         )
 
 
-RULES: Mapping[str, Callable[[_Case], Iterator[_Odd]]] = {
+RULES: Mapping[str, Callable[[_Case], Iterator[_Match]]] = {
     "no_serial_timeout": _no_timeout,
     "limit_in_joint_mode": _limit_in_joint_mode,
     "limit_without_gain": _limit_without_gain,

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, channels_in
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.mapping import ChannelSetup, motor_values
 from trex_gui.devices.trex.simulator.memory import Memory
-from trex_gui.devices.trex.simulator.motors import AuxiliaryMotor, Direction, Motor
+from trex_gui.devices.trex.simulator.motors import AuxiliaryMotor, Motor, MotorDirection
 
 _SIGNAL_REQUIRED_WITHIN = 0.5  # seconds; User's Guide 4.c
 _NEARLY_NEUTRAL = 8  # inferred: how far sticks may be from neutral when safe-start ends
@@ -70,11 +70,11 @@ class ChannelControl:
         for number, motor in enumerate(motors[: 1 if self._memory.is_joint else 2], 1):
             value = remapped[number - 1]
             if value:
-                direction = Direction.FORWARD if value > 0 else Direction.REVERSE
+                direction = MotorDirection.FORWARD if value > 0 else MotorDirection.REVERSE
                 motor.accelerate(direction, abs(value))
             else:
                 brake = self._memory.active[f"motor{number}_deadband_brake_pwm"]
-                motor.accelerate(Direction.BRAKE, brake)
+                motor.accelerate(MotorDirection.BRAKE, brake)
         aux.accelerate(abs(remapped[2]))  # inferred: it has one way, the sign is no matter
 
     def _has_lost_required_channel(self) -> bool:

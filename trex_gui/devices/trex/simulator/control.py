@@ -20,7 +20,7 @@ from trex_gui.core.simulator.control_lines import (
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, UartError
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 from trex_gui.devices.trex.simulator.signals import Signal
 
 _HIGHEST_CURRENT = 1000.0
@@ -35,7 +35,7 @@ _UART_ERRORS = {
 }
 
 
-def control(line: Line, text: str) -> str:
+def control(line: SimulatedLine, text: str) -> str:
     """Obey one control line and return the answer, without a line end.
 
     With several boards the line begins with the device number that a board was started with,
@@ -45,7 +45,7 @@ def control(line: Line, text: str) -> str:
     return answer(partial(_obey, line), text)
 
 
-def _obey(line: Line, words: list[str]) -> str:
+def _obey(line: SimulatedLine, words: list[str]) -> str:
     board = None
     if words and words[0].startswith("@"):
         board = _named_board(line, words[0])
@@ -67,7 +67,7 @@ def _usage() -> str:
     return "known are " + ", ".join([*_BOARD_COMMANDS, *_LINE_COMMANDS])
 
 
-def _named_board(line: Line, name: str) -> Board:
+def _named_board(line: SimulatedLine, name: str) -> Board:
     for number, board in zip(line.numbers, line.boards, strict=True):
         if name[1:] == str(number):
             return board
@@ -75,7 +75,7 @@ def _named_board(line: Line, name: str) -> Board:
     raise ControlError(f"there is no board {name}, but {names}")
 
 
-def _only_board(line: Line) -> Board:
+def _only_board(line: SimulatedLine) -> Board:
     if len(line.boards) > 1:
         names = ", ".join(f"@{number}" for number in line.numbers)
         raise ControlError(f"say which board first: {names}")
@@ -201,14 +201,14 @@ def _no_words(_board: Board, words: list[str]) -> str:
     return ""
 
 
-def _show(line: Line, board: Board) -> str:
+def _show(line: SimulatedLine, board: Board) -> str:
     shown = board.show()
     shown["counters"]["line"] = dict(line.counters)
     shown["line"] = {"plugged": line.plugged, "mute": line.mute, "noise": line.noise}
     return json.dumps(shown)
 
 
-def _wire(line: Line, words: list[str]) -> str:
+def _wire(line: SimulatedLine, words: list[str]) -> str:
     match [word.lower() for word in words]:
         case ["error", "off"]:
             line.to_spoil.clear()
@@ -223,7 +223,7 @@ def _wire(line: Line, words: list[str]) -> str:
     return wire(line, line, words, "line error framing|parity|overrun [N]", "line error off")
 
 
-def _quit(_line: Line, words: list[str]) -> str:
+def _quit(_line: SimulatedLine, words: list[str]) -> str:
     return goodbye(words)
 
 
@@ -244,4 +244,7 @@ _BOARD_COMMANDS: dict[str, Callable[[Board, list[str]], str]] = {
     "show": _no_words,
 }
 
-_LINE_COMMANDS: dict[str, Callable[[Line, list[str]], str]] = {"line": _wire, "quit": _quit}
+_LINE_COMMANDS: dict[str, Callable[[SimulatedLine, list[str]], str]] = {
+    "line": _wire,
+    "quit": _quit,
+}

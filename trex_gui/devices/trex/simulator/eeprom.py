@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     HIGHEST_CODED,
@@ -22,7 +22,7 @@ _CALIBRATION_KEYS = {InputSource.RC: "rc_calibration", InputSource.ANALOG: "anal
 CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 
 
-class EepromError(TrexError):
+class EepromError(StudioError):
     """The EEPROM file cannot be read or written; says which and why."""
 
 

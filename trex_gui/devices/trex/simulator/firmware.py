@@ -16,8 +16,8 @@ from trex_gui.devices.trex.simulator.memory import Memory
 from trex_gui.devices.trex.simulator.motors import (
     FULL_SPEED,
     AuxiliaryMotor,
-    Direction,
     Motor,
+    MotorDirection,
     MotorSettings,
 )
 from trex_gui.devices.trex.simulator.physics import Drive, Machine
@@ -328,6 +328,6 @@ class Board:
 def _drive(motor: Motor) -> Drive:
     """Return what an output does to its motor; inferred: duty is speed / 127."""
     share = motor.speed / FULL_SPEED
-    if motor.direction is Direction.BRAKE:
+    if motor.direction is MotorDirection.BRAKE:
         return Drive(brake=share)
-    return Drive(share if motor.direction is Direction.FORWARD else -share)
+    return Drive(share if motor.direction is MotorDirection.FORWARD else -share)

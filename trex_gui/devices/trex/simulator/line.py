@@ -16,12 +16,12 @@ from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.shared_wire import Frame, SharedWire
-from trex_gui.devices.trex.simulator.station import Station
+from trex_gui.devices.trex.simulator.station import BoardOnWire
 
 _EPSILON = 1e-12  # seconds; swallows the rounding of summed times
 
 
-class Line:
+class SimulatedLine:
     """One wire, the boards on it and the faults it has.
 
     Attributes:
@@ -64,7 +64,7 @@ class Line:
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "spoilt", "garbled", "collisions"), 0)
         )
-        self._stations = [Station(board, self) for board in boards]
+        self._stations = [BoardOnWire(board, self) for board in boards]
         self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
         self._events: list[tuple[float, int, Callable[[], None]]] = []
         self._order = count()

@@ -10,7 +10,7 @@ from enum import Enum
 FULL_SPEED = 127
 
 
-class Direction(Enum):
+class MotorDirection(Enum):
     """Where an output drives its motor."""
 
     BRAKE = "brake"
@@ -18,16 +18,16 @@ class Direction(Enum):
     FORWARD = "forward"
 
     @classmethod
-    def from_bits(cls, bits: int) -> "Direction":
+    def from_bits(cls, bits: int) -> "MotorDirection":
         """Read the two direction bits of a motor command; 00 and 11 brake."""
         return (cls.BRAKE, cls.REVERSE, cls.FORWARD, cls.BRAKE)[bits & 3]
 
     @property
-    def opposite(self) -> "Direction":
+    def opposite(self) -> "MotorDirection":
         """The other way round; braking stays braking."""
-        if self is Direction.BRAKE:
+        if self is MotorDirection.BRAKE:
             return self
-        return Direction.REVERSE if self is Direction.FORWARD else Direction.FORWARD
+        return MotorDirection.REVERSE if self is MotorDirection.FORWARD else MotorDirection.FORWARD
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,11 +57,11 @@ class Motor:
     """
 
     def __init__(self) -> None:
-        self.direction = Direction.BRAKE
-        self.target_direction = Direction.BRAKE
+        self.direction = MotorDirection.BRAKE
+        self.target_direction = MotorDirection.BRAKE
         self.target_speed = 0
         self._tenths = 0  # an update adds a tenth of the parameter; nothing may get lost
-        self._driven = Direction.BRAKE  # the direction in which it last ran
+        self._driven = MotorDirection.BRAKE  # the direction in which it last ran
         self._braked = 0  # updates spent braking since then
 
     @property
@@ -69,13 +69,13 @@ class Motor:
         """The speed, or duty of braking, 0-127."""
         return self._tenths // 10
 
-    def set(self, direction: Direction, speed: int) -> None:
+    def set(self, direction: MotorDirection, speed: int) -> None:
         """Obey a set command: at once, without ramp and brake duration."""
         self.accelerate(direction, speed)
         self._output(direction, speed * 10)
         self._braked = 0
 
-    def accelerate(self, direction: Direction, speed: int) -> None:
+    def accelerate(self, direction: MotorDirection, speed: int) -> None:
         """Obey an accelerate command: the updates will lead there."""
         self.target_direction = direction
         self.target_speed = speed
@@ -94,7 +94,7 @@ class Motor:
         return over
 
     def _is_under_way(self) -> bool:
-        return self.direction is self.target_direction is not Direction.BRAKE
+        return self.direction is self.target_direction is not MotorDirection.BRAKE
 
     def _limit(self, gain: int, excess: int) -> None:
         """Lower the speed. Inferred: only that it is proportional and in this cycle is known."""
@@ -104,7 +104,7 @@ class Motor:
 
     def _follow_target(self, settings: MotorSettings) -> None:
         wanted = self.target_direction
-        if wanted is Direction.BRAKE:
+        if wanted is MotorDirection.BRAKE:
             self._brake(self.target_speed)
             return
         if self.direction is not wanted:
@@ -114,7 +114,7 @@ class Motor:
             self._output(wanted, 0)
         self._output(wanted, _ramp(self._tenths, self.target_speed * 10, settings.acceleration))
 
-    def _must_brake_before(self, wanted: Direction, brake_duration: int) -> bool:
+    def _must_brake_before(self, wanted: MotorDirection, brake_duration: int) -> bool:
         """Whether a reversal still waits for the brake; its duration counts updates (10 ms).
 
         Inferred: braking is no direction of its own, so what was braked already counts, and
@@ -123,13 +123,13 @@ class Motor:
         return self._driven is wanted.opposite and self._braked < brake_duration
 
     def _brake(self, duty: int) -> None:
-        self._output(Direction.BRAKE, duty * 10)
+        self._output(MotorDirection.BRAKE, duty * 10)
         self._braked += 1
 
-    def _output(self, direction: Direction, tenths: int) -> None:
+    def _output(self, direction: MotorDirection, tenths: int) -> None:
         self.direction = direction
         self._tenths = tenths
-        if direction is not Direction.BRAKE:
+        if direction is not MotorDirection.BRAKE:
             self._driven = direction
             self._braked = 0
 

@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.simulator.motors import FULL_SPEED, AuxiliaryMotor, Direction, Motor
+from trex_gui.devices.trex.simulator.motors import FULL_SPEED, AuxiliaryMotor, Motor, MotorDirection
 
 
 @dataclass(frozen=True, slots=True)
 class _Order:
-    direction: Direction
+    direction: MotorDirection
     speed: int
     accelerate: bool
 
@@ -24,7 +24,7 @@ class _Order:
             motor.set(self.direction, self.speed)
 
 
-_STOP = _Order(Direction.BRAKE, FULL_SPEED, accelerate=False)
+_STOP = _Order(MotorDirection.BRAKE, FULL_SPEED, accelerate=False)
 """Inferred: to be shut down is to be braked fully."""
 
 
@@ -52,7 +52,7 @@ class SerialControl:
         self._heard_at = math.inf  # inferred: the timeout runs from the first byte on
 
     def drive(
-        self, number: int, direction: Direction, speed: int, *, accelerate: bool = False
+        self, number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
         """Take a command to motor 1 or 2 (speed 0-127); kept while the channels control.
 

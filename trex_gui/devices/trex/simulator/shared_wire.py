@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
-from trex_gui.core.simulator.sampling import Heard, Receiver, levels
+from trex_gui.core.simulator.sampling import Receiver, SampledByte, levels
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
@@ -116,7 +116,7 @@ class SharedWire:
             }
         )
         receiver = Receiver(*self._host(), begin)
-        heard: list[Heard] = []
+        heard: list[SampledByte] = []
         for before, after in pairwise(edges):
             middle = (before + after) / 2
             level = min(frame.level(middle) for frame in clash)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Protocol
 
-from trex_gui.core.simulator.sampling import Heard, Receiver
+from trex_gui.core.simulator.sampling import Receiver, SampledByte
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -20,7 +20,7 @@ _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 _PARITIES = {Detection.EVEN: "even", Detection.ODD: "odd"}
 
 
-class Wire(Protocol):
+class BoardWire(Protocol):
     """What a board needs of the wire that it hangs on."""
 
     now: float
@@ -48,14 +48,14 @@ class Wire(Protocol):
         """Return what a host with other parity or stop bits makes of a byte."""
 
 
-class Station:
+class BoardOnWire:
     """One board at a wire. While it transmits it is deaf.
 
     Attributes:
         board, port: the board and its UART.
     """
 
-    def __init__(self, board: Board, wire: Wire) -> None:
+    def __init__(self, board: Board, wire: BoardWire) -> None:
         self.board = board
         self.port = SerialPort(board)
         self._wire = wire
@@ -119,7 +119,7 @@ class Station:
         for heard in ear.rest(math.nextafter(due, math.inf)):
             self._take_sampled(ear, heard)
 
-    def _take_sampled(self, ear: Receiver, heard: Heard) -> None:
+    def _take_sampled(self, ear: Receiver, heard: SampledByte) -> None:
         if not self._is_new_boot() and ear is self._ear:
             self._take(heard.value, heard.error, heard.begun)
 
@@ -211,7 +211,7 @@ class Station:
             wire.put(Frame(wire.now, end, byte, memory.line_settings, memory.baud, alive))
         wire.at(wire.now + self.byte_time, self._while_up(self._talk))
 
-    def _carry(self, heard: Iterable[Heard]) -> None:
+    def _carry(self, heard: Iterable[SampledByte]) -> None:
         """Give the host what it makes of this board, which runs at another rate.
 
         What its receiver notices to be wrong is lost: a port gives such bytes to the program.

@@ -12,7 +12,7 @@ from trex_gui.core.errors import ResultCode
 from trex_gui.devices.trex.protocol.calibration import INVALID_RAW, Calibration
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.motors import Direction
+from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 RECEIVE_BUFFER = 32
 SEND_BUFFER = 32
@@ -320,7 +320,7 @@ def _result(code: ResultCode) -> bytes:
 def _drive_one(board: Board, command: int, data: bytes) -> bytes:
     """0xC0-0xCF: bit 3 names the motor, bit 2 asks for a ramp, bits 1:0 are the direction."""
     number = 2 if command & 0b1000 else 1
-    direction = Direction.from_bits(command)
+    direction = MotorDirection.from_bits(command)
     board.serial.drive(number, direction, data[0], accelerate=bool(command & 0b0100))
     return b""
 
@@ -328,8 +328,8 @@ def _drive_one(board: Board, command: int, data: bytes) -> bytes:
 def _drive_both(board: Board, command: int, data: bytes) -> bytes:
     """0xD0-0xEF: bits 1:0 are the direction of motor 1, bits 3:2 that of motor 2."""
     accelerate = command >= 0xE0
-    board.serial.drive(1, Direction.from_bits(command), data[0], accelerate=accelerate)
-    board.serial.drive(2, Direction.from_bits(command >> 2), data[1], accelerate=accelerate)
+    board.serial.drive(1, MotorDirection.from_bits(command), data[0], accelerate=accelerate)
+    board.serial.drive(2, MotorDirection.from_bits(command >> 2), data[1], accelerate=accelerate)
     return b""
 
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.ui.widgets.red_button import RedButton
 
 
@@ -20,4 +20,7 @@ class StopButton(RedButton):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        self.setEnabled(self._device.link in {Link.OPENING, Link.UP, Link.SILENT})
+        self.setEnabled(
+            self._device.link
+            in {ConnectionState.OPENING, ConnectionState.UP, ConnectionState.SILENT}
+        )

@@ -7,10 +7,10 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
 
 from trex_gui.core.errors import sentence
-from trex_gui.devices.trex.client.writing import Written
-from trex_gui.devices.trex.discovery.diagnosis import may_be_set_otherwise
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.discovery.diagnosis import suggests_scan
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
 from trex_gui.devices.trex.views.action_bar import ActionBar
@@ -30,20 +30,20 @@ from trex_gui.devices.trex.views.review.power_cycle_dialog import PowerCycleDial
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
 from trex_gui.ui.devices.device_kind import TREX
-from trex_gui.ui.frame.workspace import Desk, FileKind
-from trex_gui.ui.traffic.page import TranscriptPage
+from trex_gui.ui.frame.workspace import FileKind, Workspace
+from trex_gui.ui.traffic.page import TrafficPage
 from trex_gui.ui.widgets.file_drop import TEXT, FileDrop
-from trex_gui.ui.widgets.inline_prompt import Answer, Question
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 GUIDE_URL = "https://www.pololu.com/docs/0J1"
 
 
-class TrexDesk(Desk):
+class TrexWorkspace(Workspace):
     """Everything of the window that is about a TReX; it holds no state of the device."""
 
     def __init__(
-        self, device: Device, connector: Connector, question: Question, frame: QMainWindow
+        self, device: Device, connector: Connector, question: InlinePrompt, frame: QMainWindow
     ) -> None:
         """Stand in `frame`, and ask what has to be asked with its `question`."""
         super().__init__(TREX.key, frame)
@@ -62,7 +62,7 @@ class TrexDesk(Desk):
         parameters_page = ParametersPage(device, self)
         calibration_page = CalibrationPage(device, self)
         motors_page = MotorsPage(device, self)
-        transcript_page = TranscriptPage(device.transcript, "transcript", self.tr("a board"), self)
+        transcript_page = TrafficPage(device.traffic, "transcript", self.tr("a board"), self)
         pages = {
             self.tr("Status"): StatusPage(device, self),
             self.tr("Channels"): ChannelsPage(device, self),
@@ -129,7 +129,7 @@ class TrexDesk(Desk):
         device.applied.connect(question.reconsider)
         device.link_changed.connect(self._on_link_changed)
         device.motors.changed.connect(self._on_motors_changed)
-        device.pending_changed.connect(self._on_possibilities_changed)
+        device.pending_changed.connect(self._on_actions_changed)
         self._undo_watch = device.undo.indexChanged.connect(self._on_undo_changed)
 
     @property
@@ -199,10 +199,10 @@ class TrexDesk(Desk):
         self._on_demo_changed()
         self._on_link_changed()
 
-    def possible(self) -> Mapping[str, bool]:
+    def enabled_actions(self) -> Mapping[str, bool]:
         """Return which of its actions can be done now."""
         link, motors = self._device.link, self._device.motors
-        up = link is Link.UP
+        up = link is ConnectionState.UP
         shown = self._device.draft.shown is not None and not self._device.applying
         waiting = bool(self._device.parameters.waiting_for_power)
         edited = shown and self._device.pending > 0
@@ -231,11 +231,11 @@ class TrexDesk(Desk):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        up = self._device.link is Link.UP
+        up = self._device.link is ConnectionState.UP
         if up and not self._was_up:
             self.settled.emit()
         self._was_up = up
-        self._on_possibilities_changed()
+        self._on_actions_changed()
 
     @Slot()
     def _on_motors_changed(self) -> None:
@@ -243,12 +243,12 @@ class TrexDesk(Desk):
         motors = self._device.motors
         run = motors.can_arm and not motors.armed and not motors.locked_for
         if "run" in self._actions and run != self._actions["run"].isEnabled():
-            self._on_possibilities_changed()
+            self._on_actions_changed()
 
     @Slot()
-    def _on_possibilities_changed(self) -> None:
+    def _on_actions_changed(self) -> None:
         """Let the menus say what can be done now."""
-        self.possibilities_changed.emit()
+        self.actions_changed.emit()
         self._question.reconsider()
 
     @Slot()
@@ -258,7 +258,7 @@ class TrexDesk(Desk):
         recording = self._recordings.recorder.recording
         text = self.tr("Stop &recording") if recording else self.tr("&Record…")
         self._actions["record"].setText(text)
-        self.possibilities_changed.emit()
+        self.actions_changed.emit()
 
     @Slot()
     def _on_undo_changed(self) -> None:
@@ -266,22 +266,22 @@ class TrexDesk(Desk):
         undo = self._device.undo
         self._actions["undo"].setText(self.tr("&Undo {0}").format(undo.undoText()).strip())
         self._actions["redo"].setText(self.tr("&Redo {0}").format(undo.redoText()).strip())
-        self._on_possibilities_changed()
+        self._on_actions_changed()
 
     @Slot()
     def _on_demo_changed(self) -> None:
         if self._actions:
             self._actions["demo"].setChecked(self._demo.wanted)
-        self.possibilities_changed.emit()
+        self.actions_changed.emit()
 
     @Slot(str)
     def _on_device_failed(self, text: str) -> None:
-        if may_be_set_otherwise(text):
+        if suggests_scan(text):
             text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
         self.refused.emit(text)
 
     @Slot(object)
-    def _on_applied(self, results: tuple[Written, ...]) -> None:
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         failed = [result for result in results if result.error is not None]
         if not failed:
             self.settled.emit()
@@ -297,7 +297,9 @@ class TrexDesk(Desk):
 
     @Slot()
     def _on_power_cycle_wanted(self) -> None:
-        if self._device.link is Link.UP:  # a window that closes has nothing to lead through
+        if (
+            self._device.link is ConnectionState.UP
+        ):  # a window that closes has nothing to lead through
             self._guided.begin()
             self._power.guide()
 
@@ -308,10 +310,10 @@ class TrexDesk(Desk):
             return
         self._question.ask(
             self.tr("Read the settings from the board and forget the edits made here?"),
-            Answer("reloadYes", self.tr("Forget them and reload"), self._forget_and_reload),
+            PromptAnswer("reloadYes", self.tr("Forget them and reload"), self._forget_and_reload),
             still=lambda: (
                 self._device.pending > 0
-                and self._device.link is Link.UP
+                and self._device.link is ConnectionState.UP
                 and not self._device.applying
             ),
         )
@@ -343,14 +345,14 @@ class TrexDesk(Desk):
                     "Settings are being written. Close all the same? What was not written yet is "
                     "lost."
                 ),
-                Answer("closeYes", self.tr("Close all the same"), leave_all_the_same),
+                PromptAnswer("closeYes", self.tr("Close all the same"), leave_all_the_same),
                 still=lambda: self._device.applying,
             )
         else:
             self._question.ask(
                 self.tr("There are changes that were not applied to the board."),
-                Answer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
-                Answer("closeYes", self.tr("Close and lose them"), leave_all_the_same),
+                PromptAnswer("saveAndClose", self.tr("Save as a settings file…"), save_and_leave),
+                PromptAnswer("closeYes", self.tr("Close and lose them"), leave_all_the_same),
                 still=lambda: self._device.pending > 0 and not self._device.applying,
             )
         return False

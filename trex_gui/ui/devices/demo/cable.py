@@ -5,14 +5,14 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QWidget
 
 from trex_gui.ui.devices.demo.rows import Columns, Rows, side_by_side
 from trex_gui.ui.devices.demo_device import DemoDevice, SnapshotT
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 from trex_gui.ui.widgets.stick_slider import StickSlider
 
 _STEPS = 10  # slider positions in a per cent
 _HIGHEST = 5  # per cent of the bytes; more than that is no line any more
 
 
-class Cable(Rows[SnapshotT]):
+class CableRows(Rows[SnapshotT]):
     """The plug, and what may go wrong with bytes on their way.
 
     Who derives from it says in tool tips what each does to the device, and puts into `mishaps`
@@ -28,7 +28,7 @@ class Cable(Rows[SnapshotT]):
     ) -> None:
         """Handle the wire of `device`; object names begin with `prefix`."""
         super().__init__(columns, parent)
-        self.setTitle(self.tr("Cable"))
+        self.setTitle(self.tr("CableRows"))
         self._device = device
 
         self.plugged = QCheckBox(self.tr("Plugged in"), self)
@@ -43,7 +43,7 @@ class Cable(Rows[SnapshotT]):
         self.noise.setAccessibleName(self.tr("Noise on the line"))
         self._share = QLabel(self)
         self._share.setObjectName(f"{prefix}NoiseValue")
-        self.mishaps = CalmComboBox(self)
+        self.mishaps = NoWheelComboBox(self)
         self.once = QPushButton(self)
 
         self.add_wide(side_by_side(self, (self.plugged, 1), (self.mute, 1)))

@@ -14,7 +14,7 @@ from trex_gui.ui.devices.demo_device import DemoDevice, SnapshotT
 from trex_gui.ui.widgets.note import Note
 
 
-class DemoView(QWidget, Generic[SnapshotT]):
+class DemoPanelBody(QWidget, Generic[SnapshotT]):
     """Looks at a simulated device while it is seen, and shows what it says of itself.
 
     Who derives from it puts widgets in with `arrange`, and has words for the states.

@@ -24,7 +24,7 @@ _GAPS_AT_ONCE = 200
 """Long gaps that a picture shows as such; where there are more, only the longest of them."""
 
 
-class History:
+class SampleHistory:
     """The last `capacity` rows of a time and some values; times rise.
 
     A value that is no number means that nothing was known. Memory grows with the rows; when it

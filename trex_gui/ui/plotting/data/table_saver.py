@@ -13,7 +13,7 @@ from trex_gui.core.recording.errors import RecordingError
 from trex_gui.ui.plotting.data.source import Floats, TraceSource
 from trex_gui.ui.plotting.trace_csv import Happening, write_trace_csv
 from trex_gui.ui.workers.file_saver import FileSaver
-from trex_gui.ui.workers.file_worker import Tell
+from trex_gui.ui.workers.file_worker import ProgressCallback
 
 _AT_ONCE = 2000
 """Rows after which the window gets its turn."""
@@ -52,7 +52,7 @@ class _Table:
     events: Sequence[Happening]
     origin: float
 
-    def rows(self, tell: Tell) -> Iterator[list[float]]:
+    def rows(self, tell: ProgressCallback) -> Iterator[list[float]]:
         count = len(self.columns[0])
         for first in range(0, count, _AT_ONCE):
             tell(first / count)
@@ -60,7 +60,7 @@ class _Table:
             yield from np.column_stack(rows).tolist()
 
 
-def _write(path: Path, table: _Table, tell: Tell) -> int:
+def _write(path: Path, table: _Table, tell: ProgressCallback) -> int:
     try:
         with (
             whole_file(path) as data,

@@ -4,7 +4,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Mapping, Sequence
 
 from trex_gui.ui.devices.event_log import Event
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.source import Floats, Points, Statistics, TraceInfo
 
 
@@ -17,7 +17,7 @@ class Traces:
     def __init__(
         self,
         traces: Sequence[TraceInfo],
-        history: History,
+        history: SampleHistory,
         events: Sequence[Event] = (),
         limits: Mapping[str, float] | None = None,
     ) -> None:
@@ -47,7 +47,7 @@ class Traces:
         return self._history.span
 
     def points(self, name: str, start: float, end: float, bins: int) -> Points:
-        """Return what to draw of a curve; see `History.points`."""
+        """Return what to draw of a curve; see `SampleHistory.points`."""
         return self._history.points(self._columns[name], start, end, bins)
 
     def statistics(self, name: str, start: float, end: float) -> Statistics:

@@ -5,7 +5,7 @@ from PySide6.QtGui import QUndoStack
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest, NoReply
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.calibration.calibrations import Calibrations
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
@@ -69,9 +69,9 @@ def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibration
     model.edit(2, LEARNED)
     model.take_results(
         [
-            Written("channel 1", LEARNED),
-            Written("channel 2", error=NoReply("x")),
-            Written("motor_mode", 1),
+            WriteResult("channel 1", LEARNED),
+            WriteResult("channel 2", error=NoReply("x")),
+            WriteResult("motor_mode", 1),
         ]
     )
     assert model.stored(1) == LEARNED
@@ -80,7 +80,7 @@ def test_written_edit_is_stored_and_failed_edit_stays_pending(model: Calibration
 
 def test_edit_made_during_the_write_stays_pending(model: Calibrations) -> None:
     model.edit(1, OTHER)
-    model.take_results([Written("channel 1", LEARNED)])
+    model.take_results([WriteResult("channel 1", LEARNED)])
     assert model.pending == ((1, OTHER),)
 
 
@@ -164,7 +164,7 @@ def test_last_seen_keeps_values_of_the_other_source(model: Calibrations) -> None
 
 
 def test_last_seen_keeps_a_written_value(model: Calibrations) -> None:
-    model.take_results([Written("channel 1", LEARNED)])
+    model.take_results([WriteResult("channel 1", LEARNED)])
     model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
     assert model.last_seen(1, InputSource.RC) == LEARNED
 

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.model.demo.snapshot import DemoChannel, DemoSnapshot,
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.line import Line
+from trex_gui.devices.trex.simulator.line import SimulatedLine
 
 
 @pytest.fixture
@@ -83,7 +83,7 @@ def test_ended_simulator_clears_the_snapshot(
 
 
 def test_snapshot_is_parsed_from_show() -> None:
-    line = Line([Board()])
+    line = SimulatedLine([Board()])
     for text in ("channel 2 silent", "load 1 4.5", "fault 2 on", "battery 11.5", "jumper mix on"):
         assert control(line, text).startswith("ok")
     line.mute = True

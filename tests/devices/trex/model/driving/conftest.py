@@ -6,7 +6,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 
@@ -28,5 +28,5 @@ def rc_board(start_simulator: StartSimulator) -> SimulatedDevice:
 def rc_device(device: Device, rc_board: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device that is connected to `rc_board`; no sample has come in yet."""
     device.connect_to(LinkSettings(rc_board.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
     return device

@@ -5,8 +5,8 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import StartSimulator
 from trex_gui.composition import Program
-from trex_gui.devices.trex.client.telemetry import StatusNews
-from trex_gui.devices.trex.model.device import Link
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.model.driving.board_stop import why_the_board_stopped
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
@@ -16,19 +16,19 @@ NO_STATUS = Status(0)
 
 @pytest.mark.parametrize("errors_stop", [False, True])
 def test_serial_timeout_always_explains_the_stop(*, errors_stop: bool) -> None:
-    news = StatusNews(0.0, Status.UART_ERROR, UartError.TIMEOUT)
+    news = LatchedStatus(0.0, Status.UART_ERROR, UartError.TIMEOUT)
     assert "Serial Timeout" in why_the_board_stopped(news, errors_stop=errors_stop)
 
 
 @pytest.mark.parametrize("bit", [bit for bit in UartError if bit is not UartError.TIMEOUT])
 def test_line_error_explains_the_stop_only_if_errors_stop(bit: UartError) -> None:
-    news = StatusNews(0.0, Status.UART_ERROR, bit)
+    news = LatchedStatus(0.0, Status.UART_ERROR, bit)
     assert "error on the line" in why_the_board_stopped(news, errors_stop=True)
     assert why_the_board_stopped(news, errors_stop=False) == ""
 
 
 def test_motor_status_bits_do_not_explain_a_stop() -> None:
-    news = StatusNews(0.0, Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT, UartError(0))
+    news = LatchedStatus(0.0, Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT, UartError(0))
     assert why_the_board_stopped(news, errors_stop=True) == ""
 
 
@@ -38,7 +38,9 @@ def test_line_error_disarms_and_clears_setpoints(
     device = program.device
     simulator = start_simulator("--unpaced")
     device.connect_to(LinkSettings(simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm, timeout=20_000)
+    qtbot.waitUntil(
+        lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
+    )
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 90)

@@ -8,10 +8,10 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.driving.lockout import remember_lockout
-from trex_gui.devices.trex.model.driving.momentary_drive import HeldDrive
+from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.driving.motors import LOCKOUT, Motors
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.session.messages import MotorRequest, SetAuxiliary, SetDrive, SetDrives
+from trex_gui.devices.trex.session.messages import MotorRequest, SetAuxiliary, SetMotor, SetMotors
 
 
 class RequestRecorder:
@@ -83,8 +83,8 @@ def test_armed_motors_send_setpoints(armed: RequestRecorder) -> None:
     armed.motors.set_brake(1, 10)
     armed.motors.set_auxiliary(30)
     assert armed.requests == [
-        SetDrive(2, Drive.at(-50)),
-        SetDrive(1, Drive.brake(10)),
+        SetMotor(2, Drive.at(-50)),
+        SetMotor(1, Drive.brake(10)),
         SetAuxiliary(30),
     ]
     assert armed.motors.drive(2) == Drive.at(-50)
@@ -96,7 +96,7 @@ def test_setpoints_carry_the_accelerate_option(armed: RequestRecorder, *, accele
     armed.motors.accelerate = accelerate
     armed.motors.set_speed(1, 1)
     armed.motors.set_auxiliary(1)
-    told = [request.accelerate for request in armed.requests if not isinstance(request, SetDrives)]
+    told = [request.accelerate for request in armed.requests if not isinstance(request, SetMotors)]
     assert told == [accelerate, accelerate]
 
 
@@ -197,7 +197,7 @@ def test_setpoint_text_names_each_motor(armed: RequestRecorder) -> None:
 
 def test_first_setpoint_is_sent_even_if_it_is_a_brake(armed: RequestRecorder) -> None:
     armed.motors.set_brake(1, 127)
-    assert armed.requests == [SetDrive(1, Drive.brake(), accelerate=True)]
+    assert armed.requests == [SetMotor(1, Drive.brake(), accelerate=True)]
 
 
 # --- The lock after a stop --------------------------------------------------------------
@@ -268,7 +268,7 @@ def test_setpoints_are_limited_by_the_ceiling(armed: RequestRecorder) -> None:
     armed.motors.set_speed(2, -100)
     armed.motors.set_auxiliary(100)
     assert [
-        request.drive.signed for request in armed.requests if isinstance(request, SetDrive)
+        request.drive.signed for request in armed.requests if isinstance(request, SetMotor)
     ] == [40, -40]
     assert armed.motors.auxiliary == 40
 
@@ -279,7 +279,7 @@ def test_lower_ceiling_slows_faster_motors(armed: RequestRecorder) -> None:
     armed.motors.set_auxiliary(100)
     armed.requests.clear()
     armed.motors.set_ceiling(30)
-    assert armed.requests == [SetDrive(1, Drive.at(-30), True), SetAuxiliary(30, True)]
+    assert armed.requests == [SetMotor(1, Drive.at(-30), True), SetAuxiliary(30, True)]
 
 
 def test_higher_ceiling_does_not_speed_up_motors(armed: RequestRecorder) -> None:
@@ -319,8 +319,8 @@ def test_linked_motors_get_the_same_setpoint(armed: RequestRecorder) -> None:
     armed.motors.set_speed(2, 30)
     armed.motors.set_brake(1, 60)
     assert armed.requests == [
-        SetDrives((SetDrive(1, Drive.at(30), True), SetDrive(2, Drive.at(30), True))),
-        SetDrives((SetDrive(1, Drive.brake(60), True), SetDrive(2, Drive.brake(60), True))),
+        SetMotors((SetMotor(1, Drive.at(30), True), SetMotor(2, Drive.at(30), True))),
+        SetMotors((SetMotor(1, Drive.brake(60), True), SetMotor(2, Drive.brake(60), True))),
     ]
 
 
@@ -370,7 +370,7 @@ def test_releasing_a_held_control_brakes_its_motors(armed: RequestRecorder) -> N
     armed.requests.clear()
     armed.motors.let_go("pad")
     assert armed.requests == [
-        SetDrives((SetDrive(1, Drive.brake(64), True), SetDrive(2, Drive.brake(64), True)))
+        SetMotors((SetMotor(1, Drive.brake(64), True), SetMotor(2, Drive.brake(64), True)))
     ]
     assert armed.motors.armed
     assert armed.motors.holder == ""
@@ -436,17 +436,17 @@ def test_held_control_sends_both_motors_in_one_request(
     armed: RequestRecorder, *, linked: bool
 ) -> None:
     armed.motors.set_linked(linked)
-    drive = HeldDrive(armed.motors, "pad")
+    drive = MomentaryDrive(armed.motors, "pad")
     for _ in range(3):
         drive.steer(0.5, 0.1)
         drive.let_go()
     assert len(armed.requests) == 6
-    assert {type(request) for request in armed.requests} == {SetDrives}
+    assert {type(request) for request in armed.requests} == {SetMotors}
 
 
 def test_held_control_drives_linked_motors_straight(armed: RequestRecorder) -> None:
     armed.motors.set_linked(True)
-    HeldDrive(armed.motors, "pad").steer(0.5, 0.3)
+    MomentaryDrive(armed.motors, "pad").steer(0.5, 0.3)
     assert armed.motors.drive(1) == armed.motors.drive(2) == Drive.at(64)
 
 
@@ -454,15 +454,15 @@ def test_lower_ceiling_slows_both_motors_in_one_request(armed: RequestRecorder) 
     armed.motors.set_speeds(100, -100)
     armed.requests.clear()
     armed.motors.set_ceiling(30)
-    both = SetDrive(1, Drive.at(30), True), SetDrive(2, Drive.at(-30), True)
-    assert armed.requests == [SetDrives(both)]
+    both = SetMotor(1, Drive.at(30), True), SetMotor(2, Drive.at(-30), True)
+    assert armed.requests == [SetMotors(both)]
 
 
 def test_unchanged_setpoint_is_not_sent_with_the_other(armed: RequestRecorder) -> None:
     armed.motors.set_speeds(50, 50)
     armed.motors.set_speeds(50, 60)
     armed.motors.set_speeds(50, 60)
-    assert armed.requests[1:] == [SetDrive(2, Drive.at(60), True)]
+    assert armed.requests[1:] == [SetMotor(2, Drive.at(60), True)]
 
 
 def test_speed_out_of_range_is_rejected_for_both(armed: RequestRecorder) -> None:

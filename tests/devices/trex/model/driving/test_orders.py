@@ -9,15 +9,15 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.composition import Program
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.device import Device, Link
-from trex_gui.devices.trex.model.driving.drive_controller import Driving
+from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.driving.drive_controller import DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.session.messages import Halted, Pulse, Request
+from trex_gui.devices.trex.session.messages import Heartbeat, MotorsStopped, Request
 from trex_gui.ui.runtime import now, runtime
 
 STOOD_STILL = "The window did not respond for a second."
@@ -40,7 +40,7 @@ class RecordingConnection(Connection):
         return [
             request.sent
             for request in self._requests
-            if isinstance(request, Pulse) and request.sent is not None
+            if isinstance(request, Heartbeat) and request.sent is not None
         ]
 
 
@@ -54,7 +54,9 @@ def driven(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Device
     """A device whose motor 1 runs."""
     device = program.device
     device.connect_to(LinkSettings(simulator.url))
-    qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm, timeout=20_000)
+    qtbot.waitUntil(
+        lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
+    )
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 90)
@@ -112,9 +114,9 @@ def test_frozen_window_reports_the_confirmed_stop(
 
 def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     connection, motors = Connection(), Motors()
-    driving = Driving(motors, connection)
+    driving = DriveController(motors, connection)
     with qtbot.waitSignal(driving.failed) as said:
-        connection.halted.emit(Halted(STOOD_STILL, proved=False))
+        connection.halted.emit(MotorsStopped(STOOD_STILL, confirmed=False))
     assert said.args == [f"{STOOD_STILL} A stop was sent, and is not confirmed yet."]
     assert motors.stop_reason == STOOD_STILL
 
@@ -123,7 +125,7 @@ def test_armed_motors_send_heartbeats_at_a_steady_rate(
     qtbot: QtBot, virtual_time: VirtualRuntime
 ) -> None:
     connection, motors = RecordingConnection(), Motors()
-    driving = Driving(motors, connection)
+    driving = DriveController(motors, connection)
     assert not driving.may_move
     motors.allow(True)
     motors.arm()
@@ -143,7 +145,7 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
     qtbot: QtBot,
     virtual_time: VirtualRuntime,
 ) -> None:
-    outcomes: list[TrexError | None] = []
+    outcomes: list[StudioError | None] = []
     failures: list[str] = []
     device.failed.connect(failures.append)
     device.connect_to(LinkSettings(quick_simulator.url))
@@ -169,9 +171,9 @@ def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
     device.failed.connect(failures.append)
     for simulator in (start_simulator("--unpaced"), start_simulator("--unpaced")):
         device.connect_to(LinkSettings(simulator.url))
-        qtbot.waitUntil(lambda: device.link is Link.UP and device.motors.can_arm)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.UP and device.motors.can_arm)
         device.disconnect_line()
-        qtbot.waitUntil(lambda: device.link is Link.NONE)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.NONE)
     assert failures == []
 
 
@@ -180,7 +182,7 @@ def test_stop_of_another_board_warns_about_the_lost_one(
 ) -> None:
     failures: list[str] = []
     simulator.do("line unplug")
-    qtbot.waitUntil(lambda: driven.link is Link.NONE)
+    qtbot.waitUntil(lambda: driven.link is ConnectionState.NONE)
     driven.failed.connect(failures.append)
     driven.connect_to(LinkSettings(start_simulator().url))
     qtbot.waitUntil(lambda: bool(failures))

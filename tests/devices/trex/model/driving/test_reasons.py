@@ -6,11 +6,11 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_status import (
-    Kind,
-    Situation,
+    DriveBlocker,
+    DriveInputs,
     reason_for,
     situation_of,
 )
@@ -21,54 +21,76 @@ from trex_gui.devices.trex.protocol.flags import Mode, UartError
 @pytest.mark.parametrize(
     ("situation", "kind", "said"),
     [
-        (Situation(link=Link.NONE), Kind.NO_BOARD, "No board"),
-        (Situation(link=Link.OPENING), Kind.OPENING, "being read"),
-        (Situation(link=Link.CLOSING), Kind.CLOSING, "closed"),
-        (Situation(link=Link.SILENT), Kind.SILENT, "does not answer"),
-        (Situation(mode=None), Kind.UNKNOWN, "not said yet"),
-        (Situation(by_serial=None), Kind.UNKNOWN, "not said yet"),
-        (Situation(by_serial=False), Kind.NOT_SERIAL, "serial commands do not"),
-        (Situation(mode=Mode.RC, by_serial=False), Kind.CHANNELS, "The RC channels"),
-        (Situation(mode=Mode.ANALOG, by_serial=False), Kind.CHANNELS, "The analog channels"),
+        (DriveInputs(link=ConnectionState.NONE), DriveBlocker.NO_BOARD, "No board"),
+        (DriveInputs(link=ConnectionState.OPENING), DriveBlocker.OPENING, "being read"),
+        (DriveInputs(link=ConnectionState.CLOSING), DriveBlocker.CLOSING, "closed"),
+        (DriveInputs(link=ConnectionState.SILENT), DriveBlocker.SILENT, "does not answer"),
+        (DriveInputs(mode=None), DriveBlocker.UNKNOWN, "not said yet"),
+        (DriveInputs(by_serial=None), DriveBlocker.UNKNOWN, "not said yet"),
+        (DriveInputs(by_serial=False), DriveBlocker.NOT_SERIAL, "serial commands do not"),
+        (DriveInputs(mode=Mode.RC, by_serial=False), DriveBlocker.CHANNELS, "The RC channels"),
         (
-            Situation(mode=Mode.RC, by_serial=False, missing=(1,)),
-            Kind.SAFE_START,
+            DriveInputs(mode=Mode.ANALOG, by_serial=False),
+            DriveBlocker.CHANNELS,
+            "The analog channels",
+        ),
+        (
+            DriveInputs(mode=Mode.RC, by_serial=False, missing=(1,)),
+            DriveBlocker.SAFE_START,
             "channel 1 is required and has no signal",
         ),
         (
-            Situation(mode=Mode.RC, by_serial=False, missing=(1, 2, 4)),
-            Kind.SAFE_START,
+            DriveInputs(mode=Mode.RC, by_serial=False, missing=(1, 2, 4)),
+            DriveBlocker.SAFE_START,
             "channels 1, 2 and 4 are required and have no signal",
         ),
         (
-            Situation(mode=Mode.RC, by_serial=False, perhaps_held=True),
-            Kind.CHANNELS,
+            DriveInputs(mode=Mode.RC, by_serial=False, perhaps_held=True),
+            DriveBlocker.CHANNELS,
             "perhaps held by safe-start",
         ),
-        (Situation(locked_for=2.2), Kind.LOCKED, "locked for 3 s"),
-        (Situation(faults=(1,)), Kind.FAULT, "Motor 1"),
-        (Situation(faults=(1, 2), armed=True), Kind.FAULT, "Motors 1 and 2"),
-        (Situation(uart=UartError.TIMEOUT, timeout="0.5 s"), Kind.TIMEOUT, "nothing for 0.5 s"),
-        (Situation(uart=UartError.PARITY, error_shutdown=True), Kind.LINE_ERROR, "damaged"),
-        (Situation(uart=UartError.PARITY), Kind.NOT_ARMED, "Not armed"),
-        (Situation(can_arm=False), Kind.NOT_ALLOWED, "cannot be armed"),
-        (Situation(), Kind.NOT_ARMED, "nothing is sent yet"),
-        (Situation(stop_reason="The gamepad is gone."), Kind.NOT_ARMED, "The gamepad is gone."),
-        (Situation(armed=True, over_limit=(2,)), Kind.OVER_LIMIT, "Motor 2 is slowed down"),
-        (Situation(over_limit=(2,)), Kind.NOT_ARMED, "Not armed"),
-        (Situation(armed=True), Kind.RUNNING, "armed"),
-        (Situation(armed=True, joint=True), Kind.RUNNING, "Joint mode"),
-        (Situation(mode=Mode.RC, armed=True), Kind.RUNNING, "Channel 5 overrides"),
+        (DriveInputs(locked_for=2.2), DriveBlocker.LOCKED, "locked for 3 s"),
+        (DriveInputs(faults=(1,)), DriveBlocker.FAULT, "Motor 1"),
+        (DriveInputs(faults=(1, 2), armed=True), DriveBlocker.FAULT, "Motors 1 and 2"),
+        (
+            DriveInputs(uart=UartError.TIMEOUT, timeout="0.5 s"),
+            DriveBlocker.TIMEOUT,
+            "nothing for 0.5 s",
+        ),
+        (
+            DriveInputs(uart=UartError.PARITY, error_shutdown=True),
+            DriveBlocker.LINE_ERROR,
+            "damaged",
+        ),
+        (DriveInputs(uart=UartError.PARITY), DriveBlocker.NOT_ARMED, "Not armed"),
+        (DriveInputs(can_arm=False), DriveBlocker.NOT_ALLOWED, "cannot be armed"),
+        (DriveInputs(), DriveBlocker.NOT_ARMED, "nothing is sent yet"),
+        (
+            DriveInputs(stop_reason="The gamepad is gone."),
+            DriveBlocker.NOT_ARMED,
+            "The gamepad is gone.",
+        ),
+        (
+            DriveInputs(armed=True, over_limit=(2,)),
+            DriveBlocker.OVER_LIMIT,
+            "Motor 2 is slowed down",
+        ),
+        (DriveInputs(over_limit=(2,)), DriveBlocker.NOT_ARMED, "Not armed"),
+        (DriveInputs(armed=True), DriveBlocker.RUNNING, "armed"),
+        (DriveInputs(armed=True, joint=True), DriveBlocker.RUNNING, "Joint mode"),
+        (DriveInputs(mode=Mode.RC, armed=True), DriveBlocker.RUNNING, "Channel 5 overrides"),
     ],
 )
-def test_reason_explains_the_situation(situation: Situation, kind: Kind, said: str) -> None:
+def test_reason_explains_the_situation(
+    situation: DriveInputs, kind: DriveBlocker, said: str
+) -> None:
     reason = reason_for(situation)
     assert reason.kind is kind
     assert said in reason.text
 
 
 _EVERYTHING = [
-    Situation(
+    DriveInputs(
         link=link,
         mode=mode,
         by_serial=by_serial,
@@ -84,7 +106,7 @@ _EVERYTHING = [
     )
     for link, mode, by_serial, joint, missing, faults, over_limit, uart, locked, can_arm, armed in (
         itertools.product(
-            Link,
+            ConnectionState,
             (None, *Mode),
             (None, False, True),
             (False, True),
@@ -110,7 +132,7 @@ def test_every_situation_gives_a_sentence() -> None:
 def test_obeyed_is_set_only_when_serial_commands_act() -> None:
     for now in _EVERYTHING:
         obeyed = (
-            now.link is Link.UP
+            now.link is ConnectionState.UP
             and now.mode is not None
             and now.by_serial is True
             and now.armed
@@ -122,7 +144,7 @@ def test_obeyed_is_set_only_when_serial_commands_act() -> None:
 
 def test_every_kind_of_reason_can_occur() -> None:
     met = {reason_for(situation).kind for situation in _EVERYTHING}
-    assert met == set(Kind)
+    assert met == set(DriveBlocker)
 
 
 # --- What the models know ---------------------------------------------------------------
@@ -135,7 +157,7 @@ def test_situation_follows_the_override_switch(
     assert "perhaps held" not in reason_for(situation_of(rc_device)).text
     rc_board.do("channel 5 1000us")
     qtbot.waitUntil(lambda: situation_of(rc_device).by_serial is True)
-    assert reason_for(situation_of(rc_device)).kind is Kind.NOT_ARMED
+    assert reason_for(situation_of(rc_device)).kind is DriveBlocker.NOT_ARMED
 
 
 def test_channel_is_missing_only_after_it_was_read(

@@ -8,11 +8,11 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick, Transmitter
-from trex_gui.core.errors import NoReply, TrexError
-from trex_gui.devices.trex.calibration.problems import Kind
-from trex_gui.devices.trex.client.writing import Written
-from trex_gui.devices.trex.model.device import Device, Link
-from trex_gui.devices.trex.model.learning.learning import Learning, Step
+from trex_gui.core.errors import NoReply, StudioError
+from trex_gui.devices.trex.calibration.problems import ProblemKind
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 UNPROVED = "not sure that the motors stand"
@@ -32,20 +32,20 @@ class LearningSetup:
         failures: list[str] = []
         self.device.failed.connect(failures.append)
         self.device.connect_to(LinkSettings(simulator.url))
-        self.until(lambda: self.device.link is Link.UP or bool(failures))
+        self.until(lambda: self.device.link is ConnectionState.UP or bool(failures))
         assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])
         self.until(lambda: self.transmitter.rests(self.device.telemetry.raw_of))
 
     def until(self, condition: Callable[[], bool], timeout: int = 30_000) -> None:
         self._qtbot.waitUntil(condition, timeout=timeout)
 
-    def until_step(self, step: Step) -> None:
+    def until_step(self, step: LearningStep) -> None:
         """Wait for a step; try again as a user does when a stop is not confirmed at once."""
 
         def is_there() -> bool:
             learning = self.learning
-            unproved = learning.step is Step.FAILED and UNPROVED in learning.trouble
-            if unproved and step is not Step.FAILED:
+            unconfirmed = learning.step is LearningStep.FAILED and UNPROVED in learning.trouble
+            if unconfirmed and step is not LearningStep.FAILED:
                 learning.again()
             return learning.step is step
 
@@ -59,9 +59,9 @@ class LearningSetup:
 
     def go_to_travel(self, *channels: int) -> None:
         self.learning.begin(channels or (1, 2))
-        self.until_step(Step.NEUTRAL)
+        self.until_step(LearningStep.NEUTRAL)
         self.learning.next()
-        self.until_step(Step.TRAVEL)
+        self.until_step(LearningStep.TRAVEL)
 
     def push_all(self) -> None:
         """Hold every stick at each end until it was seen there, then let go."""
@@ -104,7 +104,7 @@ def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
     setup.go_to_travel()
     setup.push_all()
     setup.learning.next()
-    assert setup.learning.step is Step.REVIEW
+    assert setup.learning.step is LearningStep.REVIEW
     assert setup.learning.can_take
     assert setup.device.pending == 0
     setup.learning.take()
@@ -124,8 +124,8 @@ def test_running_motors_are_stopped_first(setup: LearningSetup) -> None:
     setup.device.motors.set_speed(1, 60)
     setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 60)
     setup.learning.begin((1,))
-    assert setup.learning.step is Step.STOPPING
-    setup.until_step(Step.NEUTRAL)
+    assert setup.learning.step is LearningStep.STOPPING
+    setup.until_step(LearningStep.NEUTRAL)
     assert not setup.device.motors.armed
     assert not setup.device.may_move
     assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
@@ -134,14 +134,14 @@ def test_running_motors_are_stopped_first(setup: LearningSetup) -> None:
 def test_unconfirmed_stop_fails_learning(setup: LearningSetup) -> None:
     setup.simulator.do("line mute on")
     setup.learning.begin((1,))
-    setup.until_step(Step.FAILED)
+    setup.until_step(LearningStep.FAILED)
     assert setup.learning.trouble
 
 
 def test_rc_mode_is_refused_with_a_remedy(setup: LearningSetup) -> None:
     setup.restart_in_mode("rc")
     setup.learning.begin((1,))
-    assert setup.learning.step is Step.FAILED
+    assert setup.learning.step is LearningStep.FAILED
     assert "sticks drive the motors" in setup.learning.trouble
     assert "take the mode jumper off" in setup.learning.trouble
 
@@ -152,23 +152,23 @@ def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
     setup.simulator.do("channel 5 1000us")
     setup.until(lambda: setup.device.telemetry.serial_controls is True)
     setup.learning.begin_test((1,))
-    assert setup.learning.step is Step.FAILED
+    assert setup.learning.step is LearningStep.FAILED
     assert "with the next move of its switch the sticks drive the motors" in setup.learning.trouble
 
 
 def test_analog_mode_is_refused(setup: LearningSetup) -> None:
     setup.restart_in_mode("analog")
     setup.learning.begin((1,))
-    assert setup.learning.step is Step.FAILED
+    assert setup.learning.step is LearningStep.FAILED
     assert "in analog mode: the sticks drive the motors" in setup.learning.trouble
 
 
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:
     setup.simulator.do("eeprom motor_mode 1")
     setup.simulator.do("power off")
-    setup.until(lambda: setup.device.link is Link.SILENT)
+    setup.until(lambda: setup.device.link is ConnectionState.SILENT)
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is Link.UP and setup.device.is_joint)
+    setup.until(lambda: setup.device.link is ConnectionState.UP and setup.device.is_joint)
     setup.until(lambda: setup.device.motors.can_arm)
     setup.device.motors.arm()
     setup.device.motors.set_speed(1, 60)
@@ -177,42 +177,42 @@ def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) 
     assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
     setup.push_all()
     assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
-    assert setup.learning.step is Step.TRAVEL
+    assert setup.learning.step is LearningStep.TRAVEL
 
 
 def test_current_after_the_stop_requires_a_user_check(setup: LearningSetup) -> None:
     setup.simulator.do("current 2 3.0")
     setup.learning.begin((1,))
-    setup.until_step(Step.DOUBT)
+    setup.until_step(LearningStep.DOUBT)
     assert "motor 2 draws 3.0 A" in setup.learning.trouble
     assert "cut its power" in setup.learning.trouble
     setup.learning.again()
-    setup.until_step(Step.STOPPING)
-    setup.until_step(Step.DOUBT)
+    setup.until_step(LearningStep.STOPPING)
+    setup.until_step(LearningStep.DOUBT)
     assert setup.learning.can_go_on
     setup.learning.next()  # the user has checked the motors
-    setup.until_step(Step.NEUTRAL)
+    setup.until_step(LearningStep.NEUTRAL)
 
 
 def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSetup) -> None:
     setup.simulator.do("current 1 2.0")
     setup.learning.begin_test((1,))
     setup.until(lambda: not setup.device.may_move)
-    assert setup.learning.step is Step.STOPPING
+    assert setup.learning.step is LearningStep.STOPPING
     setup.simulator.do("current 1 auto")
-    setup.until_step(Step.TEST)
+    setup.until_step(LearningStep.TEST)
 
 
 def test_learning_without_a_board_names_the_reason(setup: LearningSetup) -> None:
     setup.device.disconnect_line()
-    setup.until(lambda: setup.device.link is Link.NONE)
+    setup.until(lambda: setup.device.link is ConnectionState.NONE)
     assert setup.learning.why_not() == "Connect to a board first."
 
 
 def test_arming_during_travel_fails_learning(setup: LearningSetup) -> None:
     setup.go_to_travel()
     setup.device.motors.arm()
-    assert setup.learning.step is Step.FAILED
+    assert setup.learning.step is LearningStep.FAILED
     assert "armed" in setup.learning.trouble
     setup.device.motors.stop()
 
@@ -222,9 +222,9 @@ def test_arming_is_allowed_in_review_but_not_in_travel(setup: LearningSetup) -> 
     setup.push_all()
     setup.learning.next()
     setup.device.motors.arm()
-    setup.until_step(Step.REVIEW)
+    setup.until_step(LearningStep.REVIEW)
     setup.learning.back()
-    setup.until_step(Step.FAILED)
+    setup.until_step(LearningStep.FAILED)
     assert "armed" in setup.learning.trouble
     setup.device.motors.stop()
 
@@ -251,47 +251,49 @@ def test_review_curves_follow_stick_and_chosen_values(setup: LearningSetup) -> N
     assert second.curve_before == before
 
 
-@pytest.mark.parametrize("step", [Step.TRAVEL, Step.TEST])
-def test_power_loss_fails_learning_and_allows_a_restart(setup: LearningSetup, step: Step) -> None:
-    if step is Step.TRAVEL:
+@pytest.mark.parametrize("step", [LearningStep.TRAVEL, LearningStep.TEST])
+def test_power_loss_fails_learning_and_allows_a_restart(
+    setup: LearningSetup, step: LearningStep
+) -> None:
+    if step is LearningStep.TRAVEL:
         setup.go_to_travel()
     else:
         setup.learning.begin_test((1, 2))
-        setup.until_step(Step.TEST)
+        setup.until_step(LearningStep.TEST)
     setup.simulator.do("power off")
-    setup.until_step(Step.FAILED)
+    setup.until_step(LearningStep.FAILED)
     assert "The board has stopped answering" in setup.learning.trouble
-    kept = "Nothing was changed" if step is Step.TRAVEL else "The test has ended"
+    kept = "Nothing was changed" if step is LearningStep.TRAVEL else "The test has ended"
     assert kept in setup.learning.trouble
-    assert ("Nothing was changed" in setup.learning.trouble) is (step is Step.TRAVEL)
+    assert ("Nothing was changed" in setup.learning.trouble) is (step is LearningStep.TRAVEL)
     setup.learning.again()
     assert setup.learning.trouble == "Connect to a board first."
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is Link.UP)
+    setup.until(lambda: setup.device.link is ConnectionState.UP)
     setup.learning.again()
-    setup.until_step(Step.NEUTRAL if step is Step.TRAVEL else Step.TEST)
+    setup.until_step(LearningStep.NEUTRAL if step is LearningStep.TRAVEL else LearningStep.TEST)
 
 
 def test_restart_in_another_mode_fails_learning(setup: LearningSetup) -> None:
     setup.go_to_travel()
     setup.simulator.do("jumper mode rc")
     setup.simulator.do("power cycle")
-    setup.until_step(Step.FAILED)
+    setup.until_step(LearningStep.FAILED)
     assert "Nothing was changed" in setup.learning.trouble
 
 
 def test_channel_without_signal_is_skipped(setup: LearningSetup) -> None:
     setup.simulator.do("channel 2 silent")
     setup.learning.begin((1, 2))
-    setup.until_step(Step.NEUTRAL)
+    setup.until_step(LearningStep.NEUTRAL)
     first, second = setup.learning.channels
-    setup.until(lambda: [p.kind for p in second.rest_problems] == [Kind.NO_SIGNAL])
+    setup.until(lambda: [p.kind for p in second.rest_problems] == [ProblemKind.NO_SIGNAL])
     setup.learning.next()
     setup.until(lambda: setup.learning.has_sampled)
-    setup.until_step(Step.NEUTRAL)
+    setup.until_step(LearningStep.NEUTRAL)
     assert first.is_at_rest
     setup.learning.next()
-    setup.until_step(Step.TRAVEL)
+    setup.until_step(LearningStep.TRAVEL)
     assert second.travel is None
 
 
@@ -300,12 +302,12 @@ def test_going_back_from_review_keeps_the_travel(setup: LearningSetup) -> None:
     setup.push_all()
     setup.learning.next()
     setup.learning.back()
-    setup.until_step(Step.TRAVEL)
+    setup.until_step(LearningStep.TRAVEL)
     assert all(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
     setup.learning.again()
     assert not any(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
     setup.learning.back()
-    setup.until_step(Step.NEUTRAL)
+    setup.until_step(LearningStep.NEUTRAL)
 
 
 def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
@@ -317,7 +319,7 @@ def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
     good = first.choice.calibration
     setup.learning.choose(1, type(good)(good.maximum + 1, good.neutral, good.maximum, 10))
     assert not setup.learning.can_take
-    assert [problem.kind for problem in first.result_problems] == [Kind.REFUSED]
+    assert [problem.kind for problem in first.result_problems] == [ProblemKind.REFUSED]
     setup.learning.choose(1, included=False)
     setup.until(lambda: setup.learning.can_take)
     setup.learning.take()
@@ -334,7 +336,7 @@ def test_written_values_request_a_test(setup: LearningSetup) -> None:
     setup.device.apply()
     setup.until(lambda: bool(stored))
     setup.learning.begin_test(setup.learning.numbers)
-    setup.until_step(Step.TEST)
+    setup.until_step(LearningStep.TEST)
     assert setup.learning.tests is not None
     tests = setup.learning.tests
     assert not tests.passed
@@ -347,24 +349,24 @@ def test_written_values_request_a_test(setup: LearningSetup) -> None:
 
 def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:
     setup.learning.begin((1,))
-    setup.until_step(Step.NEUTRAL)
+    setup.until_step(LearningStep.NEUTRAL)
     setup.device.telemetry.blockSignals(True)
     setup.learning.next()
     setup.until(lambda: setup.learning.stalled)
     assert not setup.learning.can_go_on
     setup.device.telemetry.blockSignals(False)
-    setup.until_step(Step.TRAVEL)
+    setup.until_step(LearningStep.TRAVEL)
 
 
 def test_stop_outcome_is_reported_once_per_request(setup: LearningSetup) -> None:
-    told: list[TrexError | None] = []
+    told: list[StudioError | None] = []
     setup.device.stop_motors(told.append)
     setup.until(lambda: bool(told))
     assert told == [None]
     setup.device.motors.stop()
     setup.until(lambda: not setup.device.may_move)
     setup.device.disconnect_line()
-    setup.until(lambda: setup.device.link is Link.NONE)
+    setup.until(lambda: setup.device.link is ConnectionState.NONE)
     setup.device.stop_motors(told.append)
     assert len(told) == 2
     assert "No board is connected" in str(told[1])
@@ -423,9 +425,9 @@ def test_reconnecting_forgets_the_pending_test(
     setup.to_review(1)
     setup.learning.take()
     setup.device.disconnect_line()
-    setup.until(lambda: setup.device.link is Link.NONE)
+    setup.until(lambda: setup.device.link is ConnectionState.NONE)
     setup.device.connect_to(LinkSettings(setup.simulator.url))
-    setup.until(lambda: setup.device.link is Link.UP)
+    setup.until(lambda: setup.device.link is ConnectionState.UP)
     assert setup.device.pending
     setup.write()
     assert setup.device.pending == 0
@@ -443,7 +445,7 @@ def test_requesting_a_test_does_not_stop_running_motors(
     setup.write()
     assert requested_tests == [(1,)]
     assert setup.learning.motors_armed  # the user confirms before the test begins
-    assert setup.learning.step is Step.ENDED
+    assert setup.learning.step is LearningStep.ENDED
     assert setup.simulator.show()["motors"][0]["speed"] == 40
     setup.device.motors.stop()
 
@@ -473,9 +475,9 @@ def test_only_written_channels_request_a_test(
     values = {c.number: c.choice.calibration for c in setup.learning.channels if c.choice}
     setup.learning.take()
     results = tuple(
-        Written(f"channel {number}", error=NoReply("no answer"))
+        WriteResult(f"channel {number}", error=NoReply("no answer"))
         if number in failed
-        else Written(f"channel {number}", value)
+        else WriteResult(f"channel {number}", value)
         for number, value in values.items()
     )
     setup.device.calibrations.take_results(results)
@@ -496,7 +498,7 @@ def test_already_stored_values_request_the_test_at_once(
     assert taken == []
     assert requested_tests == [(1,)]
     setup.learning.begin_test(setup.learning.numbers)
-    setup.until_step(Step.TEST)
+    setup.until_step(LearningStep.TEST)
     assert setup.learning.news == "These values are stored already."
     setup.learning.cancel()
     setup.learning.begin_test((1,))
@@ -530,7 +532,7 @@ def test_failed_test_does_not_deny_the_written_values(
     setup.write()
     assert requested_tests
     setup.learning.begin_test(setup.learning.numbers)
-    setup.until_step(Step.TEST)
+    setup.until_step(LearningStep.TEST)
     if how == "motors":
         setup.device.motors.arm()
     elif how == "mode":
@@ -538,29 +540,33 @@ def test_failed_test_does_not_deny_the_written_values(
         setup.simulator.do("power cycle")
     else:
         setup.simulator.do("line mute on")
-    setup.until_step(Step.FAILED)
+    setup.until_step(LearningStep.FAILED)
     assert "Nothing was changed" not in setup.learning.trouble
     assert "The test has ended; it changes nothing in the board" in setup.learning.trouble
     setup.device.motors.stop()
 
 
-@pytest.mark.parametrize("step", [Step.NEUTRAL, Step.TRAVEL, Step.REVIEW, Step.TEST])
-def test_restart_after_power_loss_stops_the_motors_again(setup: LearningSetup, step: Step) -> None:
-    if step is Step.TEST:
+@pytest.mark.parametrize(
+    "step", [LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.REVIEW, LearningStep.TEST]
+)
+def test_restart_after_power_loss_stops_the_motors_again(
+    setup: LearningSetup, step: LearningStep
+) -> None:
+    if step is LearningStep.TEST:
         setup.learning.begin_test((1,))
-    elif step is Step.REVIEW:
+    elif step is LearningStep.REVIEW:
         setup.to_review(1)
-    elif step is Step.TRAVEL:
+    elif step is LearningStep.TRAVEL:
         setup.go_to_travel(1)
     else:
         setup.learning.begin((1,))
     setup.until_step(step)
     setup.simulator.do("power off")
-    setup.until_step(Step.FAILED)
+    setup.until_step(LearningStep.FAILED)
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is Link.UP)
+    setup.until(lambda: setup.device.link is ConnectionState.UP)
     assert not setup.learning.can_go_on
     assert not setup.learning.can_take
     setup.learning.again()
-    assert setup.learning.step is Step.STOPPING
-    setup.until_step(Step.TEST if step is Step.TEST else Step.NEUTRAL)
+    assert setup.learning.step is LearningStep.STOPPING
+    setup.until_step(LearningStep.TEST if step is LearningStep.TEST else LearningStep.NEUTRAL)

@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.calibration.proof import StickTest, idle_side
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
@@ -60,7 +60,7 @@ def connect(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable
         if lines:
             quick_simulator.do("power cycle")
         device.connect_to(LinkSettings(quick_simulator.url))
-        qtbot.waitUntil(lambda: device.link is Link.UP, timeout=30_000)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.UP, timeout=30_000)
         return device
 
     yield connect

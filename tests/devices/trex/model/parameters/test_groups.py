@@ -9,10 +9,10 @@ from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name, twin_key
+from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name, other_motor_key
 from trex_gui.devices.trex.model.parameters.parameters import Column, ParameterModel, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.settings.linter import Adviser
+from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.comparison import compare
 from trex_gui.devices.trex.settings.document import Settings
@@ -126,11 +126,11 @@ def test_restoring_the_stored_value_is_one_undo_step(
 
 def test_each_motor_parameter_has_a_counterpart(model: ParameterModel) -> None:
     for spec in SPECS.readable:
-        twin = model.twin_of(spec.key)
+        twin = model.other_motor_of(spec.key)
         assert (twin is not None) == (spec.subject in {"motor1", "motor2"})
         if twin is not None:
-            assert model.twin_of(twin) == spec.key
-    assert twin_key("aux_acceleration") is None
+            assert model.other_motor_of(twin) == spec.key
+    assert other_motor_key("aux_acceleration") is None
     assert motor_name("motor2_acceleration") == "Motor 2"
     assert motor_name("serial_timeout") == ""
 
@@ -191,7 +191,7 @@ def test_differing_motor_value_is_shown_and_can_be_copied(model: ParameterModel)
     model.edit("motor2_current_limit", 25)
     assert said(model, "motor1_current_limit", Column.VALUE, Role.TWIN) == "Motor 2 differs: 2 A."
     assert "Motor 2 differs: 2 A." in said(model, "motor1_current_limit", Column.VALUE, TIP)
-    model.copy_to_twin("motor2_current_limit")
+    model.copy_to_other_motor("motor2_current_limit")
     assert model.value_of("motor1_current_limit") == 25
 
 
@@ -213,7 +213,7 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     stored = FACTORY | {"motor1_current_limit": 10, "motor1_current_limit_p": 0}
     draft.take_settings(Settings(SPECS.model, "1.2", stored))
     draft.parameters.set_both_motors(True)
-    adviser = Adviser(draft)
+    adviser = SettingsLinter(draft)
     advice = next(a for a in adviser.advice if "motor1_current_limit_p" in a.change)
     draft.parameters.edit("motor2_current_limit_p", 9, alone=True)
     steps = draft.undo.count()

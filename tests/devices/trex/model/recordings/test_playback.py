@@ -19,7 +19,7 @@ from trex_gui.devices.trex.model.recordings.playback import Playback, limits_in
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.recording.files import open_recording
-from trex_gui.devices.trex.recording.recording import Marker, Record, SettingsSeen, Wish
+from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord, SettingsSeen
 from trex_gui.devices.trex.recording.replay import Latest
 from trex_gui.ui.devices.event_log import EventKind
 from trex_gui.ui.runtime import now
@@ -96,7 +96,7 @@ def test_traces_hold_channels_and_setpoints(tmp_path: Path, qtbot: QtBot) -> Non
         qtbot,
         Currents(T0, (0, 0)),
         Remapped(T0 + 0.01, (1, 2, 3, 4, -5)),
-        Wish(T0 + 0.02, 2, Drive.at(-70)),
+        SetpointRecord(T0 + 0.02, 2, Drive.at(-70)),
         Raw(T0 + 0.03, (3750, None, 1, 2, 3)),
         Currents(T0 + 0.1, (10, 0)),
         Marker(T0 + 0.2, "stop", "Stop"),

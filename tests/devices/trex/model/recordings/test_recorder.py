@@ -8,13 +8,13 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.recording.backlog import Backlog
-from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSeen, Raw, Remapped
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.recordings.recorder import Recorder
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.recording.files import open_recording
-from trex_gui.devices.trex.recording.recording import Marker, Record, SettingsSeen, Wish
+from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord, SettingsSeen
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.event_log import EventKind
 
@@ -37,7 +37,7 @@ class RecorderSetup:
 
     def connect(self) -> None:
         self.device.connect_to(LinkSettings(self.simulator.url))
-        self.wait(lambda: self.device.link is Link.UP)
+        self.wait(lambda: self.device.link is ConnectionState.UP)
 
     def wait(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition, timeout=20_000)
@@ -75,7 +75,9 @@ def test_every_reported_sample_is_recorded(
     session.wait(lambda: len(session.samples) > 400)
     session.end_recording()
     records = everything(path)
-    samples = [r for r in records if isinstance(r, Currents | Raw | Remapped | Control | ModeSeen)]
+    samples = [
+        r for r in records if isinstance(r, Currents | Raw | Remapped | Control | ModeSample)
+    ]
     if suffix == ".trexrec":
         assert samples == session.samples[: len(samples)]
     assert len(samples) == len(session.samples)
@@ -112,7 +114,7 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
         device.apply()
     session.end_recording()
     records = everything(path)
-    wishes = [record for record in records if isinstance(record, Wish)]
+    wishes = [record for record in records if isinstance(record, SetpointRecord)]
     assert [(wish.motor, wish.drive) for wish in wishes] == [(1, Drive.at(40))]
     kinds = [record.kind for record in records if isinstance(record, Marker)]
     assert {EventKind.STOP.value, EventKind.APPLY.value} <= set(kinds)
@@ -138,10 +140,10 @@ def test_recording_continues_while_the_board_is_unresponsive(
     session.recorder.start(tmp_path / "a.trexrec")
     session.wait(lambda: len(session.samples) > 50)
     session.simulator.do("power off")
-    session.wait(lambda: session.device.link is Link.SILENT)
+    session.wait(lambda: session.device.link is ConnectionState.SILENT)
     assert session.recorder.recording
     session.simulator.do("power on")
-    session.wait(lambda: session.device.link is Link.UP)
+    session.wait(lambda: session.device.link is ConnectionState.UP)
     before = len(session.samples)
     session.wait(lambda: len(session.samples) > before + 50)
     assert session.recorder.recording

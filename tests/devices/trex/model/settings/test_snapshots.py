@@ -16,19 +16,19 @@ from trex_gui.devices.trex.model.settings.snapshots import (
     SnapshotRole,
     SnapshotTable,
 )
-from trex_gui.devices.trex.settings.history import History
+from trex_gui.devices.trex.settings.history import SettingsHistory
 
 MINUTE = timedelta(minutes=1)
 DAY = timedelta(days=1)
 
 
 @pytest.fixture
-def history(tmp_path: Path) -> History:
-    return History(tmp_path / "snapshots")
+def history(tmp_path: Path) -> SettingsHistory:
+    return SettingsHistory(tmp_path / "snapshots")
 
 
 @pytest.fixture
-def table(qtbot: QtBot, history: History) -> SnapshotTable:
+def table(qtbot: QtBot, history: SettingsHistory) -> SnapshotTable:
     return SnapshotTable(history)
 
 
@@ -37,7 +37,7 @@ def text(table: SnapshotTable, row: int, column: SnapshotColumn) -> str:
 
 
 def test_table_passes_qt_model_tester(
-    table: SnapshotTable, history: History, qtmodeltester: ModelTester
+    table: SnapshotTable, history: SettingsHistory, qtmodeltester: ModelTester
 ) -> None:
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
     table.refresh()
@@ -50,7 +50,7 @@ def test_table_passes_qt_model_tester(
 
 
 def test_newest_snapshot_comes_first_with_all_columns(
-    table: SnapshotTable, history: History
+    table: SnapshotTable, history: SettingsHistory
 ) -> None:
     take(history, 5 * MINUTE, reason="trexcmd restore-defaults")
     take(history, device_number=9)
@@ -64,7 +64,9 @@ def test_newest_snapshot_comes_first_with_all_columns(
     assert heads == ["Time", "Before", "Board", "No.", "Adapter"]
 
 
-def test_times_are_local_and_recent_days_are_named(table: SnapshotTable, history: History) -> None:
+def test_times_are_local_and_recent_days_are_named(
+    table: SnapshotTable, history: SettingsHistory
+) -> None:
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=0, microsecond=0)
     now = datetime.now().astimezone()
     taken = [take(history, now - noon + days * DAY) for days in (0, 1, 400)]
@@ -75,7 +77,9 @@ def test_times_are_local_and_recent_days_are_named(table: SnapshotTable, history
     assert table.time_text(taken[2]) == f"{long_ago.day} {long_ago:%b %Y} {long_ago:%H:%M}"
 
 
-def test_snapshots_of_one_minute_show_seconds(table: SnapshotTable, history: History) -> None:
+def test_snapshots_of_one_minute_show_seconds(
+    table: SnapshotTable, history: SettingsHistory
+) -> None:
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=1, microsecond=0)
     now = datetime.now().astimezone()
     taken = [take(history, now - noon - timedelta(seconds=seconds)) for seconds in (0, 30)]
@@ -85,7 +89,7 @@ def test_snapshots_of_one_minute_show_seconds(table: SnapshotTable, history: His
 
 
 def test_refresh_keeps_persistent_indexes(
-    table: SnapshotTable, history: History, qtbot: QtBot
+    table: SnapshotTable, history: SettingsHistory, qtbot: QtBot
 ) -> None:
     kept, gone = take(history, 2 * MINUTE), take(history, 3 * MINUTE)
     table.refresh()
@@ -99,7 +103,9 @@ def test_refresh_keeps_persistent_indexes(
     assert table.row_of(gone.path) is None
 
 
-def test_damaged_header_is_shown_after_refresh(table: SnapshotTable, history: History) -> None:
+def test_damaged_header_is_shown_after_refresh(
+    table: SnapshotTable, history: SettingsHistory
+) -> None:
     take(history).path.write_text("rubbish", encoding="utf-8")
     table.refresh()
     assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
@@ -108,7 +114,7 @@ def test_damaged_header_is_shown_after_refresh(table: SnapshotTable, history: Hi
 
 
 def test_damaged_body_is_shown_from_load_until_repair(
-    table: SnapshotTable, history: History
+    table: SnapshotTable, history: SettingsHistory
 ) -> None:
     snapshot = take(history)
     sound = snapshot.path.read_text(encoding="utf-8")
@@ -128,7 +134,7 @@ def test_damaged_body_is_shown_from_load_until_repair(
 
 
 def test_snapshot_is_reloaded_only_after_a_file_change(
-    table: SnapshotTable, history: History
+    table: SnapshotTable, history: SettingsHistory
 ) -> None:
     snapshot = take(history)
     first = table.load(snapshot)
@@ -139,7 +145,7 @@ def test_snapshot_is_reloaded_only_after_a_file_change(
 
 
 def test_neighbour_is_next_newer_or_older_of_same_product(
-    table: SnapshotTable, history: History
+    table: SnapshotTable, history: SettingsHistory
 ) -> None:
     oldest, junior, middle, damaged, newest = (
         take(history, 9 * MINUTE),
@@ -167,7 +173,7 @@ def test_neighbour_is_next_newer_or_older_of_same_product(
     ],
 )
 def test_words_match_in_every_column(
-    table: SnapshotTable, history: History, words: str, count: int
+    table: SnapshotTable, history: SettingsHistory, words: str, count: int
 ) -> None:
     now = datetime.now().astimezone()
     noon = now - now.replace(hour=12)

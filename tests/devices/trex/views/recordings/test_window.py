@@ -25,7 +25,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recordings.playback import Playback
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.recording.files import open_recording
-from trex_gui.devices.trex.recording.recording import Marker, Record, SettingsSeen, Wish
+from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord, SettingsSeen
 from trex_gui.devices.trex.views.recordings.window import PlaybackWindow
 from trex_gui.ui.playback.formats import size_text, time_text
 from trex_gui.ui.plotting.plot import TracePlot
@@ -36,12 +36,12 @@ LATER = "product: TReX\ndevice_number: 9\n"
 
 def _minute() -> list[Record]:
     extra: list[Record] = [
-        Wish(T0 + 20.0, 1, Drive.at(-55)),
+        SetpointRecord(T0 + 20.0, 1, Drive.at(-55)),
         SettingsSeen(T0 + 30.0, LATER),
         Marker(T0 + 30.0, "apply", "Apply: Device Number"),
         Marker(T0 + 45.0, "fault", "Motor 1 fault"),
     ]
-    plain = [r for r in an_hour(60) if not isinstance(r, Wish | Marker)]
+    plain = [r for r in an_hour(60) if not isinstance(r, SetpointRecord | Marker)]
     return sorted([*plain, *extra], key=lambda record: record.time)
 
 

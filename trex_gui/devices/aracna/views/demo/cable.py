@@ -6,10 +6,10 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.aracna.model.demo_robot import DemoRobot, Loss
 from trex_gui.devices.aracna.model.demo_snapshot import RobotSnapshot
 from trex_gui.devices.aracna.views.demo.words import columns
-from trex_gui.ui.devices.demo.cable import Cable
+from trex_gui.ui.devices.demo.cable import CableRows
 
 
-class RobotCable(Cable[RobotSnapshot]):
+class RobotCable(CableRows[RobotSnapshot]):
     """The cable, and bytes that get lost once."""
 
     def __init__(self, robot: DemoRobot, parent: QWidget | None = None) -> None:

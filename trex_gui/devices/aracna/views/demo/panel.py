@@ -3,14 +3,14 @@
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QWidget
 
-from trex_gui.devices.aracna.model.controller import AracnaWay
+from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.model.demo_snapshot import RobotSnapshot
 from trex_gui.devices.aracna.views.demo.cable import RobotCable
 from trex_gui.devices.aracna.views.demo.power import RobotPower
 from trex_gui.devices.aracna.views.demo.servos import DemoServos
 from trex_gui.devices.aracna.views.demo.words import state_text
 from trex_gui.ui.devices.demo.dock import DemoDock
-from trex_gui.ui.devices.demo.view import DemoView
+from trex_gui.ui.devices.demo.view import DemoPanelBody
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.leds import Lamp
 
@@ -20,17 +20,17 @@ _MORE = 34  # pixels, of which a scroll bar may take some
 class RobotPanel(DemoDock):
     """The dock of the simulated robot."""
 
-    def __init__(self, way: AracnaWay, parent: QWidget | None = None) -> None:
+    def __init__(self, way: AracnaController, parent: QWidget | None = None) -> None:
         super().__init__("aracnaDemoPanel", "aracna/demo_panel", way, parent)
         self.setWindowTitle(self.tr("Demo Aracna"))
         self.hold(DemoRobotView(way, self))
         way.changed.connect(self.show_if_wanted)
 
 
-class DemoRobotView(DemoView[RobotSnapshot]):
+class DemoRobotView(DemoPanelBody[RobotSnapshot]):
     """The robot itself: LED, switches, servos, cable."""
 
-    def __init__(self, way: AracnaWay, parent: QWidget | None = None) -> None:
+    def __init__(self, way: AracnaController, parent: QWidget | None = None) -> None:
         robot = way.demo_robot
         super().__init__(robot, way, "aracnaDemoState", parent)
         head = QWidget(self)

@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.aracna.model.playback import RobotPlayback
 from trex_gui.devices.aracna.model.recorded import Moment
-from trex_gui.devices.aracna.model.robot_state import Known
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.targets import CENTRE
 
 
@@ -26,7 +26,7 @@ class RecordedGoals(QObject):
         """All of them in units, motor 0 first."""
         return self._goals
 
-    def follow(self, known: Known) -> None:
+    def follow(self, known: RobotState) -> None:
         """Be those of this moment."""
         goals = known.goals
         if goals is None:
@@ -64,7 +64,7 @@ class RecordedRobot(QObject):
         return self._moment
 
     @property
-    def known(self) -> Known:
+    def known(self) -> RobotState:
         """Everything that it had reported."""
         return self._moment.known
 

@@ -115,9 +115,9 @@ class PoseFiles(QObject):
         if not self._library.modified:
             return True
         match file_questions.before_closing(self._window, self._library.name):
-            case file_questions.Answer.SAVE:
+            case file_questions.SaveAnswer.SAVE:
                 return self.save()
-            case file_questions.Answer.DISCARD:
+            case file_questions.SaveAnswer.DISCARD:
                 return True
         return False
 

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWid
 
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.names import Motion
-from trex_gui.devices.aracna.model.robot_state import Playing
+from trex_gui.devices.aracna.model.robot_state import PlayState
 from trex_gui.devices.aracna.poses.travel import Present
 from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
 from trex_gui.devices.aracna.views.poses.files import PoseFiles
@@ -50,7 +50,7 @@ class PosesPanel(QWidget):
         self._present: tuple[int | None, ...] = ()
         self._up = False
         self._why_not = self.tr("There is no robot that could move now.")
-        self._playing: Playing | None = None
+        self._playing: PlayState | None = None
         self._played: Motion | None = None
         self._preview = Preview()
         self.files = PoseFiles(library, self)
@@ -153,7 +153,7 @@ class PosesPanel(QWidget):
             self._poses.show_limits(limits)
             self._renew()
 
-    def show_playing(self, playing: Playing | None) -> None:
+    def show_playing(self, playing: PlayState | None) -> None:
         """What is played, and which step of it runs."""
         self._playing = playing
         self._show_whether_idle()

@@ -20,7 +20,7 @@ from trex_gui.devices.aracna.model.step_table import StepColumn, StepTable
 from trex_gui.devices.aracna.poses.sequence import LONGEST_MS, SHORTEST_MS, can_be_named
 from trex_gui.devices.aracna.views.poses.name_list import paint_empty
 from trex_gui.ui.widgets.header_names import name_headers
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 
 _Index = QModelIndex | QPersistentModelIndex
 _LINES = 5
@@ -36,7 +36,7 @@ class _Delegate(QStyledItemDelegate):
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: _Index) -> QWidget:
         del option
         if index.column() == StepColumn.POSE:
-            combo = CalmComboBox(parent)
+            combo = NoWheelComboBox(parent)
             combo.setObjectName("aracnaStepPose")
             combo.setAccessibleName(self.tr("Pose of step {0}").format(index.row() + 1))
             names = [pose.name for pose in self._library.poses]

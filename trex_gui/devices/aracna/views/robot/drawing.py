@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal, SignalIns
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.devices.aracna.model.robot_state import Known
+from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import JOINTS
 from trex_gui.devices.aracna.views.robot.geometry import BODY, Leg, legs
 from trex_gui.devices.aracna.views.robot.words import position_text, spoken_joint
@@ -40,7 +40,7 @@ class Posed(Protocol):
         ...
 
     @property
-    def known(self) -> Known:
+    def known(self) -> RobotState:
         """Everything that it has reported."""
         ...
 

@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.protocol.units import HIGHEST
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.press_slider import HeldSlider
+from trex_gui.ui.widgets.press_slider import PressSlider
 
 _BELOW = 7
 
 
-class JointSlider(HeldSlider):
+class JointSlider(PressSlider):
     """Horizontal, 0-1023; the handle is the goal, the wedge below is where the motor is.
 
     The handle goes no further than the limits; beyond them the groove is thin and grey.

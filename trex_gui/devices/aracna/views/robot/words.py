@@ -3,9 +3,9 @@
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.protocol.joints import JOINTS, Joint, Kind, Side
+from trex_gui.devices.aracna.protocol.joints import JOINTS, Joint, JointKind, Side
 from trex_gui.devices.aracna.protocol.units import degrees, degrees_per_second
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 
 
 def tr(text: str) -> str:
@@ -23,7 +23,7 @@ def joint_text(motor: int) -> str:
     joint = joint_of(motor)
     if joint is None:
         return str(motor)
-    kind = tr("inner") if joint.kind is Kind.INNER else tr("outer")
+    kind = tr("inner") if joint.kind is JointKind.INNER else tr("outer")
     return f"{motor} {kind}"
 
 
@@ -68,7 +68,7 @@ def assumed_text() -> str:
 
 def why_not_move(robot: Robot) -> str:
     """Say why a robot cannot be sent anywhere now; empty where it can."""
-    if robot.link is not Link.UP:
+    if robot.link is not ConnectionState.UP:
         return tr("There is no robot that could move now.")
     if (stuck := robot.known.stuck) is None:
         return ""

@@ -9,9 +9,9 @@ from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.devices.trex.bench.plan import Plan
 from trex_gui.devices.trex.bench.run import End, Run
-from trex_gui.devices.trex.client.telemetry import Currents, StatusNews
+from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
 from trex_gui.devices.trex.model.bench.obstacle import HOLDER, obstacle
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.event_log import EventKind
@@ -249,7 +249,7 @@ class Bench(QObject):
                 amps = sample.counts[motor - 1] * self._current.ampere
                 self._readings.append((sample.time - self._start, amps))
                 self._judge_current(motor, amps)
-            elif isinstance(sample, StatusNews):
+            elif isinstance(sample, LatchedStatus):
                 self._judge_status(motor, sample)
 
     def _judge_current(self, motor: int, amps: float) -> None:
@@ -257,7 +257,7 @@ class Bench(QObject):
             text = self.tr("Motor {0} drew {1:.2f} A, more than the {2:g} A to abort at.")
             self.abort(text.format(motor, amps, self._current.abort_current))
 
-    def _judge_status(self, motor: int, news: StatusNews) -> None:
+    def _judge_status(self, motor: int, news: LatchedStatus) -> None:
         if news.status & _FAULTS[motor]:
             self.abort(self.tr("The driver of motor {0} reported a fault.").format(motor))
         elif news.uart & UartError.TIMEOUT:
@@ -276,15 +276,15 @@ class Bench(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._phase is not Phase.IDLE and self._device.link is not Link.UP:
+        if self._phase is not Phase.IDLE and self._device.link is not ConnectionState.UP:
             self.abort("")
             self._finish()
         self.changed.emit()
 
     def _reason_from_outside(self) -> str:
-        if self._device.link is Link.SILENT:
+        if self._device.link is ConnectionState.SILENT:
             return self.tr("The board has stopped answering.")
-        if self._device.link is not Link.UP:
+        if self._device.link is not ConnectionState.UP:
             return self.tr("The line was closed.")
         if self._device.telemetry.serial_controls is False:
             return self.tr("Serial commands do not control the motors any more.")

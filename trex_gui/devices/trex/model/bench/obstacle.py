@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.driving.motors import Motors
 
 HOLDER = "bench"
@@ -20,9 +20,9 @@ def obstacle(device: Device, *, ignore_wishes: bool = False) -> str:
     With `ignore_wishes` motors may be driven: a test does so itself.
     """
     motors = device.motors
-    if device.link is Link.SILENT:
+    if device.link is ConnectionState.SILENT:
         return tr("The board does not answer.")
-    if device.link is not Link.UP:
+    if device.link is not ConnectionState.UP:
         return tr("Connect to a board to test its motors.")
     if device.is_joint:
         return tr("In joint mode the board senses no current: nothing would end a test of itself.")

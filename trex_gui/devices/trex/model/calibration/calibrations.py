@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.undo import Edit
@@ -202,7 +202,7 @@ class Calibrations(QObject):
             self._left_out.add(place)
         self._announce()
 
-    def take_results(self, results: Sequence[Written]) -> None:
+    def take_results(self, results: Sequence[WriteResult]) -> None:
         """Take what was read back after a write."""
         for result in results:
             if isinstance(result.stored, Calibration) and result.channel is not None:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.text_files import load, save
-from trex_gui.devices.trex.model.settings.diff import what_changes
+from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
@@ -25,7 +25,7 @@ def take_calibrations(draft: SettingsDraft, path: Path, text: str) -> tuple[int,
     settings, _ = read_settings(load(path), path.name)
     if not settings.calibrations:
         raise BadRequest("it gives no calibrations")
-    comparison = what_changes(draft, replace(settings, parameters={}))
+    comparison = diff_against_draft(draft, replace(settings, parameters={}))
     rows = [row for row in comparison.rows if row.after is not None and row.before != row.after]
     if rows:
         draft.stage(rows, text)

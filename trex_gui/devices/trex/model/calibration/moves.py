@@ -38,14 +38,14 @@ class Handle(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Move:
+class CalibrationMove:
     """What became of a calibration, and why a handle went no further; empty: it did."""
 
     calibration: Calibration
     why: str = ""
 
 
-def moved(calibration: Calibration, handle: Handle, count: int) -> Move:
+def moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMove:
     """Move a handle to a raw count, or as far as the board takes it."""
     c = calibration
     match handle:
@@ -79,12 +79,14 @@ _NEUTRAL_HIGH = "Neutral cannot pass maximum."
 
 def _limited(
     calibration: Calibration, handle: Handle, count: int, limits: tuple[int, int], why: str
-) -> Move:
+) -> CalibrationMove:
     kept = max(limits[0], min(limits[1], count))
-    return Move(replace(calibration, **{handle.value: kept}), "" if kept == count else why)
+    return CalibrationMove(
+        replace(calibration, **{handle.value: kept}), "" if kept == count else why
+    )
 
 
-def _deadband_moved(calibration: Calibration, handle: Handle, count: int) -> Move:
+def _deadband_moved(calibration: Calibration, handle: Handle, count: int) -> CalibrationMove:
     reach = count - calibration.neutral
     if handle is Handle.DEADBAND_LOW:
         reach = -reach
@@ -95,7 +97,7 @@ def _deadband_moved(calibration: Calibration, handle: Handle, count: int) -> Mov
         why = "The deadband ends at neutral."
     elif reach > widest:
         why = "The deadband cannot be wider than the travel."
-    return Move(replace(calibration, deadband=max(0, min(widest, reach))), why)
+    return CalibrationMove(replace(calibration, deadband=max(0, min(widest, reach))), why)
 
 
 def within_input(

@@ -2,14 +2,14 @@
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.devices.trex.client.telemetry import StatusNews
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
 
 SHUTDOWN = "uart_error_shutdown"
 """The parameter that lets any serial error stop the motors (0x08)."""
 
 
-def why_the_board_stopped(news: StatusNews, *, errors_stop: bool) -> str:
+def why_the_board_stopped(news: LatchedStatus, *, errors_stop: bool) -> str:
     """Return why the motors are at rest after these bits, for people; empty: they are not.
 
     A serial timeout stops them always, every other serial error where 0x08 says so

@@ -4,30 +4,30 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import NoReply, TrexError
+from trex_gui.core.errors import NoReply, StudioError
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
-from trex_gui.devices.trex.driving.arming import PULSE_INTERVAL
-from trex_gui.devices.trex.model.connection import Connection, Link
+from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL
+from trex_gui.devices.trex.model.connection import Connection, ConnectionState
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
     Closed,
     Connected,
-    Halted,
+    Heartbeat,
     MotorRequest,
-    Occasion,
+    MotorsStopped,
     Outcome,
-    Pulse,
+    ReadReason,
     Stop,
 )
 from trex_gui.ui.runtime import now, runtime
 
-AfterStop = Callable[[TrexError | None], None]
+AfterStop = Callable[[StudioError | None], None]
 """Gets `None` when a stop is proved, else why it is not."""
 
 
-class Driving(QObject):
+class DriveController(QObject):
     """Stands between the motors that a person drives and the connection to the board.
 
     Signals:
@@ -35,7 +35,7 @@ class Driving(QObject):
         failed: why a stop is not proved, or why nobody asked for one, for people.
     """
 
-    proved = Signal()
+    confirmed = Signal()
     failed = Signal(str)
 
     def __init__(
@@ -50,7 +50,7 @@ class Driving(QObject):
         self._lost_with: LinkSettings | None = None  # the line behind which motors may turn
         self._after_stop: list[AfterStop] = []
         self._pulse = runtime().timer(self)
-        self._pulse.setInterval(round(PULSE_INTERVAL * 1000))
+        self._pulse.setInterval(round(HEARTBEAT_INTERVAL * 1000))
 
         self._pulse.timeout.connect(self._on_pulse_due)
         motors.changed.connect(self._on_motors_changed)
@@ -75,7 +75,7 @@ class Driving(QObject):
         what was meant for now would start later.
         """
         self._by_serial = by_serial
-        is_up = self._connection.link is Link.UP
+        is_up = self._connection.link is ConnectionState.UP
         allowed = is_up and by_serial
         if allowed != self._motors.can_arm:
             if not allowed and self._motors.armed and is_up:
@@ -113,7 +113,7 @@ class Driving(QObject):
 
     @Slot()
     def _on_pulse_due(self) -> None:
-        self._connection.submit(Pulse(now()))
+        self._connection.submit(Heartbeat(now()))
 
     @Slot()
     def _on_stop_requested(self) -> None:
@@ -133,32 +133,32 @@ class Driving(QObject):
         if outcome.error is None:
             # A wish that was let through meanwhile is a motor that moves again.
             self._may_move = self._motors.armed
-            self.proved.emit()
+            self.confirmed.emit()
             self._tell_of_the_lost()
-            if self._connection.link is Link.UP and not self._by_serial:
+            if self._connection.link is ConnectionState.UP and not self._by_serial:
                 self.failed.emit(BEYOND_A_STOP)
-        elif self._connection.link is not Link.CLOSING:
+        elif self._connection.link is not ConnectionState.CLOSING:
             self.failed.emit(str(outcome.error))
 
     @Slot(object)
-    def _on_halted(self, report: Halted) -> None:
+    def _on_halted(self, report: MotorsStopped) -> None:
         if report.reason:
-            if report.proved:
+            if report.confirmed:
                 text = self.tr("{0} The motors were stopped. Press Run motor to go on.")
             else:
                 text = self.tr("{0} A stop was sent, and is not confirmed yet.")
             self.failed.emit(text.format(report.reason))
             self._motors.stop(report.reason)
-        if report.proved:
+        if report.confirmed:
             self._may_move = self._motors.armed
-            self.proved.emit()
+            self.confirmed.emit()
             self._tell_of_the_lost()
 
     # --- The board comes and goes -------------------------------------------------------
 
     @Slot(object)
     def _on_answered(self, report: Connected) -> None:
-        if report.occasion is not Occasion.RELOADED:
+        if report.occasion is not ReadReason.RELOADED:
             if report.may_move or self._motors.armed:
                 # Armed motors tell nobody: wishes of this moment may be on their way still.
                 restarted = self.tr("The board was restarted, so the motors were stopped.")
@@ -182,7 +182,7 @@ class Driving(QObject):
     def _tell_of_the_lost(self) -> None:
         """A board that stands now need not be the one whose line was lost with turning motors."""
         lost, now = self._lost_with, self._connection.settings
-        if lost is None or self._may_move or self._connection.link is not Link.UP:
+        if lost is None or self._may_move or self._connection.link is not ConnectionState.UP:
             return
         self._lost_with = None
         if now is not None and now.url != lost.url:

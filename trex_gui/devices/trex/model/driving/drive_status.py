@@ -5,14 +5,14 @@ from dataclasses import dataclass
 from enum import Enum, auto
 from math import ceil
 
-from trex_gui.devices.trex.model.connection import Link
+from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError, channels_in
 
 _NO_ERROR = UartError(0)
 
 
-class Kind(Enum):
+class DriveBlocker(Enum):
     """What stands in the way; the first that holds is the one that is told."""
 
     NO_BOARD = auto()
@@ -34,29 +34,34 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Reason:
+class DriveStatus:
     """What is so, and what a person can do about it; both are sentences."""
 
-    kind: Kind
+    kind: DriveBlocker
     text: str
     remedy: str = ""
 
     @property
     def obeyed(self) -> bool:
         """Whether the motors do what is asked, if more slowly."""
-        return self.kind in {Kind.RUNNING, Kind.OVER_LIMIT}
+        return self.kind in {DriveBlocker.RUNNING, DriveBlocker.OVER_LIMIT}
 
     @property
     def alarming(self) -> bool:
         """Whether something is wrong, rather than not begun."""
         return self.kind in {
-            *(Kind.SILENT, Kind.SAFE_START, Kind.FAULT, Kind.TIMEOUT),
-            *(Kind.LINE_ERROR, Kind.OVER_LIMIT, Kind.LOCKED),
+            *(
+                DriveBlocker.SILENT,
+                DriveBlocker.SAFE_START,
+                DriveBlocker.FAULT,
+                DriveBlocker.TIMEOUT,
+            ),
+            *(DriveBlocker.LINE_ERROR, DriveBlocker.OVER_LIMIT, DriveBlocker.LOCKED),
         }
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Situation:
+class DriveInputs:
     """Everything that decides.
 
     Attributes:
@@ -71,7 +76,7 @@ class Situation:
         locked_for: seconds.
     """
 
-    link: Link = Link.UP
+    link: ConnectionState = ConnectionState.UP
     mode: Mode | None = Mode.SERIAL_RC
     by_serial: bool | None = True
     joint: bool = False
@@ -88,7 +93,7 @@ class Situation:
     stop_reason: str = ""
 
 
-def reason_for(now: Situation) -> Reason:
+def reason_for(now: DriveInputs) -> DriveStatus:
     """Return the one reason that matters most."""
     for find in (_of_the_link, _of_the_mode, _of_the_lock, _of_the_board):
         if found := find(now):
@@ -96,7 +101,7 @@ def reason_for(now: Situation) -> Reason:
     return _of_the_arming(now)
 
 
-def situation_of(device: Device, *, perhaps_held: bool = False) -> Situation:
+def situation_of(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
     """Gather what decides from the models, and what was seen of safe-start."""
     state, motors, telemetry = device.state, device.motors, device.telemetry
     recent = {motor: device.errors.recent(motor) for motor in (1, 2)}
@@ -118,7 +123,7 @@ def situation_of(device: Device, *, perhaps_held: bool = False) -> Situation:
     by_serial = telemetry.serial_controls
     if by_serial is None and state is not None:
         by_serial = state.serial_controls
-    return Situation(
+    return DriveInputs(
         link=device.link,
         mode=None if state is None else state.mode,
         by_serial=by_serial,
@@ -142,38 +147,42 @@ def _motors_with(bits: Sequence[Status | UartError], wanted: dict[int, Status]) 
     return tuple(motor for motor, bit in wanted.items() if bit in seen)
 
 
-def _of_the_link(now: Situation) -> Reason | None:
+def _of_the_link(now: DriveInputs) -> DriveStatus | None:
     match now.link:
-        case Link.NONE:
-            return Reason(Kind.NO_BOARD, "No board is connected.", "Choose a port above.")
-        case Link.OPENING:
-            return Reason(Kind.OPENING, "The board is being read.")
-        case Link.CLOSING:
-            return Reason(Kind.CLOSING, "The line is being closed.")
-        case Link.SILENT:
-            return Reason(
-                Kind.SILENT,
+        case ConnectionState.NONE:
+            return DriveStatus(
+                DriveBlocker.NO_BOARD, "No board is connected.", "Choose a port above."
+            )
+        case ConnectionState.OPENING:
+            return DriveStatus(DriveBlocker.OPENING, "The board is being read.")
+        case ConnectionState.CLOSING:
+            return DriveStatus(DriveBlocker.CLOSING, "The line is being closed.")
+        case ConnectionState.SILENT:
+            return DriveStatus(
+                DriveBlocker.SILENT,
                 "The board does not answer.",
                 "Look at its power and the cable; a stop is sent again and again.",
             )
-        case Link.UP:
+        case ConnectionState.UP:
             return None
 
 
-def _of_the_mode(now: Situation) -> Reason | None:
+def _of_the_mode(now: DriveInputs) -> DriveStatus | None:
     if now.mode is None or now.by_serial is None:
-        return Reason(Kind.UNKNOWN, "The board has not said yet who controls the motors.")
+        return DriveStatus(
+            DriveBlocker.UNKNOWN, "The board has not said yet who controls the motors."
+        )
     if now.by_serial:
         return None
     if now.mode.is_serial:
-        return Reason(
-            Kind.NOT_SERIAL,
+        return DriveStatus(
+            DriveBlocker.NOT_SERIAL,
             "The board says that serial commands do not control the motors.",
             "Switch it off and on.",
         )
     if now.missing:
-        return Reason(
-            Kind.SAFE_START,
+        return DriveStatus(
+            DriveBlocker.SAFE_START,
             f"Safe-start keeps the motors off: {_channels(now.missing)} required and "
             f"{'have' if len(now.missing) > 1 else 'has'} no signal.",
             "Switch the transmitter on and let go of its sticks.",
@@ -185,78 +194,80 @@ def _of_the_mode(now: Situation) -> Reason | None:
         "take the mode jumper off and switch it on."
     )
     if now.perhaps_held:
-        return Reason(
-            Kind.CHANNELS,
+        return DriveStatus(
+            DriveBlocker.CHANNELS,
             f"{text}; the motors are perhaps held by safe-start: let the sticks rest once.",
             remedy,
         )
-    return Reason(
-        Kind.CHANNELS,
+    return DriveStatus(
+        DriveBlocker.CHANNELS,
         f"{text}.",
         f"{remedy} After power-up safe-start waits for sticks at rest.",
     )
 
 
-def _of_the_lock(now: Situation) -> Reason | None:
+def _of_the_lock(now: DriveInputs) -> DriveStatus | None:
     if not now.locked_for or now.armed:
         return None
-    return Reason(
-        Kind.LOCKED,
+    return DriveStatus(
+        DriveBlocker.LOCKED,
         f"Stopped. The motors are locked for {ceil(now.locked_for)} s.",
         "Then Run motor arms them again.",
     )
 
 
-def _of_the_board(now: Situation) -> Reason | None:
+def _of_the_board(now: DriveInputs) -> DriveStatus | None:
     """What the board has latched of late; a limit only matters while something is driven."""
     if now.faults:
-        return Reason(
-            Kind.FAULT,
+        return DriveStatus(
+            DriveBlocker.FAULT,
             f"{_motors(now.faults)} without drive: the driver shut itself down (too hot, a short "
             "circuit, or low voltage).",
             "Ease the load, look at wires and battery, let it cool.",
         )
     if now.uart & UartError.TIMEOUT:
         after = f" for {now.timeout}" if now.timeout else ""
-        return Reason(
-            Kind.TIMEOUT,
+        return DriveStatus(
+            DriveBlocker.TIMEOUT,
             f"Serial timeout: the board heard nothing{after} and stopped the motors.",
             "" if now.armed else "Run motor arms them again.",
         )
     if now.uart and now.error_shutdown:
-        return Reason(
-            Kind.LINE_ERROR,
+        return DriveStatus(
+            DriveBlocker.LINE_ERROR,
             "Serial errors: the board stops the motors when bytes arrive damaged.",
             "Look at cable and ground; UART-Error Shutdown can be turned off in Parameters.",
         )
     if now.over_limit and now.armed:
         verb = "are" if len(now.over_limit) > 1 else "is"
-        return Reason(
-            Kind.OVER_LIMIT,
+        return DriveStatus(
+            DriveBlocker.OVER_LIMIT,
             f"{_motors(now.over_limit)} {verb} slowed down: the current passed its limit.",
             "Ease the load, or raise the current limit in Parameters.",
         )
     return None
 
 
-def _of_the_arming(now: Situation) -> Reason:
+def _of_the_arming(now: DriveInputs) -> DriveStatus:
     if now.armed:
         text = "The motors are armed: what you do here moves them."
-        return Reason(Kind.RUNNING, text + _notes(now), "Esc stops everything.")
+        return DriveStatus(DriveBlocker.RUNNING, text + _notes(now), "Esc stops everything.")
     if not now.can_arm:
-        return Reason(Kind.NOT_ALLOWED, "The motors cannot be armed at this moment.")
+        return DriveStatus(DriveBlocker.NOT_ALLOWED, "The motors cannot be armed at this moment.")
     if now.stop_reason:
-        return Reason(
-            Kind.NOT_ARMED, f"Stopped. {now.stop_reason}", "Run motor arms the motors again."
+        return DriveStatus(
+            DriveBlocker.NOT_ARMED,
+            f"Stopped. {now.stop_reason}",
+            "Run motor arms the motors again.",
         )
-    return Reason(
-        Kind.NOT_ARMED,
+    return DriveStatus(
+        DriveBlocker.NOT_ARMED,
         "Not armed: nothing is sent yet." + _notes(now),
         "Put the robot on blocks, then press Run motor.",
     )
 
 
-def _notes(now: Situation) -> str:
+def _notes(now: DriveInputs) -> str:
     """What is as it is, and good to know."""
     notes = ""
     if now.mode is not None and not now.mode.is_serial:

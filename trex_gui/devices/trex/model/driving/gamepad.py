@@ -4,10 +4,10 @@ from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.gamepad_text import GamepadWords
-from trex_gui.devices.trex.model.driving.momentary_drive import HeldDrive
+from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
 from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadSource, PadState
-from trex_gui.gamepad.pilot import Ask, Pilot, Waits
-from trex_gui.gamepad.profile import Profile, default_profile, read_profile
+from trex_gui.gamepad.pilot import Pilot, PilotRequest, Waits
+from trex_gui.gamepad.profile import GamepadProfile, default_profile, read_profile
 from trex_gui.ui.runtime import runtime
 
 HOLDER = "gamepad"
@@ -16,7 +16,7 @@ HOLDER = "gamepad"
 STEP_MS = 17
 """How often it is looked at: some 59 times a second, as often as a screen shows anything."""
 
-_NOTHING = Ask(0.0, 0.0, Waits.REST, stop=False)
+_NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 
 
 class Gamepad(QObject):
@@ -37,7 +37,7 @@ class Gamepad(QObject):
         super().__init__(parent)
         self._device = device
         self._motors = device.motors
-        self._drive_with = HeldDrive(device.motors, HOLDER, self)
+        self._drive_with = MomentaryDrive(device.motors, HOLDER, self)
         self._source = source
         self._store = QSettings(self)
         self._words = GamepadWords(self)
@@ -46,7 +46,7 @@ class Gamepad(QObject):
         self._gone = ""
         self._pads: tuple[Pad, ...] = ()
         self._pad: Pad | None = None
-        self._profile = Profile()
+        self._profile = GamepadProfile()
         self._pilot = Pilot(self._profile)
         self._state: PadState | None = None
         self._ask = _NOTHING
@@ -89,7 +89,7 @@ class Gamepad(QObject):
         return self._pad
 
     @property
-    def profile(self) -> Profile:
+    def profile(self) -> GamepadProfile:
         """What its parts are for."""
         return self._profile
 
@@ -99,7 +99,7 @@ class Gamepad(QObject):
         return self._state
 
     @property
-    def ask(self) -> Ask:
+    def ask(self) -> PilotRequest:
         """What it asks for, whether the motors listen or not."""
         return self._ask
 
@@ -159,7 +159,7 @@ class Gamepad(QObject):
             self._tell()
             self.changed.emit()
 
-    def set_profile(self, profile: Profile) -> None:
+    def set_profile(self, profile: GamepadProfile) -> None:
         """Use the parts of this kind of gamepad so, now and later; motors that it drives stop."""
         if self._pad is not None and profile != self._profile:
             self._lose(self.tr("The gamepad was set up anew."))
@@ -266,7 +266,7 @@ class Gamepad(QObject):
             self._use(stored if stored is not None and fits else default_profile(pad))
         self.moved.emit()
 
-    def _use(self, profile: Profile) -> None:
+    def _use(self, profile: GamepadProfile) -> None:
         self._profile = profile
         self._pilot = Pilot(profile)
         self._looked = False

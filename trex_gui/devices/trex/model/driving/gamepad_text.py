@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject
 
 from trex_gui.gamepad.pads import Pad
 from trex_gui.gamepad.pilot import Waits
-from trex_gui.gamepad.profile import Profile
+from trex_gui.gamepad.profile import GamepadProfile
 
 
 class GamepadWords(QObject):
@@ -44,7 +44,7 @@ class GamepadWords(QObject):
         """Another control is held."""
         return self.tr("Another control drives now.")
 
-    def not_armed(self, pad: Pad, profile: Profile) -> str:
+    def not_armed(self, pad: Pad, profile: GamepadProfile) -> str:
         """The motors are not armed."""
         if profile.hold is None:
             return self.tr("Press Run motor, then move a stick.")
@@ -52,7 +52,7 @@ class GamepadWords(QObject):
             self.button(pad, profile.hold)
         )
 
-    def waits(self, waits: Waits, pad: Pad, profile: Profile) -> str:
+    def waits(self, waits: Waits, pad: Pad, profile: GamepadProfile) -> str:
         """What it takes for the gamepad to drive, or how it is made to stop."""
         held = self.button(pad, profile.hold)
         match waits:

@@ -6,7 +6,7 @@ from trex_gui.devices.trex.model.driving.mixing import mix
 from trex_gui.devices.trex.model.driving.motors import Motors
 
 
-class HeldDrive(QObject):
+class MomentaryDrive(QObject):
     """Turns forward and turn into wishes under one name, and ends them when it is let go.
 
     Attributes:

@@ -8,7 +8,7 @@ from trex_gui.devices.trex.model.driving.lockout import LOCKOUT, Lockout, rememb
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.command import seven_bits
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.session.messages import SetAuxiliary, SetDrive, SetDrives
+from trex_gui.devices.trex.session.messages import SetAuxiliary, SetMotor, SetMotors
 from trex_gui.ui.runtime import now
 
 __all__ = ["LOCKOUT", "Motors"]
@@ -27,7 +27,7 @@ class Motors(QObject):
 
     Signals:
         changed: a wish, who holds, an option, the lock, or whether the motors are armed.
-        requested: a `SetDrive`, `SetAuxiliary`, or `SetDrives` where both motors begin something
+        requested: a `SetMotor`, `SetAuxiliary`, or `SetMotors` where both motors begin something
             at once.
         stop_requested: everything shall stop, now.
 
@@ -294,14 +294,14 @@ class Motors(QObject):
     def _wish(self, wishes: Mapping[int, Drive]) -> None:
         """Ask for what is new, for both motors in one message: neither waits for the other."""
         new = [
-            SetDrive(motor, drive, self.accelerate)
+            SetMotor(motor, drive, self.accelerate)
             for motor, drive in wishes.items()
             if drive != self._drives.get(motor)
         ]
         if not self._armed or not new:
             return
         self._drives.update((wish.motor, wish.drive) for wish in new)
-        self.requested.emit(SetDrives((new[0], new[1])) if len(new) > 1 else new[0])
+        self.requested.emit(SetMotors((new[0], new[1])) if len(new) > 1 else new[0])
         self.changed.emit()
 
     def _wish_auxiliary(self, speed: int) -> None:

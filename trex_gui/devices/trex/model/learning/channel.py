@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from trex_gui.devices.trex.calibration.neutral import Neutral, measure_neutral, no_signal
-from trex_gui.devices.trex.calibration.problems import Kind, Problem, has_fatal
+from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind, has_fatal
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.samples import Sample
 from trex_gui.devices.trex.calibration.travel import TASKS, Task, Travel, TravelWatch
@@ -208,4 +208,4 @@ class LearnedChannel:
             return self.proposal.problems + check.problems
         refused = self.choice.calibration.problem()
         text = f"The board would not take this: {refused}."
-        return (*self.proposal.problems, Problem(Kind.REFUSED, text))
+        return (*self.proposal.problems, Problem(ProblemKind.REFUSED, text))

@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from trex_gui.devices.trex.calibration.neutral import Neutral
-from trex_gui.devices.trex.calibration.problems import Kind, Problem
+from trex_gui.devices.trex.calibration.problems import Problem, ProblemKind
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
-from trex_gui.devices.trex.protocol.channel_words import concern
+from trex_gui.devices.trex.protocol.channel_text import concern
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 _ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
@@ -47,9 +47,9 @@ class Check:
 
     def _all(self) -> Iterator[Problem]:
         if useless := self._useless():
-            yield Problem(Kind.USELESS, useless, fatal=False)
+            yield Problem(ProblemKind.USELESS, useless, fatal=False)
         if never_full := self._never_full():
-            yield Problem(Kind.NEVER_FULL, never_full, fatal=False)
+            yield Problem(ProblemKind.NEVER_FULL, never_full, fatal=False)
         if self.travel.task is Task.SWITCH:
             yield from self._switching()
             return
@@ -58,12 +58,12 @@ class Check:
                 f"At rest the noise is {self.neutral.noise_text}, more than the deadband "
                 f"({self._source.text(self._calibration.deadband)}): the motor would creep."
             )
-            yield Problem(Kind.NOISE, text, fatal=False)
+            yield Problem(ProblemKind.NOISE, text, fatal=False)
         elif elsewhere := self._rests_elsewhere():
-            yield Problem(Kind.RESTS_ELSEWHERE, elsewhere, fatal=False)
+            yield Problem(ProblemKind.RESTS_ELSEWHERE, elsewhere, fatal=False)
         if (idle := self.travel.idle) is not None and self._aside(idle)[1] > _MUCH:
             text = f"{self._idle_text()} Look that no trim and no broken wire brings it there."
-            yield Problem(Kind.SPEEDS_UP, text, fatal=False)
+            yield Problem(ProblemKind.SPEEDS_UP, text, fatal=False)
 
     def _useless(self) -> str:
         """Say what nobody would want of the sides that are used."""
@@ -114,7 +114,7 @@ class Check:
                 f"Its rest ({self._source.text(self.neutral.value)}) is too near to where it "
                 f"switches ({self._source.text(round(threshold))}): it may switch by itself."
             )
-            yield Problem(Kind.SWITCHES_AT_REST, text, fatal=False)
+            yield Problem(ProblemKind.SWITCHES_AT_REST, text, fatal=False)
         ends = (self.travel.low, self.travel.high, self.neutral.value)
         active = {self.curve.is_switched(self.channel, end) for end in ends if end is not None}
         if len(active) == 1:
@@ -124,7 +124,7 @@ class Check:
                 f"It is {state} in all its positions: none lies beyond {where}, where it switches. "
                 "Should it be reversed, or not?"
             )
-            yield Problem(Kind.NEVER_SWITCHES, text, fatal=False)
+            yield Problem(ProblemKind.NEVER_SWITCHES, text, fatal=False)
 
     def _switch_text(self) -> str:
         threshold = self.curve.threshold(self.channel)

@@ -10,16 +10,16 @@ from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.model.learning.channels import LearnedChannels
 from trex_gui.devices.trex.model.learning.edits import edit_what_is_chosen, has_edit, other_edits
 from trex_gui.devices.trex.model.learning.measured_inputs import Counts, MeasuredInputs
-from trex_gui.devices.trex.model.learning.pending_values import TakenValues
-from trex_gui.devices.trex.model.learning.preconditions import LearningGuard
-from trex_gui.devices.trex.model.learning.standstill_check import Standing
+from trex_gui.devices.trex.model.learning.pending_values import PendingLearnedValues
+from trex_gui.devices.trex.model.learning.preconditions import CalibrationPreconditions
+from trex_gui.devices.trex.model.learning.standstill_check import StandstillCheck
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.ui.plotting.data.ring import FloatArray
 
 
-class Step(Enum):
+class LearningStep(Enum):
     """How far it is; in `DOUBT` a person has to say whether the motors stand."""
 
     ENDED = auto()
@@ -32,10 +32,10 @@ class Step(Enum):
     FAILED = auto()
 
 
-_MOVING = {Step.NEUTRAL, Step.TRAVEL, Step.TEST}
+_MOVING = {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.TEST}
 """Steps in which sticks are moved, or have to rest."""
 
-_MEASURING = _MOVING | {Step.REVIEW}
+_MEASURING = _MOVING | {LearningStep.REVIEW}
 
 
 class Learning(QObject):
@@ -58,16 +58,16 @@ class Learning(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        self._step = Step.ENDED
-        self._after_stopping = Step.NEUTRAL
+        self._step = LearningStep.ENDED
+        self._after_stopping = LearningStep.NEUTRAL
         self._trouble = ""
         self._numbers: tuple[int, ...] = ()
         self._channels = LearnedChannels()
         self._tests: StickTests | None = None
         self._news = self._next_news = ""
-        self._taken = TakenValues(device, self)
-        self._guard = LearningGuard(device, self)
-        self._standing = Standing(device, self)
+        self._taken = PendingLearnedValues(device, self)
+        self._guard = CalibrationPreconditions(device, self)
+        self._standing = StandstillCheck(device, self)
         self._inputs = MeasuredInputs(device.telemetry, self)
 
         self._guard.broken.connect(self._on_broken)
@@ -81,14 +81,14 @@ class Learning(QObject):
     # --- What is known ------------------------------------------------------------------
 
     @property
-    def step(self) -> Step:
+    def step(self) -> LearningStep:
         """How far it is."""
         return self._step
 
     @property
     def is_test(self) -> bool:
         """Whether the sticks are only tested."""
-        return self._after_stopping is Step.TEST
+        return self._after_stopping is LearningStep.TEST
 
     @property
     def trouble(self) -> str:
@@ -164,13 +164,13 @@ class Learning(QObject):
     def can_go_on(self) -> bool:
         """Whether `next` does something now."""
         match self._step:
-            case Step.DOUBT:
+            case LearningStep.DOUBT:
                 return True
-            case Step.NEUTRAL if self.sampling or self.stalled:
+            case LearningStep.NEUTRAL if self.sampling or self.stalled:
                 return False
-            case Step.NEUTRAL:
+            case LearningStep.NEUTRAL:
                 return not self.has_sampled or any(c.is_at_rest for c in self.channels)
-            case Step.TRAVEL:
+            case LearningStep.TRAVEL:
                 return True
         return False
 
@@ -184,7 +184,7 @@ class Learning(QObject):
         """Whether there is something to take, and nothing that is wanted is wrong."""
         wanted = [c for c in self.channels if c.choice is not None and c.choice.included]
         return (
-            self._step is Step.REVIEW
+            self._step is LearningStep.REVIEW
             and bool(wanted)
             and all(channel.can_be_taken for channel in wanted)
             and not self._device.applying
@@ -204,12 +204,12 @@ class Learning(QObject):
     def begin(self, channels: Sequence[int] = CHANNELS) -> None:
         """Learn these channels at once; the motors are stopped first."""
         self._news = self._next_news = ""
-        self._start(channels, Step.NEUTRAL)
+        self._start(channels, LearningStep.NEUTRAL)
 
     def begin_test(self, channels: Sequence[int] = CHANNELS) -> None:
         """Test what is stored for these channels; the motors are stopped first."""
         self._news, self._next_news = self._next_news, ""
-        self._start(channels, Step.TEST)
+        self._start(channels, LearningStep.TEST)
 
     def next(self) -> None:
         """Go on with what a person has done or confirmed.
@@ -219,11 +219,11 @@ class Learning(QObject):
         """
         if not self.can_go_on:
             return
-        if self._step is Step.DOUBT:
+        if self._step is LearningStep.DOUBT:
             self._on_stood()
-        elif self._step is Step.TRAVEL:
+        elif self._step is LearningStep.TRAVEL:
             self._channels.propose()
-            self._go(Step.REVIEW)
+            self._go(LearningStep.REVIEW)
         elif self.has_sampled:
             self._begin_travel()
         else:
@@ -231,23 +231,23 @@ class Learning(QObject):
 
     def back(self) -> None:
         """Go one step back; ends that were reached stay, a rest is sampled anew."""
-        if self._step is Step.REVIEW:
-            self._go(Step.TRAVEL)
-        elif self._step is Step.TRAVEL:
+        if self._step is LearningStep.REVIEW:
+            self._go(LearningStep.TRAVEL)
+        elif self._step is LearningStep.TRAVEL:
             self._wait_at_rest()
 
     def again(self) -> None:
         """Do this step, or after a failure all of them, once more."""
         match self._step:
-            case Step.NEUTRAL if not self.sampling:
+            case LearningStep.NEUTRAL if not self.sampling:
                 self._begin_sampling()
-            case Step.TRAVEL:
+            case LearningStep.TRAVEL:
                 self._begin_travel()
-            case Step.REVIEW:
+            case LearningStep.REVIEW:
                 self._wait_at_rest()
-            case Step.TEST:
+            case LearningStep.TEST:
                 self._begin_tests()
-            case Step.FAILED | Step.DOUBT:
+            case LearningStep.FAILED | LearningStep.DOUBT:
                 self._start(self._numbers, self._after_stopping)
 
     def choose(
@@ -273,7 +273,7 @@ class Learning(QObject):
         edit_what_is_chosen(self._device, chosen, self.tr("Learn channels"))
         numbers = tuple(channel.number for channel in chosen)
         is_new = any(self.has_edit(number) for number in numbers)
-        self._go(Step.ENDED)
+        self._go(LearningStep.ENDED)
         if is_new:
             self._taken.wait_for(chosen)
             self.taken.emit()
@@ -282,12 +282,12 @@ class Learning(QObject):
 
     def cancel(self) -> None:
         """End it, whatever the step; the board and the edits are as they were."""
-        if self._step is not Step.ENDED:
-            self._go(Step.ENDED)
+        if self._step is not LearningStep.ENDED:
+            self._go(LearningStep.ENDED)
 
     # --- Steps --------------------------------------------------------------------------
 
-    def _start(self, channels: Sequence[int], after_stopping: Step) -> None:
+    def _start(self, channels: Sequence[int], after_stopping: LearningStep) -> None:
         self._standing.give_up()
         self._numbers = tuple(channels)
         self._channels = LearnedChannels()
@@ -298,12 +298,12 @@ class Learning(QObject):
             self._fail(trouble)
             return
         self._guard.begin()
-        self._go(Step.STOPPING)
+        self._go(LearningStep.STOPPING)
         self._standing.stop()
 
     @Slot()
     def _on_stood(self) -> None:
-        if self._after_stopping is Step.TEST:
+        if self._after_stopping is LearningStep.TEST:
             self._begin_tests()
         else:
             self._wait_at_rest()
@@ -315,7 +315,7 @@ class Learning(QObject):
             "something else drives it, such as another controller on this line; cut its power. "
             "Go on only if they stand."
         ).format(what)
-        self._go(Step.DOUBT)
+        self._go(LearningStep.DOUBT)
 
     @Slot(str)
     def _on_stop_failed(self, why: str) -> None:
@@ -331,7 +331,7 @@ class Learning(QObject):
 
     def _wait_at_rest(self) -> None:
         self._channels = LearnedChannels.of(self._device, self._numbers, self.source)
-        self._go(Step.NEUTRAL)
+        self._go(LearningStep.NEUTRAL)
 
     def _begin_sampling(self) -> None:
         self._channels.begin_sampling()
@@ -339,20 +339,20 @@ class Learning(QObject):
 
     def _begin_travel(self) -> None:
         self._channels.begin_travel()
-        self._go(Step.TRAVEL)
+        self._go(LearningStep.TRAVEL)
 
     def _begin_tests(self) -> None:
         self._tests = StickTests(self._device, self._numbers)
-        self._go(Step.TEST)
+        self._go(LearningStep.TEST)
 
-    def _go(self, step: Step) -> None:
+    def _go(self, step: LearningStep) -> None:
         self._step = step
-        self._channels.follow(step is Step.TRAVEL)
+        self._channels.follow(step is LearningStep.TRAVEL)
         if step in _MEASURING:
             self._inputs.begin()
         else:
             self._inputs.end()
-        if step in {Step.ENDED, Step.FAILED}:
+        if step in {LearningStep.ENDED, LearningStep.FAILED}:
             self._guard.end()
             self._standing.give_up()
         self.changed.emit()
@@ -360,13 +360,13 @@ class Learning(QObject):
 
     def _fail(self, text: str) -> None:
         self._trouble = text
-        self._go(Step.FAILED)
+        self._go(LearningStep.FAILED)
 
     # --- What comes in ------------------------------------------------------------------
 
     @Slot(object)
     def _on_arrived(self, measured: Sequence[tuple[float, Counts]]) -> None:
-        if self._step is Step.TEST and self._tests is not None:
+        if self._step is LearningStep.TEST and self._tests is not None:
             for moment, counts in measured:
                 self._tests.feed(moment, counts)
         elif self._channels.feed(measured):
@@ -385,7 +385,7 @@ class Learning(QObject):
 
     @Slot(object)
     def _on_stored(self, numbers: tuple[int, ...]) -> None:
-        if self._step is Step.ENDED:
+        if self._step is LearningStep.ENDED:
             self._tell_stored(numbers, self.tr("What was learned is stored."))
 
     def _tell_stored(self, numbers: tuple[int, ...], news: str) -> None:

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.client.writing import Written
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import channels_in
@@ -20,7 +20,7 @@ class _Value:
     reversed_: bool
 
 
-class TakenValues(QObject):
+class PendingLearnedValues(QObject):
     """Tells when what was taken has been written; an edit that is taken back is forgotten.
 
     So is everything when the line goes, or another board comes.
@@ -53,7 +53,7 @@ class TakenValues(QObject):
         self._waiting = {}
 
     @Slot(object)
-    def _on_applied(self, results: tuple[Written, ...]) -> None:
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         good = [result for result in results if result.error is None]
         written = {result.channel for result in good}
         is_turned = any(result.what == _REVERSED for result in good)
@@ -70,7 +70,7 @@ class TakenValues(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._device.link is not Link.UP:
+        if self._device.link is not ConnectionState.UP:
             self.forget()
 
     @Slot()

@@ -2,11 +2,11 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 
-class LearningGuard(QObject):
+class CalibrationPreconditions(QObject):
     """Watches a board whose channels are learned or tested.
 
     In RC and analog mode the sticks drive the motors, and the board takes no settings: there
@@ -56,7 +56,7 @@ class LearningGuard(QObject):
     def why_not(self) -> str:
         """Say why nobody should push sticks now; empty when they move nothing."""
         state = self._device.state
-        if self._device.link is not Link.UP or state is None:
+        if self._device.link is not ConnectionState.UP or state is None:
             return self.tr("Connect to a board first.")
         if not state.mode.is_serial:
             mode = state.mode.source.value
@@ -85,9 +85,9 @@ class LearningGuard(QObject):
     @Slot()
     def _on_link_changed(self) -> None:
         link = self._device.link
-        if link is Link.SILENT:
+        if link is ConnectionState.SILENT:
             self._break(self.tr("The board has stopped answering: its power or its cable was cut."))
-        elif link is not Link.UP:
+        elif link is not ConnectionState.UP:
             self._break(self.tr("The line to the board is gone."))
 
     @Slot()

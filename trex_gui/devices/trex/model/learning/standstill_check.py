@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.ui.runtime import runtime
 
@@ -14,7 +14,7 @@ _COUNTS = 2.5
 average of 64 samples and wavers by one; that is 0.38 A of a TReX, 0.1 A of a TReX Jr."""
 
 
-class Standing(QObject):
+class StandstillCheck(QObject):
     """Stops the motors, waits for the proof, then watches the currents.
 
     The proof says that the board took the stop, not that nobody drives the motors again:
@@ -53,7 +53,7 @@ class Standing(QObject):
         self._since = None
         self._timer.stop()
 
-    def _on_stopped(self, run: int, error: TrexError | None) -> None:
+    def _on_stopped(self, run: int, error: StudioError | None) -> None:
         if run != self._run:
             return
         if error is not None:

@@ -4,7 +4,7 @@ _PREFIXES = {"motor1_": "motor2_", "motor2_": "motor1_"}
 _NAMES = {"motor1": "Motor 1", "motor2": "Motor 2"}
 
 
-def twin_key(key: str) -> str | None:
+def other_motor_key(key: str) -> str | None:
     """Return the key that the other motor's parameter would have; `None`: of no single motor."""
     for own, other in _PREFIXES.items():
         if key.startswith(own):

@@ -7,8 +7,8 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest, sentence
-from trex_gui.devices.trex.client.writing import Written
-from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name, twin_key
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name, other_motor_key
 from trex_gui.devices.trex.model.parameters.tree import GROUPS, Column, Index, ParameterTree, Role
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec
 from trex_gui.ui.devices.undo import Edit
@@ -82,7 +82,7 @@ class ParameterModel(ParameterTree):
             self._editable = editable
             self._announce_all()
 
-    def take_results(self, results: Sequence[Written]) -> None:
+    def take_results(self, results: Sequence[WriteResult]) -> None:
         """Take what was read back after a write, and why something did not stick."""
         for result in results:
             spec = self.text.specs.get(result.what)
@@ -167,9 +167,9 @@ class ParameterModel(ParameterTree):
         """Whether a parameter is given and need not be."""
         return key in self._draft.open_to and self._draft.value(key) is not None
 
-    def twin_of(self, key: str) -> str | None:
+    def other_motor_of(self, key: str) -> str | None:
         """Return the same parameter of the other motor, if it has one and both are known."""
-        twin = twin_key(key)
+        twin = other_motor_key(key)
         return twin if twin is not None and self.knows(key) and self.knows(twin) else None
 
     # --- What a person does -------------------------------------------------------------
@@ -219,9 +219,9 @@ class ParameterModel(ParameterTree):
             keys = [each for each in self._with_twin(key) if self.can_leave_out(each)]
             self._change(dict.fromkeys(keys))
 
-    def copy_to_twin(self, key: str) -> None:
+    def copy_to_other_motor(self, key: str) -> None:
         """Give the other motor the value that this one has."""
-        twin, wire = self.twin_of(key), self._draft.value(key)
+        twin, wire = self.other_motor_of(key), self._draft.value(key)
         if twin is not None and wire is not None:
             self._change({twin: wire})
 
@@ -234,7 +234,7 @@ class ParameterModel(ParameterTree):
             self._undo.endMacro()
 
     def _with_twin(self, key: str) -> tuple[str, ...]:
-        twin = self.twin_of(key) if self._both_motors else None
+        twin = self.other_motor_of(key) if self._both_motors else None
         return (key,) if twin is None else (key, twin)
 
     def _change(self, wanted: Mapping[str, int | None]) -> None:

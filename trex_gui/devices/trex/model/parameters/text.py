@@ -7,9 +7,9 @@ from PySide6.QtCore import QObject
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.draft import Draft
-from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name, twin_key
+from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name, other_motor_key
 from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.parameters import Kind, ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
 
 FULL_SPEED_MS = 12_700
 """Milliseconds to full speed (127) at one speed step in 100 ms."""
@@ -52,9 +52,9 @@ class ParameterText(QObject):
     def physical(self, spec: ParameterSpec, wire: int) -> str:
         """A wire value, with what follows from it and others: frequency, time to full speed."""
         text = spec.text(wire)
-        if spec.kind is Kind.ACCELERATION and wire:
+        if spec.kind is ParameterKind.ACCELERATION and wire:
             return self.tr("{0} to full speed").format(duration(FULL_SPEED_MS / wire))
-        if spec.kind is Kind.UART:
+        if spec.kind is ParameterKind.UART:
             return text.replace("no error detection", self.tr("no check"))
         hertz = self._frequency(spec, wire)
         return text if hertz is None else self.tr("{0} ({1:.0f} Hz)").format(text, hertz)
@@ -62,13 +62,13 @@ class ParameterText(QObject):
     def with_wire(self, spec: ParameterSpec, wire: int) -> str:
         """A value both ways: `15 (1.5 s)`, or once where both are the same."""
         text = spec.text(wire)
-        if spec.kind is Kind.ACCELERATION:
+        if spec.kind is ParameterKind.ACCELERATION:
             text = self.physical(spec, wire)
         return text if text == str(wire) else f"{wire} ({text})"
 
     def range(self, spec: ParameterSpec) -> str:
         """The allowed values in few words, in the unit of the values."""
-        if spec.kind is Kind.ACCELERATION:
+        if spec.kind is ParameterKind.ACCELERATION:
             fast, slow = (FULL_SPEED_MS / 1000 / wire for wire in (spec.maximum, 1))
             return self.tr("{0}, {1:.1f} to {2:.1f} s").format(spec.text(0), fast, slow)
         return spec.short_range()
@@ -94,7 +94,7 @@ class ParameterText(QObject):
     def limits(self, spec: ParameterSpec) -> str:
         """Range and default in full, wire values included."""
         text = self.tr("Range: {0}.").format(spec.range_text())
-        if spec.kind is Kind.ACCELERATION:
+        if spec.kind is ParameterKind.ACCELERATION:
             text += " " + self.tr("As time to full speed: {0}.").format(self.range(spec))
         return text + " " + self.tr("Default: {0}.").format(self.with_wire(spec, spec.default))
 
@@ -120,12 +120,12 @@ class ParameterText(QObject):
 
     def twin(self, spec: ParameterSpec) -> str | None:
         """What the other motor has, as a sentence; `None` where it has the same, or no such."""
-        other = self.specs.get(twin_key(spec.key) or "")
+        other = self.specs.get(other_motor_key(spec.key) or "")
         if other is None or self._draft.value(other.key) == self._draft.value(spec.key):
             return None
         return self.tr("{0} differs: {1}.").format(motor_name(other.key), self.value(other))
 
-    def way_back(self, spec: ParameterSpec) -> str:
+    def reset_text(self, spec: ParameterSpec) -> str:
         """What going back to the factory's value does."""
         return self.tr("Back to default: {0}").format(self.with_wire(spec, spec.default))
 
@@ -171,7 +171,7 @@ class ParameterText(QObject):
         other = None if partner is None else self._draft.value(partner)
         if other is None:
             return None
-        prescaler, top = (other, wire) if spec.kind is Kind.PWM_MAXIMUM else (wire, other)
+        prescaler, top = (other, wire) if spec.kind is ParameterKind.PWM_MAXIMUM else (wire, other)
         try:
             return device_table().pwm.frequency(prescaler, top)
         except BadRequest:

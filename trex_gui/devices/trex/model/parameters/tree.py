@@ -7,7 +7,7 @@ from typing import Any
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 
 from trex_gui.devices.trex.model.parameters.draft import Draft
-from trex_gui.devices.trex.model.parameters.motor_pairs import twin_key
+from trex_gui.devices.trex.model.parameters.motor_pairs import other_motor_key
 from trex_gui.devices.trex.model.parameters.text import ParameterText, pwm_partner
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 
@@ -211,7 +211,7 @@ class ParameterTree(QAbstractItemModel):
             case Qt.ItemDataRole.EditRole:
                 return self._draft.value(spec.key)
             case Qt.ItemDataRole.AccessibleTextRole if column is Column.RESET:
-                return self._way_back(spec)
+                return self._reset_text(spec)
             case Qt.ItemDataRole.TextAlignmentRole if column is Column.WIRE:
                 return int(Qt.AlignmentFlag.AlignCenter)
         return self._fact(spec, role)
@@ -230,16 +230,16 @@ class ParameterTree(QAbstractItemModel):
             case Role.PROBLEM:
                 return self._problems.get(spec.key)
             case Role.RESET:
-                return self._way_back(spec)
+                return self._reset_text(spec)
             case Role.TWIN:
                 return self.text.twin(spec)
             case Role.STORED_TEXT:
                 return self.text.stored(spec) if self._draft.is_modified(spec.key) else None
         return None
 
-    def _way_back(self, spec: ParameterSpec) -> str | None:
+    def _reset_text(self, spec: ParameterSpec) -> str | None:
         differs = self._draft.value(spec.key) not in {None, spec.default}
-        return self.text.way_back(spec) if differs else None
+        return self.text.reset_text(spec) if differs else None
 
     def _heading_data(self, row: int, column: int, role: int) -> Any:
         group, members = self._groups[row]
@@ -277,7 +277,7 @@ class ParameterTree(QAbstractItemModel):
 
     def _tool_tip(self, spec: ParameterSpec, column: Column) -> str | None:
         if column is Column.RESET:
-            return self._way_back(spec)
+            return self._reset_text(spec)
         tips: dict[Column, Callable[[ParameterSpec], str]] = {
             Column.NAME: self.text.tip_of_name,
             Column.DEFAULT: self.text.tip_of_default,
@@ -291,7 +291,7 @@ class ParameterTree(QAbstractItemModel):
 
     def _announce(self, key: str) -> None:
         """Announce a row, those whose texts tell of it, and the heading that counts it."""
-        twin = twin_key(key)
+        twin = other_motor_key(key)
         for each in (key, twin, pwm_partner(key), pwm_partner(twin or "")):
             if each in self._places:
                 group, row = self._places[each]

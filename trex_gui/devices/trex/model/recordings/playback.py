@@ -16,14 +16,14 @@ from trex_gui.devices.trex.recording.recording import Header, Record, RecordingF
 from trex_gui.devices.trex.recording.replay import Latest, export_span
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.ui.devices.event_log import Event
-from trex_gui.ui.playback.player import Player
-from trex_gui.ui.playback.recording_loader import Gathered
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.ui.playback.player import RecordingPlayer
+from trex_gui.ui.playback.recording_loader import LoadedRecording
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
-from trex_gui.ui.workers.file_worker import Tell
+from trex_gui.ui.workers.file_worker import ProgressCallback
 
 
-class Playback(Player[Header, Record, Latest]):
+class Playback(RecordingPlayer[Header, Record, Latest]):
     """One recording of a board, and what can be written of it.
 
     Signals:
@@ -62,10 +62,10 @@ class Playback(Player[Header, Record, Latest]):
         playback.start_reading()
         return playback
 
-    def gatherer(self) -> Callable[[Tell], Gathered[BlockReplay[Record, Latest]]]:
+    def loader(self) -> Callable[[ProgressCallback], LoadedRecording[BlockReplay[Record, Latest]]]:
         return partial(gather, self._file, most_rows=self._most_rows)
 
-    def traces_of(self, history: History, events: Sequence[Event]) -> Traces:
+    def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         return Traces(board_traces(), history, events, self._limits)
 
     def first(self) -> Latest:
@@ -93,7 +93,7 @@ class Playback(Player[Header, Record, Latest]):
         self._export_path, self._export_share = path, 0.0
         file = self._file
 
-        def work(tell: Tell) -> Path:
+        def work(tell: ProgressCallback) -> Path:
             own = file.again()  # this one goes on showing values
             try:
                 export_span(own, path, start, end, tell)

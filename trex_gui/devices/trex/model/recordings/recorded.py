@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.telemetry import Series
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.recording.recording import Record, RecordingFile
 from trex_gui.devices.trex.recording.replay import Latest, Replay
-from trex_gui.ui.playback.recording_loader import Drawn, Gathered, gather_drawn
+from trex_gui.ui.playback.recording_loader import LoadedColumns, LoadedRecording, load_recording
 from trex_gui.ui.plotting.data.history import MAX_GAP
 
 MOST_ROWS = 3_000_000
@@ -21,7 +21,7 @@ _UNKNOWN = (np.nan,) * len(CHANNELS)
 
 def gather(
     file: RecordingFile, tell: Callable[[float], None], most_rows: int
-) -> Gathered[BlockReplay[Record, Latest]]:
+) -> LoadedRecording[BlockReplay[Record, Latest]]:
     """Read a recording of which only the head was read; it takes seconds an hour.
 
     The history has a row for each sample of the currents; its columns are `telemetry.Series`.
@@ -34,7 +34,9 @@ def gather(
     def rows_of(latest: Latest, records: Iterable[Record]) -> list[tuple[float, ...]]:
         return _rows(latest, records, unit)
 
-    return gather_drawn(file, Replay(file), Drawn(len(Series), rows_of, most_rows, MAX_GAP), tell)
+    return load_recording(
+        file, Replay(file), LoadedColumns(len(Series), rows_of, most_rows, MAX_GAP), tell
+    )
 
 
 def _rows(latest: Latest, records: Iterable[Record], unit: float) -> list[tuple[float, ...]]:

@@ -7,8 +7,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.driving.setpoints import wishes_in
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.driving.setpoints import setpoints_in
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.recording.files import writer_for
 from trex_gui.devices.trex.recording.recording import Record
 from trex_gui.devices.trex.recording.records_from import header_of, marker, settings_seen, wish_of
@@ -47,7 +47,7 @@ class Recorder(RecordThread[Record]):
     @property
     def is_there(self) -> bool:
         """Whether a board is connected and was read."""
-        return self._device.link is Link.UP and self._device.state is not None
+        return self._device.link is ConnectionState.UP and self._device.state is not None
 
     def start(self, path: Path) -> bool:
         """Record into a file from now on; return whether that is possible now.
@@ -78,7 +78,7 @@ class Recorder(RecordThread[Record]):
     @Slot(object)
     def _on_requested(self, request: MotorRequest) -> None:
         now = self.clock()
-        self.put(*(wish_of(wish, now) for wish in wishes_in(request)))
+        self.put(*(wish_of(wish, now) for wish in setpoints_in(request)))
 
     @Slot()
     def _on_state_changed(self) -> None:
@@ -97,7 +97,7 @@ class Recorder(RecordThread[Record]):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self.recording and self._device.link is Link.NONE:
+        if self.recording and self._device.link is ConnectionState.NONE:
             self.end_because(self.tr("The recording {0} has ended with the connection."))
         self.changed.emit()
 

@@ -8,14 +8,14 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.core.errors import sentence
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Outcome, Write
 from trex_gui.devices.trex.settings.document import calibration_key
 from trex_gui.devices.trex.settings.from_board import settings_of
-from trex_gui.devices.trex.settings.history import History
+from trex_gui.devices.trex.settings.history import SettingsHistory
 
 Ask = Callable[[Callable[[int], Write], Callable[[Outcome], None]], None]
 """Sends a request that it gives a number, and calls back with its outcome."""
@@ -26,7 +26,7 @@ class Apply(QObject):
 
     Signals:
         started: it is being written.
-        finished: the `Written` of everything that was tried; the draft has taken them in.
+        finished: the `WriteResult` of everything that was tried; the draft has taken them in.
         failed: why nothing, or nothing more, was written, for people.
     """
 
@@ -35,7 +35,11 @@ class Apply(QObject):
     failed = Signal(str)
 
     def __init__(
-        self, draft: SettingsDraft, history: History, ask: Ask, parent: QObject | None = None
+        self,
+        draft: SettingsDraft,
+        history: SettingsHistory,
+        ask: Ask,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._draft = draft
@@ -126,7 +130,7 @@ class Apply(QObject):
         if outcome.error is not None:
             self.failed.emit(self.tr("Nothing more was written. {0}").format(outcome.error))
             return
-        results = cast("tuple[Written, ...]", outcome.value)
+        results = cast("tuple[WriteResult, ...]", outcome.value)
         self._draft.parameters.take_results(results)
         self._draft.calibrations.take_results(results)
         self.finished.emit(results)

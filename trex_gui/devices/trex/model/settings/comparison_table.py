@@ -15,7 +15,7 @@ from PySide6.QtCore import (
 
 from trex_gui.devices.trex.model.settings.rows import renew_rows
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.settings.comparison import Comparison, Row
+from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
 from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS
 
 Index = QModelIndex | QPersistentModelIndex
@@ -52,7 +52,7 @@ class ComparisonTable(QAbstractTableModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._comparison = Comparison(())
-        self._rows: list[Row] = []
+        self._rows: list[ComparisonRow] = []
         self._ticked: set[str] = set()
         self._unticked: set[str] = set()
         self._with_ticks = True
@@ -97,7 +97,7 @@ class ComparisonTable(QAbstractTableModel):
         self._with_equal = with_equal
         renew_rows(self, self._rows, self._chosen_rows(), lambda row: row.key)
 
-    def _chosen_rows(self) -> list[Row]:
+    def _chosen_rows(self) -> list[ComparisonRow]:
         return list(self._comparison.rows if self._with_equal else self._comparison.differing)
 
     @property
@@ -108,7 +108,7 @@ class ComparisonTable(QAbstractTableModel):
     # --- Ticks --------------------------------------------------------------------------
 
     @property
-    def ticked(self) -> tuple[Row, ...]:
+    def ticked(self) -> tuple[ComparisonRow, ...]:
         """The changes that are wanted, in the order of the table."""
         return tuple(row for row in self._comparison.rows if row.key in self._ticked)
 
@@ -243,7 +243,7 @@ class ComparisonTable(QAbstractTableModel):
 
     # --- Text ---------------------------------------------------------------------------
 
-    def _text(self, row: Row, column: ComparisonColumn) -> str:
+    def _text(self, row: ComparisonRow, column: ComparisonColumn) -> str:
         match column:
             case ComparisonColumn.SETTING:
                 return row.name
@@ -258,7 +258,11 @@ class ComparisonTable(QAbstractTableModel):
                 return "" if outcome is None else outcome or self.tr("stored")
 
     def _side(
-        self, row: Row, value: int | Calibration | None, other: int | Calibration | None, text: str
+        self,
+        row: ComparisonRow,
+        value: int | Calibration | None,
+        other: int | Calibration | None,
+        text: str,
     ) -> str:
         """One side in physical units; of a calibration each field that differs, on its line."""
         if value is None:
@@ -281,7 +285,7 @@ def _field(value: int | Calibration | None, name: str) -> int | None:
     return getattr(value, name) if isinstance(value, Calibration) else None
 
 
-def _wires(row: Row) -> str:
+def _wires(row: ComparisonRow) -> str:
     before, after = row.before, row.after
     if before == after:
         return _wire(before)

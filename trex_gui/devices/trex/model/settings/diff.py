@@ -8,7 +8,7 @@ from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
 
 
-def what_changes(draft: SettingsDraft, settings: Settings) -> Comparison:
+def diff_against_draft(draft: SettingsDraft, settings: Settings) -> Comparison:
     """Compare what a draft shows with what it would show after taking other settings in.
 
     What the board does not take now, or does not have, is left out and named.

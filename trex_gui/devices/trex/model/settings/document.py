@@ -4,7 +4,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import TrexError
+from trex_gui.core.errors import StudioError
 from trex_gui.core.files.errors import Finding, SettingsError
 from trex_gui.core.files.text_files import load, save
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
@@ -232,7 +232,7 @@ class SettingsDocument(QObject):
             _, self._findings = read_settings(self._text, self.name)
         except SettingsError as error:
             self._trouble = error.findings[0].message
-        except TrexError as error:
+        except StudioError as error:
             self._trouble = str(error)
 
 

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.settings.comparison import Row
+from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings, specs_for
 
 
@@ -106,7 +106,7 @@ class SettingsDraft(QObject):
         calibrations = len(self.calibrations.edited) + len(self.calibrations.left_out)
         return len(self.parameters.modified) + calibrations
 
-    def stage(self, rows: Iterable[Row], text: str) -> None:
+    def stage(self, rows: Iterable[ComparisonRow], text: str) -> None:
         """Make what comes after in each of the rows an edit; together one step to undo.
 
         Rows that give nothing, or whose setting is not known here, are left out.
@@ -132,7 +132,7 @@ class SettingsDraft(QObject):
             return self.calibrations.knows(channel, source)
         return self.parameters.knows(key)
 
-    def _check(self, row: Row) -> None:
+    def _check(self, row: ComparisonRow) -> None:
         if isinstance(row.after, Calibration):
             row.after.encode()
         elif row.after is not None and row.after != self.parameters.stored_of(row.key):

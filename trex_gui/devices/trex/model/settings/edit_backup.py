@@ -5,10 +5,10 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import sentence
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import History
+from trex_gui.devices.trex.settings.history import SettingsHistory
 
 
-class KeptEdits(QObject):
+class EditBackup(QObject):
     """Saves what a draft shows before the settings of another kind take its place.
 
     Signals:
@@ -19,7 +19,7 @@ class KeptEdits(QObject):
     told = Signal(str)
     failed = Signal(str)
 
-    def __init__(self, history: History, parent: QObject | None = None) -> None:
+    def __init__(self, history: SettingsHistory, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._history = history
 

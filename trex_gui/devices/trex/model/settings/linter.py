@@ -2,12 +2,12 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.settings.rules import Advice, Context, advise
+from trex_gui.devices.trex.settings.rules import Context, LintFinding, advise
 
 
-class Adviser(QObject):
+class SettingsLinter(QObject):
     """Looks at stored values and edits after each change; takes nothing into its own hands.
 
     Signals:
@@ -19,7 +19,7 @@ class Adviser(QObject):
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._draft = draft
-        self._advice: tuple[Advice, ...] = ()
+        self._advice: tuple[LintFinding, ...] = ()
         self._context: Context | None = Context()
 
         draft.loaded.connect(self._on_changed)
@@ -27,7 +27,7 @@ class Adviser(QObject):
         self._on_changed()
 
     @property
-    def advice(self) -> tuple[Advice, ...]:
+    def advice(self) -> tuple[LintFinding, ...]:
         """What is odd now."""
         return self._advice
 
@@ -37,7 +37,7 @@ class Adviser(QObject):
             self._context = context
             self._on_changed()
 
-    def accept(self, advice: Advice) -> None:
+    def accept(self, advice: LintFinding) -> None:
         """Make the proposed values edits that wait for Apply; one step to undo."""
         if advice.change:
             with self._draft.one_edit(advice.proposal):
@@ -46,7 +46,7 @@ class Adviser(QObject):
 
     @Slot()
     def _on_changed(self) -> None:
-        advice: tuple[Advice, ...] = ()
+        advice: tuple[LintFinding, ...] = ()
         shown = self._draft.shown
         if shown is not None and self._context is not None:
             advice = advise(shown, self._context)
@@ -55,7 +55,7 @@ class Adviser(QObject):
             self.changed.emit()
 
 
-class BoardAdviser(Adviser):
+class BoardAdviser(SettingsLinter):
     """Knows of the line and of the motors; has nothing to say while no board answers."""
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
@@ -70,7 +70,7 @@ class BoardAdviser(Adviser):
     @Slot()
     def _on_board_changed(self) -> None:
         settings = self._device.settings
-        if settings is None or self._device.link is not Link.UP:
+        if settings is None or self._device.link is not ConnectionState.UP:
             self._drove = False
             self.set_context(None)
             return

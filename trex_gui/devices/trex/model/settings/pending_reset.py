@@ -2,10 +2,10 @@
 
 from collections.abc import Mapping, Sequence
 
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 
 
-class ResetOrder:
+class PendingReset:
     """Whether a board was told to reset itself and has not started since, as far as it shows."""
 
     def __init__(self) -> None:
@@ -16,7 +16,7 @@ class ResetOrder:
         """Whether what is written now will be wiped at the next start."""
         return self._given_at is not None
 
-    def note_written(self, results: Sequence[Written], stored: Mapping[str, int]) -> None:
+    def note_written(self, results: Sequence[WriteResult], stored: Mapping[str, int]) -> None:
         """Look for the order among what was written to a board that stores these parameters."""
         if any(result.what == "factory_reset" and result.error is None for result in results):
             self._given_at = dict(stored)

@@ -5,7 +5,7 @@ from enum import Enum, auto
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.settings.factory import factory_settings
 from trex_gui.ui.runtime import runtime
@@ -14,7 +14,7 @@ _LONG = 10_000
 """Milliseconds without news after which there is something to say about it."""
 
 
-class Stage(Enum):
+class PowerCycleStage(Enum):
     """How far a power cycle is.
 
     A silence is taken for a power cut: nothing that the board says tells them apart.
@@ -40,7 +40,7 @@ class PowerCycle(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        self._stage = Stage.NONE
+        self._stage = PowerCycleStage.NONE
         self._takes_long = False
         self._expected: LinkSettings | None = None
         self._patience = runtime().timer(self)
@@ -51,7 +51,7 @@ class PowerCycle(QObject):
         device.link_changed.connect(self._on_link_changed)
 
     @property
-    def stage(self) -> Stage:
+    def stage(self) -> PowerCycleStage:
         """How far it is."""
         return self._stage
 
@@ -73,7 +73,7 @@ class PowerCycle(QObject):
     def begin(self) -> None:
         """Wait for the power to go off, and on again."""
         state, settings = self._device.state, self._device.settings
-        if state is None or settings is None or self._device.link is not Link.UP:
+        if state is None or settings is None or self._device.link is not ConnectionState.UP:
             return
         signature = state.signature
         values = state.parameters
@@ -82,40 +82,43 @@ class PowerCycle(QObject):
         coming = after_power_cycle(settings, values, signature.firmware)
         self._expected = None if coming == settings else coming
         self._device.expect(() if self._expected is None else (self._expected,))
-        self._go(Stage.OFF_WANTED)
+        self._go(PowerCycleStage.OFF_WANTED)
 
     def confirm(self) -> None:
         """Take a person's word that the power was off and is on again."""
-        if self._device.link is Link.UP:
+        if self._device.link is ConnectionState.UP:
             self._device.note_power_cycled()
-            self._go(Stage.BACK)
+            self._go(PowerCycleStage.BACK)
 
     def end(self) -> None:
         """Wait for nothing any more."""
         self._expected = None
-        self._go(Stage.NONE)
+        self._go(PowerCycleStage.NONE)
 
     @Slot()
     def _on_link_changed(self) -> None:
         match self._stage, self._device.link:
-            case Stage.OFF_WANTED | Stage.UNSURE, Link.SILENT:
-                self._go(Stage.ON_WANTED)
-            case Stage.ON_WANTED, Link.UP:
-                self._go(Stage.BACK)
-            case Stage.OFF_WANTED | Stage.ON_WANTED | Stage.UNSURE, Link.NONE | Link.CLOSING:
-                self._go(Stage.LOST)
-            case Stage.LOST, Link.UP:
-                self._go(Stage.UNSURE if self.still_waiting else Stage.BACK)
+            case PowerCycleStage.OFF_WANTED | PowerCycleStage.UNSURE, ConnectionState.SILENT:
+                self._go(PowerCycleStage.ON_WANTED)
+            case PowerCycleStage.ON_WANTED, ConnectionState.UP:
+                self._go(PowerCycleStage.BACK)
+            case (
+                PowerCycleStage.OFF_WANTED | PowerCycleStage.ON_WANTED | PowerCycleStage.UNSURE,
+                ConnectionState.NONE | ConnectionState.CLOSING,
+            ):
+                self._go(PowerCycleStage.LOST)
+            case PowerCycleStage.LOST, ConnectionState.UP:
+                self._go(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)
 
     @Slot()
     def _on_patience_ended(self) -> None:
         self._takes_long = True
         self.changed.emit()
 
-    def _go(self, stage: Stage) -> None:
+    def _go(self, stage: PowerCycleStage) -> None:
         self._stage = stage
         self._takes_long = False
-        if stage in {Stage.OFF_WANTED, Stage.ON_WANTED}:
+        if stage in {PowerCycleStage.OFF_WANTED, PowerCycleStage.ON_WANTED}:
             self._patience.start()
         else:
             self._patience.stop()

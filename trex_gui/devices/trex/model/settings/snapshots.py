@@ -18,7 +18,7 @@ from PySide6.QtCore import (
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.model.settings.rows import renew_rows
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import History, Snapshot
+from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 
 Index = QModelIndex | QPersistentModelIndex
 Stamp = tuple[int, int]
@@ -51,7 +51,7 @@ class SnapshotTable(QAbstractTableModel):
     loaded, and stays known.
     """
 
-    def __init__(self, history: History, parent: QObject | None = None) -> None:
+    def __init__(self, history: SettingsHistory, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._history = history
         self._rows: list[Snapshot] = []

@@ -6,10 +6,10 @@ from PySide6.QtWidgets import QWidget
 from trex_gui.devices.trex.model.demo.board import DemoBoard
 from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
 from trex_gui.devices.trex.views.demo.words import columns
-from trex_gui.ui.devices.demo.cable import Cable
+from trex_gui.ui.devices.demo.cable import CableRows
 
 
-class DemoCable(Cable[DemoSnapshot]):
+class DemoCable(CableRows[DemoSnapshot]):
     """The cable, and single bytes with an error of the serial line."""
 
     def __init__(self, board: DemoBoard, parent: QWidget | None = None) -> None:

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.views.demo.motors import DemoMotors
 from trex_gui.devices.trex.views.demo.supply import DemoSupply
 from trex_gui.devices.trex.views.demo.words import led_meaning, led_patterns, state_text
 from trex_gui.ui.devices.demo.dock import DemoDock
-from trex_gui.ui.devices.demo.view import DemoView
+from trex_gui.ui.devices.demo.view import DemoPanelBody
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.leds import Leds
 
@@ -25,7 +25,7 @@ class DemoPanel(DemoDock):
         connector.demo_changed.connect(self.show_if_wanted)
 
 
-class DemoBoardView(DemoView[DemoSnapshot]):
+class DemoBoardView(DemoPanelBody[DemoSnapshot]):
     """The board itself: LEDs, switches, sticks, motors, cable."""
 
     def __init__(self, connector: Connector, parent: QWidget | None = None) -> None:

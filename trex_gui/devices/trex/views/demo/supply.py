@@ -8,7 +8,7 @@ from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
 from trex_gui.devices.trex.views.demo.words import columns, jumper_hint
 from trex_gui.ui.devices.demo.rows import Rows, side_by_side
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 from trex_gui.ui.widgets.note import Note
 from trex_gui.ui.widgets.stick_slider import StickSlider
 
@@ -47,7 +47,7 @@ class DemoSupply(Rows[DemoSnapshot]):
         self._volts.setObjectName("demoBatteryValue")
         self._at_board = QLabel(self)
         self._at_board.setObjectName("demoSupply")
-        self._mode = CalmComboBox(self)
+        self._mode = NoWheelComboBox(self)
         self._mode.setObjectName("demoMode")
         self._mode.setAccessibleName(self.tr("Mode jumper"))
         self._mode.setToolTip(self.tr("The mode jumper; the board reads it when power comes on"))

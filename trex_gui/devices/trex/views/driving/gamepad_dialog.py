@@ -23,11 +23,11 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
 from trex_gui.devices.trex.views.driving.gamepad_live import GamepadLive
 from trex_gui.devices.trex.views.driving.gamepad_rows import PartRow
-from trex_gui.gamepad.detection import Detection
+from trex_gui.gamepad.detection import InputDetector
 from trex_gui.gamepad.pads import Pad
-from trex_gui.gamepad.profile import Profile, Style, default_profile
+from trex_gui.gamepad.profile import GamepadProfile, Style, default_profile
 from trex_gui.gamepad.shaping import WIDEST_DEAD_ZONE
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 from trex_gui.ui.widgets.note import Note
 
 
@@ -43,14 +43,14 @@ class GamepadDialog(QDialog):
         self.setWindowTitle(self.tr("Set up the gamepad"))
         self._gamepad = gamepad
         self._words = GamepadWords(self)
-        self._detection: Detection | None = None
+        self._detection: InputDetector | None = None
         self._detecting = ""
 
         self._name = QLabel(self)
         self._name.setObjectName("gamepadName")
         self._live = GamepadLive(self._words, self)
         uses = QGroupBox(self.tr("What it is for"), self)
-        self._style = CalmComboBox(uses)
+        self._style = NoWheelComboBox(uses)
         self._style.setObjectName("gamepadStyleCombo")
         self._style.setAccessibleName(self.tr("How two axes drive two motors"))
         self._style.addItem(self.tr("One axis drives, one turns"), Style.MIXED)
@@ -131,7 +131,7 @@ class GamepadDialog(QDialog):
             hold, stop = (None, stop) if stop != before.stop else (hold, None)
         self._detect("")
         self._gamepad.set_profile(
-            Profile(
+            GamepadProfile(
                 style=Style(self._style.currentData()),
                 first=self._rows["first"].axis,
                 second=self._rows["second"].axis,
@@ -158,12 +158,12 @@ class GamepadDialog(QDialog):
         """Look for the part that is moved from now on; empty: do not look any more."""
         state = self._gamepad.state
         self._detecting = name if state is not None else ""
-        self._detection = Detection(state) if name and state is not None else None
+        self._detection = InputDetector(state) if name and state is not None else None
         for each, row in self._rows.items():
             row.show_detecting(detecting=each == self._detecting)
         self._show_note()
 
-    def _look(self, detection: Detection) -> None:
+    def _look(self, detection: InputDetector) -> None:
         state, name = self._gamepad.state, self._detecting
         if state is None:
             return
@@ -194,7 +194,7 @@ class GamepadDialog(QDialog):
             self._show_profile(pad, profile)
         self._show_note()
 
-    def _show_profile(self, pad: Pad, profile: Profile) -> None:
+    def _show_profile(self, pad: Pad, profile: GamepadProfile) -> None:
         tank = profile.style is Style.TANK
         uses = {
             "first": self.tr("Left motor") if tank else self.tr("Forward"),

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.views.driving.gamepad_bar import PartBar
 from trex_gui.devices.trex.views.driving.gamepad_dialog import GamepadDialog
 from trex_gui.gamepad.pads import PadSource
 from trex_gui.gamepad.sdl import SdlPads
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 from trex_gui.ui.widgets.note import Note
 
 
@@ -38,11 +38,11 @@ class GamepadPanel(QGroupBox):
         self._on = QCheckBox(self.tr("Drive with a &gamepad"), self)
         self._on.setObjectName("gamepadBox")
         self._on.setAccessibleName(self.tr("Drive with a gamepad"))
-        self._pads = CalmComboBox(self)
+        self._pads = NoWheelComboBox(self)
         self._pads.setObjectName("gamepadCombo")
         self._pads.setAccessibleName(self.tr("Gamepad"))
         self._pads.setSizeAdjustPolicy(
-            CalmComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+            NoWheelComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         self._pads.setMinimumContentsLength(12)
         self._set_up = QPushButton(self.tr("Set up…"), self)

@@ -4,7 +4,7 @@ from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QPushButton, QWidget
 
 from trex_gui.gamepad.profile import Axis
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 
 
 class PartRow(QWidget):
@@ -22,9 +22,9 @@ class PartRow(QWidget):
         self, name: str, spoken: str, detect: str, parent: QWidget, *, inverts: bool = False
     ) -> None:
         super().__init__(parent)
-        self._combo = CalmComboBox(self)
+        self._combo = NoWheelComboBox(self)
         self._combo.setObjectName(f"gamepad{name}Combo")
-        self._combo.setSizeAdjustPolicy(CalmComboBox.SizeAdjustPolicy.AdjustToContents)
+        self._combo.setSizeAdjustPolicy(NoWheelComboBox.SizeAdjustPolicy.AdjustToContents)
         self._detect = QPushButton(detect, self)
         self._detect.setObjectName(f"gamepad{name}Detect")
         self._detect.setCheckable(True)

@@ -14,9 +14,9 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.model.driving.keys import Heading, HeldKeys
-from trex_gui.devices.trex.model.driving.momentary_drive import HeldDrive
+from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.driving.motors import Motors
-from trex_gui.devices.trex.views.driving.press_monitor import HoldWatch
+from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
 
 _HEADINGS: dict[int, Heading] = {
     Qt.Key.Key_Up: Heading.FORWARD,
@@ -67,7 +67,7 @@ class KeyDriver(QObject):
 
     steered = Signal(float, float)
 
-    def __init__(self, drive: HeldDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:
+    def __init__(self, drive: MomentaryDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:
         super().__init__(page)
         self._drive = drive
         self._motors = motors
@@ -76,9 +76,9 @@ class KeyDriver(QObject):
         self._enabled = False
         self._keys = HeldKeys()
         self._modifiers = Qt.KeyboardModifier.NoModifier
-        self._watch = HoldWatch(page)
+        self._watch = PressMonitor(page)
 
-        self._watch.blinded.connect(self.let_go)
+        self._watch.lost.connect(self.let_go)
         motors.changed.connect(self._on_motors_changed)
         app = QGuiApplication.instance()
         if isinstance(app, QGuiApplication):

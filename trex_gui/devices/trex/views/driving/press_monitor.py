@@ -8,7 +8,7 @@ from trex_gui.ui.runtime import runtime
 _LOOK_MS = 50
 
 
-class HoldWatch(QObject):
+class PressMonitor(QObject):
     """Looks at a widget again and again, but only while something in it is held.
 
     The end of a hold may never arrive as an event: a menu or a dialog that opens swallows the
@@ -18,7 +18,7 @@ class HoldWatch(QObject):
         blinded: a menu, a dialog or another window is in front now, or the widget is hidden.
     """
 
-    blinded = Signal()
+    lost = Signal()
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -44,4 +44,4 @@ class HoldWatch(QObject):
         left = self._was_active and not self._widget.isActiveWindow()
         if in_front is not None or left or not self._widget.isVisible():
             self.end()
-            self.blinded.emit()
+            self.lost.emit()

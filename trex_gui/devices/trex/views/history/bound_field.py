@@ -4,9 +4,9 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSpinBox, QWidget
 
 from trex_gui.core.files.errors import SettingsError
-from trex_gui.devices.trex.settings.history import KEPT, History
-from trex_gui.ui.widgets.inline_prompt import Answer, Question
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.devices.trex.settings.history import KEPT, SettingsHistory
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 
 _MOST = 999_999
 
@@ -22,14 +22,16 @@ class BoundField(QWidget):
     changed = Signal()
     refused = Signal(str)
 
-    def __init__(self, history: History, question: Question, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, history: SettingsHistory, question: InlinePrompt, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._history = history
         self._question = question
         self._problem = ""
         self._stored: int | None = KEPT
 
-        self._which = CalmComboBox(self)
+        self._which = NoWheelComboBox(self)
         self._which.setObjectName("keptCombo")
         self._which.setAccessibleName(self.tr("Which snapshots are kept"))
         self._which.addItems([self.tr("the newest"), self.tr("all")])
@@ -97,7 +99,7 @@ class BoundField(QWidget):
         text = self.tr("Remove {0}").format(len(gone))
         self._question.ask(
             self.tr("Remove the oldest {0} of {1} snapshots for good?").format(len(gone), there),
-            Answer("historyQuestionYes", text, lambda: self._keep(wanted)),
+            PromptAnswer("historyQuestionYes", text, lambda: self._keep(wanted)),
             otherwise=self._take_back,
         )
         self._show(wanted)

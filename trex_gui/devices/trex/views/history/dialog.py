@@ -29,7 +29,7 @@ from trex_gui.devices.trex.views.stop_button import StopButton
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.banner import Banner
-from trex_gui.ui.widgets.inline_prompt import Answer, Question
+from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 
 
 class HistoryDialog(QDialog):
@@ -59,7 +59,7 @@ class HistoryDialog(QDialog):
 
         self._banner = Banner(self)
         self._banner.setObjectName("historyBanner")
-        self._question = Question(self)
+        self._question = InlinePrompt(self)
         self._question.setObjectName("historyQuestion")
         self._list = SnapshotList(self._table, self)
         self._save = QPushButton(self.tr("Save &as…"), self)
@@ -240,7 +240,7 @@ class HistoryDialog(QDialog):
             text = self.tr("Delete {0} snapshots for good?").format(len(chosen))
         self._question.ask(
             text,
-            Answer("historyQuestionYes", self.tr("Delete"), lambda: self._remove(chosen)),
+            PromptAnswer("historyQuestionYes", self.tr("Delete"), lambda: self._remove(chosen)),
         )
 
     def _remove(self, snapshots: tuple[Snapshot, ...]) -> None:

@@ -5,8 +5,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import SettingsError
-from trex_gui.devices.trex.model.device import Device, Link
-from trex_gui.devices.trex.model.settings.diff import what_changes
+from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
@@ -120,7 +120,7 @@ class SnapshotPane(QWidget):
             summary = self._counts(comparison, snapshot, present)
         else:
             self._against_board = True
-            comparison = what_changes(self._device.draft, settings)
+            comparison = diff_against_draft(self._device.draft, settings)
             summary = self._board_counts(comparison)
         shown = (str(snapshot.path), present)
         if shown == self._shown:
@@ -217,7 +217,7 @@ class SnapshotPane(QWidget):
             return why_not
         if not self._against_board:
             return self.tr("To restore, compare with the board as it is now.")
-        if self._device.link is not Link.UP:
+        if self._device.link is not ConnectionState.UP:
             return self.tr("The board does not answer now, so nothing can be restored.")
         if self._device.applying:
             return self.tr("Settings are being written; wait for that.")

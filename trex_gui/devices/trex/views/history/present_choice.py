@@ -9,12 +9,12 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLabel, QSize
 
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.files.text_files import load
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.ui.widgets.no_wheel_combo_box import CalmComboBox
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 
 FOLDER = "settings/folder"
 FILTER = "Text files (*.txt);;All files (*)"
@@ -58,7 +58,7 @@ class PresentChoice(QWidget):
         self._file: Present | None = None
         self._offered: tuple[str, Present | None, list[Snapshot]] | None = None
 
-        self._box = CalmComboBox(self)
+        self._box = NoWheelComboBox(self)
         self._box.setObjectName("compareWithCombo")
         self._box.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -115,7 +115,7 @@ class PresentChoice(QWidget):
     def why_not_the_board(self, snapshot: Snapshot) -> str:
         """Say why a snapshot cannot be compared with the board, nor restored; empty: it can."""
         state = self._device.state
-        if state is None or self._device.link in {Link.NONE, Link.CLOSING}:
+        if state is None or self._device.link in {ConnectionState.NONE, ConnectionState.CLOSING}:
             return self.tr("No board is connected. Connect one to restore a snapshot.")
         board = state.signature.model.name
         if snapshot.product != board:

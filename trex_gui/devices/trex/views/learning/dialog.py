@@ -7,7 +7,7 @@ from PySide6.QtGui import QCloseEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
-from trex_gui.devices.trex.model.learning.learning import Learning, Step
+from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.views.learning.channel_rows import ChannelRows
 from trex_gui.devices.trex.views.learning.rest_page import RestPage
@@ -19,20 +19,20 @@ from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.note import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_PAGES: dict[Step, type[RestPage | TravelPage | ReviewPage | TestPage]] = {
-    Step.NEUTRAL: RestPage,
-    Step.TRAVEL: TravelPage,
-    Step.REVIEW: ReviewPage,
-    Step.TEST: TestPage,
+_PAGES: dict[LearningStep, type[RestPage | TravelPage | ReviewPage | TestPage]] = {
+    LearningStep.NEUTRAL: RestPage,
+    LearningStep.TRAVEL: TravelPage,
+    LearningStep.REVIEW: ReviewPage,
+    LearningStep.TEST: TestPage,
 }
 
 _PLACES = {
-    Step.STOPPING: 0,
-    Step.DOUBT: 0,
-    Step.NEUTRAL: 1,
-    Step.TRAVEL: 2,
-    Step.REVIEW: 3,
-    Step.TEST: 1,
+    LearningStep.STOPPING: 0,
+    LearningStep.DOUBT: 0,
+    LearningStep.NEUTRAL: 1,
+    LearningStep.TRAVEL: 2,
+    LearningStep.REVIEW: 3,
+    LearningStep.TEST: 1,
 }
 
 
@@ -48,7 +48,7 @@ class LearnDialog(QDialog):
         self.setObjectName("learnDialog")
         self.resize(920, 600)
         self._learning = learning
-        self._shown: tuple[Step, object] | None = None
+        self._shown: tuple[LearningStep, object] | None = None
         self._page: QWidget | None = None
         self._offers_test = False
 
@@ -116,7 +116,10 @@ class LearnDialog(QDialog):
     def _is_learning(self) -> bool:
         """Whether there is something to lose; a test is begun again in no time."""
         learning = self._learning
-        return not learning.is_test and learning.step not in {Step.ENDED, Step.FAILED}
+        return not learning.is_test and learning.step not in {
+            LearningStep.ENDED,
+            LearningStep.FAILED,
+        }
 
     def _come_forward(self) -> None:
         self.show()
@@ -179,18 +182,21 @@ class LearnDialog(QDialog):
 
     @Slot()
     def _on_measured(self) -> None:
-        if self._learning.sampling or self._learning.step in {Step.TEST, Step.TRAVEL}:
+        if self._learning.sampling or self._learning.step in {
+            LearningStep.TEST,
+            LearningStep.TRAVEL,
+        }:
             self._describe()
 
     @Slot()
     def _on_changed(self) -> None:
         step = self._learning.step
-        if step is Step.ENDED:
+        if step is LearningStep.ENDED:
             self._show_page(None)
             self.hide()
             return
         # The channels are made anew when the rest is: then the page has to be, too.
-        subject = self._learning.tests if step is Step.TEST else self._learning.channels
+        subject = self._learning.tests if step is LearningStep.TEST else self._learning.channels
         if self._shown != (step, subject):
             self._shown = (step, subject)
             make = _PAGES.get(step)
@@ -239,40 +245,40 @@ class LearnDialog(QDialog):
             self._steps.show_step(_PLACES[step])
         self._head.show_note(self._head_text(), alarming=self._is_alarming())
         self._fit_head()
-        moving = step in {Step.NEUTRAL, Step.TRAVEL, Step.DOUBT}
-        self._back.setVisible(step in {Step.TRAVEL, Step.REVIEW})
+        moving = step in {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.DOUBT}
+        self._back.setVisible(step in {LearningStep.TRAVEL, LearningStep.REVIEW})
         self._describe_again()
         self._next.setVisible(moving)
         self._next.setEnabled(learning.can_go_on)
-        self._next.setDefault(moving and step is not Step.DOUBT)
-        doubtful = step is Step.DOUBT
+        self._next.setDefault(moving and step is not LearningStep.DOUBT)
+        doubtful = step is LearningStep.DOUBT
         self._next.setText(self.tr("The motors stand: go on") if doubtful else self.tr("Next"))
-        self._take.setVisible(step is Step.REVIEW)
+        self._take.setVisible(step is LearningStep.REVIEW)
         self._take.setEnabled(learning.can_take)
         self._take.setToolTip(self._take_tip())
-        self._take.setDefault(step is Step.REVIEW)
+        self._take.setDefault(step is LearningStep.REVIEW)
         self._test.setVisible(self._offers_test)
-        ends = step in {Step.TEST, Step.FAILED, Step.ENDED}
+        ends = step in {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
         self._cancel.setText(self.tr("Close") if ends else self.tr("Cancel"))
-        self._cancel.setDefault(step is Step.TEST or self._offers_test)
+        self._cancel.setDefault(step is LearningStep.TEST or self._offers_test)
 
     def _describe_again(self) -> None:
         """Say what it is that would be done again."""
         learning, step = self._learning, self._learning.step
         names = {
-            Step.NEUTRAL: (
+            LearningStep.NEUTRAL: (
                 self.tr("Sample again"),
                 self.tr("Measure the rest positions of all channels once more."),
             ),
-            Step.TRAVEL: (
+            LearningStep.TRAVEL: (
                 self.tr("Forget these ends"),
                 self.tr("Forget the ends reached so far. The rest positions are kept."),
             ),
-            Step.REVIEW: (
+            LearningStep.REVIEW: (
                 self.tr("Start over"),
                 self.tr("Forget everything measured and go back to the rest positions."),
             ),
-            Step.TEST: (
+            LearningStep.TEST: (
                 self.tr("Test again"),
                 self.tr("Forget what was tested so far and begin the test again."),
             ),
@@ -281,8 +287,8 @@ class LearnDialog(QDialog):
         text, tip = names.get(step, retry)
         self._again.setText(text)
         self._again.setToolTip(tip)
-        never = {Step.STOPPING, Step.ENDED}
-        waits = step is Step.NEUTRAL and not (learning.has_sampled or learning.sampling)
+        never = {LearningStep.STOPPING, LearningStep.ENDED}
+        waits = step is LearningStep.NEUTRAL and not (learning.has_sampled or learning.sampling)
         self._again.setVisible(step not in never and not waits)
         self._again.setEnabled(not learning.sampling)
         numbers = () if learning.tests is None else learning.tests.to_learn_again
@@ -294,18 +300,18 @@ class LearnDialog(QDialog):
         self._learn_again.setToolTip(
             self.tr("If a channel does not get a good result, learn its values again.")
         )
-        self._learn_again.setVisible(step is Step.TEST and bool(numbers))
+        self._learn_again.setVisible(step is LearningStep.TEST and bool(numbers))
 
     def _is_alarming(self) -> bool:
         learning = self._learning
         failed_rest = (
-            learning.step is Step.NEUTRAL
+            learning.step is LearningStep.NEUTRAL
             and learning.has_sampled
             and not all(channel.is_at_rest for channel in learning.channels)
         )
-        tests = learning.tests if learning.step is Step.TEST else None
+        tests = learning.tests if learning.step is LearningStep.TEST else None
         held = tests is not None and tests.channels_passed and not tests.passed
-        broken = learning.step in {Step.FAILED, Step.DOUBT} or learning.stalled
+        broken = learning.step in {LearningStep.FAILED, LearningStep.DOUBT} or learning.stalled
         return broken or failed_rest or held
 
     def _head_text(self) -> str:
@@ -320,18 +326,18 @@ class LearnDialog(QDialog):
                 "The board sends no measurements: the line is busy or disturbed. Waiting …"
             )
         match learning.step:
-            case Step.STOPPING:
+            case LearningStep.STOPPING:
                 return self.tr(
                     "Stopping the motors. The next step comes when the board has confirmed the "
                     "stop and no current flows."
                 )
-            case Step.NEUTRAL:
+            case LearningStep.NEUTRAL:
                 return self._rest_text()
-            case Step.TRAVEL:
+            case LearningStep.TRAVEL:
                 return self._travel_text()
-            case Step.REVIEW:
+            case LearningStep.REVIEW:
                 return self._review_text()
-            case Step.TEST:
+            case LearningStep.TEST:
                 return f"{learning.news} {self._test_text()}".strip()
         return learning.trouble
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.traces.live import LiveTraces
 from trex_gui.ui.runtime import runtime
 
@@ -56,7 +56,7 @@ class CurrentsPage(QWidget):
         state = self._device.state
         if state is None:
             note = empty = self.tr("Connect to a board to see its motor currents.")
-            if self._device.link is Link.NONE:
+            if self._device.link is ConnectionState.NONE:
                 empty = self.tr(
                     "No board is connected. Choose a port at the top and press Connect; without "
                     "hardware, choose the demo board."

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recordings.playback import Playback
 from trex_gui.devices.trex.model.recordings.recorder import Recorder
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.ui.playback.keeper import RecordingKeeper, RecordingWords
+from trex_gui.ui.playback.keeper import RecordingManager, RecordingWords
 
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.recordings.window import PlaybackWindow
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 SUFFIXES = frozenset({".trexrec", ".csv"})
 
 
-class Recordings(RecordingKeeper[Recorder, "PlaybackWindow"]):
+class Recordings(RecordingManager[Recorder, "PlaybackWindow"]):
     """Asks where to record and what to open, and owns the windows of open recordings.
 
     Signals:

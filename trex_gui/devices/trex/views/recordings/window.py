@@ -11,7 +11,7 @@ from trex_gui.devices.trex.views.recordings.values import ValuesPanel
 from trex_gui.devices.trex.views.stop_button import StopButton
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.window import RecordingWindow
-from trex_gui.ui.plotting.table import Column, TraceTable, TraceTableView
+from trex_gui.ui.plotting.table import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
 
@@ -41,7 +41,7 @@ class PlaybackWindow(RecordingWindow):
         set_icon(self._export, "save")
         self._table = TraceTable(self.plot, self)
         table = TraceTableView(self._table, self)
-        table.setColumnHidden(Column.NOW, True)  # nothing is new in a recording
+        table.setColumnHidden(TraceColumn.NOW, True)  # nothing is new in a recording
         # The plot is what the window is for: the table scrolls rather than taking its room.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
 

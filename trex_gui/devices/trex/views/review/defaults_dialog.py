@@ -10,8 +10,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.device import Device, Link
-from trex_gui.devices.trex.model.settings.diff import what_changes
+from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.factory import factory_settings, serial_defaults
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
@@ -122,7 +122,7 @@ class DefaultsDialog(QDialog):
         if shown is None:
             return Comparison(())
         make = serial_defaults if self._serial_only else factory_settings
-        changes = what_changes(self._device.draft, make(shown.product, shown.firmware))
+        changes = diff_against_draft(self._device.draft, make(shown.product, shown.firmware))
         rows = tuple(row for row in changes.rows if row.after is not None)
         return Comparison(rows, changes.left_out)
 
@@ -160,7 +160,7 @@ class DefaultsDialog(QDialog):
 
     def _describe(self) -> None:
         count = len(self._rows.table.ticked)
-        up = self._device.link is Link.UP and not self._device.applying
+        up = self._device.link is ConnectionState.UP and not self._device.applying
         self._take.setText(
             self.tr("Make 1 change an edit")
             if count == 1

@@ -3,18 +3,18 @@
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QWidget
 
-from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle, Stage
+from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle, PowerCycleStage
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.note import Note
 
 _DONE = {
-    Stage.NONE: 0,
-    Stage.OFF_WANTED: 0,
-    Stage.ON_WANTED: 1,
-    Stage.LOST: 0,
-    Stage.UNSURE: 0,
-    Stage.BACK: 3,
+    PowerCycleStage.NONE: 0,
+    PowerCycleStage.OFF_WANTED: 0,
+    PowerCycleStage.ON_WANTED: 1,
+    PowerCycleStage.LOST: 0,
+    PowerCycleStage.UNSURE: 0,
+    PowerCycleStage.BACK: 3,
 }
 """How many of the three steps are behind us."""
 
@@ -60,7 +60,7 @@ class PowerCyclePanel(QFrame):
     @Slot()
     def _on_changed(self) -> None:
         stage = self._cycle.stage
-        if stage is Stage.OFF_WANTED:
+        if stage is PowerCycleStage.OFF_WANTED:
             self._waiting = self._cycle.still_waiting
         self._title.show_note(self._title_text(stage))
         self._steps[0].setText(
@@ -72,7 +72,7 @@ class PowerCyclePanel(QFrame):
         for number, sign in enumerate(self._signs):
             done = _DONE[stage]
             name = "ok" if number < done else "run" if number == done else ""
-            if name and stage is not Stage.NONE:
+            if name and stage is not PowerCycleStage.NONE:
                 sign.setPixmap(icon(name).pixmap(size, size))
             else:
                 sign.clear()
@@ -88,50 +88,52 @@ class PowerCyclePanel(QFrame):
         line = self._cycle.expected.line.text()
         return self.tr("Switch it on again. It is looked for at {0} then.").format(line)
 
-    def _title_text(self, stage: Stage) -> str:
+    def _title_text(self, stage: PowerCycleStage) -> str:
         names = ", ".join(self._waiting)
-        if stage is Stage.BACK:
+        if stage is PowerCycleStage.BACK:
             return self.tr("The power cycle is over.")
         if names:
             text = self.tr("Not active before the board is switched off and on: {0}.")
             return text.format(names)
         return self.tr("The board has to be switched off and on.")
 
-    def _show_result(self, stage: Stage) -> None:
+    def _show_result(self, stage: PowerCycleStage) -> None:
         waiting = ", ".join(self._cycle.still_waiting)
         long = self._cycle.takes_long
         text, alarming = "", False
         match stage:
-            case Stage.OFF_WANTED if long:
+            case PowerCycleStage.OFF_WANTED if long:
                 text = self.tr(
                     "Nothing was noticed yet. A short break is not seen: leave the power off "
                     "for a full second."
                 )
-            case Stage.OFF_WANTED:
+            case PowerCycleStage.OFF_WANTED:
                 text = self.tr("Waiting for the board to fall silent …")
-            case Stage.ON_WANTED if long:
+            case PowerCycleStage.ON_WANTED if long:
                 alarming = True
                 text = self.tr(
                     "The board is still silent. Is its power on, and the cable in? Otherwise "
                     "disconnect and press “Find…”, which looks for it at every setting."
                 )
-            case Stage.ON_WANTED:
+            case PowerCycleStage.ON_WANTED:
                 text = self.tr("The board has fallen silent. Waiting for it to answer again …")
-            case Stage.LOST:
+            case PowerCycleStage.LOST:
                 alarming = True
                 text = self.tr(
                     "The line was closed. Switch the board off and on, then connect again; "
                     "“Find…” looks for it at every setting."
                 )
-            case Stage.UNSURE:
+            case PowerCycleStage.UNSURE:
                 text = self.tr(
                     "Connected again. Whether the power was off meanwhile cannot be seen: say so, "
                     "or switch the board off and on now."
                 )
-            case Stage.BACK if waiting:
+            case PowerCycleStage.BACK if waiting:
                 alarming = True
                 text = self.tr("The board is back, but still not active: {0}.").format(waiting)
-            case Stage.BACK:
+            case PowerCycleStage.BACK:
                 text = self.tr("The board is back, and everything that it stores is active.")
         self._result.show_note(text, alarming=alarming)
-        self._done.setVisible(stage is Stage.UNSURE or (stage is Stage.OFF_WANTED and long))
+        self._done.setVisible(
+            stage is PowerCycleStage.UNSURE or (stage is PowerCycleStage.OFF_WANTED and long)
+        )

@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.errors import NoReply, PortUnavailable, TrexError, sentence
-from trex_gui.devices.trex.client.writing import Written
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, sentence
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
@@ -116,7 +116,9 @@ class ReviewDialog(QDialog):
     def _can_write(self) -> bool:
         """Whether the board takes settings now, and what it takes stays."""
         device = self._device
-        return device.link is Link.UP and not device.applying and not device.reset_ordered
+        return (
+            device.link is ConnectionState.UP and not device.applying and not device.reset_ordered
+        )
 
     # --- What a person does -------------------------------------------------------------
 
@@ -126,7 +128,7 @@ class ReviewDialog(QDialog):
         if not wanted or self._phase is not _Phase.REVIEW or not self._can_write:
             return
         self._problem = ""
-        self._rows.freeze(self.tr("Before"), self.tr("Written"))
+        self._rows.freeze(self.tr("Before"), self.tr("WriteResult"))
         self._progress.setRange(0, len(wanted))
         self._progress.setValue(0)
         self._enter(_Phase.WRITING)
@@ -156,7 +158,7 @@ class ReviewDialog(QDialog):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._phase is _Phase.WRITING and self._device.link is Link.NONE:
+        if self._phase is _Phase.WRITING and self._device.link is ConnectionState.NONE:
             self._problem = self._problem or self.tr("The line was lost.")
             self._enter(_Phase.DONE)
         elif self.isVisible():
@@ -176,7 +178,7 @@ class ReviewDialog(QDialog):
             )
 
     @Slot(object)
-    def _on_applied(self, results: tuple[Written, ...]) -> None:
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         if self._phase is not _Phase.WRITING:
             return
         keys = [self._device.key_of(result.what) for result in results]
@@ -188,9 +190,9 @@ class ReviewDialog(QDialog):
             self._cycle.begin()
         self._enter(_Phase.DONE)
 
-    def _outcomes(self, results: tuple[Written, ...]) -> Iterator[str]:
+    def _outcomes(self, results: tuple[WriteResult, ...]) -> Iterator[str]:
         """Yield why each is not stored, empty where it is; an error counts where it happened."""
-        met: TrexError | None = None
+        met: StudioError | None = None
         for result in results:
             if result.error is None:
                 yield ""
@@ -200,7 +202,7 @@ class ReviewDialog(QDialog):
                 met = result.error
                 yield sentence(result.error)
 
-    def _problem_text(self, results: tuple[Written, ...]) -> str:
+    def _problem_text(self, results: tuple[WriteResult, ...]) -> str:
         errors = [result.error for result in results if result.error is not None]
         if not errors:
             return ""
@@ -258,7 +260,7 @@ class ReviewDialog(QDialog):
                 return self._count_text(count, self.tr("{0} stored and read back equal."))
         if count == 0:
             return self.tr("There is nothing to write: no setting was changed.")
-        if self._device.link is not Link.UP:
+        if self._device.link is not ConnectionState.UP:
             return self.tr("No board answers. The edits are kept.")
         if self._device.reset_ordered:
             return self.tr(

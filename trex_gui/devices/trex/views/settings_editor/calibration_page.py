@@ -39,7 +39,7 @@ Index = QModelIndex | QPersistentModelIndex
 class _Delegate(QStyledItemDelegate):
     """Edits counts in physical units; lets edits stand out and what is not given stand back."""
 
-    def __init__(self, page: "CalibrationPage") -> None:
+    def __init__(self, page: "CalibrationEditor") -> None:
         super().__init__(page)
         self._page = page
 
@@ -85,7 +85,7 @@ class _Delegate(QStyledItemDelegate):
         option.font = font
 
 
-class CalibrationPage(QWidget):
+class CalibrationEditor(QWidget):
     """A table of ten rows, and what can be done with the selected ones."""
 
     def __init__(self, draft: SettingsDraft, parent: QWidget | None = None) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal, SignalInstance, Slot
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
-from trex_gui.devices.trex.model.settings.diff import what_changes
+from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
@@ -83,7 +83,7 @@ class CompareDialog(QDialog):
             return
         trouble, comparison, takes = "", Comparison(()), True
         try:
-            comparison = what_changes(self._document.draft, theirs)
+            comparison = diff_against_draft(self._document.draft, theirs)
         except BadRequest as error:
             trouble, takes = sentence(error), False
             comparison = compare(mine, theirs)

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.files.errors import Finding, Severity
 from trex_gui.devices.trex.settings.plain_yaml import LINE_END
-from trex_gui.devices.trex.settings.rules import Advice
+from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
@@ -50,7 +50,7 @@ class FindingsPanel(QWidget):
 
     Signals:
         line_chosen: the number of a line, from 1, that a person wants to see.
-        accepted: an `Advice` whose change a person wants.
+        accepted: an `LintFinding` whose change a person wants.
     """
 
     line_chosen = Signal(int)
@@ -62,7 +62,7 @@ class FindingsPanel(QWidget):
         self.setObjectName("findingsPanel")
         self._with_lines = with_lines
         self._findings: tuple[Finding, ...] = ()
-        self._advice: tuple[Advice, ...] = ()
+        self._advice: tuple[LintFinding, ...] = ()
         self._text = ""
 
         self._summary = QLabel(self)
@@ -118,7 +118,7 @@ class FindingsPanel(QWidget):
     def show_findings(
         self,
         findings: Iterable[Finding],
-        advice: Iterable[Advice] = (),
+        advice: Iterable[LintFinding] = (),
         *,
         text: str = "",
         summary: str = "",
@@ -190,7 +190,7 @@ class FindingsPanel(QWidget):
             message = advice.message
             if advice.change:
                 message += " " + self.tr("Proposal: {0}.").format(advice.proposal.rstrip("."))
-            yield _Row("info", self.tr("Advice"), line, ", ".join(advice.keys), message)
+            yield _Row("info", self.tr("LintFinding"), line, ", ".join(advice.keys), message)
 
     def _fit(self) -> None:
         """Give the words the room that the rest leaves, in as many lines as they need."""
@@ -203,7 +203,7 @@ class FindingsPanel(QWidget):
             header.resizeSection(column, min(size, widest * character))
         self._fitting.start()
 
-    def _current_advice(self) -> Advice | None:
+    def _current_advice(self) -> LintFinding | None:
         row = self._table.currentRow() - len(self._findings)
         return self._advice[row] if 0 <= row < len(self._advice) else None
 

@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLa
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.core.files.errors import Finding
-from trex_gui.devices.trex.model.device import Device, Link
-from trex_gui.devices.trex.model.settings.diff import what_changes
+from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
@@ -100,7 +100,7 @@ class LoadDialog(QDialog):
         self._take.clicked.connect(self._on_take_clicked)
         self._edit.clicked.connect(self._on_edit_clicked)
         self._cancel.clicked.connect(self.close)
-        self._rows.ticked_changed.connect(self._on_possibilities_changed)
+        self._rows.ticked_changed.connect(self._on_actions_changed)
         device.draft.pending_changed.connect(self._on_draft_changed)
         device.draft.loaded.connect(self._on_draft_changed)
         device.link_changed.connect(self._on_link_changed)
@@ -149,7 +149,7 @@ class LoadDialog(QDialog):
                 )
                 self.close()
             return
-        self._on_possibilities_changed()
+        self._on_actions_changed()
 
     @Slot()
     def _on_draft_changed(self) -> None:
@@ -162,7 +162,7 @@ class LoadDialog(QDialog):
             try:
                 # What only the board's firmware has is not given; that is no loss to speak of.
                 given = replace(self._settings, firmware=None)
-                comparison = what_changes(self._device.draft, given)
+                comparison = diff_against_draft(self._device.draft, given)
             except BadRequest as error:
                 trouble = self.tr("This file is for another board. Nothing was changed.")
                 self._show_findings(str(error))
@@ -175,7 +175,7 @@ class LoadDialog(QDialog):
         self._trouble.show_note(trouble, alarming=True)
         self._trouble.setVisible(bool(trouble))
         self._head.setText(self._words())
-        self._on_possibilities_changed()
+        self._on_actions_changed()
 
     def _show_rows(self, comparison: Comparison) -> None:
         """Show what the file gives; the rest stays as it is."""
@@ -225,7 +225,7 @@ class LoadDialog(QDialog):
         return f"{words}."
 
     @Slot()
-    def _on_possibilities_changed(self) -> None:
+    def _on_actions_changed(self) -> None:
         count = len(self._rows.table.ticked) if self._has_rows else 0
         if count == 0:
             self._take.setText(self.tr("&Make changes edits"))
@@ -233,5 +233,5 @@ class LoadDialog(QDialog):
             self._take.setText(self.tr("&Make 1 change an edit"))
         else:
             self._take.setText(self.tr("&Make {0} changes edits").format(count))
-        up = self._device.link is Link.UP and not self._device.applying
+        up = self._device.link is ConnectionState.UP and not self._device.applying
         self._take.setEnabled(up and count > 0 and not self._rows.isHidden())

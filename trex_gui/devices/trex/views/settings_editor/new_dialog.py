@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.core.errors import TrexError, sentence
+from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.files.text_files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.model.device import Device
@@ -92,7 +92,7 @@ class NewDialog(QDialog):
     def _from_board(self) -> SettingsDocument:
         shown = self._device.draft.shown
         if shown is None:
-            raise TrexError(self.tr("no board is connected any more"))
+            raise StudioError(self.tr("no board is connected any more"))
         name = f"{shown.product.key}_settings.txt"
         title = self.tr("As a board showed them.")
         return SettingsDocument.of_settings(shown, name, title=title)
@@ -117,7 +117,7 @@ class NewDialog(QDialog):
             return
         try:
             document = self._makers[row]()
-        except TrexError as error:
+        except StudioError as error:
             self._trouble.show_note(sentence(error), alarming=True)
             self._trouble.show()
             return

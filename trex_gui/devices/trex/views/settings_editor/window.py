@@ -9,15 +9,15 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMainWindow, QTabWidget, QVB
 
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.files.text_files import load
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.model.settings.linter import Adviser
+from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.factory import factory_settings
 from trex_gui.devices.trex.settings.reader import read_settings
-from trex_gui.devices.trex.settings.rules import Advice
+from trex_gui.devices.trex.settings.rules import LintFinding
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
-from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationPage
+from trex_gui.devices.trex.views.settings_editor.calibration_page import CalibrationEditor
 from trex_gui.devices.trex.views.settings_editor.compare_dialog import CompareDialog
 from trex_gui.devices.trex.views.settings_editor.editor_actions import build_editor_menus
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
@@ -56,12 +56,12 @@ class SettingsEditor(QMainWindow):
         self._document = document
         document.setParent(self)
         self._device = device
-        self._adviser = Adviser(document.draft, self)
+        self._adviser = SettingsLinter(document.draft, self)
         self._store = QSettings(self)
 
         self._banner = Banner(self)
         self._parameters = ParameterTable(document.draft, self._adviser, self)
-        self._calibrations = CalibrationPage(document.draft, self)
+        self._calibrations = CalibrationEditor(document.draft, self)
         self._findings = FindingsPanel(self)
         self._text = TextPage(document, self)
         self._tabs = QTabWidget(self)
@@ -94,15 +94,15 @@ class SettingsEditor(QMainWindow):
 
         document.changed.connect(self._on_document_changed)
         self._adviser.changed.connect(self._on_document_changed)
-        document.draft.undo.indexChanged.connect(self._on_possibilities_changed)
-        self._text.editor.undoAvailable.connect(self._on_possibilities_changed)
-        self._text.editor.redoAvailable.connect(self._on_possibilities_changed)
+        document.draft.undo.indexChanged.connect(self._on_actions_changed)
+        self._text.editor.undoAvailable.connect(self._on_actions_changed)
+        self._text.editor.redoAvailable.connect(self._on_actions_changed)
         self._text.checked.connect(self._on_checked)
         self._parameters.refused.connect(self._banner.show_problem)
         self._findings.line_chosen.connect(self._on_line_chosen)
         self._findings.accepted.connect(self._on_accepted)
-        device.link_changed.connect(self._on_possibilities_changed)
-        device.state_changed.connect(self._on_possibilities_changed)
+        device.link_changed.connect(self._on_actions_changed)
+        device.state_changed.connect(self._on_actions_changed)
         self._on_document_changed()
         if not document.readable:
             self._tabs.setCurrentIndex(self._text_index)
@@ -289,13 +289,13 @@ class SettingsEditor(QMainWindow):
         self._tabs.setTabText(self._findings_index, title)
         for index in range(self._findings_index):
             self._tabs.setTabEnabled(index, document.readable)
-        self._on_possibilities_changed()
+        self._on_actions_changed()
 
     @Slot()
-    def _on_possibilities_changed(self) -> None:
+    def _on_actions_changed(self) -> None:
         """Let every action say whether it can be done now."""
         readable = self._document.readable
-        up = self._device.link is Link.UP and self._device.state is not None
+        up = self._device.link is ConnectionState.UP and self._device.state is not None
         undo, text = self._document.draft.undo, self._text.editor.document()
         for key, possible in {
             "print": readable,
@@ -325,7 +325,7 @@ class SettingsEditor(QMainWindow):
         self._text.show_line(line)
 
     @Slot(object)
-    def _on_accepted(self, advice: Advice) -> None:
+    def _on_accepted(self, advice: LintFinding) -> None:
         self._adviser.accept(advice)
 
     # --- The end ------------------------------------------------------------------------
@@ -336,9 +336,9 @@ class SettingsEditor(QMainWindow):
             return True
         self.activateWindow()
         match file_questions.before_closing(self, self._document.name):
-            case file_questions.Answer.SAVE:
+            case file_questions.SaveAnswer.SAVE:
                 return self.save()
-            case file_questions.Answer.DISCARD:
+            case file_questions.SaveAnswer.DISCARD:
                 return True
         return False
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 from trex_gui.devices.trex.model.calibration.moves import symmetric, why_not_symmetric
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
-from trex_gui.devices.trex.protocol.channel_words import CHANNEL_NAMES
+from trex_gui.devices.trex.protocol.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.theme.icons import set_icon
 

@@ -4,7 +4,7 @@ from PySide6.QtCore import QSize, Qt, Signal, Slot
 from PySide6.QtGui import QFontMetrics, QIcon, QPixmap
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
-from trex_gui.devices.trex.protocol.channel_words import CHANNEL_NAMES
+from trex_gui.devices.trex.protocol.channel_text import CHANNEL_NAMES
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme

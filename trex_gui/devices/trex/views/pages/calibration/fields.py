@@ -7,7 +7,7 @@ from PySide6.QtCore import QSignalBlocker, Signal, Slot
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.channel_words import wrong_order
+from trex_gui.devices.trex.protocol.channel_text import wrong_order
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.count_editor import CountEditor
 from trex_gui.ui.theme.theme import theme

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QTabBar, QVBoxLa
 
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.protocol import channel_words
+from trex_gui.devices.trex.protocol import channel_text
 from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
 from trex_gui.ui.widgets.note import Note
 
@@ -82,7 +82,7 @@ class ChannelHeading(QWidget):
 
         `edited`: it would have another calibration then. `mixed`: whether the mix jumper is on.
         """
-        name = channel_words.CHANNEL_NAMES[channel]
+        name = channel_text.CHANNEL_NAMES[channel]
         self._title.setText(self.tr("Channel {0}: {1}").format(channel, name))
         if state is None:
             self._flag = ""
@@ -99,7 +99,7 @@ class ChannelHeading(QWidget):
             self._flag = self.tr("not learned: has the factory's values")
         self._learned.setVisible(in_force)
         self._show_flag()
-        self._learned.setToolTip(channel_words.learned_words(learned))
+        self._learned.setToolTip(channel_text.learned_words(learned))
         at = ""
         threshold = curve.threshold(channel) if curve is not None else None
         if curve is not None and threshold is not None:
@@ -107,7 +107,7 @@ class ChannelHeading(QWidget):
             at = side.format(source.text(threshold))
         ignored = curve is not None and curve.ignored
         self._does.show_note(
-            channel_words.what_it_does(
+            channel_text.what_it_does(
                 channel, state.mode, joint=joint, ignored=ignored, switches_at=at, mixed=mixed
             )
         )

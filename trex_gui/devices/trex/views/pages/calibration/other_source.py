@@ -3,8 +3,8 @@
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.device import Device, Link
-from trex_gui.devices.trex.protocol.channel_words import SOURCE_NAMES, way_to
+from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.protocol.channel_text import SOURCE_NAMES, way_to
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.theme.icons import set_icon
 
@@ -58,7 +58,7 @@ class OtherSource(QWidget):
             self._cycle.hide()
             return
         parameters, wire = self._device.parameters, int(source is InputSource.ANALOG)
-        is_up = self._device.link is Link.UP
+        is_up = self._device.link is ConnectionState.UP
         is_wished = parameters.value_of(_KEY) == wire
         is_stored = parameters.stored_of(_KEY) == wire
         words = way_to(source, state.mode)

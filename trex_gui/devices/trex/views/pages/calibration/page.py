@@ -7,10 +7,10 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from trex_gui.core.errors import BadRequest, sentence
-from trex_gui.devices.trex.client.writing import Written
+from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.calibration.moves import Handle
-from trex_gui.devices.trex.model.device import Device, Link
-from trex_gui.devices.trex.protocol import channel_words
+from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.protocol import channel_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.pages.calibration.change_menu import ChangeMenu
@@ -163,7 +163,7 @@ class CalibrationPage(QWidget):
 
     @property
     def _editable(self) -> bool:
-        is_up = self._device.link is Link.UP
+        is_up = self._device.link is ConnectionState.UP
         return is_up and self._in_force and not self._device.applying
 
     def _calibration(self) -> Calibration | None:
@@ -182,7 +182,7 @@ class CalibrationPage(QWidget):
 
     @Slot()
     def _on_device_changed(self) -> None:
-        if self._device.link is not Link.UP:
+        if self._device.link is not ConnectionState.UP:
             self._live.forget_mixing()
         known = self._device.calibrations.stored(1) is not None
         self._empty.setVisible(not known)
@@ -232,10 +232,10 @@ class CalibrationPage(QWidget):
 
     def _show_possibilities(self) -> None:
         """Grey what would be done to the calibrations of the other source than is looked at."""
-        is_up, why_not = self._device.link is Link.UP, ""
+        is_up, why_not = self._device.link is ConnectionState.UP, ""
         if not self._in_force:
-            read = channel_words.SOURCE_NAMES[self._device.calibrations.source]
-            shown = channel_words.SOURCE_NAMES[self._source]
+            read = channel_text.SOURCE_NAMES[self._device.calibrations.source]
+            shown = channel_text.SOURCE_NAMES[self._source]
             why_not = self.tr(
                 "The board reads {0} now. Choose the tab of those, or let the board read {1} "
                 "first, as said above."
@@ -254,7 +254,7 @@ class CalibrationPage(QWidget):
             )
             problem = self._failure(channel)
             if shown is not None and not problem:
-                problem = channel_words.concern(shown, calibrations.source)
+                problem = channel_text.concern(shown, calibrations.source)
             self._channels.set_mark(channel, edited=edited, problem=problem)
             can_discard = can_discard or (channel == self.channel and edited)
         self._discard.setEnabled(can_discard and self._editable)
@@ -271,12 +271,12 @@ class CalibrationPage(QWidget):
             self._note.show_note(self._refusal, alarming=bool(self._refusal))
         elif failure := self._failure(self.channel):
             self._note.show_note(failure, alarming=True)
-        elif self._device.link is not Link.UP:
+        elif self._device.link is not ConnectionState.UP:
             self._note.show_note(
                 self.tr("No board answers. Edits are kept for when the same kind is back.")
             )
         elif calibration is not None and (
-            concern := channel_words.concern(calibration, self._source)
+            concern := channel_text.concern(calibration, self._source)
         ):
             self._note.show_note(concern, alarming=True)
         elif state is not None and not state.mode.is_serial:
@@ -386,7 +386,7 @@ class CalibrationPage(QWidget):
             self._options.restore(self.channel)
 
     @Slot(object)
-    def _on_applied(self, results: tuple[Written, ...]) -> None:
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         """Remember what the board did not store, and why."""
         for result in results:
             if (channel := result.channel) is None:
@@ -394,6 +394,6 @@ class CalibrationPage(QWidget):
             self._failures.pop(channel, None)
             if result.error is not None:
                 wished = self._device.calibrations.shown(channel)
-                why = channel_words.why_not_stored(result.error)
+                why = channel_text.why_not_stored(result.error)
                 self._failures[channel] = (wished, why)
         self._show_channel()

@@ -5,7 +5,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.output_bar import OutputBar
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
@@ -98,7 +98,7 @@ class ChannelsPage(QWidget):
     @Slot()
     def _on_device_changed(self) -> None:
         state = self._device.state
-        there = state is not None and self._device.link is Link.UP
+        there = state is not None and self._device.link is ConnectionState.UP
         if state is None:
             self._summary.setText(self.tr("Connect to a board to see its inputs."))
         else:

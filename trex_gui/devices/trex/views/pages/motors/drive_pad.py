@@ -13,7 +13,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from trex_gui.devices.trex.views.driving.press_monitor import HoldWatch
+from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
 from trex_gui.ui.theme.theme import theme
 
 _STRAIGHT = 0.06
@@ -42,7 +42,7 @@ class DrivePad(QWidget):
         self._finger = 0
         self._can_turn = True
         self._forward = self._turn = 0.0
-        self._watch = HoldWatch(self)
+        self._watch = PressMonitor(self)
         self.setObjectName("drivePad")
         self.setAccessibleName(self.tr("Drive pad"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -50,7 +50,7 @@ class DrivePad(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         self._describe()
 
-        self._watch.blinded.connect(self.let_go)
+        self._watch.lost.connect(self.let_go)
         theme().changed.connect(self.update)
 
     @property

@@ -5,7 +5,7 @@ from html import escape
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
-from trex_gui.devices.trex.model.driving.drive_status import Kind, Reason
+from trex_gui.devices.trex.model.driving.drive_status import DriveBlocker, DriveStatus
 from trex_gui.ui.theme.icons import icon, set_icon
 from trex_gui.ui.theme.theme import theme, tint
 
@@ -23,7 +23,7 @@ class Head(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._reason = Reason(Kind.NO_BOARD, "")
+        self._reason = DriveStatus(DriveBlocker.NO_BOARD, "")
         self._sign = QLabel(self)
         self._text = QLabel(self)
         self._text.setObjectName("motorsReason")
@@ -51,7 +51,7 @@ class Head(QWidget):
         theme().changed.connect(self._on_theme_changed)
         self._on_theme_changed()
 
-    def show_reason(self, reason: Reason, *, can_run: bool) -> None:
+    def show_reason(self, reason: DriveStatus, *, can_run: bool) -> None:
         """Say what is so; it is spoken, too."""
         self._run.setEnabled(can_run)
         if reason == self._reason:

@@ -6,9 +6,9 @@ from PySide6.QtCore import QEvent, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QHBoxLayout, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.driving.drive_status import reason_for, situation_of
-from trex_gui.devices.trex.model.driving.momentary_drive import HeldDrive
+from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.driving.safe_start import SafeStartWatch
 from trex_gui.devices.trex.model.driving.setpoint_text import (
     auxiliary_report_text,
@@ -45,8 +45,8 @@ class MotorsPage(QWidget):
         self.setObjectName("motorsPage")
         self._device = device
         self._motors = device.motors
-        self._pad_drive = HeldDrive(device.motors, "drive pad", self)
-        self._key_drive = HeldDrive(device.motors, "keyboard", self)
+        self._pad_drive = MomentaryDrive(device.motors, "drive pad", self)
+        self._key_drive = MomentaryDrive(device.motors, "keyboard", self)
 
         self._safe_start = SafeStartWatch(device, self)
 
@@ -230,7 +230,7 @@ class MotorsPage(QWidget):
     def _channels_drive(self) -> bool:
         """Whether channels have the motors, so that there is nothing to do here but look."""
         state = self._device.state
-        if state is None or self._device.link is not Link.UP or state.mode.is_serial:
+        if state is None or self._device.link is not ConnectionState.UP or state.mode.is_serial:
             return False
         return not self._device.telemetry.serial_controls
 

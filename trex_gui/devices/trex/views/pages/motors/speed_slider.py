@@ -4,9 +4,9 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.devices.trex.views.driving.press_monitor import HoldWatch
+from trex_gui.devices.trex.views.driving.press_monitor import PressMonitor
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.press_slider import HeldSlider
+from trex_gui.ui.widgets.press_slider import PressSlider
 
 _MARKS = (-127, -64, 0, 64, 127)
 
@@ -16,7 +16,7 @@ _MOVING_KEYS = {
 }
 
 
-class SpeedSlider(HeldSlider):
+class SpeedSlider(PressSlider):
     """Horizontal, from `lowest` to 127; the groove is filled from zero to the handle.
 
     Qt's own slider fills from the left end and has no tick at zero for such a range. Home is
@@ -31,10 +31,10 @@ class SpeedSlider(HeldSlider):
     def __init__(self, lowest: int, parent: QWidget | None = None) -> None:
         super().__init__(lowest, 127, parent)
         self._ceiling = 127
-        self._watch = HoldWatch(self)
+        self._watch = PressMonitor(self)
         self.setPageStep(16)
 
-        self._watch.blinded.connect(self.let_go)
+        self._watch.lost.connect(self.let_go)
         self.grabbed.connect(self._watch.begin)
         self.released.connect(self._watch.end)
 

@@ -10,7 +10,7 @@ from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.model.parameters.text import FULL_SPEED_MS, duration
 from trex_gui.devices.trex.protocol.flags import ALL_CHANNELS, CHANNELS, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.protocol.parameters import Kind, ParameterSpec
+from trex_gui.devices.trex.protocol.parameters import ParameterKind, ParameterSpec
 
 _TIME = re.compile(r"(\d+(?:[.,]\d*)?|[.,]\d+)\s*(ms|s)\b.*", re.IGNORECASE)
 _IN_BRACKETS = re.compile(r"\s*\([^)]*\)?\s*$")
@@ -270,13 +270,13 @@ Editor = NumberEditor | ChoiceEditor | ChannelsEditor | LineSettingsEditor
 def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
     """Return a new editor that fits the parameter."""
     match spec.kind:
-        case Kind.CHOICE:
+        case ParameterKind.CHOICE:
             return ChoiceEditor(spec, parent)
-        case Kind.CHANNELS:
+        case ParameterKind.CHANNELS:
             return ChannelsEditor(spec, parent)
-        case Kind.UART:
+        case ParameterKind.UART:
             return LineSettingsEditor(parent)
-        case Kind.ACCELERATION:
+        case ParameterKind.ACCELERATION:
             return AccelerationEditor(spec, parent)
         case _:
             return NumberEditor(spec, parent)

@@ -5,7 +5,7 @@ from functools import partial
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.settings.linter import Adviser
+from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 
@@ -13,10 +13,10 @@ _SHOWN = 3
 _ICON = 16
 
 
-class AdviceList(QWidget):
+class FindingsList(QWidget):
     """The first findings below each other; not there while nothing is odd."""
 
-    def __init__(self, adviser: Adviser, parent: QWidget | None = None) -> None:
+    def __init__(self, adviser: SettingsLinter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("adviceList")
         self.setAccessibleName(self.tr("Findings about the settings"))

@@ -43,7 +43,7 @@ class ParameterMenu(QObject):
         self._reset.triggered.connect(lambda: self._with_key(model.reset))
         self._restore.triggered.connect(lambda: self._with_key(model.restore))
         self._leave_out.triggered.connect(lambda: self._with_key(model.leave_out))
-        self._to_twin.triggered.connect(lambda: self._with_key(model.copy_to_twin))
+        self._to_twin.triggered.connect(lambda: self._with_key(model.copy_to_other_motor))
         self._copy.triggered.connect(self._on_copy)
         view.menu_wanted.connect(self._on_menu_wanted)
 
@@ -76,7 +76,7 @@ class ParameterMenu(QObject):
         model, key = self._model, spec.key
         stored = model.stored_of(key)
         self._edit.setEnabled(model.knows(key))
-        self._reset.setText(model.text.way_back(spec))
+        self._reset.setText(model.text.reset_text(spec))
         self._reset.setEnabled(index.data(Role.RESET) is not None)
         back = self.tr("Back to what is stored")
         if stored is not None:
@@ -84,7 +84,7 @@ class ParameterMenu(QObject):
         self._restore.setText(back)
         self._restore.setEnabled(model.is_modified(key))
         self._leave_out.setVisible(model.can_leave_out(key))
-        twin = model.twin_of(key)
+        twin = model.other_motor_of(key)
         self._to_twin.setVisible(twin is not None)
         if twin is not None:
             self._to_twin.setText(self.tr("Give {0} the same").format(motor_name(twin)))

@@ -3,8 +3,8 @@
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.client.writing import Written
-from trex_gui.devices.trex.model.device import Device, Link
+from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.settings.linter import BoardAdviser
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.ui.theme.icons import set_icon
@@ -71,7 +71,7 @@ class ParametersPage(QWidget):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        up = self._device.link is Link.UP
+        up = self._device.link is ConnectionState.UP
         self._reload.setEnabled(up)
         self._activate.setVisible(up and self._waits_for_power)
         self._table.set_rows_enabled(up)
@@ -92,9 +92,9 @@ class ParametersPage(QWidget):
     @Slot()
     def _on_pending_changed(self) -> None:
         count = self._device.pending
-        self._discard.setEnabled(count > 0 and self._device.link is Link.UP)
+        self._discard.setEnabled(count > 0 and self._device.link is ConnectionState.UP)
         waiting = self._model.waiting_for_power
-        self._activate.setVisible(self._waits_for_power and self._device.link is Link.UP)
+        self._activate.setVisible(self._waits_for_power and self._device.link is ConnectionState.UP)
         if self._device.reset_ordered:
             text = self.tr("The factory's values stand here after the next power cycle.")
         elif count:
@@ -109,7 +109,7 @@ class ParametersPage(QWidget):
         self._notice.setText(text)
 
     @Slot(object)
-    def _on_applied(self, results: tuple[Written, ...]) -> None:
+    def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         failed = [result for result in results if result.error is not None]
         if any(result.what == "factory_reset" for result in results):
             text = self.tr("Not taken by the board: {0}").format(failed[0].error) if failed else ""

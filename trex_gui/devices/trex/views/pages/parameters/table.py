@@ -6,10 +6,10 @@ from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWi
 from trex_gui.devices.trex.model.parameters.filter import ParameterFilter
 from trex_gui.devices.trex.model.parameters.parameters import Column, Role
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.model.settings.linter import Adviser
+from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.views.pages.parameters.filters import ParameterFilters
-from trex_gui.devices.trex.views.pages.parameters.findings_list import AdviceList
+from trex_gui.devices.trex.views.pages.parameters.findings_list import FindingsList
 from trex_gui.devices.trex.views.pages.parameters.help import ParameterHelp
 from trex_gui.devices.trex.views.pages.parameters.menu import ParameterMenu
 from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
@@ -30,7 +30,7 @@ class ParameterTable(QWidget):
     refused = Signal(str)
 
     def __init__(
-        self, draft: SettingsDraft, adviser: Adviser, parent: QWidget | None = None
+        self, draft: SettingsDraft, adviser: SettingsLinter, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._model = draft.parameters
@@ -45,7 +45,7 @@ class ParameterTable(QWidget):
         self._nothing = _Nothing(self._view.viewport())
         below = QWidget(self)
         below.setObjectName("aboutParameters")
-        self._advice = AdviceList(adviser, below)
+        self._advice = FindingsList(adviser, below)
         self._help = ParameterHelp(self._model.text, below)
         box = ScrollBox(below, self)
         box.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)

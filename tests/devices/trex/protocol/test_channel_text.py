@@ -4,7 +4,7 @@ import pytest
 
 from trex_gui.core.errors import NoReply, Rejected, ResultCode
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.channel_words import (
+from trex_gui.devices.trex.protocol.channel_text import (
     beyond_input,
     concern,
     learned_words,

@@ -1,6 +1,6 @@
 """Sentences about one channel: what it does now, and what stands in the way."""
 
-from trex_gui.core.errors import Rejected, ResultCode, TrexError, sentence
+from trex_gui.core.errors import Rejected, ResultCode, StudioError, sentence
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 
@@ -80,7 +80,7 @@ def way_to(source: InputSource, mode: Mode) -> str:
     )
 
 
-def why_not_stored(error: TrexError) -> str:
+def why_not_stored(error: StudioError) -> str:
     """Explain why a calibration was not stored; the board's own codes in full."""
     words = sentence(error)
     if isinstance(error, Rejected) and error.code is ResultCode.BAD_VALUE:
