@@ -1,0 +1,48 @@
+"""The functions that create widgets."""
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from trex_gui.ui.widgets import builders
+
+
+def test_created_widgets_carry_names_and_handlers(qtbot: QtBot) -> None:
+    page = QWidget()
+    qtbot.addWidget(page)
+    clicks: list[str] = []
+    push = builders.button(
+        page, "goButton", "Go", tip="Starts", default=False, on_click=lambda: clicks.append("go")
+    )
+    box = builders.check_box(
+        page, "onBox", "On", checked=True, on_toggle=lambda _on: clicks.append("on")
+    )
+    count = builders.spin_box(page, "countBox", "Count", 1, 9, value=4, suffix=" s")
+    combo = builders.combo_box(page, "whichCombo", "Which", items=[("one", 1), "two"])
+
+    push.click()
+    box.click()
+
+    assert clicks == ["go", "on"]
+    assert (push.objectName(), push.toolTip(), push.autoDefault()) == ("goButton", "Starts", False)
+    assert (count.value(), count.accessibleName(), count.keyboardTracking()) == (4, "Count", False)
+    assert (combo.itemData(0), combo.itemText(1), combo.accessibleName()) == (1, "two", "Which")
+
+
+def test_layouts_hold_items_with_stretch_and_alignment(qtbot: QtBot) -> None:
+    page = QWidget()
+    qtbot.addWidget(page)
+    first, second, third = (builders.label(page, text=text) for text in ("1", "2", "3"))
+    inner = builders.row(first, 1, spacing=4)
+
+    layout = builders.column(
+        inner, (second, 2), (third, 0, Qt.AlignmentFlag.AlignRight), into=page, margins=3
+    )
+
+    assert page.layout() is layout
+    assert [layout.stretch(place) for place in range(3)] == [0, 2, 0]
+    assert inner.count() == 2
+    item = layout.itemAt(2)
+    assert item is not None
+    assert item.alignment() == Qt.AlignmentFlag.AlignRight
+    assert layout.contentsMargins().left() == 3

@@ -1,0 +1,373 @@
+"""Functions that create a named widget with its usual properties, and layouts from their items."""
+
+from collections.abc import Callable, Iterable
+from typing import TypeVar
+
+from PySide6.QtCore import QObject, Qt, SignalInstance
+from PySide6.QtGui import QAction, QIcon, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QBoxLayout,
+    QCheckBox,
+    QDoubleSpinBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLayout,
+    QLineEdit,
+    QProgressBar,
+    QPushButton,
+    QSizePolicy,
+    QSpinBox,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
+
+Handler = Callable[..., object] | SignalInstance
+"""What a signal is connected to."""
+
+Part = QWidget | QLayout
+Item = Part | int | tuple[Part, int] | tuple[Part, int, Qt.AlignmentFlag]
+"""A part of a layout, with its stretch and alignment; a number is empty room of that stretch."""
+
+WidgetT = TypeVar("WidgetT", bound=QWidget)
+
+
+def named(widget: WidgetT, name: str, *, accessible: str = "", tip: str = "") -> WidgetT:
+    """Give a widget its object name, accessible name and tool tip; return it."""
+    widget.setObjectName(name)
+    if accessible:
+        widget.setAccessibleName(accessible)
+    if tip:
+        widget.setToolTip(tip)
+    return widget
+
+
+def button(
+    parent: QWidget,
+    name: str,
+    text: str = "",
+    *,
+    icon: str = "",
+    tip: str = "",
+    accessible: str = "",
+    checkable: bool = False,
+    default: bool | None = None,
+    on_click: Handler | None = None,
+    on_toggle: Handler | None = None,
+) -> QPushButton:
+    """Create a push button.
+
+    `default`: whether Enter presses it in a dialog; `None` leaves it to Qt.
+    """
+    made = named(QPushButton(text, parent), name, accessible=accessible, tip=tip)
+    made.setCheckable(checkable)
+    if default:
+        made.setDefault(True)
+    elif default is False:
+        made.setAutoDefault(False)
+    return _connected(made, icon, on_click, on_toggle)
+
+
+def tool_button(
+    parent: QWidget,
+    name: str,
+    text: str = "",
+    *,
+    icon: str = "",
+    tip: str = "",
+    accessible: str = "",
+    on_click: Handler | None = None,
+) -> QToolButton:
+    """Create a tool button: the icon, with the text beside it if there is one."""
+    made = named(QToolButton(parent), name, accessible=accessible, tip=tip)
+    if text:
+        made.setText(text)
+        made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    return _connected(made, icon, on_click, None)
+
+
+def check_box(
+    parent: QWidget,
+    name: str,
+    text: str = "",
+    *,
+    tip: str = "",
+    accessible: str = "",
+    checked: bool = False,
+    on_click: Handler | None = None,
+    on_toggle: Handler | None = None,
+) -> QCheckBox:
+    """Create a check box; `checked` is set before `on_toggle` is connected."""
+    made = named(QCheckBox(text, parent), name, accessible=accessible, tip=tip)
+    made.setChecked(checked)
+    return _connected(made, "", on_click, on_toggle)
+
+
+def label(
+    parent: QWidget | None,
+    name: str = "",
+    text: str = "",
+    *,
+    tip: str = "",
+    wrap: bool = False,
+    expand: bool = False,
+    plain: bool = False,
+    selectable: bool = False,
+    bold: bool = False,
+    buddy: QWidget | None = None,
+) -> QLabel:
+    """Create a label.
+
+    `wrap` breaks long text into lines, `expand` takes the width that is left, `plain` shows
+    markup as it is written.
+    """
+    made = QLabel(text, parent)
+    made.setObjectName(name)
+    made.setToolTip(tip)
+    if plain:
+        made.setTextFormat(Qt.TextFormat.PlainText)
+    if selectable:
+        made.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    if expand:
+        made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+    if wrap:
+        made.setWordWrap(True)  # after the size policy: it makes the height follow from the width
+    if bold:
+        set_bold(made)
+    if buddy is not None:
+        made.setBuddy(buddy)
+    return made
+
+
+def combo_box(
+    parent: QWidget,
+    name: str,
+    accessible: str,
+    *,
+    items: Iterable[str | tuple[str, object]] = (),
+    tip: str = "",
+    on_activate: Handler | None = None,
+    on_change: Handler | None = None,
+) -> NoWheelComboBox:
+    """Create a combo box; an item is a text, or a text and its data.
+
+    `on_activate` follows the user, `on_change` every change of the current index.
+    """
+    made = named(NoWheelComboBox(parent), name, accessible=accessible, tip=tip)
+    for item in items:
+        if isinstance(item, str):
+            made.addItem(item)
+        else:
+            made.addItem(*item)
+    if on_activate is not None:
+        made.activated.connect(on_activate)
+    if on_change is not None:
+        made.currentIndexChanged.connect(on_change)
+    return made
+
+
+def spin_box(
+    parent: QWidget,
+    name: str,
+    accessible: str,
+    lowest: int,
+    highest: int,
+    *,
+    value: int | None = None,
+    suffix: str = "",
+    step: int = 1,
+    tip: str = "",
+    on_change: Handler | None = None,
+) -> QSpinBox:
+    """Create a spin box that reports a typed number when it is complete.
+
+    It shows `value`, or `lowest`; `value` is set before `on_change` is connected.
+    """
+    made = named(QSpinBox(parent), name, accessible=accessible, tip=tip)
+    made.setRange(lowest, highest)
+    made.setSingleStep(step)
+    made.setSuffix(suffix)
+    made.setKeyboardTracking(False)
+    made.setValue(lowest if value is None else value)
+    if on_change is not None:
+        made.valueChanged.connect(on_change)
+    return made
+
+
+def double_spin_box(
+    parent: QWidget,
+    name: str,
+    accessible: str,
+    lowest: float,
+    highest: float,
+    *,
+    decimals: int,
+    value: float | None = None,
+    suffix: str = "",
+    step: float = 1.0,
+    tip: str = "",
+    on_change: Handler | None = None,
+) -> QDoubleSpinBox:
+    """Create what `spin_box` does, for numbers with decimals."""
+    made = named(QDoubleSpinBox(parent), name, accessible=accessible, tip=tip)
+    made.setDecimals(decimals)
+    made.setRange(lowest, highest)
+    made.setSingleStep(step)
+    made.setSuffix(suffix)
+    made.setKeyboardTracking(False)
+    made.setValue(lowest if value is None else value)
+    if on_change is not None:
+        made.valueChanged.connect(on_change)
+    return made
+
+
+def line_edit(
+    parent: QWidget,
+    name: str,
+    accessible: str,
+    *,
+    placeholder: str = "",
+    tip: str = "",
+    on_change: Handler | None = None,
+) -> QLineEdit:
+    """Create a field for one line of text, with a button that clears it."""
+    made = named(QLineEdit(parent), name, accessible=accessible, tip=tip)
+    made.setPlaceholderText(placeholder)
+    made.setClearButtonEnabled(True)
+    if on_change is not None:
+        made.textChanged.connect(on_change)
+    return made
+
+
+def progress_bar(parent: QWidget, name: str, accessible: str) -> QProgressBar:
+    """Create a progress bar without a text in it."""
+    made = named(QProgressBar(parent), name, accessible=accessible)
+    made.setTextVisible(False)
+    return made
+
+
+def action(
+    parent: QObject,
+    name: str,
+    text: str,
+    *,
+    icon: str = "",
+    tip: str = "",
+    shortcut: QKeySequence | QKeySequence.StandardKey | str = "",
+    context: Qt.ShortcutContext = Qt.ShortcutContext.WindowShortcut,
+    checkable: bool = False,
+    on_trigger: Handler | None = None,
+) -> QAction:
+    """Create an action; a widget that shall have its shortcut needs `addAction` as well."""
+    made = QAction(QIcon(), text, parent)
+    made.setObjectName(name)
+    if tip:
+        made.setToolTip(tip)
+    made.setShortcut(QKeySequence(shortcut))
+    made.setShortcutContext(context)
+    made.setCheckable(checkable)
+    if icon:
+        set_icon(made, icon)
+    if on_trigger is not None:
+        made.triggered.connect(on_trigger)
+    return made
+
+
+def set_bold(widget: QWidget, bold: bool = True) -> None:
+    """Show the text of a widget in bold, or not."""
+    font = widget.font()
+    if font.bold() != bold:
+        font.setBold(bold)
+        widget.setFont(font)
+
+
+def row(
+    *items: Item,
+    into: QWidget | None = None,
+    margins: int | tuple[int, int, int, int] | None = None,
+    spacing: int | None = None,
+) -> QHBoxLayout:
+    """Lay items out side by side: a layout of `into`, or one to put into another.
+
+    `margins` in pixels: left, top, right, bottom, or all the same; `None` leaves those of Qt.
+    """
+    return _filled(QHBoxLayout(into) if into else QHBoxLayout(), items, margins, spacing)
+
+
+def column(
+    *items: Item,
+    into: QWidget | None = None,
+    margins: int | tuple[int, int, int, int] | None = None,
+    spacing: int | None = None,
+) -> QVBoxLayout:
+    """Lay items out one below the other, as `row` does side by side."""
+    return _filled(QVBoxLayout(into) if into else QVBoxLayout(), items, margins, spacing)
+
+
+def grid(
+    into: QWidget | None = None,
+    *,
+    margins: int | tuple[int, int, int, int] | None = None,
+    spacing: tuple[int, int] | None = None,
+    stretch: Iterable[tuple[int, int]] = (),
+) -> QGridLayout:
+    """Create an empty grid; `spacing` is horizontal and vertical, `stretch` (column, factor)."""
+    made = QGridLayout(into) if into else QGridLayout()
+    _set_margins(made, margins)
+    if spacing is not None:
+        made.setHorizontalSpacing(spacing[0])
+        made.setVerticalSpacing(spacing[1])
+    for number, factor in stretch:
+        made.setColumnStretch(number, factor)
+    return made
+
+
+ButtonT = TypeVar("ButtonT", bound=QAbstractButton)
+LayoutT = TypeVar("LayoutT", bound=QBoxLayout)
+
+
+def _connected(
+    made: ButtonT, icon: str, on_click: Handler | None, on_toggle: Handler | None
+) -> ButtonT:
+    if icon:
+        set_icon(made, icon)
+    if on_click is not None:
+        made.clicked.connect(on_click)
+    if on_toggle is not None:
+        made.toggled.connect(on_toggle)
+    return made
+
+
+def _filled(
+    layout: LayoutT,
+    items: Iterable[Item],
+    margins: int | tuple[int, int, int, int] | None,
+    spacing: int | None,
+) -> LayoutT:
+    _set_margins(layout, margins)
+    if spacing is not None:
+        layout.setSpacing(spacing)
+    for item in items:
+        if isinstance(item, int):
+            layout.addStretch(item)
+            continue
+        part, stretch, *alignment = item if isinstance(item, tuple) else (item, 0)
+        if isinstance(part, QLayout):
+            layout.addLayout(part, stretch)
+            for flag in alignment:
+                layout.setAlignment(part, flag)
+        else:
+            layout.addWidget(part, stretch, *alignment)
+    return layout
+
+
+def _set_margins(layout: QLayout, margins: int | tuple[int, int, int, int] | None) -> None:
+    if isinstance(margins, int):
+        layout.setContentsMargins(margins, margins, margins, margins)
+    elif margins is not None:
+        layout.setContentsMargins(*margins)
