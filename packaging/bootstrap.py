@@ -526,12 +526,13 @@ def checks(pytest_arguments: Sequence[str], *, every: bool = False) -> list[Chec
 
     With `every` the long tests run, too, and hypothesis looks for new examples.
     """
-    ruff, mypy, lint_imports, pytest = (
-        str(venv_program(name)) for name in ("ruff", "mypy", "lint-imports", "pytest")
+    ruff, typos, mypy, lint_imports, pytest = (
+        str(venv_program(name)) for name in ("ruff", "typos", "mypy", "lint-imports", "pytest")
     )
     return [
         Check("ruff check", (ruff, "check", ".")),
         Check("ruff format", (ruff, "format", "--check", ".")),
+        Check("typos", (typos,)),
         Check("mypy", (mypy,)),
         Check("lint-imports", (lint_imports,)),
         *(

@@ -349,6 +349,7 @@ def test_pytest_checks_run_last_and_receive_arguments() -> None:
     assert [check.name for check in checks] == [
         "ruff check",
         "ruff format",
+        "typos",
         "mypy",
         "lint-imports",
         "virtual time",
