@@ -13,8 +13,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.source import TraceInfo
-from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.theme.theme import theme
 

@@ -51,7 +51,7 @@ def test_currents_are_shown_and_exported(
         rows = list(csv.DictReader(file))
     assert rows[0]["time (s)"] == "0.0000"
     assert float(rows[-1]["motor1_current (A)"]) == pytest.approx(6, abs=0.08)
-    assert rows[-1]["motor1_wish"] == "0"
+    assert rows[-1]["motor1_setpoint"] == "0"
     quick_simulator.do("current 1 auto")
     quick_simulator.do("current 2 auto")
 
@@ -67,7 +67,7 @@ def test_stop_apply_fault_and_timeout_become_events(
     page.wait_for_event(EventKind.APPLY, "Motor 1 Acceleration")
     source = page.panel.plot.source
     assert source is not None
-    page.wait(lambda: source.limit("motor1_current") == pytest.approx(20 * 0.3))
+    page.wait(lambda: source.limits.get("motor1_current") == pytest.approx(20 * 0.3))
     quick_simulator.do("fault 1 on")
     page.wait_for_event(EventKind.FAULT, "Motor 1 fault")
     quick_simulator.do("fault 1 off")

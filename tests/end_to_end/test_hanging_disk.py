@@ -24,15 +24,15 @@ from PySide6.QtCore import QTimer
 from trex_gui import app, window
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.model.telemetry import Series
-from trex_gui.devices.trex.model.traces.curves import board_traces
-from trex_gui.ui.plotting.data.history import History
+from trex_gui.devices.trex.model.traces import board_traces
+from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
 
 build, kept, path = window.build, [], Path(sys.argv[2])
 
 def table(program):
     from trex_gui.ui.plotting.panel import TracePanel
-    history, times = History(len(Series)), np.arange(1000) / 80
+    history, times = SampleHistory(len(Series)), np.arange(1000) / 80
     history.extend(times, [times] * len(Series))
     kept.append(panel := TracePanel())
     panel.set_source(Traces(board_traces(), history))

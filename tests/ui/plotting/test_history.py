@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.source import Floats
+from trex_gui.ui.plotting.data.pyramid import Floats
 
 
 def filled(count: int, capacity: int = 1_000_000, seed: int = 1, rate: float = 80) -> SampleHistory:

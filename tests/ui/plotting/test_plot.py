@@ -23,8 +23,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.window import WidgetDriver
 from trex_gui.ui.devices.event_log import Event, EventKind
 from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.source import TraceInfo
-from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 from trex_gui.ui.plotting.panel import TracePanel
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.plotting.table import TraceColumn, TraceTable
@@ -360,14 +359,14 @@ def test_cursor_shows_values_and_difference_from_the_mark(
 
 @pytest.mark.parametrize("width", [860, 1040])
 def test_table_fits_beside_the_events_without_scrolling(
-    panel: TracePanelDriver, plot: TracePlot, width: int, qtbot: QtBot
+    panel: TracePanelDriver, plot: TracePlot, source: Source, width: int, qtbot: QtBot
 ) -> None:
     panel.root.show()
     panel.root.resize(width, 500)
     plot.set_cursor(30)
     plot.set_mark(20)
     if width > 1000:
-        plot.source.limits["motor1"] = 5.0  # type: ignore[union-attr] # a Source of this file
+        source.limits["motor1"] = 5.0
         panel.button("holdPeaksButton").click()
     view = panel.table
     qtbot.waitUntil(lambda: not view.horizontalScrollBar().isVisible())

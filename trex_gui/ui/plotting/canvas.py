@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal, Slot
 from PySide6.QtGui import QFont, QFontMetrics, QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QVBoxLayout, QWidget
 
-from trex_gui.ui.plotting.data.source import Floats
+from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import MINUS
 

@@ -12,7 +12,9 @@ from PySide6.QtCore import Qt
 from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.plotting.axes import ValueAxis, ago_labels, since_labels
 from trex_gui.ui.plotting.canvas import Curve, PlotCanvas
-from trex_gui.ui.plotting.data.source import Floats, Points, TraceInfo, TraceSource
+from trex_gui.ui.plotting.data.history import Points
+from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 from trex_gui.ui.plotting.marks import COLOURS
 from trex_gui.ui.plotting.span import Span
 
@@ -29,7 +31,7 @@ class Layers:
 
     def __init__(self, canvas: PlotCanvas) -> None:
         self._canvas = canvas
-        self._source: TraceSource | None = None
+        self._source: Traces | None = None
         self.curves: dict[str, Curve] = {}
         self._limits: dict[str, Curve] = {}
         self._peaks: dict[str, Curve] = {}
@@ -48,7 +50,7 @@ class Layers:
         """The unit of the left axis."""
         return self._left.unit
 
-    def set_source(self, source: TraceSource) -> None:
+    def set_source(self, source: Traces) -> None:
         """Make a curve for each trace; those of a source before are emptied."""
         for curve in (*self.curves.values(), *self._limits.values(), *self._peaks.values()):
             curve.clear()
@@ -137,7 +139,7 @@ class Layers:
         ends = np.array([-span.length, 0.0])
         for trace in self._source.traces:
             levels: list[tuple[Curve, float | None]] = [
-                (self._limits[trace.name], self._source.limit(trace.name)),
+                (self._limits[trace.name], self._source.limits.get(trace.name)),
                 (self._peaks[trace.name], peak_of(trace.name)),
             ]
             for line, level in levels:

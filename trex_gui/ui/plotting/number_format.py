@@ -4,7 +4,7 @@ import math
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.ui.plotting.data.source import Statistics
+from trex_gui.ui.plotting.data.history import Statistics
 from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.plotting.below import Below
-from trex_gui.ui.plotting.data.source import TraceSource
+from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.event_list import EventList, EventModel
 from trex_gui.ui.plotting.export import TraceExport
 from trex_gui.ui.plotting.plot import TracePlot
@@ -106,7 +106,7 @@ class TracePanel(QWidget):
         theme().changed.connect(self._table.recolour)
         self._show_state()
 
-    def set_source(self, source: TraceSource) -> None:
+    def set_source(self, source: Traces) -> None:
         """Show these curves."""
         self.plot.set_source(source)
         self._table.show_source()

@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen, 
 from PySide6.QtSvg import QSvgGenerator
 
 from trex_gui.ui.plotting.axes import ValueAxis, since_labels
-from trex_gui.ui.plotting.data.source import TraceInfo, TraceSource
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 from trex_gui.ui.plotting.marks import COLOURS, MOST_MARKS, places, word_of
 from trex_gui.ui.plotting.number_format import charge_text, value_text
 from trex_gui.ui.theme.theme import Colours
@@ -28,7 +28,7 @@ class Picture:
 
     def __init__(
         self,
-        source: TraceSource,
+        source: Traces,
         span: tuple[float, float],
         shown: frozenset[str],
         colours: Colours,
@@ -100,7 +100,7 @@ class Picture:
         painter.setClipRect(frame)
         for trace, axis, times, values in lines:
             color = self._color(trace.color)
-            limit = self._source.limit(trace.name)
+            limit = self._source.limits.get(trace.name)
             if limit is not None:
                 painter.setPen(QPen(color, 1.2, Qt.PenStyle.DashLine))
                 y = _y(frame, axis, limit)
@@ -195,7 +195,7 @@ class Picture:
         ]
         if trace.unit == "A":
             parts.append(tr("Picture", "charge {0}").format(charge_text(found)))
-            limit = self._source.limit(trace.name)
+            limit = self._source.limits.get(trace.name)
             if limit is not None:
                 parts.append(tr("Picture", "limit {0}").format(value_text(limit, unit)))
         return ", ".join(parts)

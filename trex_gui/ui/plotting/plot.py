@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from trex_gui.ui.plotting.axes import clock_text
 from trex_gui.ui.plotting.canvas import PlotCanvas
-from trex_gui.ui.plotting.data.source import TraceSource
+from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.layers import Layers
 from trex_gui.ui.plotting.legend_tags import CurveStyle, Tags
 from trex_gui.ui.plotting.marks import MOST_MARKS, MarkStrip
@@ -55,7 +55,7 @@ class TracePlot(FocusFramed):
         self.span = Span(window)
         self.origin: float | None = None
         self.peaks_since: float | None = None
-        self._source: TraceSource | None = None
+        self._source: Traces | None = None
         self._shown: set[str] = set()
         self._cursor: float | None = None
         self._hovered: float | None = None  # pixels: under a mouse that rests the time moves on
@@ -98,11 +98,11 @@ class TracePlot(FocusFramed):
     # --- What is shown ------------------------------------------------------------------
 
     @property
-    def source(self) -> TraceSource | None:
+    def source(self) -> Traces | None:
         """Where the curves come from."""
         return self._source
 
-    def set_source(self, source: TraceSource) -> None:
+    def set_source(self, source: Traces) -> None:
         """Show these curves from now on; those that are there at the beginning, once."""
         self._source = source
         self.origin = None

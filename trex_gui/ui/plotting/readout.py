@@ -8,7 +8,7 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.ui.plotting.axes import clock_text
-from trex_gui.ui.plotting.data.source import TraceSource
+from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.number_format import value_text
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import MINUS
@@ -32,7 +32,7 @@ class Readout(QLabel):
 
     def text_at(
         self,
-        source: TraceSource,
+        source: Traces,
         time: float,
         mark: float | None,
         origin: float,

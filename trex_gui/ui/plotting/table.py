@@ -14,7 +14,8 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QColor, QPixmap
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from trex_gui.ui.plotting.data.source import Statistics, TraceInfo
+from trex_gui.ui.plotting.data.history import Statistics
+from trex_gui.ui.plotting.data.traces import TraceInfo
 from trex_gui.ui.plotting.number_format import charge_text, mean_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.theme.theme import theme
@@ -83,7 +84,7 @@ class TraceTable(QAbstractTableModel):
             case TraceColumn.HELD:
                 return self._plot.peaks_since is not None
             case TraceColumn.LIMIT if source is not None:
-                return any(source.limit(trace.name) is not None for trace in self._traces)
+                return any(source.limits.get(trace.name) is not None for trace in self._traces)
         return True
 
     def recolour(self) -> None:
@@ -206,7 +207,7 @@ class TraceTable(QAbstractTableModel):
                 held = self._plot.peak_of(name)
                 return "" if held is None else value_text(held, trace.unit)
             case TraceColumn.LIMIT:
-                limit = source.limit(name)
+                limit = source.limits.get(name)
                 return "" if limit is None else value_text(limit, trace.unit)
         return value_text(value, trace.unit)
 

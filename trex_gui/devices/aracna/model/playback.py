@@ -15,8 +15,7 @@ from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.playback.recording_loader import LoadedRecording
 from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.source import TraceInfo
-from trex_gui.ui.plotting.data.traces import Traces
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
 COLORS = ("motor1", "motor2", "good", "dirty", "danger", "muted", "warning", "plot_text")

@@ -17,7 +17,6 @@ from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.ring import Ring
 
 _INPUT_HISTORY = 3_000
 """Samples of the inputs kept: a minute at 50 a second."""
@@ -56,7 +55,7 @@ class Telemetry(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.currents = SampleHistory(len(Series))
-        self.inputs = Ring(_INPUT_HISTORY, columns=len(CHANNELS))
+        self.inputs = SampleHistory(len(CHANNELS), capacity=_INPUT_HISTORY)
         self.raw: tuple[int | None, ...] | None = None
         self.remapped: tuple[int, ...] | None = None
         self.motor_currents: tuple[float, float] | None = None

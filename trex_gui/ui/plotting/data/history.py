@@ -1,68 +1,78 @@
-"""A million rows of samples in bounded memory, of which any span is drawn and summed up at once."""
+"""A million rows of samples in bounded memory; any span is drawn and summarized at once."""
 
 import itertools
 import math
 from bisect import bisect_right
 from collections.abc import Sequence
+from dataclasses import dataclass
 from operator import itemgetter
 
 import numpy as np
 
-from trex_gui.ui.plotting.data.integrals import Integrals
-from trex_gui.ui.plotting.data.pyramid import FACTOR, MOST_LEVELS, Pyramid
-from trex_gui.ui.plotting.data.source import Floats, Points, Statistics
+from trex_gui.ui.plotting.data.pyramid import FACTOR, MAX_LEVELS, Floats, Pyramid
 
 CAPACITY = 1_000_000
 """Rows kept: three and a half hours at 80 a second."""
 
 MAX_GAP = 0.5
-"""Seconds without a sample after which a line was silent: 40 samples of currents long."""
+"""Seconds without a sample that interrupt a curve: 40 samples of currents."""
 
 _FIRST_ROOM = 4096
 
-_GAPS_AT_ONCE = 200
-"""Long gaps that a picture shows as such; where there are more, only the longest of them."""
+_MAX_GAPS_DRAWN = 200
+"""Gaps drawn in one plot; where there are more, only the longest."""
+
+Points = tuple[Floats, Floats]
+"""Times and values; NaN interrupts the line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Statistics:
+    """Figures of a curve within a span; times without samples are left out, NaN means unknown."""
+
+    seconds: float = 0.0  # for which there were samples
+    integral: float = 0.0  # unit x seconds
+    mean: float = math.nan  # over time
+    rms: float = math.nan  # over time
+    low: float = math.nan
+    high: float = math.nan
+
+    @property
+    def per_hour(self) -> float:
+        """The integral in unit x hours: a current's charge in Ah."""
+        return self.integral / 3600
 
 
 class SampleHistory:
-    """The last `capacity` rows of a time and some values; times rise.
+    """The last `capacity` rows of a time and `columns` values; times rise, NaN means unknown.
 
-    A value that is no number means that nothing was known. Memory grows with the rows; when it
-    is full the oldest go. Adding a row costs the same on average however many there are.
+    Memory grows with the rows; at capacity the oldest are dropped. The average cost of adding
+    a row does not depend on their number. `max_gap` is in seconds.
     """
 
     def __init__(self, columns: int, capacity: int = CAPACITY, max_gap: float = MAX_GAP) -> None:
-        self._capacity = capacity
-        self._columns = columns
+        self.capacity = capacity
+        self.columns = columns
         self._max_gap = max_gap
-        # Rows go so many at a time that blocks of every size go whole.
-        self._levels = 2
-        while self._levels < MOST_LEVELS and 2 * FACTOR ** (self._levels + 1) <= capacity:
-            self._levels += 1
-        self._step = FACTOR**self._levels
-        self._most = -(-capacity // self._step) * self._step + self._step
-        self._clear()
+        # Rows are dropped in steps that hold whole blocks of every level.
+        levels = 2
+        while levels < MAX_LEVELS and 2 * FACTOR ** (levels + 1) <= capacity:
+            levels += 1
+        self._levels = levels
+        self._step = FACTOR**levels
+        self._max_rows = -(-capacity // self._step) * self._step + self._step
+        self.clear()
 
-    def _clear(self) -> None:
-        self._pyramid = Pyramid(self._columns, self._levels)
-        self._integrals = Integrals(self._columns, self._max_gap)
+    def clear(self) -> None:
+        """Forget every row and free the memory."""
+        self._pyramid = Pyramid(self.columns, self._levels, self._max_gap)
         self._times = np.empty(0)
-        self._values = np.empty((self._columns, 0))
+        self._values = np.empty((self.columns, 0))
         self._size = 0
-        self._gaps: list[tuple[float, float]] = []  # of each: when it ended, how long it was
+        self._gaps: list[tuple[float, float]] = []  # when each ended and how long it was
 
     def __len__(self) -> int:
-        return min(self._size, self._capacity)
-
-    @property
-    def capacity(self) -> int:
-        """How many rows are kept at most."""
-        return self._capacity
-
-    @property
-    def columns(self) -> int:
-        """How many values a row has beside its time."""
-        return self._columns
+        return min(self._size, self.capacity)
 
     @property
     def times(self) -> Floats:
@@ -80,10 +90,10 @@ class SampleHistory:
             return None
         return float(self._times[self._begin]), float(self._times[self._size - 1])
 
-    # --- Growing ------------------------------------------------------------------------
+    # --- Adding -------------------------------------------------------------------------
 
     def append(self, time: float, *values: float) -> None:
-        """Add a row; a time before the newest one is taken for that."""
+        """Add a row; a time before the newest one is replaced by the newest."""
         self._make_room(1)
         end = self._size
         if end:
@@ -113,46 +123,38 @@ class SampleHistory:
             self._gaps.append((float(self._times[begin + at]), float(width[at])))
         self._grow(stop)
 
-    def clear(self) -> None:
-        """Forget every row, and give the memory back."""
-        self._clear()
-
     def _grow(self, size: int) -> None:
         if size // FACTOR != self._size // FACTOR:
-            self._pyramid.grow(self._values, size)
-            self._integrals.grow(self._times, self._values, size)
+            self._pyramid.grow(self._times, self._values, size)
         self._size = size
 
     def _make_room(self, rows: int) -> None:
-        if self._size + rows > self._most:
+        if self._size + rows > self._max_rows:
             self._drop(self._step)
         room = len(self._times)
         if self._size + rows <= room:
             return
-        room = min(self._most, max(2 * room, _FIRST_ROOM, self._size + rows))
-        times, values = np.empty(room), np.empty((self._columns, room))
+        room = min(self._max_rows, max(2 * room, _FIRST_ROOM, self._size + rows))
+        times, values = np.empty(room), np.empty((self.columns, room))
         times[: self._size] = self._times[: self._size]
         values[:, : self._size] = self._values[:, : self._size]
         self._times, self._values = times, values
         self._pyramid.resize(room)
-        self._integrals.resize(room)
 
     def _drop(self, rows: int) -> None:
         left = self._size - rows
         self._times[:left] = self._times[rows : self._size].copy()
-        for column in self._values:
-            column[:left] = column[rows : self._size].copy()
+        self._values[:, :left] = self._values[:, rows : self._size].copy()
         self._pyramid.drop(rows)
-        self._integrals.drop(rows)
         self._size = left
         oldest = float(self._times[0]) if left else math.inf
         self._gaps = [gap for gap in self._gaps if gap[0] > oldest]
 
-    # --- Looking ------------------------------------------------------------------------
+    # --- Reading ------------------------------------------------------------------------
 
     @property
     def _begin(self) -> int:
-        return max(0, self._size - self._capacity)
+        return max(0, self._size - self.capacity)
 
     def rows(self, start: float, end: float) -> slice:
         """Return which of `times` lie from `start` to `end`."""
@@ -173,13 +175,13 @@ class SampleHistory:
         return float(self._values[column, stop - 1])
 
     def statistics(self, column: int, start: float, end: float) -> Statistics:
-        """Sum up a column's samples from `start` to `end`."""
+        """Summarize a column's samples from `start` to `end`."""
         first, stop = self._rows(start, end)
-        _, lows, highs = self._pyramid.blocks(self._values, column, first, stop, 1)
+        _, lows, highs = self._pyramid.extremes(self._values, column, first, stop, 1)
         if not np.isfinite(lows).any():
             return Statistics()
         low, high = float(np.fmin.reduce(lows)), float(np.fmax.reduce(highs))
-        sums = self._integrals.between(self._times, self._values, column, first, stop)
+        sums = self._pyramid.integrals(self._times, self._values, column, first, stop)
         if sums.seconds <= 0:
             return Statistics(low=low, high=high)
         mean = sums.integral / sums.seconds
@@ -189,9 +191,9 @@ class SampleHistory:
     def points(self, column: int, start: float, end: float, bins: int) -> Points:
         """Return the samples, or two for each of `bins` where they are many more.
 
-        A bin gives its smallest and its greatest value, in the order in which the line goes
-        through it. Bins lie at multiples of their width, so that a picture that scrolls does not
-        flicker. One sample outside stands at either end, so that the line reaches the edges; the
+        A bin gives its lowest and its highest value, in the order in which the line passes
+        them. Bins lie at multiples of their width, so that a scrolling plot does not flicker.
+        One sample outside is added at either end, so that the line reaches the edges; the
         newest sample is always the last point.
         """
         first, stop = self._rows(start, end)
@@ -208,15 +210,15 @@ class SampleHistory:
         return np.concatenate(times), np.concatenate(values)
 
     def _between_gaps(self, first: int, stop: int, longest: float) -> list[tuple[int, int]]:
-        """Return the rows as spans between which no sample came for longer than that."""
+        """Return the rows as spans without a gap that is longer than `longest`."""
         if first >= stop:
             return []
         low, high = float(self._times[first]), float(self._times[stop - 1])
-        ended = itemgetter(0)  # they stand in the order of time
+        ended = itemgetter(0)
         from_, to = (bisect_right(self._gaps, time, key=ended) for time in (low, high))
         gaps = [gap for gap in self._gaps[from_:to] if gap[1] > longest]
-        if len(gaps) > _GAPS_AT_ONCE:
-            gaps = sorted(gaps, key=lambda gap: gap[1])[-_GAPS_AT_ONCE:]
+        if len(gaps) > _MAX_GAPS_DRAWN:
+            gaps = sorted(gaps, key=itemgetter(1))[-_MAX_GAPS_DRAWN:]
         ends = sorted(int(self._times[: self._size].searchsorted(at)) for at, _ in gaps)
         edges = [first, *ends, stop]
         return [(a, b) for a, b in itertools.pairwise(edges) if a < b]
@@ -227,9 +229,9 @@ class SampleHistory:
         bins = max(1, math.ceil(seconds / width))
         if stop - first <= 2 * bins + 2:
             return self._times[first:stop].copy(), self._values[column, first:stop].copy()
-        starts, low, high = self._pyramid.blocks(self._values, column, first, stop, 2 * bins)
-        of_bin = np.floor(self._times[starts] / width)
-        heads = np.flatnonzero(np.diff(of_bin, prepend=math.nan) != 0)
+        starts, low, high = self._pyramid.extremes(self._values, column, first, stop, 2 * bins)
+        bin_of = np.floor(self._times[starts] / width)
+        heads = np.flatnonzero(np.diff(bin_of, prepend=math.nan) != 0)
         low, high = np.fmin.reduceat(low, heads), np.fmax.reduceat(high, heads)
         begins = starts[heads]
         ends = np.append(begins[1:], stop) - 1

@@ -1,91 +1,132 @@
-"""Smallest and greatest values of blocks of rows, of blocks of blocks, and so on.
+"""Extremes and integrals of blocks of rows, of blocks of blocks, and so on.
 
-A picture of an hour needs the extremes of some hundred spans of samples. Read from here that
-costs the same whether a span holds eight samples or a hundred thousand.
+A plot of an hour needs the extremes of some hundred spans of samples. From here they cost the
+same whether a span holds ten samples or a hundred thousand.
 """
 
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
-from trex_gui.ui.plotting.data.source import Floats
+Floats = NDArray[np.float64]
 
-FACTOR = 8
+FACTOR = 16
 """Rows in a block of the lowest level, and blocks in one of the next."""
 
-MOST_LEVELS = 6
-"""The greatest block has 8 to the power of 6 rows: 55 minutes at 80 samples a second."""
+MAX_LEVELS = 4
+"""The largest block has 16 to the power of 4 rows: 14 minutes at 80 samples a second."""
+
+
+class Integrals(NamedTuple):
+    """Of one column by the trapezoidal rule; the interval before a row belongs to the row."""
+
+    seconds: float
+    integral: float
+    squares: float
 
 
 class Pyramid:
-    """Extremes of whole blocks; it grows with the rows it is told of and never reads one twice.
+    """Summaries of whole blocks of the rows of `times` and `values` (columns, rows).
 
-    A value that is no number is left out; a block of nothing else is no number itself.
+    NaN is left out; a block of nothing else is NaN itself. An interval longer than `max_gap`
+    seconds, or with NaN at one end, counts for no integral.
     """
 
-    def __init__(self, columns: int, levels: int = MOST_LEVELS) -> None:
+    _REDUCE = (np.fmin, np.fmax, np.add, np.add, np.add)
+
+    def __init__(self, columns: int, levels: int, max_gap: float) -> None:
         self._columns = columns
         self._levels = levels
-        self._done = [0] * (levels + 1)  # whole blocks of each level; level 0 are the rows
-        self._low = [np.empty((columns, 0)) for _ in range(levels + 1)]
-        self._high = [np.empty((columns, 0)) for _ in range(levels + 1)]
+        self._max_gap = max_gap
+        self._done = [0] * (levels + 1)  # whole blocks of each level; level 0 is the rows
+        self._blocks = [np.empty((5, columns, 0)) for _ in range(levels + 1)]
 
     def resize(self, rows: int) -> None:
-        """Make room for blocks of so many rows; what is there stays."""
+        """Make room for the blocks of that many rows; what is there stays."""
         for level in range(1, self._levels + 1):
-            for kept in (self._low, self._high):
-                grown = np.empty((self._columns, rows // FACTOR**level))
-                grown[:, : self._done[level]] = kept[level][:, : self._done[level]]
-                kept[level] = grown
+            grown = np.empty((5, self._columns, rows // FACTOR**level))
+            done = self._done[level]
+            grown[:, :, :done] = self._blocks[level][:, :, :done]
+            self._blocks[level] = grown
 
-    def grow(self, values: Floats, size: int) -> None:
-        """Take the rows up to `size` of `values`, a row of which is a column of ours."""
-        low = high = values
+    def grow(self, times: Floats, values: Floats, size: int) -> None:
+        """Summarize the rows up to `size`; none is read twice."""
         self._done[0] = size
         for level in range(1, self._levels + 1):
             first, done = self._done[level], self._done[level - 1] // FACTOR
             if done == first:
                 return
-            shape = (self._columns, done - first, FACTOR)
-            span = slice(first * FACTOR, done * FACTOR)
-            new = slice(first, done)
-            np.fmin.reduce(low[:, span].reshape(shape), axis=2, out=self._low[level][:, new])
-            np.fmax.reduce(high[:, span].reshape(shape), axis=2, out=self._high[level][:, new])
+            begin, end = first * FACTOR, done * FACTOR
+            if level == 1:
+                rows = values[:, begin:end]
+                below = [rows, rows, *self._intervals(times, values, begin, end)]
+            else:
+                below = list(self._blocks[level - 1][:, :, begin:end])
+            for reduce, summary, part in zip(self._REDUCE, self._blocks[level], below, strict=True):
+                shaped = part.reshape(self._columns, done - first, FACTOR)
+                reduce.reduce(shaped, axis=2, out=summary[:, first:done])
             self._done[level] = done
-            low, high = self._low[level], self._high[level]
 
     def drop(self, rows: int) -> None:
-        """Forget the first rows, a multiple of the greatest block."""
+        """Forget the first rows, a multiple of the largest block."""
         for level in range(self._levels + 1):
-            gone = rows // FACTOR**level
-            if level and self._done[level] > gone:
-                for kept in (self._low, self._high):
-                    left = kept[level][:, gone : self._done[level]].copy()
-                    kept[level][:, : left.shape[1]] = left
-            self._done[level] = max(0, self._done[level] - gone)
+            gone, done = rows // FACTOR**level, self._done[level]
+            if level and done > gone:
+                blocks = self._blocks[level]
+                blocks[:, :, : done - gone] = blocks[:, :, gone:done].copy()
+            self._done[level] = max(0, done - gone)
 
-    def blocks(
-        self, values: Floats, column: int, first: int, stop: int, most: int
-    ) -> tuple[np.ndarray[tuple[int], np.dtype[np.intp]], Floats, Floats]:
-        """Return where blocks that cover rows `first` to `stop` begin, and their extremes.
+    def extremes(
+        self, values: Floats, column: int, first: int, stop: int, least: int
+    ) -> tuple[NDArray[np.intp], Floats, Floats]:
+        """Return where the blocks that cover rows `first` to `stop` begin, and their extremes.
 
-        They are as large as can be while there are `most` of them or more, and smaller at the
-        ends, so that they cover exactly these rows.
+        They are as large as possible while there are at least `least` of them, and smaller at
+        the ends, so that they cover exactly these rows.
         """
         top = 0
-        while top < self._levels and (stop - first) // FACTOR ** (top + 1) >= most:
+        while top < self._levels and (stop - first) // FACTOR ** (top + 1) >= least:
             top += 1
-        starts, lows, highs = [], [], []
+        starts, lows, highs = [np.empty(0, np.intp)], [np.empty(0)], [np.empty(0)]
         for level, begin, end in _cover(first, stop, top):
-            span = slice(begin // FACTOR**level, end // FACTOR**level)
-            starts.append(np.arange(begin, end, FACTOR**level))
-            lows.append((self._low[level] if level else values)[column, span])
-            highs.append((self._high[level] if level else values)[column, span])
-        if not starts:
-            return np.empty(0, np.intp), np.empty(0), np.empty(0)
+            size = FACTOR**level
+            low, high = self._blocks[level][:2] if level else (values, values)
+            starts.append(np.arange(begin, end, size))
+            lows.append(low[column, begin // size : end // size])
+            highs.append(high[column, begin // size : end // size])
         return np.concatenate(starts), np.concatenate(lows), np.concatenate(highs)
+
+    def integrals(
+        self, times: Floats, values: Floats, column: int, first: int, stop: int
+    ) -> Integrals:
+        """Return what the intervals between the rows `first` to `stop` - 1 add up to."""
+        total = np.zeros(3)
+        for level, begin, end in _cover(first + 1, stop, self._levels):
+            size = FACTOR**level
+            if level:
+                total += self._blocks[level][2:, column, begin // size : end // size].sum(axis=1)
+            else:
+                one = values[column : column + 1]
+                total += self._intervals(times, one, begin, end).sum(axis=2)[:, 0]
+        return Integrals(*total.tolist())
+
+    def _intervals(self, times: Floats, values: Floats, first: int, stop: int) -> Floats:
+        """Return what the interval before each row adds: (integrals, columns, rows)."""
+        added = np.zeros((3, len(values), stop - first))
+        begin = max(first, 1)  # there is no interval before row 0
+        after, before = values[:, begin:stop], values[:, begin - 1 : stop - 1]
+        width = times[begin:stop] - times[begin - 1 : stop - 1]
+        counts = np.isfinite(after) & np.isfinite(before) & (width <= self._max_gap)
+        part = added[:, :, begin - first :]
+        np.copyto(part[0], width, where=counts)
+        np.copyto(part[1], (before + after) / 2 * width, where=counts)
+        np.copyto(part[2], (before * before + after * after) / 2 * width, where=counts)
+        return added
 
 
 def _cover(first: int, stop: int, top: int) -> list[tuple[int, int, int]]:
-    """Return spans (level, from, to) of whole blocks, none above `top`, from `first` to `stop`."""
+    """Return (level, from, to) of whole blocks, none above `top`, that cover these rows."""
     if first >= stop:
         return []
     size = FACTOR**top

@@ -10,7 +10,8 @@ import numpy as np
 
 from trex_gui.core.files.whole_files import whole_file
 from trex_gui.core.recording.errors import RecordingError
-from trex_gui.ui.plotting.data.source import Floats, TraceSource
+from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.trace_csv import Happening, write_trace_csv
 from trex_gui.ui.workers.file_saver import FileSaver
 from trex_gui.ui.workers.file_worker import ProgressCallback
@@ -22,9 +23,7 @@ _AT_ONCE = 2000
 class TableSaver(FileSaver):
     """Writes what a plot has, a row a sample."""
 
-    def save(
-        self, path: Path, source: TraceSource, span: tuple[float, float], origin: float
-    ) -> None:
+    def save(self, path: Path, source: Traces, span: tuple[float, float], origin: float) -> None:
         """Write every curve within a span; times count from `origin`.
 
         `saved` or `failed` says how it went.

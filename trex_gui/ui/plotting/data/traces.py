@@ -1,17 +1,34 @@
-"""The curves of a history with what happened meanwhile: what a plot is given."""
+"""The curves of a plot: columns of a history, with limits and events on the same clock."""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from operator import attrgetter
 
 from trex_gui.ui.devices.event_log import Event
-from trex_gui.ui.plotting.data.history import SampleHistory
-from trex_gui.ui.plotting.data.source import Floats, Points, Statistics, TraceInfo
+from trex_gui.ui.plotting.data.history import Points, SampleHistory, Statistics
+from trex_gui.ui.plotting.data.pyramid import Floats
+
+
+@dataclass(frozen=True, slots=True)
+class TraceInfo:
+    """One curve; the first unit of a source is that of the left axis, others go to the right."""
+
+    name: str  # one word, for programs and files: "motor1_current"
+    label: str  # for the user: "Motor 1 current"
+    unit: str  # "A"; empty for plain counts
+    color: str  # a name of the theme: "motor1"
+    tag: str = ""  # one or two letters at the end of the line: "1"
+    shown: bool = True  # until the user chooses
 
 
 class Traces:
-    """A `TraceSource`: one curve a column of a history, and events.
+    """One curve for each column of a history, and events; it may grow while it is shown.
 
-    Nothing is copied; it shows what the history and the list of events hold at the moment.
+    Nothing is copied. `limits` are in the curves' units; `events` are in the order of time.
+
+    Raises:
+        ValueError: the number of names is not that of the columns.
     """
 
     def __init__(
@@ -21,58 +38,49 @@ class Traces:
         events: Sequence[Event] = (),
         limits: Mapping[str, float] | None = None,
     ) -> None:
-        """Show the columns of `history` as `traces`, in this order.
-
-        `limits` are in the curves' units; `events` are in the order of time.
-
-        Raises:
-            ValueError: there are not as many names as columns.
-        """
         if len(traces) != history.columns:
             raise ValueError(f"{len(traces)} names for {history.columns} columns")
-        self._traces = tuple(traces)
+        self.traces = tuple(traces)
+        self.limits = {} if limits is None else limits  # may be filled later
         self._columns = {trace.name: column for column, trace in enumerate(traces)}
         self._history = history
         self._events = events
-        self._limits = {} if limits is None else limits  # it may be filled later
-
-    @property
-    def traces(self) -> Sequence[TraceInfo]:
-        """The curves, in the order of the columns."""
-        return self._traces
 
     @property
     def span(self) -> tuple[float, float] | None:
-        """The times of the oldest and of the newest sample."""
+        """The times in seconds of the oldest and of the newest sample; `None` without any."""
         return self._history.span
+
+    @property
+    def left_unit(self) -> str:
+        """The unit of the left axis."""
+        return self.traces[0].unit
+
+    @property
+    def right_unit(self) -> str:
+        """The unit of the right axis; empty for plain counts, or where there is none."""
+        return next((t.unit for t in self.traces if t.unit != self.left_unit), "")
 
     def points(self, name: str, start: float, end: float, bins: int) -> Points:
         """Return what to draw of a curve; see `SampleHistory.points`."""
         return self._history.points(self._columns[name], start, end, bins)
 
     def statistics(self, name: str, start: float, end: float) -> Statistics:
-        """Return what a curve's samples come to."""
+        """Summarize a curve's samples from `start` to `end`."""
         return self._history.statistics(self._columns[name], start, end)
 
     def value_at(self, name: str, time: float) -> float:
         """Return a curve's last value before or at a time, else NaN."""
         return self._history.value_at(self._columns[name], time)
 
-    def limit(self, name: str) -> float | None:
-        """Return a curve's limit."""
-        return self._limits.get(name)
-
     def samples(self, start: float, end: float) -> tuple[Floats, Sequence[Floats]]:
         """Return the times and every curve's values: views, valid until the next row."""
         rows = self._history.rows(start, end)
-        columns = [self._history.values(column)[rows] for column in range(len(self._traces))]
+        columns = [self._history.values(column)[rows] for column in range(len(self.traces))]
         return self._history.times[rows], columns
 
     def events_between(self, start: float, end: float) -> Sequence[Event]:
-        """Return what happened from `start` to `end`, oldest first."""
-        first = bisect_left(self._events, start, key=_time)
-        return self._events[first : bisect_right(self._events, end, key=_time)]
-
-
-def _time(event: Event) -> float:
-    return event.time
+        """Return the events from `start` to `end`, oldest first."""
+        time = attrgetter("time")
+        first = bisect_left(self._events, start, key=time)
+        return self._events[first : bisect_right(self._events, end, key=time)]

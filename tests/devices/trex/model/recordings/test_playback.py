@@ -103,9 +103,9 @@ def test_traces_hold_channels_and_setpoints(tmp_path: Path, qtbot: QtBot) -> Non
         Currents(T0 + 0.3, (0, 0)),
     )
     traces = playback.traces
-    assert traces.value_at("motor2_wish", T0 + 0.15) == -70
+    assert traces.value_at("motor2_setpoint", T0 + 0.15) == -70
     assert traces.value_at("channel5", T0 + 0.15) == -5
-    assert traces.value_at("motor2_wish", T0 + 0.3) == 0
+    assert traces.value_at("motor2_setpoint", T0 + 0.3) == 0
     playback.set_position(T0 + 0.15)
     assert playback.latest().wishes == {2: Drive.at(-70)}
     assert playback.latest().raw == (3750, None, 1, 2, 3)

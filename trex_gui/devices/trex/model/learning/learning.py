@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.learning.standstill_check import StandstillChec
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.ui.plotting.data.ring import FloatArray
+from trex_gui.ui.plotting.data.pyramid import Floats
 
 
 class LearningStep(Enum):
@@ -154,7 +154,7 @@ class Learning(QObject):
         settings = self._device.settings
         return 0 if settings is None else settings.line.baud
 
-    def trace(self, number: int) -> tuple[FloatArray, FloatArray, float]:
+    def trace(self, number: int) -> tuple[Floats, Floats, float]:
         """Return the input of the last minute: times, counts, and what time it is."""
         telemetry = self._device.telemetry
         column = CHANNELS.index(number)

@@ -10,7 +10,7 @@ from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.recording.block_replay import BlockReplay
 from trex_gui.devices.trex.model.recordings.recorded import MOST_ROWS, gather
 from trex_gui.devices.trex.model.telemetry import Series
-from trex_gui.devices.trex.model.traces.curves import board_traces
+from trex_gui.devices.trex.model.traces import board_traces
 from trex_gui.devices.trex.recording.files import open_recording
 from trex_gui.devices.trex.recording.recording import Header, Record, RecordingFile
 from trex_gui.devices.trex.recording.replay import Latest, export_span

@@ -21,6 +21,7 @@ from trex_gui.devices.trex.bench.figures import BAND
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench.bench import Bench, Phase
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.traces import current_limit
 from trex_gui.devices.trex.views.bench.figures_table import FiguresTable
 from trex_gui.devices.trex.views.bench.files import BenchFiles
 from trex_gui.devices.trex.views.bench.hold_button import HoldButton
@@ -332,13 +333,7 @@ class BenchDialog(QDialog):
             return
         plan = self._bench.plan
         profile = plan.profile.limited(self._device.motors.ceiling)
-        self._plot.show_plan(profile, plan.abort_current, self._limit(plan.motor))
+        self._plot.show_plan(profile, plan.abort_current, current_limit(self._device, plan.motor))
         self._plot.show_runs(self._bench.current, self._before)
         if self._bench.phase is not Phase.IDLE:
             self._want_frame()
-
-    def _limit(self, motor: int) -> float | None:
-        """The current limit that the board stores, in A; `None` when it is off or not known."""
-        key = f"motor{motor}_current_limit"
-        wire = self._device.parameters.stored_of(key)
-        return wire * self._device.parameters.spec_of(key).scale if wire else None

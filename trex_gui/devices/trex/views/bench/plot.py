@@ -15,7 +15,7 @@ from trex_gui.devices.trex.bench.run import Run
 from trex_gui.devices.trex.views.bench.legend import LegendKey
 from trex_gui.ui.plotting.axis_ticks import round_up, ticks
 from trex_gui.ui.plotting.canvas import PlotCanvas, signed
-from trex_gui.ui.plotting.data.source import Floats
+from trex_gui.ui.plotting.data.pyramid import Floats
 
 _WIDEST = "−127"
 _AFTER = 0.6

@@ -7,7 +7,7 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.model.device import ConnectionState, Device
-from trex_gui.devices.trex.model.traces.live import LiveTraces
+from trex_gui.devices.trex.model.traces import LiveTraces
 from trex_gui.ui.runtime import runtime
 
 if TYPE_CHECKING:

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP, Ha
 from trex_gui.devices.trex.views.pages.calibration.input_axis import axis_for, input_ticks
 from trex_gui.devices.trex.views.pages.calibration.input_trace import InputTrace
 from trex_gui.ui.plotting.canvas import PlotCanvas, signed
-from trex_gui.ui.plotting.data.source import Floats
+from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.theme.theme import theme
 
 _OUTPUT_ROOM = 14

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QGraphicsRectItem, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.ui.plotting.canvas import PlotCanvas, Ticks
-from trex_gui.ui.plotting.data.source import Floats
+from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.theme.theme import theme
 
 SECONDS = 10.0

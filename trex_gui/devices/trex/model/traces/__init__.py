@@ -1,1 +1,0 @@
-"""The curves that a board gives."""
