@@ -1,9 +1,10 @@
 """The one place where models and window are put together."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.aracna.discovery.prober import ARACNA_PROBER
@@ -20,6 +21,7 @@ from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.frame.connection_bar import ConnectionBar
 from trex_gui.ui.frame.main_window import MainWindow
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.workers import orphaned_threads
 
 
@@ -52,13 +54,15 @@ class Program:
 
     def open_when_connected(self, path: Path) -> None:
         """Open a settings file as soon as a board answers, once."""
+        self._when_connected(lambda: self.workspace.files.open_file(path))
 
-        def open_once() -> None:
+    def _when_connected(self, then: Callable[[], object]) -> None:
+        def run_once() -> None:
             if self.device.link is ConnectionState.UP:
-                self.device.state_changed.disconnect(open_once)
-                self.workspace.files.open_file(path)
+                self.device.state_changed.disconnect(run_once)
+                then()
 
-        self.device.state_changed.connect(open_once)
+        self.device.state_changed.connect(run_once)
 
     def open_named(self, path: Path, *, connecting: bool) -> None:
         """Open a file that was named at the start, where it belongs.
@@ -68,9 +72,7 @@ class Program:
         current = self.device_manager.current.kind
         if any(path.suffix.lower() in kind.suffixes for kind in self.aracna.file_kinds):
             if connecting and current != ARACNA:  # its connecting takes messages away, once
-                self.workspace.settled.connect(
-                    lambda: self.window.open_file(path), Qt.ConnectionType.SingleShotConnection
-                )
+                self._when_connected(lambda: self.window.open_file(path))
             else:
                 self.window.open_file(path)
         elif connecting and current == TREX:
@@ -105,14 +107,15 @@ class Program:
 def build(timeouts: Timeouts | None = None) -> Program:
     """Make the models and the window; nothing is connected yet."""
     timeouts = timeouts or Timeouts()
-    device = Device()
-    robot = Robot()
+    notifier = Notifier()
+    device = Device(notifier)
+    robot = Robot(notifier)
     ports = Ports(kinds=(TREX, ARACNA))
     connector = Connector(device, ports, timeouts=timeouts)
     way = AracnaController(robot, ports, connector.finder, robot, timeouts=timeouts)
     connector.finder.also(ARACNA.key, ARACNA_PROBER, way.simulator, way.demo_name)
     device_manager = DeviceManager([TrexController(device, connector, device), way])
-    window = MainWindow(device_manager)
+    window = MainWindow(device_manager, notifier)
     workspace = TrexWorkspace(device, connector, window.question, window)
     library = Library(robot)
     aracna = AracnaWorkspace(robot, library, way, window)

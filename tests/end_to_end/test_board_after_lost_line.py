@@ -23,7 +23,7 @@ def test_stop_of_second_board_warns_about_first_board(
     first, second = start_simulator(), start_simulator()
     window.connect(first.url)
     failures: list[str] = []
-    window.device.failed.connect(failures.append)
+    window.device.notifier.error.connect(failures.append)
 
     lose(window, first)
     failures.clear()

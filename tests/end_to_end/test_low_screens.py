@@ -100,7 +100,9 @@ def test_stop_button_is_visible_on_low_screen(asking: AskingWindow) -> None:
         tabs.setCurrentIndex(index)
         asking.check_that_stop_is_in_sight(tabs.tabText(index))
 
-    asking.device.failed.emit("Something went wrong, and it takes a while to say what. " * 6)
+    asking.device.notifier.error.emit(
+        "Something went wrong, and it takes a while to say what. " * 6
+    )
     asking.trigger("reload")
     asking.check_that_stop_is_in_sight("message and question")
 

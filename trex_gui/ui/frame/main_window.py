@@ -1,4 +1,4 @@
-"""The frame around the pages: connection above, what is told below it, menus."""
+"""The frame around the pages: connection above, messages below it, menus."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -25,6 +25,7 @@ from trex_gui.ui.frame.escape import EscapeWatch
 from trex_gui.ui.frame.help_dialog import HelpDialog
 from trex_gui.ui.frame.unconfirmed_stop_warning import UnconfirmedStopWarning
 from trex_gui.ui.frame.workspace import Workspace
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import Scheme, theme
 from trex_gui.ui.widgets.banner import Banner
@@ -37,16 +38,19 @@ _SCHEMES: tuple[Scheme, ...] = ("system", "light", "dark")
 class MainWindow(QMainWindow):
     """Shows the desk of the device that is connected, or was last; knows no device itself."""
 
-    def __init__(self, device_manager: DeviceManager, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, device_manager: DeviceManager, notifier: Notifier, parent: QWidget | None = None
+    ) -> None:
         """Make an empty frame; `add_workspaces` puts its desks in."""
         super().__init__(parent)
         self.setObjectName("mainWindow")
         self.setWindowTitle(self.tr("TReX Studio"))
         self.setWindowIcon(application_icon())
         self._switchboard = device_manager
+        self._notifier = notifier
         self._store = QSettings(self)
         frame = QWidget(self)
-        self._banner = Banner(frame)
+        self._banner = Banner(frame, notifier)
         self._question = InlinePrompt(frame)
         self._stack = QStackedWidget(frame)
         self._rows = QVBoxLayout(frame)
@@ -75,23 +79,17 @@ class MainWindow(QMainWindow):
             self._stack.addWidget(workspace)
             for dock in workspace.docks:
                 self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
-            workspace.told.connect(self._banner.show_news)
-            workspace.refused.connect(self._banner.show_problem)
-            workspace.settled.connect(self._banner.clear)
             workspace.actions_changed.connect(self._on_actions_changed)
         slots = self._slots()
         for workspace in workspaces:
             slots |= workspace.slots()
         self._actions = build_menus(self, slots, [workspace.menus() for workspace in workspaces])
 
-        connection.connecting.connect(self._banner.clear)
+        connection.connecting.connect(self._notifier.cleared)
         connection.interruption_wanted.connect(self._on_interruption_wanted)
         self._switchboard.changed.connect(self._on_actions_changed)
         self._switchboard.current_changed.connect(self._on_device_changed)
-        # Behind what the same report changes: a link that is up again clears the banner.
-        self._switchboard.stop_reported.connect(
-            self._banner.show_problem, Qt.ConnectionType.QueuedConnection
-        )
+        self._switchboard.stop_reported.connect(self._notifier.delayed_error)
         theme().changed.connect(self._on_theme_changed)
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -133,7 +131,7 @@ class MainWindow(QMainWindow):
             self.open_file(paths[0])
         else:
             text = self.tr("{0} files were dropped, and none was opened: drop one at a time.")
-            self._banner.show_problem(text.format(len(paths)))
+            self._notifier.error.emit(text.format(len(paths)))
 
     def open_file(self, path: Path) -> None:
         """Open a file on the desk that it belongs to, unless another device is connected."""
@@ -144,12 +142,12 @@ class MainWindow(QMainWindow):
                     if self._switchboard.switch_to(workspace.key):
                         kind.open(path)
                     else:
-                        self._banner.show_problem(self._why_elsewhere(path, kind.name))
+                        self._notifier.error.emit(self._why_elsewhere(path, kind.name))
                     return
         kinds = [kind for workspace in self._desks for kind in workspace.file_kinds]
         names = "; ".join(f"{kind.name} ({', '.join(sorted(kind.suffixes))})" for kind in kinds)
         text = self.tr("{0} was not opened: nothing here opens such files. What can be: {1}.")
-        self._banner.show_problem(text.format(path.name, names))
+        self._notifier.error.emit(text.format(path.name, names))
 
     def _why_elsewhere(self, path: Path, what: str) -> str:
         return self.tr(
@@ -173,7 +171,7 @@ class MainWindow(QMainWindow):
             if isinstance(menu := menu_action.menu(), QMenu):
                 offered = (a.isVisible() and not a.isSeparator() for a in menu.actions())
                 menu_action.setVisible(any(offered))
-        self._banner.clear()
+        self._notifier.cleared.emit()
         self._on_actions_changed()
 
     @Slot()

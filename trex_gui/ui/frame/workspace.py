@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QTabWidget, QWidget
 
 from trex_gui.ui.frame.actions import ActionInfo
+from trex_gui.ui.notifier import Notifier
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,20 +33,15 @@ class Workspace(QWidget):
     What is here does for a device that asks for no more; a desk has its own where it does.
 
     Signals:
-        told: what was done, for people.
-        refused: what went wrong, for people.
-        settled: what was told and refused before is over.
-        possibilities_changed: `enabled_actions` says something else.
+        actions_changed: `enabled_actions` says something else.
     """
 
-    told = Signal(str)
-    refused = Signal(str)
-    settled = Signal()
     actions_changed = Signal()
 
-    def __init__(self, key: str, parent: QWidget | None = None) -> None:
+    def __init__(self, key: str, notifier: Notifier, parent: QWidget | None = None) -> None:
         """Show the device of this kind; see `model.kinds`."""
         super().__init__(parent)
+        self.notifier = notifier
         self.key = key
         self._pages = QTabWidget(self)
         self._pages.setDocumentMode(True)

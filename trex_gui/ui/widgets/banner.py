@@ -3,14 +3,15 @@
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme
 
 
 class Banner(QFrame):
-    """Hidden while there is nothing to say."""
+    """Shows the newest message of a notifier, or of its owner; hidden while there is none."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None, notifier: Notifier | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("banner")
         self.setFrameShape(QFrame.Shape.StyledPanel)
@@ -37,15 +38,21 @@ class Banner(QFrame):
         layout.addWidget(self._dismiss, 0, Qt.AlignmentFlag.AlignTop)
 
         self._dismiss.clicked.connect(self.clear)
+        if notifier is not None:
+            notifier.info.connect(self.show_news)
+            notifier.error.connect(self.show_problem)
+            notifier.cleared.connect(self.clear)
         self._name_text()
         theme().changed.connect(self._on_theme_changed)
         self._on_theme_changed()
         self.hide()
 
+    @Slot(str)
     def show_problem(self, text: str) -> None:
         """Show what went wrong, in place of the message before."""
         self._show(text, "warning")
 
+    @Slot(str)
     def show_news(self, text: str) -> None:
         """Show what was done, in place of the message before."""
         self._show(text, "info")

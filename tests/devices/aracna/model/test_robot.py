@@ -32,7 +32,7 @@ class RobotHarness:
         self.messages: list[str] = []
         self.robot.reported.connect(self.reports.append)
         self.links: list[tuple[ConnectionState, str]] = []
-        for signal in (self.robot.told, self.robot.refused, self.robot.failed):
+        for signal in (self.robot.notifier.info, self.robot.notifier.error):
             signal.connect(self.messages.append)
         self.robot.link_changed.connect(self._note_link)
 

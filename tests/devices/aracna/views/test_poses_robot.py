@@ -23,7 +23,7 @@ class ConnectedPanelDriver(PosesPanelDriver):
         self.robot = robot
         self.reports: list[object] = []
         robot.reported.connect(self.reports.append)
-        robot.refused.connect(self.messages.append)
+        robot.notifier.error.connect(self.messages.append)
         self.panel.play_requested.connect(robot.play)
         self.panel.go_to_requested.connect(robot.move)
         self.panel.scale_changed.connect(robot.set_time_scale)

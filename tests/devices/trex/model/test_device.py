@@ -28,7 +28,7 @@ class DeviceRecorder:
         self.results: list[tuple[WriteResult, ...]] = []
         self.steps: list[tuple[int, int, str]] = []
         self.device.link_changed.connect(self._on_link_changed)
-        self.device.failed.connect(self.failures.append)
+        self.device.notifier.error.connect(self.failures.append)
         self.device.applied.connect(self.results.append)
         self.device.progressed.connect(self._on_progressed)
         self.qtbot = qtbot

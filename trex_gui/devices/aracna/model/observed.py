@@ -12,6 +12,7 @@ from trex_gui.devices.aracna.model.robot_state import PlayState, Rate, RobotStat
 from trex_gui.devices.aracna.model.speeds import ServoSpeeds
 from trex_gui.devices.aracna.model.targets import Targets
 from trex_gui.devices.aracna.protocol.units import MOTORS
+from trex_gui.devices.aracna.session.diagnosis import may_be_elsewhere
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     DragDropped,
@@ -24,6 +25,7 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.devices.event_log import EventKind, EventLog
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
 from trex_gui.ui.traffic.model import TrafficModel
 
@@ -38,22 +40,25 @@ class ObservedRobot(QObject):
         changed: anything else that is known: positions, speeds, what is moving or played.
         reported: a report of the session, after it was taken in; for what records.
         halted: a person has stopped everything; what is held down is to be let go.
-        told: what was done otherwise than asked, for people.
-        refused: what cannot be done, for people.
-        failed: why the line is closed, for people.
+        rejected: why a command was not carried out; the notifier reports it, too.
     """
 
     link_changed = Signal()
     changed = Signal()
     reported = Signal(object)
     halted = Signal()
-    told = Signal(str)
-    refused = Signal(str)
-    failed = Signal(str)
+    rejected = Signal(str)
 
-    def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
+    def __init__(
+        self,
+        notifier: Notifier | None = None,
+        parent: QObject | None = None,
+        *,
+        clock: Callable[[], float] = now,
+    ) -> None:
         """Know of no robot yet; `clock` is the session's."""
         super().__init__(parent)
+        self.notifier = notifier or Notifier(self)
         self._clock = clock
         self._version: int | None = None
         self._counters = LineStats()
@@ -71,7 +76,8 @@ class ObservedRobot(QObject):
 
         self.limits.changed.connect(self._send_limits)
         self.speeds.changed.connect(self.changed)
-        self.speeds.refused.connect(self.refused)
+        self.rejected.connect(self.notifier.error)
+        self.speeds.refused.connect(self.rejected)
         self._line.reported.connect(self._on_reported)
         self._line.answered.connect(self._on_answered)
         self._line.lapsed.connect(self._on_lapsed)
@@ -193,7 +199,7 @@ class ObservedRobot(QObject):
                     self._hold()
             case DragDropped(error=error):
                 self._dragging = False  # told once, not with every goal that is dragged over
-                self.refused.emit(self.tr("Not moved: {0}").format(sentence(error)))
+                self._reject(self.tr("Not moved: {0}").format(sentence(error)))
             case _:
                 pass
         self._story.follow(report, self._known)
@@ -227,6 +233,9 @@ class ObservedRobot(QObject):
         self.targets.set_count(motors)
         self.changed.emit()
 
+    def _reject(self, reason: str) -> None:
+        self.rejected.emit(reason)
+
     @Slot()
     def _on_link_changed(self) -> None:
         self.events.add(EventKind.LINK, self.status)
@@ -235,4 +244,6 @@ class ObservedRobot(QObject):
     @Slot(str)
     def _on_failed(self, reason: str) -> None:
         self.events.add(EventKind.LINK, reason)
-        self.failed.emit(reason)
+        if may_be_elsewhere(reason):
+            reason = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(reason)
+        self.notifier.error.emit(reason)

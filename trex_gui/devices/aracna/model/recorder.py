@@ -49,7 +49,7 @@ class AracnaRecorder(RecordThread[Row]):
 
         robot.reported.connect(self._on_reported)
         robot.events.happened.connect(self._on_happened)
-        robot.refused.connect(self._on_refused)
+        robot.rejected.connect(self._on_rejected)
         robot.link_changed.connect(self._on_link_changed)
 
     @property
@@ -122,7 +122,7 @@ class AracnaRecorder(RecordThread[Row]):
         self.put(marker(event.time, event.kind.value, event.text))
 
     @Slot(str)
-    def _on_refused(self, text: str) -> None:
+    def _on_rejected(self, text: str) -> None:
         self.put(marker(self.clock(), EventKind.NOTE.value, text))
 
     @Slot()

@@ -78,7 +78,7 @@ class Robot(ObservedRobot):
         if not self._may_move():
             return False
         if not play.steps:
-            self.refused.emit(self.tr("There is nothing to play: the sequence has no steps."))
+            self._reject(self.tr("There is nothing to play: the sequence has no steps."))
             return False
         play, others = within_limits(play, self.limits)
         if others:
@@ -129,30 +129,30 @@ class Robot(ObservedRobot):
 
     def _may_move(self) -> bool:
         if self.link is not ConnectionState.UP:
-            self.refused.emit(self.tr("No robot is connected that could move."))
+            self._reject(self.tr("No robot is connected that could move."))
             return False
         if self._known.play is not None:
-            self.refused.emit(self.tr("A sequence is playing. Stop it first."))
+            self._reject(self.tr("A sequence is playing. Stop it first."))
             return False
         if self._known.stuck is not None:
-            self.refused.emit(self.tr("The robot is stuck. Nothing is sent until it has answered."))
+            self._reject(self.tr("The robot is stuck. Nothing is sent until it has answered."))
             return False
         return True
 
     def _tell(self, text: str) -> None:
         self.events.add(EventKind.NOTE, text)
-        self.told.emit(text)
+        self.notifier.info.emit(text)
 
     # --- How it went ---------------------------------------------------------------------
 
     def _on_move_over(self, outcome: Outcome) -> None:
         self._moves_waiting -= 1
         if outcome.error is not None and not self._holding:
-            self.refused.emit(self.tr("Not moved: {0}").format(sentence(outcome.error)))
+            self._reject(self.tr("Not moved: {0}").format(sentence(outcome.error)))
         self.changed.emit()
 
     def _on_play_over(self, outcome: Outcome) -> None:
         self._known.play = self._known.playing = None
         if outcome.error is not None and not self._holding:
-            self.refused.emit(self.tr("Broken off: {0}").format(sentence(outcome.error)))
+            self._reject(self.tr("Broken off: {0}").format(sentence(outcome.error)))
         self.changed.emit()

@@ -11,7 +11,6 @@ from trex_gui.devices.aracna.model.controller import ARACNA, AracnaController
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
-from trex_gui.devices.aracna.session.diagnosis import may_be_elsewhere
 from trex_gui.devices.aracna.views.action_bar import RobotBar
 from trex_gui.devices.aracna.views.demo.panel import RobotPanel
 from trex_gui.devices.aracna.views.help import help_text
@@ -36,7 +35,7 @@ class AracnaWorkspace(Workspace):
     def __init__(
         self, robot: Robot, library: Library, way: AracnaController, frame: QMainWindow
     ) -> None:
-        super().__init__(ARACNA.key, frame)
+        super().__init__(ARACNA.key, robot.notifier, frame)
         self._robot = robot
         self._library = library
         self._store = QSettings(self)
@@ -71,18 +70,16 @@ class AracnaWorkspace(Workspace):
         layout.addWidget(bar)
 
         panel = self._poses.panel
-        for told in (robot.told, panel.told, self.recordings.told, traffic.told):
-            told.connect(self.told)
+        for told in (panel.told, self.recordings.told, traffic.told):
+            told.connect(self.notifier.info)
         for refused in (
             panel.refused,
             self.recordings.refused,
-            robot.refused,
             traffic.refused,
         ):
-            refused.connect(self.refused)
-        robot.failed.connect(self._on_robot_failed)
-        way.failed.connect(self.refused)
-        way.demo_robot.refused.connect(self.refused)
+            refused.connect(self.notifier.error)
+        way.failed.connect(self.notifier.error)
+        way.demo_robot.refused.connect(self.notifier.error)
         way.changed.connect(self._on_changed)
         self._demo.wanted_changed.connect(self._on_demo_wanted)
         robot.link_changed.connect(self._on_link_changed)
@@ -196,17 +193,11 @@ class AracnaWorkspace(Workspace):
 
     # --- What has changed ---------------------------------------------------------------
 
-    @Slot(str)
-    def _on_robot_failed(self, text: str) -> None:
-        if may_be_elsewhere(text):
-            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
-        self.refused.emit(text)
-
     @Slot()
     def _on_link_changed(self) -> None:
         up = self._robot.link is ConnectionState.UP
         if up and not self._was_up:
-            self.settled.emit()
+            self.notifier.cleared.emit()
         self._was_up = up
         self._on_changed()
 

@@ -10,6 +10,7 @@ from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.discovery.diagnosis import suggests_scan
 from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
 from trex_gui.devices.trex.model.board_state import after_writing, in_force
 from trex_gui.devices.trex.model.connection import Connection, ConnectionState
@@ -39,6 +40,7 @@ from trex_gui.devices.trex.settings.document import calibration_key
 from trex_gui.devices.trex.settings.factory import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.ui.devices.event_log import EventLog
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.traffic.model import TrafficModel
 
 _TIMEOUT = "serial_timeout"
@@ -53,8 +55,7 @@ class Device(QObject):
         link_changed: `link`, `status` or `settings`.
         state_changed: `state` was read anew, or forgotten.
         progressed: steps done, steps in all, what comes next.
-        failed: why a connection ended or something asked did not work, for people.
-        told: what was done without being asked, for people.
+        request_failed: why a connection ended or a request failed; the notifier reports it, too.
         applied: the `WriteResult` of everything that Apply tried.
         sampled: a `Batch`; the models of the device have taken it in.
         pending_changed: how many edits of parameters and calibrations wait for Apply.
@@ -69,14 +70,14 @@ class Device(QObject):
     link_changed = Signal()
     state_changed = Signal()
     progressed = Signal(int, int, str)
-    failed = Signal(str)
-    told = Signal(str)
+    request_failed = Signal(str)
     applied = Signal(object)
     sampled = Signal(object)
     pending_changed = Signal(int)
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, notifier: Notifier | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self.notifier = notifier or Notifier(self)
         self.telemetry = Telemetry(self)
         self.errors = ErrorLog(self)
         self.draft = SettingsDraft(self)
@@ -87,11 +88,11 @@ class Device(QObject):
         self._apply = Apply(self.draft, self.history, self._ask, self)
         self.motors = Motors(self)
         self._connection = Connection(self)
-        self._driving = DriveController(self.motors, self._connection, self)
+        self._driving = DriveController(self.motors, self._connection, self.notifier, self)
         self.events = EventLog(self)
         self._event_watch = EventWatch(self.events, self.motors, self._connection, self)
         self.telemetry.watch(self.motors)
-        self._kept = EditBackup(self.history, self)
+        self._kept = EditBackup(self.history, self.notifier, self)
         self._reset_order = PendingReset()
         self._state: DeviceState | None = None
 
@@ -102,13 +103,10 @@ class Device(QObject):
         self._connection.left.connect(self._on_left)
         self._connection.sampled.connect(self._on_sampled)
         self._connection.progressed.connect(self.progressed)
-        self._connection.failed.connect(self.failed)
+        self._connection.failed.connect(self._on_request_failed)
         self._driving.confirmed.connect(self.link_changed)
-        self._driving.failed.connect(self.failed)
         self.draft.pending_changed.connect(self.pending_changed)
         self.draft.replacing.connect(self._kept.keep)
-        self._kept.told.connect(self.told)
-        self._kept.failed.connect(self.failed)
         self._apply.started.connect(self.link_changed)
         self._apply.finished.connect(self._on_applied)
         self._apply.failed.connect(self._on_apply_failed)
@@ -260,7 +258,7 @@ class Device(QObject):
             BadRequest: the board cannot wait so long.
         """
         if self._state is None or not self._connection.is_open:
-            self.failed.emit(self.tr("No board is connected."))
+            self._on_request_failed(self.tr("No board is connected."))
             return
         spec = self._state.specs[_TIMEOUT]
         self._apply.store(
@@ -327,11 +325,11 @@ class Device(QObject):
 
     def _ask(self, make: Callable[[int], Reload | Write], then: Callable[[Outcome], None]) -> None:
         if not self._connection.ask(make, then):
-            self.failed.emit(self.tr("No board is connected."))
+            self._on_request_failed(self.tr("No board is connected."))
 
     def _on_reloaded(self, outcome: Outcome) -> None:
         if outcome.error is not None:
-            self.failed.emit(self.tr("Reading again failed. {0}").format(outcome.error))
+            self._on_request_failed(self.tr("Reading again failed. {0}").format(outcome.error))
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -344,7 +342,14 @@ class Device(QObject):
     @Slot(str)
     def _on_apply_failed(self, reason: str) -> None:
         self.link_changed.emit()
-        self.failed.emit(reason)
+        self._on_request_failed(reason)
+
+    @Slot(str)
+    def _on_request_failed(self, reason: str) -> None:
+        self.request_failed.emit(reason)
+        if suggests_scan(reason):
+            reason = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(reason)
+        self.notifier.error.emit(reason)
 
     def _note_written(self, results: tuple[WriteResult, ...]) -> None:
         """Let `state` say what the board holds now."""
@@ -364,7 +369,7 @@ class Device(QObject):
         if occasion is ReadReason.OPENED:
             if self.pending and self.parameters.model_key == state.signature.model.key:
                 text = self.tr("Edits made before wait here: {0}. Apply writes them to this board.")
-                self.told.emit(text.format(self.pending))
+                self.notifier.delayed_info.emit(text.format(self.pending))
             self.telemetry.begin(state.signature.model.current_unit)
         self.telemetry.note_control(state.serial_controls)
         self._reset_order.note_read(state.parameters, power_cycled=occasion.power_cycled)

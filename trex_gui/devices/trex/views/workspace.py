@@ -2,13 +2,12 @@
 
 from collections.abc import Callable, Mapping, Sequence
 
-from PySide6.QtCore import QObject, QSettings, Qt, Slot
+from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
 
 from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.discovery.diagnosis import suggests_scan
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.learning.learning import Learning
@@ -46,7 +45,7 @@ class TrexWorkspace(Workspace):
         self, device: Device, connector: Connector, question: InlinePrompt, frame: QMainWindow
     ) -> None:
         """Stand in `frame`, and ask what has to be asked with its `question`."""
-        super().__init__(TREX.key, frame)
+        super().__init__(TREX.key, device.notifier, frame)
         self._device = device
         self._connector = connector
         self._question = question
@@ -94,12 +93,12 @@ class TrexWorkspace(Workspace):
         self._learn = LearnDialog(learning, frame)
         self._bench = BenchOpener(device, frame)
 
-        self._files.told.connect(self.told)
-        self._files.refused.connect(self.refused)
+        self._files.told.connect(self.notifier.info)
+        self._files.refused.connect(self.notifier.error)
         self._files.staged.connect(lambda: tabs.setCurrentIndex(parameters_index))
         FileDrop(frame, SUFFIXES).dropped.connect(self._recordings.open_file)
-        self._recordings.told.connect(self.told)
-        self._recordings.refused.connect(self.refused)
+        self._recordings.told.connect(self.notifier.info)
+        self._recordings.refused.connect(self.notifier.error)
         self._recordings.settings_wanted.connect(self._files.open_editor)
         self._recordings.changed.connect(self._on_recording_changed)
         self._bar.apply_requested.connect(self._review.review)
@@ -114,17 +113,14 @@ class TrexWorkspace(Workspace):
         learning.taken.connect(self._review.review)
         motors_page.parameter_wanted.connect(parameters_page.show_parameter)
         motors_page.parameter_wanted.connect(lambda: tabs.setCurrentIndex(parameters_index))
-        calibration_page.told.connect(self.told)
-        calibration_page.refused.connect(self.refused)
-        transcript_page.told.connect(self.told)
-        transcript_page.refused.connect(self.refused)
-        connector.failed.connect(self.refused)
+        calibration_page.told.connect(self.notifier.info)
+        calibration_page.refused.connect(self.notifier.error)
+        transcript_page.told.connect(self.notifier.info)
+        transcript_page.refused.connect(self.notifier.error)
+        connector.failed.connect(self.notifier.error)
         connector.demo_changed.connect(self._on_demo_changed)
-        connector.demo_board.refused.connect(self.refused)
+        connector.demo_board.refused.connect(self.notifier.error)
         self._demo.wanted_changed.connect(self._on_demo_changed)
-        device.failed.connect(self._on_device_failed)
-        # Behind what the same report changes: a link that is up again clears the banner.
-        device.told.connect(self.told, Qt.ConnectionType.QueuedConnection)
         device.applied.connect(self._on_applied)
         device.applied.connect(question.reconsider)
         device.link_changed.connect(self._on_link_changed)
@@ -233,7 +229,7 @@ class TrexWorkspace(Workspace):
     def _on_link_changed(self) -> None:
         up = self._device.link is ConnectionState.UP
         if up and not self._was_up:
-            self.settled.emit()
+            self.notifier.cleared.emit()
         self._was_up = up
         self._on_actions_changed()
 
@@ -274,26 +270,20 @@ class TrexWorkspace(Workspace):
             self._actions["demo"].setChecked(self._demo.wanted)
         self.actions_changed.emit()
 
-    @Slot(str)
-    def _on_device_failed(self, text: str) -> None:
-        if suggests_scan(text):
-            text = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(text)
-        self.refused.emit(text)
-
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         failed = [result for result in results if result.error is not None]
         if not failed:
-            self.settled.emit()
+            self.notifier.cleared.emit()
             if any(result.what == "factory_reset" for result in results):
                 self._on_power_cycle_wanted()
             elif not self._review.isVisible():
                 text = self.tr("{0} settings are stored and read back equal.")
-                self.told.emit(text.format(len(results)))
+                self.notifier.info.emit(text.format(len(results)))
             return
         names = ", ".join(self._device.name_of(result.what) for result in failed)
         reasons = " ".join(dict.fromkeys(sentence(result.error) for result in failed))
-        self.refused.emit(self.tr("Not stored: {0}. {1}").format(names, reasons))
+        self.notifier.error.emit(self.tr("Not stored: {0}. {1}").format(names, reasons))
 
     @Slot()
     def _on_power_cycle_wanted(self) -> None:

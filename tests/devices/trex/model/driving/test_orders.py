@@ -18,6 +18,7 @@ from trex_gui.devices.trex.model.driving.drive_controller import DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Heartbeat, MotorsStopped, Request
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now, runtime
 
 STOOD_STILL = "The window did not respond for a second."
@@ -102,7 +103,7 @@ def test_frozen_window_reports_the_confirmed_stop(
     driven: Device, simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     said: list[str] = []
-    driven.failed.connect(said.append)
+    driven.notifier.error.connect(said.append)
     deadline = now() + 15
     while not is_braked(simulator):  # and no event of the window is served meanwhile
         assert now() < deadline, "nobody stopped the motor"
@@ -114,18 +115,21 @@ def test_frozen_window_reports_the_confirmed_stop(
 
 def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
     connection, motors = Connection(), Motors()
-    driving = DriveController(motors, connection)
-    with qtbot.waitSignal(driving.failed) as said:
+    notifier = Notifier()
+    driving = DriveController(motors, connection, notifier)
+    with qtbot.waitSignal(notifier.error) as said:
         connection.halted.emit(MotorsStopped(STOOD_STILL, confirmed=False))
     assert said.args == [f"{STOOD_STILL} A stop was sent, and is not confirmed yet."]
     assert motors.stop_reason == STOOD_STILL
+    assert not driving.may_move
 
 
 def test_armed_motors_send_heartbeats_at_a_steady_rate(
     qtbot: QtBot, virtual_time: VirtualRuntime
 ) -> None:
     connection, motors = RecordingConnection(), Motors()
-    driving = DriveController(motors, connection)
+    notifier = Notifier()
+    driving = DriveController(motors, connection, notifier)
     assert not driving.may_move
     motors.allow(True)
     motors.arm()
@@ -147,7 +151,7 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
 ) -> None:
     outcomes: list[StudioError | None] = []
     failures: list[str] = []
-    device.failed.connect(failures.append)
+    device.notifier.error.connect(failures.append)
     device.connect_to(LinkSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: device.motors.can_arm)
     device.stop_motors(outcomes.append)
@@ -159,7 +163,7 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
 
 
 def test_stop_warns_that_channel_driven_motors_may_go_on(rc_device: Device, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(rc_device.failed) as said:
+    with qtbot.waitSignal(rc_device.notifier.error) as said:
         rc_device.motors.stop()
     assert said.args == [BEYOND_A_STOP]
 
@@ -168,7 +172,7 @@ def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
     device: Device, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     failures: list[str] = []
-    device.failed.connect(failures.append)
+    device.notifier.error.connect(failures.append)
     for simulator in (start_simulator("--unpaced"), start_simulator("--unpaced")):
         device.connect_to(LinkSettings(simulator.url))
         qtbot.waitUntil(lambda: device.link is ConnectionState.UP and device.motors.can_arm)
@@ -183,7 +187,7 @@ def test_stop_of_another_board_warns_about_the_lost_one(
     failures: list[str] = []
     simulator.do("line unplug")
     qtbot.waitUntil(lambda: driven.link is ConnectionState.NONE)
-    driven.failed.connect(failures.append)
+    driven.notifier.error.connect(failures.append)
     driven.connect_to(LinkSettings(start_simulator().url))
     qtbot.waitUntil(lambda: bool(failures))
     assert not driven.may_move

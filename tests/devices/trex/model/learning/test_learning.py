@@ -30,7 +30,7 @@ class LearningSetup:
         )
         self._qtbot = qtbot
         failures: list[str] = []
-        self.device.failed.connect(failures.append)
+        self.device.notifier.error.connect(failures.append)
         self.device.connect_to(LinkSettings(simulator.url))
         self.until(lambda: self.device.link is ConnectionState.UP or bool(failures))
         assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])

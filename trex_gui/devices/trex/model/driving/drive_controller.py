@@ -21,6 +21,7 @@ from trex_gui.devices.trex.session.messages import (
     ReadReason,
     Stop,
 )
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now, runtime
 
 AfterStop = Callable[[StudioError | None], None]
@@ -31,17 +32,20 @@ class DriveController(QObject):
     """Stands between the motors that a person drives and the connection to the board.
 
     Signals:
-        proved: a stop was; `may_move` tells whether a wish was let through meanwhile.
-        failed: why a stop is not proved, or why nobody asked for one, for people.
+        confirmed: a stop was; `may_move` is true if a setpoint was sent meanwhile.
     """
 
     confirmed = Signal()
-    failed = Signal(str)
 
     def __init__(
-        self, motors: Motors, connection: Connection, parent: QObject | None = None
+        self,
+        motors: Motors,
+        connection: Connection,
+        notifier: Notifier,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
+        self._notifier = notifier
         self._motors = motors
         self._connection = connection
         self._may_move = False
@@ -136,9 +140,9 @@ class DriveController(QObject):
             self.confirmed.emit()
             self._tell_of_the_lost()
             if self._connection.link is ConnectionState.UP and not self._by_serial:
-                self.failed.emit(BEYOND_A_STOP)
+                self._notifier.error.emit(BEYOND_A_STOP)
         elif self._connection.link is not ConnectionState.CLOSING:
-            self.failed.emit(str(outcome.error))
+            self._notifier.error.emit(str(outcome.error))
 
     @Slot(object)
     def _on_halted(self, report: MotorsStopped) -> None:
@@ -147,7 +151,7 @@ class DriveController(QObject):
                 text = self.tr("{0} The motors were stopped. Press Run motor to go on.")
             else:
                 text = self.tr("{0} A stop was sent, and is not confirmed yet.")
-            self.failed.emit(text.format(report.reason))
+            self._notifier.error.emit(text.format(report.reason))
             self._motors.stop(report.reason)
         if report.confirmed:
             self._may_move = self._motors.armed
@@ -190,4 +194,4 @@ class DriveController(QObject):
                 "The line to {0} was lost before a stop was confirmed. The board at this port has "
                 "confirmed one; if it is another board, cut the power of the first."
             )
-            self.failed.emit(text.format(lost.name or lost.url))
+            self._notifier.error.emit(text.format(lost.name or lost.url))

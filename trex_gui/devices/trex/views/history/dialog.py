@@ -150,7 +150,7 @@ class HistoryDialog(QDialog):
         device.state_changed.connect(self._on_board_changed)
         device.link_changed.connect(self._on_board_changed)
         device.applied.connect(self._on_written)
-        device.failed.connect(self._on_written)
+        device.request_failed.connect(self._on_written)
 
     def open_history(self) -> None:
         """Show the window, or bring it forward."""

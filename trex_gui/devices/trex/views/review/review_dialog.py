@@ -87,7 +87,7 @@ class ReviewDialog(QDialog):
         device.link_changed.connect(self._on_link_changed)
         device.progressed.connect(self._on_progressed)
         device.applied.connect(self._on_applied)
-        device.failed.connect(self._on_failed)
+        device.request_failed.connect(self._on_failed)
         self._enter(_Phase.REVIEW)
 
     def review(self) -> None:
