@@ -14,7 +14,7 @@ from tests.support.window import WindowDriver
 from trex_gui import __version__
 from trex_gui.app import main
 from trex_gui.composition import Program
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.tour import Tour
 
 
@@ -105,7 +105,7 @@ def test_settings_file_is_opened_when_board_connects(
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
     window.program.open_when_connected(path)
-    window.device.connect_to(LinkSettings(simulator.url))
+    window.device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.has("takeChangesButton"))
     window.click("takeChangesButton")
     assert window.device.pending == 1

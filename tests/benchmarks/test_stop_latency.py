@@ -23,7 +23,7 @@ from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 
@@ -98,7 +98,7 @@ def test_delay_from_press_to_wire_stays_below_limit(
     eeprom.write("uart_settings", line.to_wire())
     simulator = start_simulator("--eeprom", str(tmp_path / "board.json"))
     device, qtbot = window.device, window.qtbot
-    device.connect_to(LinkSettings(simulator.url, line))
+    device.connect_to(ConnectionSettings(simulator.url, line))
     qtbot.waitUntil(
         lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
     )

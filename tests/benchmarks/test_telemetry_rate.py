@@ -16,7 +16,7 @@ from trex_gui.composition import Program
 from trex_gui.devices.trex.client.schedule import rates
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.model.device import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Batch, Report
@@ -32,7 +32,7 @@ def _count(reports: list[Report]) -> dict[str, int]:
     return {name: sum(isinstance(s, kind) for s in samples) for name, kind in _KINDS.items()}
 
 
-def _possible(settings: LinkSettings) -> dict[str, float]:
+def _possible(settings: ConnectionSettings) -> dict[str, float]:
     """What the schedule reaches a second when only the wire takes time."""
     eeprom = Eeprom()
     eeprom.write("uart_settings", settings.line.to_wire())
@@ -59,7 +59,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     eeprom = Eeprom.open(tmp_path / "board.json", "trex")
     eeprom.write("uart_settings", line.to_wire())
     simulator = start_simulator("--demo", "--eeprom", str(tmp_path / "board.json"))
-    settings = LinkSettings(simulator.url, line)
+    settings = ConnectionSettings(simulator.url, line)
     if painting:
         _show_every_page(program)
     else:

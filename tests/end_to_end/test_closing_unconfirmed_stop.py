@@ -13,7 +13,7 @@ from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.app import UNCONFIRMED_STOP
 from trex_gui.devices.trex.model.device import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.frame.unconfirmed_stop_warning import UnconfirmedStopWarning
 from trex_gui.ui.runtime import runtime
 
@@ -45,7 +45,7 @@ class UnconfirmedStopWindow(WindowDriver):
         return self.window.isVisible()
 
     def connect_board(self) -> None:
-        self.device.connect_to(LinkSettings(self.simulator.url))
+        self.device.connect_to(ConnectionSettings(self.simulator.url))
         self.wait(lambda: self.device.link is ConnectionState.UP and self.motors.can_arm)
 
     @property

@@ -10,7 +10,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.runtime import now, open_transport
 
@@ -217,7 +217,7 @@ def test_missing_and_busy_ports_are_reported(
     window.wait_for_text("bannerText", "There is no port /dev/ttyNothing7")
     assert window.device.link is ConnectionState.NONE
 
-    other = open_transport(LinkSettings(simulator.url))
+    other = open_transport(ConnectionSettings(simulator.url))
     connector.connect_to(ports.add_typed(simulator.url))
     window.wait_for_text("bannerText", "in use")
     other.close()

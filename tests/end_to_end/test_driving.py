@@ -29,7 +29,7 @@ from trex_gui.devices.trex.protocol.commands import (
     DriveBoth,
     DriveMotor,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 BACK = ("reverse", 127)
@@ -689,7 +689,7 @@ def test_timeout_too_short_for_baud_rate_is_set_with_a_click(
     simulator.do("eeprom serial_timeout 1")
     simulator.do("power cycle")
     device = window.device
-    device.connect_to(LinkSettings(simulator.url, LineSettings(1200)))
+    device.connect_to(ConnectionSettings(simulator.url, LineSettings(1200)))
     window.wait(lambda: device.link is ConnectionState.UP)
     assert window.has("timeoutNotice")
     assert "0.1 s is short for 1200 baud" in window.text("timeoutLabel")

@@ -10,7 +10,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.model.device import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
@@ -44,7 +44,7 @@ def test_network_board_connects_and_its_loss_is_reported(
     kind: str, window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator(kind, "127.0.0.1:0")
-    window.device.connect_to(LinkSettings(simulator.url))
+    window.device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.device.link is ConnectionState.UP)
     simulator.do("line unplug")
     window.wait(lambda: window.device.link is ConnectionState.NONE)
@@ -55,7 +55,7 @@ def test_network_board_connects_and_its_loss_is_reported(
 def test_device_sending_unsolicited_data_is_reported(
     window: WindowDriver, unsolicited_sender: str
 ) -> None:
-    window.device.connect_to(LinkSettings(unsolicited_sender))
+    window.device.connect_to(ConnectionSettings(unsolicited_sender))
     window.wait(lambda: window.device.link is ConnectionState.NONE)
     assert "not as a TReX does" in window.text("bannerText")
     assert window.device.shut_down()
@@ -63,7 +63,7 @@ def test_device_sending_unsolicited_data_is_reported(
 
 def test_port_without_a_board_is_reported(window: WindowDriver, simulator: SimulatedDevice) -> None:
     simulator.do("power off")
-    window.device.connect_to(LinkSettings(simulator.url))
+    window.device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.device.link is ConnectionState.NONE)
     assert "No TReX answers" in window.text("bannerText")
     assert "power" in window.text("bannerText")
@@ -72,7 +72,7 @@ def test_port_without_a_board_is_reported(window: WindowDriver, simulator: Simul
 def test_wrong_baud_rate_is_named_in_the_message(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
-    window.device.connect_to(LinkSettings(simulator.url, LineSettings(9600)))
+    window.device.connect_to(ConnectionSettings(simulator.url, LineSettings(9600)))
     window.wait(lambda: window.device.link is ConnectionState.NONE)
     assert "9600 baud" in window.text("bannerText")
 
@@ -80,7 +80,7 @@ def test_wrong_baud_rate_is_named_in_the_message(
 def test_board_set_to_crc_reconnects_with_crc(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
-    window.device.connect_to(LinkSettings(simulator.url))
+    window.device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.device.link is ConnectionState.UP)
     model = window.device.parameters
     model.setData(model.index_of("uart_settings"), 0x2A)
@@ -88,7 +88,7 @@ def test_board_set_to_crc_reconnects_with_crc(
     window.wait(lambda: model.waiting_for_power == ("UART Settings",))
     simulator.do("power off")
     simulator.do("power on")
-    settings = LinkSettings(simulator.url, LineSettings(115200, Detection.CRC7))
+    settings = ConnectionSettings(simulator.url, LineSettings(115200, Detection.CRC7))
     window.device.connect_to(settings)
     window.wait(lambda: window.device.settings == settings)
     window.wait(lambda: window.device.link is ConnectionState.UP)
@@ -99,7 +99,7 @@ def test_addressed_board_with_echo_connects(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
     simulator = start_simulator("--echo", "--device", "9")
-    window.device.connect_to(LinkSettings(simulator.url, device_number=9))
+    window.device.connect_to(ConnectionSettings(simulator.url, device_number=9))
     window.wait(lambda: window.device.link is ConnectionState.UP)
     assert window.device.echo
 
@@ -108,7 +108,7 @@ def test_driving_continues_over_a_damaged_echo(
     window: WindowDriver, start_simulator: StartSimulator, virtual_time: VirtualRuntime
 ) -> None:
     simulator = start_simulator("--echo")
-    window.device.connect_to(LinkSettings(simulator.url))
+    window.device.connect_to(ConnectionSettings(simulator.url))
     window.wait(lambda: window.device.link is ConnectionState.UP)
     window.device.motors.arm()
     simulator.do("line noise 0.01")

@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QTimer
 from trex_gui import app, window
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.model.telemetry import Series
 from trex_gui.devices.trex.model.traces import board_traces
 from trex_gui.ui.plotting.data.history import SampleHistory

@@ -20,7 +20,7 @@ from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource, Status
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -96,12 +96,12 @@ def test_internal_error_completes_the_current_request(
 @pytest.mark.parametrize(
     "settings",
     [
-        LinkSettings("x", device_number=300),
-        LinkSettings("x", LineSettings(detection=Detection.CRC7), polynomial=3),
+        ConnectionSettings("x", device_number=300),
+        ConnectionSettings("x", LineSettings(detection=Detection.CRC7), polynomial=3),
     ],
     ids=str,
 )
-def test_invalid_settings_release_the_port(stage: Stage, settings: LinkSettings) -> None:
+def test_invalid_settings_release_the_port(stage: Stage, settings: ConnectionSettings) -> None:
     reports = run_for(stage, 1.0, settings)
     assert isinstance(reports[-1], Closed)
     assert stage.transport.closed or not stage.transport.sent
@@ -131,7 +131,7 @@ def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
 
 
 def test_new_device_number_is_used_despite_lost_reply(stage: Stage) -> None:
-    client = stage.client(LinkSettings("virtual", device_number=7))
+    client = stage.client(ConnectionSettings("virtual", device_number=7))
     stage.line.to_drop = 1
     assert write_parameter(client.request, SPECS["device_number"], 42) == 42
 
@@ -140,7 +140,7 @@ def test_apply_without_a_board_does_not_lock_apply(
     qtbot: QtBot, simulator: SimulatedDevice
 ) -> None:
     device = Device()
-    device.connect_to(LinkSettings(simulator.url))
+    device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
     device.parameters.setData(device.parameters.index_of("serial_timeout"), 9)
     device.disconnect_line()
@@ -148,7 +148,7 @@ def test_apply_without_a_board_does_not_lock_apply(
     device.apply()
     try:
         assert not device.applying
-        device.connect_to(LinkSettings(simulator.url))
+        device.connect_to(ConnectionSettings(simulator.url))
         qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
         with qtbot.waitSignal(device.applied):
             device.apply()
@@ -162,7 +162,7 @@ def test_closing_connection_is_never_reported_connected(
     device = Device()
     links = []
     device.link_changed.connect(lambda: links.append(device.link))
-    device.connect_to(LinkSettings(simulator.url))
+    device.connect_to(ConnectionSettings(simulator.url))
     while simulator.show()["counters"]["packets"] < 45:
         runtime().sleep(0.001)  # the window hangs meanwhile; `Connected` waits in its queue
     device.disconnect_line()
@@ -194,11 +194,11 @@ def test_calibration_edits_do_not_carry_over_to_other_model(
 ) -> None:
     device = Device()
     try:
-        device.connect_to(LinkSettings(start_simulator().url))
+        device.connect_to(ConnectionSettings(start_simulator().url))
         qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
         device.calibrations.edit(1, Calibration(2400, 3700, 5100, 80))
         other = start_simulator("--model", "trexjr").url
-        device.connect_to(LinkSettings(other))
+        device.connect_to(ConnectionSettings(other))
         qtbot.waitUntil(
             lambda: (
                 device.link is ConnectionState.UP

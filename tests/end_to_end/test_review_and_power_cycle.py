@@ -10,7 +10,7 @@ from tests.support.window import WindowDriver
 from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 LINES = (
@@ -226,7 +226,7 @@ def test_disconnect_does_not_count_as_power_cycle(
     review.write()
     window.disconnect()
     review.wait_for_text("powerCycleResult", "The line was closed")
-    device.connect_to(LinkSettings(simulator.url))
+    device.connect_to(ConnectionSettings(simulator.url))
     review.wait_for_text("powerCycleResult", "cannot be seen")
     assert list(device.parameters.waiting_for_power) == ["Motor Mode"]
     review.click("powerCycleDone")
@@ -334,7 +334,7 @@ def test_pending_edits_survive_a_disconnect(
     window.wait_for_text("bannerText", "Edits made before wait here: 1")
 
     junior = start_simulator("--unpaced", "--model", "trexjr")
-    device.connect_to(LinkSettings(junior.url))
+    device.connect_to(ConnectionSettings(junior.url))
     window.wait(lambda: "TReX Jr" in device.status and device.link is ConnectionState.UP)
     assert device.pending == 0
     (snapshot,) = device.history.snapshots()

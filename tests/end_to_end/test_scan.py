@@ -11,7 +11,7 @@ from tests.support.window import WindowDriver
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.commands import SetParameter
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.runtime import open_transport
@@ -36,7 +36,7 @@ def dialog(_no_other_ports: None, window: WindowDriver) -> FindBoardDialog:
 
 def store(simulator: SimulatedDevice, line: LineSettings) -> None:
     """Store line settings in a board and switch it off and on."""
-    settings = LinkSettings(simulator.url)
+    settings = ConnectionSettings(simulator.url)
     client = TrexClient(open_transport(settings), settings)
     client.request(SetParameter(0x7E, line.to_wire()))
     client.close()
@@ -143,7 +143,7 @@ def test_search_without_board_reports_why_none_was_found(
     assert not dialog.has("connectFound0")
     assert dialog.text("findProgressText") == "No board was found."
 
-    other = open_transport(LinkSettings(url))
+    other = open_transport(ConnectionSettings(url))
     dialog.click("findStartButton")
     dialog.wait_for_end()
     other.close()

@@ -1,11 +1,12 @@
 """A simulated Aracna, as a process of its own and in virtual time."""
 
+from collections.abc import Collection
 from typing import Any
 
 from tests.support.simulator import SimulatorProcess
+from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.aracna.simulator.control import control
 from trex_gui.devices.aracna.simulator.line import AracnaLine
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 BOOT = 1.1
 """Seconds after which a board that was switched on listens."""
@@ -40,10 +41,10 @@ class AracnaTransport:
     def clock(self) -> float:
         return self.line.now
 
-    def rates(self) -> frozenset[int] | None:
+    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         return None
 
-    def reconfigure(self, line: LineSettings) -> None:
+    def reconfigure(self, line: SerialFormat) -> None:
         self._may_fail()
         self.line.host = line
 

@@ -6,14 +6,14 @@ from hypothesis import strategies as st
 
 from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
 from trex_gui.core.transport.transactions import Decoder, Transaction, TransactionAssembler
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 Said = tuple[bytes, bytes]
 """What is sent, and what comes back."""
 
 
 def pieces_of(
-    talk: Iterable[Said], cut: int = 0, settings: LinkSettings | None = None
+    talk: Iterable[Said], cut: int = 0, settings: ConnectionSettings | None = None
 ) -> list[TrafficEvent]:
     """Return a line's bytes, the answers in pieces of `cut` bytes."""
     now = 0.0

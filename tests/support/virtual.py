@@ -1,11 +1,11 @@
 """A board, its wire and a session in virtual time."""
 
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
+from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Close, Report, Request
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -27,10 +27,10 @@ class VirtualTransport:
     def clock(self) -> float:
         return self.line.now
 
-    def rates(self) -> frozenset[int] | None:
+    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         return None
 
-    def reconfigure(self, line: LineSettings) -> None:
+    def reconfigure(self, line: SerialFormat) -> None:
         if self.fail:
             raise self.fail
         self.line.host = line
@@ -102,13 +102,15 @@ class Stage:
         self.script = Script(self.line)
         self.reports: list[Report] = []
 
-    def client(self, settings: LinkSettings | None = None) -> TrexClient:
-        return TrexClient(self.transport, settings or LinkSettings("virtual"), echo=self.line.echo)
+    def client(self, settings: ConnectionSettings | None = None) -> TrexClient:
+        return TrexClient(
+            self.transport, settings or ConnectionSettings("virtual"), echo=self.line.echo
+        )
 
-    def run(self, settings: LinkSettings | None = None) -> list[Report]:
+    def run(self, settings: ConnectionSettings | None = None) -> list[Report]:
         """Run the script from opening the line to closing it; return what was reported."""
         session = TrexSession(
-            settings or LinkSettings("virtual"),
+            settings or ConnectionSettings("virtual"),
             self.script,
             self.reports.append,
             lambda _settings: self.transport,

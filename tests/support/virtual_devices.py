@@ -4,7 +4,7 @@ import errno
 import math
 import shutil
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 import click
 from PySide6.QtCore import QByteArray, QObject, QProcess
@@ -15,8 +15,7 @@ from trex_gui.cli import simulator
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.simulator.server import GOODBYE
 from trex_gui.core.transport.serial_port import Transport, why_not_open
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 _SLICE = 0.02  # seconds between two looks whether the cable is still in
@@ -72,7 +71,7 @@ class VirtualSimulator(SimulatedDevice):
         event = self.line.next_event
         return math.inf if event is None else self._began + event
 
-    def open(self, settings: LinkSettings) -> Transport:
+    def open(self, settings: PortSettings) -> Transport:
         """Open its port; see `SerialTransport`."""
         deadline = self.runtime.now() + _HANDING_OVER
         while self.host is not None and self.runtime.now() < deadline:
@@ -113,7 +112,7 @@ class VirtualTransport:
     latency = 0.06
     is_configurable = True
 
-    def __init__(self, simulator: VirtualSimulator, settings: LinkSettings) -> None:
+    def __init__(self, simulator: VirtualSimulator, settings: PortSettings) -> None:
         self._simulator = simulator
         self._runtime = simulator.runtime
         self._line = simulator.line
@@ -127,10 +126,10 @@ class VirtualTransport:
     def clock(self) -> float:
         return self._runtime.now()
 
-    def rates(self) -> frozenset[int] | None:
+    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         return self._simulator.rates
 
-    def reconfigure(self, line: LineSettings) -> None:
+    def reconfigure(self, line: SerialFormat) -> None:
         self._catch_up()
         self._line.host = line
 

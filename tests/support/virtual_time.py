@@ -22,7 +22,7 @@ from shiboken6 import Shiboken
 
 from tests.support.patient import Callback, as_condition
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.runtime import Runtime
 
 START = 1000.0
@@ -60,7 +60,7 @@ class Event:
 class Port(Protocol):
     """What a URL leads to."""
 
-    def open(self, settings: LinkSettings) -> Transport: ...
+    def open(self, settings: PortSettings) -> Transport: ...
 
 
 class VirtualRuntime(Runtime):
@@ -118,7 +118,7 @@ class VirtualRuntime(Runtime):
             return super().process(parent)
         return self.make_process(parent)
 
-    def open_transport(self, settings: LinkSettings) -> Transport:
+    def open_transport(self, settings: PortSettings) -> Transport:
         if settings.url in self.ports:
             return self.ports[settings.url].open(settings)
         super().open_transport(settings).close()  # a port that does not exist has its own message

@@ -12,7 +12,7 @@ from PySide6.QtCore import QDeadlineTimer, QObject, QProcess, QThread, QTimer
 
 from trex_gui.core.session.request_queue import Condition
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 
 
 class Runtime:
@@ -46,7 +46,7 @@ class Runtime:
         """Return a process that is not started yet."""
         return QProcess(parent)
 
-    def open_transport(self, settings: LinkSettings) -> Transport:
+    def open_transport(self, settings: PortSettings) -> Transport:
         """Open a serial port.
 
         Raises:
@@ -75,6 +75,6 @@ def now() -> float:
     return _runtime.now()
 
 
-def open_transport(settings: LinkSettings) -> Transport:
+def open_transport(settings: PortSettings) -> Transport:
     """Open a serial port of the runtime; see `Runtime.open_transport`."""
     return _runtime.open_transport(settings)

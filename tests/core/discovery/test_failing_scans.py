@@ -10,10 +10,10 @@ from tests.devices.trex.simulator.ports import a_board
 from trex_gui.core.discovery.prober import Prober, ProberInfo
 from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 
 
-def odd(settings: LinkSettings, *, full: bool, known: bool) -> Prober:
+def odd(settings: PortSettings, *, full: bool, known: bool) -> Prober:
     raise ZeroDivisionError("on purpose")
 
 
@@ -33,7 +33,7 @@ def test_internal_error_in_search_is_reported_and_closes_port(
 
 
 def test_internal_error_in_opening_port_is_reported(caplog: pytest.LogCaptureFixture) -> None:
-    def open_wire(_settings: LinkSettings) -> Transport:
+    def open_wire(_settings: PortSettings) -> Transport:
         raise LookupError("on purpose")
 
     found = scan_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=open_wire)

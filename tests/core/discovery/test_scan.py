@@ -6,16 +6,17 @@ import pytest
 
 from tests.devices.trex.discovery.test_prober import Wire, wire_of
 from tests.devices.trex.simulator.ports import a_board
+from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.prober import Diagnosis, Evidence, ProberInfo, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, order, scan_port
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.discovery.probe import FLUSH_BYTE, FLUSH_LINE
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.discovery.prober import TREX_PROBER
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
-VIRTUAL = LinkSettings("virtual", LineSettings(9600))
+VIRTUAL = PortSettings("virtual", SerialFormat(9600))
 
 
 class Deaf:
@@ -30,7 +31,7 @@ class Deaf:
         self._name = name
         self._verdict = diagnosis
 
-    def note_unsolicited(self, line: LineSettings, data: bytes) -> None:
+    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         self._noted.append(f"{self._name} hears {data!r} at {line.baud}")
 
     def ask(
@@ -43,7 +44,7 @@ class Deaf:
         for done in range(self.parts[part]):
             if cancelled():
                 return
-            progress(ScanProgress(done, self.parts[part], LineSettings()))
+            progress(ScanProgress(done, self.parts[part], SerialFormat()))
         self._noted.append(f"{self._name} {part}")
 
     def diagnosis(self) -> Diagnosis:
@@ -52,7 +53,7 @@ class Deaf:
 
 def nobody(noted: list[str], name: str, telling: Evidence = Evidence.SILENCE) -> ProberInfo:
     diagnosis = Diagnosis(telling, f"No {name}.")
-    announces_at = LineSettings(38400) if name == "Talker" else None
+    announces_at = SerialFormat(38400) if name == "Talker" else None
     return ProberInfo(
         name, lambda _settings, *, full, known: Deaf(noted, name, diagnosis), announces_at
     )
@@ -76,11 +77,11 @@ def test_expected_device_kind_comes_first() -> None:
 
 def test_search_follows_order_and_opens_port_once() -> None:
     noted: list[str] = []
-    opened: list[LinkSettings] = []
+    opened: list[PortSettings] = []
     wire = wire_of(a_board())
     wire.line.mute = True
 
-    def open_wire(settings: LinkSettings) -> Wire:
+    def open_wire(settings: PortSettings) -> Wire:
         opened.append(settings)
         return wire
 
@@ -107,7 +108,7 @@ def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
     wire = wire_of(a_board(settings=LineSettings(57600).to_wire()))
     result = search(wire, seeks)
     assert (result.device, [found.name for found in result.found]) == ("trex", ["TReX 1.2"])
-    assert result.found[0].settings == LinkSettings("virtual", LineSettings(57600))
+    assert result.found[0].settings == ConnectionSettings("virtual", LineSettings(57600))
     assert noted == []
     assert wire.line.now < 2.5
 
@@ -167,7 +168,7 @@ def test_cancelled_search_is_reported_as_cancelled() -> None:
 
 
 def test_unopened_port_reports_only_its_error() -> None:
-    def refuse(settings: LinkSettings) -> Wire:
+    def refuse(settings: PortSettings) -> Wire:
         raise PortUnavailable("It is in use by a terminal.")
 
     result = scan_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=refuse)
@@ -201,7 +202,7 @@ def test_search_ends_with_flush_byte_and_default_settings() -> None:
     wire = wire_of(a_board())
     search(wire, {"one": nobody([], "One")})
     assert bytes(wire.sent) == FLUSH_BYTE
-    assert wire.tuned[-1] == LineSettings()
+    assert wire.tuned[-1] == SerialFormat()
 
 
 def test_found_board_is_sent_no_flush_byte() -> None:
@@ -235,7 +236,7 @@ def test_port_without_flush_rate_is_reported_and_closed() -> None:
     wire = wire_of(a_board())
     reconfigure = wire.reconfigure
 
-    def tune_fast(line: LineSettings) -> None:
+    def tune_fast(line: SerialFormat) -> None:
         if line == FLUSH_LINE:
             raise BadRequest("the port cannot be set to 1200 baud")
         reconfigure(line)

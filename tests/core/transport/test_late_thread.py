@@ -13,7 +13,7 @@ from serial import serialposix
 
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.transport.serial_port import SerialTransport
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 pytestmark = [
     pytest.mark.realtime,
@@ -26,7 +26,7 @@ def ends() -> Iterator[tuple[int, SerialTransport]]:
     """The far end of a pseudo-terminal, and a line on the near one."""
     far, near = os.openpty()
     tty.setraw(near)
-    transport = SerialTransport(LinkSettings(os.ttyname(near)))
+    transport = SerialTransport(ConnectionSettings(os.ttyname(near)))
     yield far, transport
     transport.close()
     os.close(near)

@@ -18,7 +18,7 @@ from trex_gui.core.transport.port_rates import rates_of
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import GetSignature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
 pytestmark = pytest.mark.realtime
@@ -48,7 +48,7 @@ def test_pseudo_terminal_supports_every_rate_and_sends_nothing(
     terminal: tuple[int, str],
 ) -> None:
     master, url = terminal
-    transport = SerialTransport(LinkSettings(url, LineSettings(14400)))
+    transport = SerialTransport(ConnectionSettings(url, LineSettings(14400)))
     assert rates_of(transport._port, baud_rates(), no_time) == frozenset(baud_rates())
     os.set_blocking(master, False)
     with pytest.raises(BlockingIOError):
@@ -58,10 +58,10 @@ def test_pseudo_terminal_supports_every_rate_and_sends_nothing(
 
 @linux
 def test_rates_query_restores_port_settings(quick_simulator: SimulatedDevice) -> None:
-    settings = LinkSettings(quick_simulator.url)
+    settings = ConnectionSettings(quick_simulator.url)
     transport = SerialTransport(settings)
     before = port_rates._get(transport._port.fileno())
-    transport.rates()
+    transport.rates(baud_rates())
     assert port_rates._get(transport._port.fileno()) == before
     client = TrexClient(transport, replace(settings, timeouts=Timeouts(extra=15)))
     assert str(client.request(GetSignature())) == "TReX 1.2"
@@ -79,7 +79,7 @@ def test_pseudo_terminal_can_be_reconfigured_repeatedly(
         LineSettings(1200, Detection.EVEN),
     ):
         for _ in range(2):
-            transport = SerialTransport(LinkSettings(terminal[1], line))
+            transport = SerialTransport(ConnectionSettings(terminal[1], line))
             transport.reconfigure(LineSettings(1200))
             transport.reconfigure(line)
             transport.close()
@@ -135,24 +135,24 @@ def test_rates_are_unknown_when_driver_is_slow(monkeypatch: pytest.MonkeyPatch) 
 def test_rates_are_unknown_on_other_systems(
     monkeypatch: pytest.MonkeyPatch, terminal: tuple[int, str]
 ) -> None:
-    transport = SerialTransport(LinkSettings(terminal[1]))
+    transport = SerialTransport(ConnectionSettings(terminal[1]))
     monkeypatch.setattr("platform.machine", lambda: "mips64")
-    assert transport.rates() is None
+    assert transport.rates(baud_rates()) is None
     monkeypatch.setattr(sys, "platform", "darwin")
-    assert transport.rates() is None
+    assert transport.rates(baud_rates()) is None
     transport.close()
 
 
 def test_rates_of_closed_port_are_unknown(terminal: tuple[int, str]) -> None:
-    transport = SerialTransport(LinkSettings(terminal[1]))
+    transport = SerialTransport(ConnectionSettings(terminal[1]))
     transport.close()
-    assert transport.rates() is None
+    assert transport.rates(baud_rates()) is None
 
 
 def test_failed_reconfiguration_raises_matching_error(
     terminal: tuple[int, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    transport = SerialTransport(LinkSettings(terminal[1]))
+    transport = SerialTransport(ConnectionSettings(terminal[1]))
     for failure, kind in (
         (ValueError("no such rate"), BadRequest),
         (serial.SerialException(errno.EINVAL, "Invalid argument"), BadRequest),

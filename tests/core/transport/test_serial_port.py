@@ -19,7 +19,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import SerialTransport, why_not_open
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import GetMode, GetSignature, SetParameter
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
@@ -40,7 +40,7 @@ PATIENCE = 15.0
 
 def patient(transport: SerialTransport, url: str) -> TrexClient:
     """Return a client that waits for a simulator which stands still."""
-    return TrexClient(transport, LinkSettings(url, timeouts=Timeouts(extra=PATIENCE)))
+    return TrexClient(transport, ConnectionSettings(url, timeouts=Timeouts(extra=PATIENCE)))
 
 
 @pytest.fixture
@@ -60,7 +60,7 @@ def opened() -> Iterator[Callable[[str], SerialTransport]]:
     def open_port(
         url: str, line: LineSettings = LINE, clock: Callable[[], float] = time.monotonic
     ) -> SerialTransport:
-        transports.append(SerialTransport(LinkSettings(url, line), clock))
+        transports.append(SerialTransport(ConnectionSettings(url, line), clock))
         return transports[-1]
 
     yield open_port
@@ -74,7 +74,7 @@ Open = Callable[..., SerialTransport]
 def refusal(url: str, line: LineSettings = LINE) -> str:
     """Return why a port does not open."""
     with pytest.raises(PortUnavailable) as caught:
-        SerialTransport(LinkSettings(url, line))
+        SerialTransport(ConnectionSettings(url, line))
     return str(caught.value)
 
 
@@ -84,7 +84,7 @@ def refusal(url: str, line: LineSettings = LINE) -> str:
 def test_board_replies_over_pseudo_terminal(quick_simulator: SimulatedDevice, opened: Open) -> None:
     transport = opened(quick_simulator.url)
     # No echo comes, so a patient one would wait for it in vain.
-    assert TrexClient(transport, LinkSettings(quick_simulator.url)).detect_echo() is False
+    assert TrexClient(transport, ConnectionSettings(quick_simulator.url)).detect_echo() is False
     client = patient(transport, quick_simulator.url)
     assert str(client.request(GetSignature())) == "TReX 1.2"
     assert client.request(SetParameter(7, 9)) is ResultCode.OK
@@ -103,7 +103,7 @@ def test_board_replies_over_tcp(start_simulator: Start, opened: Open) -> None:
 def test_rfc2217_port_applies_parity(start_simulator: Start, opened: Open) -> None:
     url = start_simulator("--rfc2217", "127.0.0.1:0").url
     line = LineSettings(19200, Detection.EVEN)
-    client = TrexClient(opened(url, line), LinkSettings(url, line))
+    client = TrexClient(opened(url, line), ConnectionSettings(url, line))
     with pytest.raises(NoReply):
         client.request(GetMode())  # the board has no parity
 

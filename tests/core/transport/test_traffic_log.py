@@ -7,6 +7,7 @@ import pytest
 from tests.devices.trex.session.helpers import run_for
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic_log import (
     LoggingTransport,
     TrafficDirection,
@@ -15,13 +16,13 @@ from trex_gui.core.transport.traffic_log import (
     logged,
 )
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import Closed, Connected, SetMotor
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
 
-SETTINGS = LinkSettings("virtual")
+SETTINGS = ConnectionSettings("virtual")
 
 
 def bytes_of(pieces: list[TrafficEvent], way: TrafficDirection) -> bytes:
@@ -63,7 +64,7 @@ def test_logging_does_not_change_session() -> None:
 
 
 def test_failed_opening_of_port_is_logged() -> None:
-    def refuse(_settings: LinkSettings) -> VirtualTransport:
+    def refuse(_settings: PortSettings) -> VirtualTransport:
         raise PortUnavailable("It is in use.")
 
     tape = TrafficLog()

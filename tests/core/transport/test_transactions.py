@@ -21,14 +21,14 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
     Signature,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 
-CRC = LinkSettings("virtual", line=LineSettings(19200, Detection.CRC7))
+CRC = ConnectionSettings("virtual", line=LineSettings(19200, Detection.CRC7))
 
 TREX: list[tuple[Said, str, bool]] = [
     ((b"\x81", b"TReX1.2"), "get signature → TReX 1.2", False),
@@ -147,7 +147,7 @@ def test_arbitrary_bytes_can_be_decoded(talk: list[Said], cut: int) -> None:
 @pytest.mark.parametrize("sent", [b"\x84", b"\x85", b"\x8d"])
 def test_echo_is_not_taken_for_reply(sent: bytes) -> None:
     assembler = TransactionAssembler(TrexDecoder())
-    assembler.note_settings(LinkSettings("virtual"), echo=True)
+    assembler.note_settings(ConnectionSettings("virtual"), echo=True)
     (row,) = assembler.feed(
         [
             TrafficEvent(1.0, TrafficDirection.SENT, sent),

@@ -13,7 +13,7 @@ from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
 from trex_gui.devices.trex.model.calibration.moves import Handle
 from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.pages.calibration import page
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.ui.theme.theme import theme
@@ -28,7 +28,7 @@ class CalibrationPage(WidgetDriver):
         self.device = device
 
     def connect(self, url: str) -> None:
-        self.device.connect_to(LinkSettings(url))
+        self.device.connect_to(ConnectionSettings(url))
         self.wait(lambda: self.device.link is ConnectionState.UP)
         self.wait(lambda: self.device.telemetry.raw is not None)
 

@@ -13,7 +13,7 @@ from tests.support.transmitter import Stick, Transmitter
 from tests.support.window import TIMEOUT_MS, WidgetDriver
 from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.learning.learning import Learning
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
@@ -199,7 +199,7 @@ def learning_dialog(
     assert isinstance(app, QApplication)
     theme().install(app)
     device = Device()
-    device.connect_to(LinkSettings(simulator.url, line or LineSettings()))
+    device.connect_to(ConnectionSettings(simulator.url, line or LineSettings()))
     qtbot.waitUntil(lambda: device.link is ConnectionState.UP, timeout=TIMEOUT_MS)
     dialog = LearnDialog(Learning(device, device))
     qtbot.addWidget(dialog)

@@ -3,8 +3,8 @@
 import pytest
 from PySide6.QtCore import QObject, Signal
 
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind
@@ -33,7 +33,7 @@ class FakeDevice(QObject):
         self.port = port
         self.become(ConnectionState.UP)
 
-    def connect_with(self, port: Port, settings: LinkSettings) -> None:
+    def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.done.append(f"with {settings.short}")
         self.connect_to(port)
 
@@ -127,9 +127,9 @@ def test_last_chosen_port_is_connected(
     first, second = devices
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
-    board.connect_with(port("c", "second"), LinkSettings(""))
+    board.connect_with(port("c", "second"), PortSettings(""))
     first.become(ConnectionState.NONE)
-    assert second.done == ["with 19200 8N1", "connect c"]
+    assert second.done == ["with 9600 8N1", "connect c"]
 
 
 def test_stop_reaches_every_device(

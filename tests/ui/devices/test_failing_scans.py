@@ -6,7 +6,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.discovery import scan
 from trex_gui.core.discovery.prober import Prober, ProberInfo
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
@@ -25,7 +25,7 @@ def finder(qtbot: QtBot) -> DeviceScanner:
 def test_internal_error_is_listed_and_the_scan_continues(
     finder: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    def odd(settings: LinkSettings, *, full: bool, known: bool) -> Prober:
+    def odd(settings: PortSettings, *, full: bool, known: bool) -> Prober:
         raise ZeroDivisionError("on purpose")
 
     finder.also("odd", ProberInfo("Odd", odd), Simulator(), "the odd one")

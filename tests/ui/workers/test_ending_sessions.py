@@ -14,7 +14,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Halt
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import ConnectionState, Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Close, Closed
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.runtime import runtime
@@ -121,7 +121,7 @@ def test_final_report_of_old_session_does_not_close_the_new_one(
 def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose first motor runs."""
     device = Device()
-    device.connect_to(LinkSettings(simulator.url))
+    device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(lambda: device.link is ConnectionState.UP and device.motors.can_arm)
     device.motors.arm()
     device.motors.set_speed(1, 60)
@@ -171,7 +171,7 @@ def test_shutdown_closes_the_line_before_waiting_for_a_scan(
         links.append(device.link)
         return close(worker)
 
-    device.connect_to(LinkSettings(quick_simulator.url))
+    device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
     monkeypatch.setattr(ScanWorker, "close", note_and_close)
     connector.finder.start([Port(PortKind.TYPED, "/dev/ttyNothing9", "/dev/ttyNothing9")])

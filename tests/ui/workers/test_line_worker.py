@@ -14,7 +14,7 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.commands import Drive, GetParameter
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Closed,
@@ -43,7 +43,7 @@ class Watched:
         self.threads: set[threading.Thread] = set()
         self.url = url
         timeouts = PATIENT if isinstance(qtbot, PatientQtBot) else Timeouts()
-        settings = LinkSettings(url, timeouts=timeouts)
+        settings = ConnectionSettings(url, timeouts=timeouts)
         self.worker = LineWorker(
             lambda inbox, tell: TrexSession(settings, inbox, tell, open_transport)
         )

@@ -12,7 +12,7 @@ from trex_gui.core.errors import PortUnavailable
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.discovery.prober import TREX_PROBER
 from trex_gui.devices.trex.protocol.commands import SetParameter
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.scan_worker import ScanJob, ScanResult, ScanWorker
@@ -29,7 +29,7 @@ class Watched:
         self.searched: list[ScanResult] = []
         self.threads: set[threading.Thread] = set()
         self.worker = ScanWorker(
-            [ScanJob(LinkSettings(url), {"trex": TREX_PROBER}) for url in urls]
+            [ScanJob(ConnectionSettings(url), {"trex": TREX_PROBER}) for url in urls]
         )
         self.worker.stepped.connect(self._on_stepped)
         self.worker.searched.connect(self._on_searched)
@@ -89,7 +89,7 @@ def test_cancelled_scan_ends_within_a_second(
 def test_scan_finds_board_at_other_baud_rate(
     quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    settings = LinkSettings(quick_simulator.url)
+    settings = ConnectionSettings(quick_simulator.url)
     client = TrexClient(open_transport(settings), settings)
     client.request(SetParameter(0x7E, LineSettings(115200).to_wire()))
     client.close()

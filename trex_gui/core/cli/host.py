@@ -8,7 +8,7 @@ import click
 
 from trex_gui.core.session.request_queue import Condition
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 
 
 def _start_thread(function: Callable[[], None]) -> Callable[[], None]:
@@ -27,7 +27,7 @@ class Host:
         start_thread: runs a function in a thread of its own; returns what waits for its end.
     """
 
-    open_transport: Callable[[LinkSettings], Transport] = SerialTransport
+    open_transport: Callable[[PortSettings], Transport] = SerialTransport
     condition: Callable[[], Condition] = threading.Condition
     start_thread: Callable[[Callable[[], None]], Callable[[], None]] = _start_thread
 

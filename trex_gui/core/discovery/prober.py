@@ -6,8 +6,7 @@ from enum import IntEnum
 from typing import Protocol
 
 from trex_gui.core.transport.serial_port import Transport
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +19,7 @@ class ScanProgress:
 
     done: int
     total: int
-    line: LineSettings
+    line: SerialFormat
     number: int | None = None
     kind: str = ""
 
@@ -46,7 +45,7 @@ class FoundDevice(Protocol):
     """A device that was found, and how to reach it."""
 
     @property
-    def settings(self) -> LinkSettings:
+    def settings(self) -> PortSettings:
         """What to connect with."""
         ...
 
@@ -92,7 +91,7 @@ class Prober(Protocol):
         """Whether it is known by now what is there."""
         ...
 
-    def note_unsolicited(self, line: LineSettings, data: bytes) -> None:
+    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         """Take what came before anything was asked, with the line set so."""
         ...
 
@@ -118,7 +117,7 @@ class Prober(Protocol):
 class MakeProber(Protocol):
     """Makes a seeker for a port."""
 
-    def __call__(self, settings: LinkSettings, *, full: bool, known: bool) -> Prober:
+    def __call__(self, settings: PortSettings, *, full: bool, known: bool) -> Prober:
         """Try everything if `full`; `known` says that somebody has led the port to this kind."""
         ...
 
@@ -136,7 +135,7 @@ class ProberInfo:
 
     name: str
     begin: MakeProber
-    announces_at: LineSettings | None = None
+    announces_at: SerialFormat | None = None
 
 
 def ignore_step(step: ScanProgress) -> None:

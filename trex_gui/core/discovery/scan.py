@@ -19,6 +19,7 @@ import logging
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from trex_gui.core.discovery.flush import FLUSH_LINE, flush
 from trex_gui.core.discovery.prober import (
     Diagnosis,
     Evidence,
@@ -31,9 +32,7 @@ from trex_gui.core.discovery.prober import (
 )
 from trex_gui.core.errors import BadRequest, PortUnavailable, StudioError
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.discovery.probe import FLUSH_LINE, flush
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
@@ -81,14 +80,14 @@ def listen(wire: Transport) -> bytes:
 
 
 def scan_port(
-    settings: LinkSettings,
+    settings: PortSettings,
     seeks: Mapping[str, ProberInfo],
     *,
     first: str | None = None,
     full: bool = False,
     progress: Callable[[ScanProgress], None] = ignore_step,
     cancelled: Callable[[], bool] = never_cancelled,
-    open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
+    open_wire: Callable[[PortSettings], Transport] = SerialTransport,
 ) -> PortScan:
     """Look for devices of every kind on a port; end with the first that answers.
 
@@ -117,7 +116,7 @@ def scan_port(
         )
     except Exception as error:
         log.exception("the search of %s", settings.url)
-        text = f"The search of {settings.name or settings.url} was ended by a fault of the program"
+        text = f"The search of {settings.label} was ended by a fault of the program"
         result = PortScan(error=StudioError(f"{text} ({type(error).__name__}: {error})."))
         result.is_fault = True
     return result
@@ -125,19 +124,19 @@ def scan_port(
 
 def _search(
     result: PortScan,
-    settings: LinkSettings,
+    settings: PortSettings,
     seeks: Mapping[str, ProberInfo],
     *,
     first: str | None,
     full: bool,
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
-    open_wire: Callable[[LinkSettings], Transport],
+    open_wire: Callable[[PortSettings], Transport],
 ) -> None:
     """Fill in what `scan_port` returns."""
     opened = next((seek.announces_at for seek in seeks.values() if seek.announces_at), FLUSH_LINE)
     try:
-        wire = open_wire(replace(settings, line=opened, device_number=None))
+        wire = open_wire(settings.at(opened))
     except PortUnavailable as error:
         result.error = error
         return
@@ -218,6 +217,6 @@ def _give_back(wire: Transport, patience: float, *, answered: bool) -> None:
         with contextlib.suppress(BadRequest, PortUnavailable):
             if not answered and wire.is_configurable:
                 flush(wire, patience)
-            wire.reconfigure(LineSettings())
+            wire.reconfigure(SerialFormat())
     finally:
         wire.close()

@@ -7,8 +7,8 @@ several bytes for one or one for several. Between UARTs that are set alike nobod
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.trex.protocol.flags import UartError
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 _HIGH = 1
 _DATA_BITS = 8
@@ -17,7 +17,7 @@ _SAMPLE_AT = 0.55
 little behind it, no sample falls on the edge of a bit between any two of the board's rates, so
 what is heard does not hang on the rounding of times."""
 
-_PARITIES = {Detection.EVEN: 0, Detection.ODD: 1}
+_PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,12 +36,12 @@ class SampledByte:
     error: UartError | None = None
 
 
-def levels(byte: int, settings: LineSettings) -> list[int]:
+def levels(byte: int, settings: SerialFormat) -> list[int]:
     """Return the bits of a byte in their order on the wire: start, data, parity, stop."""
     data = [byte >> index & 1 for index in range(_DATA_BITS)]
     parity = []
-    if settings.detection in _PARITIES:
-        parity = [sum(data) % 2 ^ _PARITIES[settings.detection]]
+    if settings.parity in _PARITIES:
+        parity = [sum(data) % 2 ^ _PARITIES[settings.parity]]
     return [0, *data, *parity, *[_HIGH] * settings.stop_bits]
 
 
@@ -56,12 +56,12 @@ class Receiver:
         known_until: until when, in seconds, it has been told.
     """
 
-    def __init__(self, settings: LineSettings, baud: int, now: float = 0.0) -> None:
+    def __init__(self, settings: SerialFormat, baud: int, now: float = 0.0) -> None:
         self.known_until = now
         self.baud = baud
         self._bit = 1 / baud
-        self._detection = settings.detection
-        self._bits_wanted = 1 + _DATA_BITS + (self._detection in _PARITIES) + 1
+        self._parity = settings.parity
+        self._bits_wanted = 1 + _DATA_BITS + (self._parity in _PARITIES) + 1
         self._level = _HIGH
         self._begun: float | None = None
         self._bits: list[int] = []
@@ -74,7 +74,7 @@ class Receiver:
         return self._begun + (self._bits_wanted - 1 + _SAMPLE_AT) * self._bit
 
     def hear(
-        self, begin: float, byte: int, settings: LineSettings, baud: int
+        self, begin: float, byte: int, settings: SerialFormat, baud: int
     ) -> Iterator[SampledByte]:
         """Take a byte that a sender with these settings begins now; yield what is complete.
 
@@ -85,7 +85,7 @@ class Receiver:
         for index, level in enumerate(bits):
             yield from self.take(level, begin + (index + 1) / baud)
 
-    def hear_alone(self, byte: int, settings: LineSettings, baud: int) -> Iterator[SampledByte]:
+    def hear_alone(self, byte: int, settings: SerialFormat, baud: int) -> Iterator[SampledByte]:
         """Take a byte after which the wire rests; yield all that is made of it."""
         yield from self.hear(self.known_until, byte, settings, baud)
         yield from self.rest(self.known_until + self._bits_wanted * self._bit)
@@ -121,8 +121,8 @@ class Receiver:
         error = None
         if not bits[-1]:
             error = UartError.FRAMING
-        elif self._detection in _PARITIES:
-            wanted = sum(data) % 2 ^ _PARITIES[self._detection]
+        elif self._parity in _PARITIES:
+            wanted = sum(data) % 2 ^ _PARITIES[self._parity]
             if bits[1 + _DATA_BITS] != wanted:
                 error = UartError.PARITY
         return SampledByte(begun, at, value, error)

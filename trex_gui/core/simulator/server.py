@@ -19,7 +19,7 @@ from types import FrameType
 from typing import Protocol
 
 from trex_gui.core.simulator.endpoint import Endpoint, EndpointError, HostSettings
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.trex.simulator.demo import Demo
 
 _IDLE = 0.1  # seconds; motors and timeouts go on though nothing is on the wire
@@ -41,9 +41,6 @@ _IN_LUMPS = 0.001
 """Seconds for which the bytes of a host that streams are dealt with together. Waking for each
 of them alone takes a whole core at 115200 baud."""
 
-_DETECTIONS = {"none": Detection.NONE, "even": Detection.EVEN, "odd": Detection.ODD}
-
-
 GOODBYE = "ok bye"
 """The answer to `quit`; whoever runs the line ends after it."""
 
@@ -51,7 +48,7 @@ GOODBYE = "ok bye"
 class Wire(Protocol):
     """A line in virtual time, with whatever is at its other end."""
 
-    host: LineSettings | None
+    host: SerialFormat | None
     """What the host has set its port to; `None` assumes that it fits."""
 
     @property
@@ -75,7 +72,7 @@ class Wire(Protocol):
         ...
 
     @property
-    def own_settings(self) -> LineSettings:
+    def own_settings(self) -> SerialFormat:
         """What a host that fits has set its port to."""
         ...
 
@@ -219,13 +216,13 @@ class Server:
         for demo in self._demos:
             demo.update()
 
-    def _host_settings(self, seen: HostSettings | None) -> LineSettings | None:
+    def _host_settings(self, seen: HostSettings | None) -> SerialFormat | None:
         """Complete what was seen of the host's port; what cannot be seen fits the board."""
         if seen is None:
             return None
         own = self._line.own_settings
-        detection = own.detection if seen.parity is None else _DETECTIONS[seen.parity]
-        return LineSettings(seen.baud, detection, seen.stop_bits)
+        parity = own.parity if seen.parity is None else Parity[seen.parity.upper()]
+        return SerialFormat(seen.baud, parity, seen.stop_bits)
 
     # Control lines
 

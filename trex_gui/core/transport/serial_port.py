@@ -12,7 +12,7 @@ import re
 import select
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Protocol
 
@@ -22,8 +22,7 @@ from serial.tools import list_ports
 from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
 from trex_gui.core.transport.port_holder import holder_of, is_locked_elsewhere
 from trex_gui.core.transport.port_rates import rates_of
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
@@ -51,8 +50,6 @@ _HANDING_OVER = 1.5
 """Seconds for which a port is waited for that another line of this program has locked: one that
 closes takes no longer than its last stop is tried."""
 
-PARITIES = {Detection.EVEN: serial.PARITY_EVEN, Detection.ODD: serial.PARITY_ODD}
-
 
 def latency_of(url: str) -> float:
     """Return the seconds that a byte may be late on a port for reasons that are not the wire's."""
@@ -72,14 +69,14 @@ class Transport(Protocol):
         """Whether `reconfigure` changes how bytes travel."""
         ...
 
-    def rates(self) -> frozenset[int] | None:
-        """Return the baud rates of a TReX that the port can do; `None`: nobody knows.
+    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
+        """Return those of the wanted baud rates that the port can do; `None`: unknown.
 
         Sends nothing and raises nothing. Only for a port on which nothing was sent yet.
         """
         ...
 
-    def reconfigure(self, line: LineSettings) -> None:
+    def reconfigure(self, line: SerialFormat) -> None:
         """Go on with these settings; nothing may be on its way.
 
         Raises:
@@ -129,9 +126,9 @@ class Transport(Protocol):
 class SerialTransport:
     """A port that pyserial opened; `clock` returns seconds and never goes backwards."""
 
-    def __init__(self, settings: LinkSettings, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(self, settings: PortSettings, clock: Callable[[], float] = time.monotonic) -> None:
         self._url = settings.url
-        self._name = settings.name or settings.url
+        self._name = settings.label
         self._clock = clock
         self._port = _open(settings, clock)
         self._latency = latency_of(settings.url)
@@ -145,10 +142,10 @@ class SerialTransport:
         # Behind a plain network port somebody else has set the rate.
         return not self._url.startswith("socket://")
 
-    def rates(self) -> frozenset[int] | None:
-        return None if "://" in self._url else rates_of(self._port, baud_rates())
+    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
+        return None if "://" in self._url else rates_of(self._port, wanted)
 
-    def reconfigure(self, line: LineSettings) -> None:
+    def reconfigure(self, line: SerialFormat) -> None:
         port = self._port
         wanted = {
             "baudrate": line.baud,
@@ -259,7 +256,7 @@ def _port_errors() -> tuple[type[Exception], ...]:
 PORT_ERRORS = _port_errors()
 
 
-def _parity(url: str, line: LineSettings) -> str:
+def _parity(url: str, line: SerialFormat) -> str:
     """Return pyserial's letter for the parity of a line.
 
     A pseudo-terminal of Linux has none, and the C library takes asking for it as a mistake
@@ -267,7 +264,7 @@ def _parity(url: str, line: LineSettings) -> str:
     """
     if Path(url).resolve().is_relative_to("/dev/pts"):
         return serial.PARITY_NONE
-    return PARITIES.get(line.detection, serial.PARITY_NONE)
+    return line.parity.value
 
 
 def _is_file(url: str) -> bool:
@@ -275,7 +272,7 @@ def _is_file(url: str) -> bool:
     return "://" not in url and sys.platform != "win32"
 
 
-def _open(settings: LinkSettings, clock: Callable[[], float]) -> serial.Serial:
+def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
     line = settings.line
     try:
         port = serial.serial_for_url(settings.url, do_not_open=True)
@@ -317,7 +314,7 @@ def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -
             return
 
 
-def why_not_open(url: str, line: LineSettings, error: Exception) -> str:
+def why_not_open(url: str, line: SerialFormat, error: Exception) -> str:
     """Return a sentence for a port that would not open, with what mends it."""
     number = _errno(error)
     if "://" in url:

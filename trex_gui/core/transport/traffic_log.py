@@ -7,14 +7,13 @@ answer together, and each device has its own words for them.
 
 import time
 from collections import deque
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, field
 from enum import Enum, auto
 
 from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 _LONGEST_TAPE = 50_000
 """Pieces that are kept for a reader that is late: at 1,000 a second, nearly a minute."""
@@ -43,7 +42,7 @@ class TrafficEvent:
     way: TrafficDirection
     data: bytes = b""
     text: str = ""
-    settings: LinkSettings | None = None
+    settings: PortSettings | None = None
 
 
 @dataclass(slots=True)
@@ -73,9 +72,10 @@ class TrafficLog:
 class LoggingTransport:
     """A line whose bytes are noted; otherwise it does what the one below it does."""
 
-    def __init__(self, below: Transport, settings: LinkSettings, log: TrafficLog) -> None:
+    def __init__(self, below: Transport, settings: PortSettings, log: TrafficLog) -> None:
         self._below = below
         self._settings = settings
+        self._line = settings.line
         self._tape = log
 
     @property
@@ -86,14 +86,14 @@ class LoggingTransport:
     def is_configurable(self) -> bool:
         return self._below.is_configurable
 
-    def rates(self) -> frozenset[int] | None:
-        return self._below.rates()
+    def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
+        return self._below.rates(wanted)
 
-    def reconfigure(self, line: LineSettings) -> None:
+    def reconfigure(self, line: SerialFormat) -> None:
         self._below.reconfigure(line)
-        if line != self._settings.line:
-            self._settings = replace(self._settings, line=line)
-            self._note_line(f"Set to {line.text()}.", self._settings)
+        if line != self._line:
+            self._line = line
+            self._note_line(f"Set to {line.text()}.", self._settings.at(line))
 
     def clock(self) -> float:
         return self._below.clock()
@@ -135,7 +135,7 @@ class LoggingTransport:
             self._tape.note(TrafficEvent(self._below.clock(), TrafficDirection.RECEIVED, data))
         return data
 
-    def _note_line(self, text: str, settings: LinkSettings | None = None) -> None:
+    def _note_line(self, text: str, settings: PortSettings | None = None) -> None:
         self._tape.note(
             TrafficEvent(self._below.clock(), TrafficDirection.LINE, text=text, settings=settings)
         )
@@ -143,15 +143,15 @@ class LoggingTransport:
 
 def logged(
     log: TrafficLog,
-    open_transport: Callable[[LinkSettings], Transport] = SerialTransport,
+    open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     clock: Callable[[], float] = time.monotonic,
-) -> Callable[[LinkSettings], Transport]:
+) -> Callable[[PortSettings], Transport]:
     """Return what opens a line as `open_transport` does, and notes its bytes on a tape.
 
     `clock` is the line's, for what is noted while there is no line yet.
     """
 
-    def opened(settings: LinkSettings) -> Transport:
+    def opened(settings: PortSettings) -> Transport:
         try:
             below = open_transport(settings)
         except StudioError as error:

@@ -8,8 +8,8 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ class Transaction:
     sent: bytes = b""
     received: bytes = b""
     note: str = ""
-    settings: LinkSettings | None = None
+    settings: PortSettings | None = None
     echo: bool | None = None
     is_routine: bool = False
     ended: float | None = None
@@ -98,11 +98,11 @@ class TransactionAssembler:
     def __init__(self, wording: Decoder) -> None:
         self._wording = wording
         self._count = 0
-        self._settings: LinkSettings | None = None
+        self._settings: PortSettings | None = None
         self._echo: bool | None = None
         self._open: Transaction | None = None
 
-    def note_settings(self, settings: LinkSettings, *, echo: bool) -> None:
+    def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
         """Know better how the line is set than the line itself tells, and whether it echoes."""
         self._settings, self._echo = settings, echo
 

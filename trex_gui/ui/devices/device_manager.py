@@ -6,8 +6,8 @@ from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.ports import Port
 
@@ -79,7 +79,7 @@ class DeviceController(Protocol):
         """Connect to a port that leads to a device of this kind."""
         ...
 
-    def connect_with(self, port: Port, settings: LinkSettings) -> None:
+    def connect_with(self, port: Port, settings: PortSettings) -> None:
         """Connect to a port at which a device was found with these settings."""
         ...
 
@@ -162,7 +162,7 @@ class DeviceManager(QObject):
         way = self._ways[port.device]
         self._switch_to(way, lambda: way.connect_to(port))
 
-    def connect_with(self, port: Port, settings: LinkSettings) -> None:
+    def connect_with(self, port: Port, settings: PortSettings) -> None:
         """Connect to a port at which a device was found with these settings."""
         way = self._ways[port.device]
         self._switch_to(way, lambda: way.connect_with(port, settings))

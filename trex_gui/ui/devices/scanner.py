@@ -1,14 +1,14 @@
 """Looking for boards whose line settings nobody knows, as the window sees it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.discovery.prober import FoundDevice, ProberInfo, ScanProgress
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.discovery.prober import TREX_PROBER
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.devices.device_kind import TREX
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.devices.simulator_process import Simulator
@@ -166,10 +166,10 @@ class DeviceScanner(QObject):
         if port.kind is not PortKind.DEMO:
             first = self._said.get(port.url, port.device)
             return ScanJob(
-                LinkSettings(port.url, timeouts=self._timeouts), dict(self._seeks), first
+                PortSettings(port.url, timeouts=self._timeouts), dict(self._seeks), first
             )
         url = self._simulators[port.device].url
-        settings = LinkSettings(url, name=self._demo_names[port.device], timeouts=self._timeouts)
+        settings = PortSettings(url, name=self._demo_names[port.device], timeouts=self._timeouts)
         return ScanJob(settings, {port.device: self._seeks[port.device]})
 
     @Slot(int, object)
@@ -177,7 +177,7 @@ class DeviceScanner(QObject):
         self._total = len(self._ports) * step.total
         self._done = index * step.total + step.done
         if not self._cancelled:
-            how = replace(LinkSettings(""), line=step.line).short
+            how = step.line.short
             what = step.kind
             if step.number is not None:
                 what = self.tr("{0} with device number {1}").format(what, step.number)
@@ -202,9 +202,7 @@ class DeviceScanner(QObject):
 
     def _sentence(self, found: FoundDevice) -> str:
         settings = found.settings
-        text = self.tr("{0} on {1} at {2}").format(
-            found.name, settings.name or settings.url, settings.short
-        )
+        text = self.tr("{0} on {1} at {2}").format(found.name, settings.label, settings.short)
         if found.device_number is not None:
             text += self.tr(", device {0}").format(found.device_number)
         if found.echo:

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction, TransactionAssembler
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers.session_thread import SessionThread
 
@@ -91,7 +91,7 @@ class TrafficModel(QObject):
         """Pieces that were never read, because the window stood still for too long."""
         return self._tape.lost
 
-    def note_settings(self, settings: LinkSettings, *, echo: bool) -> None:
+    def note_settings(self, settings: PortSettings, *, echo: bool) -> None:
         """Know how the line is set, where the device has said more than the port knows."""
         self.pull()
         self._assembler.note_settings(settings, echo=echo)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.discovery.prober import ProberInfo, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.runtime import open_transport
 from trex_gui.ui.workers.thread import WorkerThread
 
@@ -22,7 +22,7 @@ class ScanJob:
         first: the key of the kind that the port is known to lead to.
     """
 
-    settings: LinkSettings
+    settings: PortSettings
     seeks: Mapping[str, ProberInfo]
     first: str | None = None
 

@@ -5,7 +5,7 @@ import json
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 
 
 def test_find_reports_robot_without_errors(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
@@ -13,7 +13,7 @@ def test_find_reports_robot_without_errors(trexcmd: RunCommand, robot: Simulated
     assert result.stdout == f"--port {robot.url}\n"
     searching, found = result.stderr.splitlines()
     assert searching == f"Searching {robot.url} ..."
-    assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no error")
+    assert found.startswith(f"Aracna 1, 8 motors, on {robot.url} at 38400 baud, no parity")
 
 
 def test_find_reports_aracna_and_trex_in_same_format(
@@ -40,7 +40,7 @@ def test_find_on_silent_port_reports_each_device_kind(
 def test_find_reports_port_in_use_once(
     trexcmd: RunCommand, robot: SimulatedDevice, virtual_time: VirtualRuntime
 ) -> None:
-    other = virtual_time.open_transport(LinkSettings(robot.url))
+    other = virtual_time.open_transport(PortSettings(robot.url))
     result = trexcmd("find", "--port", robot.url)
     other.close()
     assert result.exit_code == 1

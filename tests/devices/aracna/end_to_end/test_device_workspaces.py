@@ -7,8 +7,9 @@ from pytestqt.qtbot import QtBot
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
 ARACNA_MENUS = ["File", "Device", "Aracna", "Poses", "Window", "Help"]
@@ -94,7 +95,7 @@ def test_newest_device_choice_wins(
     assert window.device.link is ConnectionState.NONE
     window.press_disconnect()
 
-    settings = LinkSettings(quick_simulator.url)
+    settings = ConnectionSettings(quick_simulator.url)
     window.device.connect_to(settings)
     window.wait_until_up("trex")
     window.device.connect_to(settings)
@@ -104,10 +105,10 @@ def test_newest_device_choice_wins(
     virtual_time.advance(0.5)
     assert window.device.link is ConnectionState.NONE, "disconnecting drops the connection to come"
 
-    settings = LinkSettings(start_simulator("--aracna", "--unpaced").url)
-    window.robot.connect_to(settings)
+    robot = PortSettings(start_simulator("--aracna", "--unpaced").url)
+    window.robot.connect_to(robot)
     window.wait_until_up()
-    window.robot.connect_to(settings)
+    window.robot.connect_to(robot)
     window.robot.disconnect_line()
     window.wait(lambda: window.robot.link is ConnectionState.NONE)
     virtual_time.advance(0.5)

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QDialog, QLabel
 
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.runtime import open_transport
 
 
@@ -60,7 +60,7 @@ def test_search_finds_aracna_and_trex_and_prefers_earlier_device(
 
 
 def test_search_reports_failed_attempts(window: RobotWindow, robot: SimulatedDevice) -> None:
-    with_other_program = open_transport(LinkSettings(robot.url))
+    with_other_program = open_transport(PortSettings(robot.url))
     assert search(window, robot.url) == []
     with_other_program.close()
     assert f"{robot.url} is in use" in window.text("findText0")

@@ -2,6 +2,7 @@
 
 import pytest
 
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.session.messages import (
     Connected,
@@ -11,12 +12,11 @@ from trex_gui.devices.aracna.session.messages import (
     Restarted,
     Stuck,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 GOALS = (300, 400)
 BEGUN = Moving(10.0, GOALS, (None, None), 4.0)
 THERE = Moved(13.0, GOALS, GOALS, 3.0)
-CONNECTED = Connected(1, 2, LinkSettings(""))
+CONNECTED = Connected(1, 2, PortSettings(""))
 
 
 def known(*reports: object) -> RobotState:

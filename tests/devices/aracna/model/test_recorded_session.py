@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 from tests.devices.aracna.recordings import assert_equal, read
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.playback import RobotPlayback
 from trex_gui.devices.aracna.model.recorder import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
@@ -28,7 +29,6 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.recording.recording import Marker
 from trex_gui.ui.devices.event_log import EventKind
 
@@ -52,7 +52,7 @@ class Session:
         self.links: list[ConnectionState] = []
         self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
         self.robot.reported.connect(self._on_reported)
-        self.robot.connect_to(LinkSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
+        self.robot.connect_to(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
         self.wait_for(ConnectionState.UP)
 
     def _on_reported(self, report: object) -> None:

@@ -9,10 +9,10 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import StartSimulator
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.recorder import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 
 def rows(path: Path) -> list[dict[str, str]]:
@@ -24,7 +24,7 @@ def rows(path: Path) -> list[dict[str, str]]:
 def robot(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[Robot]:
     simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
-    robot.connect_to(LinkSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
+    robot.connect_to(PortSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
     qtbot.waitUntil(lambda: robot.link is ConnectionState.UP, timeout=15_000)
     yield robot
     robot.disconnect_line()

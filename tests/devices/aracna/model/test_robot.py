@@ -10,11 +10,11 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.speeds import FIRST_SPEED
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Play, SpeedsHeld, Step
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.runtime import now
 
 LOW = (300,) * 8
@@ -40,7 +40,7 @@ class RobotHarness:
         self.links.append((self.robot.link, self.robot.status))
 
     def connect(self) -> None:
-        self.robot.connect_to(LinkSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
+        self.robot.connect_to(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
         self.wait(lambda: self.robot.link is ConnectionState.UP)
 
     def wait(self, condition: Callable[[], bool]) -> None:

@@ -5,9 +5,9 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from tests.support.aracna import AracnaStage
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.session.messages import LineStatsChanged, Report, Request
 from trex_gui.devices.aracna.session.session import AracnaSession
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Close
 
 KindT = TypeVar("KindT")
@@ -51,7 +51,7 @@ class ScriptedSession:
     def run(self) -> list[Report]:
         """Run the script to its end; return all reports."""
         AracnaSession(
-            LinkSettings("virtual"), self, self._record, lambda _settings: self.stage.transport
+            PortSettings("virtual"), self, self._record, lambda _settings: self.stage.transport
         ).run()
         return self.reports
 

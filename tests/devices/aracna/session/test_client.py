@@ -4,6 +4,7 @@ import pytest
 
 from tests.support.aracna import AracnaStage
 from trex_gui.core.errors import BadRequest, NoReply
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol.replies import Positions, Version
 from trex_gui.devices.aracna.session.client import ASK_AGAIN, AracnaClient, shown
 from trex_gui.devices.aracna.session.command_events import (
@@ -14,13 +15,12 @@ from trex_gui.devices.aracna.session.command_events import (
     Passing,
     Voided,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 THERE = (600,) * 8
 
 
 def client_of(stage: AracnaStage, motors: int = 8) -> AracnaClient:
-    client = AracnaClient(stage.transport, LinkSettings("virtual"))
+    client = AracnaClient(stage.transport, PortSettings("virtual"))
     client.motors = motors
     return client
 

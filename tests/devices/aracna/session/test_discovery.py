@@ -8,17 +8,18 @@ import pytest
 from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
+from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.discovery.prober import QUESTION, QUESTIONS, AracnaScan, find_aracna
 from trex_gui.devices.aracna.protocol.lines import QUERY
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.trex.discovery.probe import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.devices.trex.discovery.prober import ScanProgress, find
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.line import SimulatedLine
 
-VIRTUAL = LinkSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
+VIRTUAL = ConnectionSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
 
 __all__ = ["orders"]  # a fixture
 
@@ -35,7 +36,7 @@ def test_robot_is_found_at_its_only_line_setting() -> None:
     begun = stage.now
     result = search(stage)
     [found] = result.found
-    assert found.settings == LinkSettings("virtual", LineSettings(38_400))
+    assert found.settings == PortSettings("virtual", SerialFormat(38_400))
     assert (found.name, found.motors, found.device_number, found.echo) == (
         "Aracna 1",
         8,
@@ -76,7 +77,7 @@ def test_search_does_not_move_robot() -> None:
 def test_trex_search_does_not_move_robot(*, full: bool, mute: bool) -> None:
     stage = AracnaStage(positions=tuple(range(100, 900, 100)))
     stage.line.faults.mute = mute
-    result = find(LinkSettings("virtual"), lambda _settings: stage.transport, full=full)
+    result = find(ConnectionSettings("virtual"), lambda _settings: stage.transport, full=full)
     stage.line.advance(5.0)
     assert not result.found
     assert not any(servo.torque for servo in stage.line.servos)

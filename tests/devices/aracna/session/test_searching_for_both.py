@@ -7,18 +7,19 @@ import pytest
 from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear, orders
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaStage
+from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.discovery.prober import ARACNA_PROBER, QUESTION
 from trex_gui.devices.aracna.session.client import LINE
-from trex_gui.devices.trex.discovery.probe import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.devices.trex.discovery.prober import TREX_PROBER, attempts
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.line import SimulatedLine
 
-VIRTUAL = LinkSettings("virtual")
+VIRTUAL = ConnectionSettings("virtual")
 SEEKS = {"trex": TREX_PROBER, "aracna": ARACNA_PROBER}
 
 __all__ = ["orders"]  # a fixture
@@ -137,7 +138,7 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
     stage.do("power off")
     sent = 0
 
-    def hear_something(settings: LinkSettings) -> Transport:
+    def hear_something(settings: PortSettings) -> Transport:
         write = stage.transport.write
 
         def writes(data: bytes) -> None:
@@ -202,7 +203,9 @@ def test_search_sends_no_command_that_trex_obeys(
 def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
     """For any order and number of probes, any device number and any polynomial."""
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
-        questions = [(each.question, each.line) for each in attempts() if each.line != own]
+        questions: list[tuple[bytes, SerialFormat]] = [
+            (each.question, each.line) for each in attempts() if each.line != own
+        ]
         questions.append((QUESTION, LINE))
         begun: set[State] = {()}
         waiting = deque(begun)

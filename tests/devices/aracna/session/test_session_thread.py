@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery.prober import find_aracna
 from trex_gui.devices.aracna.protocol.units import travel_seconds
 from trex_gui.devices.aracna.session.messages import (
@@ -30,7 +31,6 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Closed, Outcome
 from trex_gui.ui.runtime import open_transport
 from trex_gui.ui.workers.line_worker import LineWorker
@@ -49,7 +49,7 @@ class SessionRunner:
     def __init__(self, url: str, qtbot: QtBot) -> None:
         self._qtbot = qtbot
         self.reports: list[object] = []
-        settings = LinkSettings(url, timeouts=Timeouts(extra=3.0))
+        settings = PortSettings(url, timeouts=Timeouts(extra=3.0))
         self.worker = LineWorker(
             lambda inbox, tell: AracnaSession(settings, inbox, tell, open_transport)
         )
@@ -86,7 +86,7 @@ def session(robot: SimulatedDevice, qtbot: QtBot) -> Iterator[SessionRunner]:
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 def test_just_started_robot_is_found_and_connected(robot: SimulatedDevice, qtbot: QtBot) -> None:
-    [found] = find_aracna(LinkSettings(robot.url, timeouts=Timeouts(extra=0.2))).found
+    [found] = find_aracna(PortSettings(robot.url, timeouts=Timeouts(extra=0.2))).found
     assert found.motors == 8
     session = SessionRunner(robot.url, qtbot)
     assert session.wait(Connected).motors == 8

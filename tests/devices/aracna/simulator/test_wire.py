@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from tests.support.aracna import BOOT, AracnaStage
 from tests.support.matrix import examples
+from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.aracna.simulator.line import AracnaLine
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 VERSION = b".q1,8\r\n"
 GOALS = b".c512,512,512,512,512,512,512,512\n"
@@ -54,7 +54,7 @@ def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
 @pytest.mark.parametrize("paced", [True, False])
 def test_host_at_other_baud_rate_gets_no_valid_reply(baud: int, paced: bool) -> None:
     stage = AracnaStage(paced=paced)
-    stage.line.host = LineSettings(baud)
+    stage.line.host = SerialFormat(baud)
     assert VERSION not in stage.ask(b".q\n")
     stage.do("reset")
     assert stage.ask(b"") != b".h\r\n"
@@ -66,7 +66,7 @@ def test_host_at_other_baud_rate_gets_no_valid_reply(baud: int, paced: bool) -> 
 
 
 def test_host_at_other_baud_rate_receives_garbage(stage: AracnaStage) -> None:
-    stage.line.host = LineSettings(19200)
+    stage.line.host = SerialFormat(19200)
     stage.do("reset")
     garbage = stage.ask(b"", 2)
     assert garbage
@@ -74,20 +74,20 @@ def test_host_at_other_baud_rate_receives_garbage(stage: AracnaStage) -> None:
 
 
 def test_board_receives_garbage_from_host_at_other_baud_rate(stage: AracnaStage) -> None:
-    stage.line.host = LineSettings(9600)
+    stage.line.host = SerialFormat(9600)
     stage.ask(b".l1\n" * 4)
     assert stage.line.station.firmware.led is False
     assert stage.line.faults.counters["garbled"] > 4
 
 
-@pytest.mark.parametrize("detection", [Detection.EVEN, Detection.ODD])
-def test_host_with_parity_gets_no_valid_reply(stage: AracnaStage, detection: Detection) -> None:
-    stage.line.host = LineSettings(38400, detection)
+@pytest.mark.parametrize("detection", [Parity.EVEN, Parity.ODD])
+def test_host_with_parity_gets_no_valid_reply(stage: AracnaStage, detection: Parity) -> None:
+    stage.line.host = SerialFormat(38400, detection)
     assert VERSION not in stage.ask(b".q\n" * 3)
 
 
 def test_second_stop_bit_is_accepted(stage: AracnaStage) -> None:
-    stage.line.host = LineSettings(38400, stop_bits=2)
+    stage.line.host = SerialFormat(38400, stop_bits=2)
     assert stage.ask(b".q\n") == VERSION
 
 

@@ -8,11 +8,11 @@ from pytestqt.qtbot import QtBot
 from tests.devices.aracna.views.poses_stage import PosesPanelDriver
 from tests.support.simulator import StartSimulator
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.sequence import SequenceStep
 from trex_gui.devices.aracna.session.messages import Ending, Moving, PlayEnded
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 
 class ConnectedPanelDriver(PosesPanelDriver):
@@ -50,7 +50,7 @@ def driver(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[ConnectedP
     simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
     driver = ConnectedPanelDriver(qtbot, robot)
-    robot.connect_to(LinkSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
+    robot.connect_to(PortSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
     qtbot.waitUntil(lambda: robot.link is ConnectionState.UP, timeout=15_000)
     robot.set_speeds((800,) * 8)
     yield driver

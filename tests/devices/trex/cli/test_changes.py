@@ -226,7 +226,7 @@ def test_port_rates_are_queried_before_anything_is_sent(
 ) -> None:
     happened: list[str] = []
 
-    def rates(_: VirtualTransport) -> None:
+    def rates(_: VirtualTransport, _wanted: object) -> None:
         happened.append("asked")
 
     assert isinstance(quick_simulator, VirtualSimulator)

@@ -30,7 +30,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
@@ -39,7 +39,7 @@ from trex_gui.devices.trex.simulator.firmware import Board
 modest = examples(40)
 
 
-CRC = LinkSettings("virtual", LineSettings(detection=Detection.CRC7))
+CRC = ConnectionSettings("virtual", LineSettings(detection=Detection.CRC7))
 
 REAL_TIME = 0.06
 """What a local port is allowed to be late; the virtual one is faster."""
@@ -75,12 +75,12 @@ def test_out_of_range_value_is_rejected_before_sending(stage: Stage) -> None:
 @pytest.mark.parametrize("detection", list(Detection))
 def test_every_packet_format_is_understood(number: int | None, detection: Detection) -> None:
     stage, settings = staged(detection=detection)
-    client = stage.client(LinkSettings("virtual", settings.line, device_number=number))
+    client = stage.client(ConnectionSettings("virtual", settings.line, device_number=number))
     assert client.request(GetParameter(0x7E)) == settings.line.to_wire()
 
 
 def test_wrong_device_number_gets_no_reply(stage: Stage) -> None:
-    client = stage.client(LinkSettings("virtual", device_number=8))
+    client = stage.client(ConnectionSettings("virtual", device_number=8))
     with pytest.raises(NoReply):
         client.request(GetMode())
 
@@ -124,7 +124,7 @@ def test_request_on_local_port_times_out_within_100_ms() -> None:
 
 def test_extra_timeout_is_added_to_deadline(stage: Stage) -> None:
     stage.board.power_off()
-    client = stage.client(LinkSettings("virtual", timeouts=Timeouts(extra=2.0)))
+    client = stage.client(ConnectionSettings("virtual", timeouts=Timeouts(extra=2.0)))
     with pytest.raises(NoReply):
         client.request(GetMode())
     assert 2.0 < stage.line.now < 2.1
@@ -334,7 +334,7 @@ def test_corrupted_echo_raises_bad_reply(board: Board) -> None:
 
 
 def test_client_follows_new_device_number(stage: Stage) -> None:
-    client = stage.client(LinkSettings("virtual", device_number=7))
+    client = stage.client(ConnectionSettings("virtual", device_number=7))
     assert client.request(SetParameter(0, 42)) is ResultCode.OK
     assert client.settings.device_number == 42
     assert client.request(GetParameter(0)) == 42
@@ -342,7 +342,7 @@ def test_client_follows_new_device_number(stage: Stage) -> None:
 
 def test_client_ignores_rejected_device_number() -> None:
     stage, _ = staged(mode="rc")
-    client = stage.client(LinkSettings("virtual", device_number=7))
+    client = stage.client(ConnectionSettings("virtual", device_number=7))
     assert client.request(SetParameter(0, 42)) is ResultCode.NOT_SERIAL_MODE
     assert client.request(GetParameter(0)) == 7
 
@@ -443,7 +443,7 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
     stage.line.advance(0.1)
     stage.line._random.seed(seed)
     stage.line.noise = noise
-    client = stage.client(LinkSettings("virtual", settings.line, device_number=number))
+    client = stage.client(ConnectionSettings("virtual", settings.line, device_number=number))
     for question, right, drop, miss in zip(questions, expected, drops, lost, strict=False):
         stage.line.to_drop, stage.line.to_drop_sent = drop, miss
         spoilt = stage.line.counters["spoilt"]

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.client.writing import Skipped, WriteResult, write_all
 from trex_gui.devices.trex.discovery.prober import find
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.commands import GetSignature, SetParameter
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -89,12 +89,12 @@ class Case:
             eeprom.write(key, wire)
         return eeprom
 
-    def link(self, values: Values) -> LinkSettings:
+    def link(self, values: Values) -> ConnectionSettings:
         """Return how to reach a board that stores these values and was switched on with them."""
         line = LineSettings.from_wire(values["uart_settings"])
         line = replace(line, baud=line.real_baud(self.firmware))
         number = values["device_number"] if self.expanded else None
-        return LinkSettings("virtual", line, number, 0x80 | values["crc7_polynomial"])
+        return ConnectionSettings("virtual", line, number, 0x80 | values["crc7_polynomial"])
 
 
 def wire(baud: int, detection: Detection = Detection.NONE, stop_bits: int = 1) -> int:
@@ -271,7 +271,7 @@ def some(found: tuple[float, ...]) -> tuple[float, ...]:
     return found if len(found) < 200 else found[::7]
 
 
-def answers(stage: Stage, settings: LinkSettings) -> bool:
+def answers(stage: Stage, settings: ConnectionSettings) -> bool:
     """Whether the board answers at these settings."""
     stage.line.host = settings.line
     stage.line.advance(1.0)
@@ -285,12 +285,12 @@ def answers(stage: Stage, settings: LinkSettings) -> bool:
     return False
 
 
-def places(case: Case) -> Iterator[LinkSettings]:
+def places(case: Case) -> Iterator[ConnectionSettings]:
     """Yield where somebody looks for a board: as it was, as it was to be, as it came."""
     numbers = {case.before["device_number"], case.after["device_number"], 7}
-    links = [case.link(case.before), case.link(case.after), LinkSettings("virtual")]
+    links = [case.link(case.before), case.link(case.after), ConnectionSettings("virtual")]
     if case == POLYNOMIAL_ALONE:
-        links.append(LinkSettings("virtual", links[0].line))
+        links.append(ConnectionSettings("virtual", links[0].line))
     for link in links:
         for number in numbers if case.expanded else {None}:
             yield replace(link, device_number=number)
@@ -309,7 +309,7 @@ def require_reachable(attempt: Attempt) -> None:
     assert attempt.board.powered
     if polynomial in {None, DEFAULT_POLYNOMIAL}:  # others need the full search
         stage.line.advance(1.0)
-        (found,) = find(LinkSettings("virtual"), lambda _settings: stage.transport).found
+        (found,) = find(ConnectionSettings("virtual"), lambda _settings: stage.transport).found
         assert found.device_number == number
         assert answers(stage, found.settings)
     assert any(answers(stage, place) for place in places(case)), state

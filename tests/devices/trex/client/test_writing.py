@@ -31,7 +31,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
@@ -358,7 +358,7 @@ def test_port_loss_keeps_results_of_earlier_writes(
 
 
 def test_write_continues_with_new_device_number(stage: Stage) -> None:
-    client = stage.client(LinkSettings("virtual", device_number=7))
+    client = stage.client(ConnectionSettings("virtual", device_number=7))
     results = write_all(client.request, SPECS, [("device_number", 9), ("motor_mode", 1)])
     assert [result.error for result in results] == [None, None]
     assert stage.board.eeprom["device_number"] == 9

@@ -17,7 +17,7 @@ from tests.support.simulator import SimulatorProcess
 from trex_gui.devices.trex.code_export.code import export_code, file_name
 from trex_gui.devices.trex.code_export.language import Language
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.document import Settings
@@ -63,13 +63,13 @@ def link(
     device: int = DEVICE,
     baud: int = 19200,
     stop_bits: int = 1,
-) -> LinkSettings:
+) -> ConnectionSettings:
     """Return how a board is reached."""
     line = LineSettings(baud, Detection.CRC7 if crc else Detection.NONE, stop_bits)
-    return LinkSettings("unused", line, device if expanded else None, POLYNOMIAL)
+    return ConnectionSettings("unused", line, device if expanded else None, POLYNOMIAL)
 
 
-def settings_for(link: LinkSettings, model: str = "trex", **wanted: int) -> Settings:
+def settings_for(link: ConnectionSettings, model: str = "trex", **wanted: int) -> Settings:
     """Return settings that leave the line as it is, with some values that no factory sets."""
     as_new = factory(model)
     line = {
@@ -97,7 +97,7 @@ class Board:
         self.show = self._simulator.show
         self.end = self._simulator.end
 
-    def make_new(self, link: LinkSettings) -> None:
+    def make_new(self, link: ConnectionSettings) -> None:
         """Make it as good as new, but for its line."""
         self.do("line mute off")
         for motor in (1, 2):
@@ -155,7 +155,7 @@ class Boards:
         self._folder = folder
         self._boards: dict[tuple[str, ...], Board] = {}
 
-    def board(self, link: LinkSettings, model: str = "trex", *arguments: str) -> Board:
+    def board(self, link: ConnectionSettings, model: str = "trex", *arguments: str) -> Board:
         """Return a board that is reached in this way and is new otherwise."""
         key = ("--model", model, *(arguments or ("--unpaced",)))
         if key not in self._boards:
@@ -216,7 +216,7 @@ def need(compiler: str) -> None:
 
 
 def exported(
-    folder: Path, settings: Settings, link: LinkSettings, language: Language, text: str = ""
+    folder: Path, settings: Settings, link: ConnectionSettings, language: Language, text: str = ""
 ) -> Path:
     """Export settings into a folder and return the file."""
     path = folder / file_name(settings, language)
@@ -227,7 +227,7 @@ def exported(
 def made_ready(
     folder: Path,
     settings: Settings,
-    link: LinkSettings,
+    link: ConnectionSettings,
     language: Language,
     *,
     drive: bool = False,

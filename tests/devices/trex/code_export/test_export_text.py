@@ -30,7 +30,7 @@ from trex_gui.devices.trex.code_export.language import Language
 from trex_gui.devices.trex.code_export.template import TemplateError, fill
 from trex_gui.devices.trex.code_export.text import plain
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
@@ -43,11 +43,11 @@ LONGEST_LINE = 100
 
 
 @st.composite
-def any_link(draw: st.DrawFn) -> LinkSettings:
+def any_link(draw: st.DrawFn) -> ConnectionSettings:
     detection = draw(st.sampled_from(list(Detection)))
     line = LineSettings(draw(st.sampled_from(baud_rates())), detection, draw(st.integers(1, 2)))
     device = draw(st.none() | st.integers(0, 127))
-    return LinkSettings("unused", line, device, draw(st.integers(0x80, 0xFF)))
+    return ConnectionSettings("unused", line, device, draw(st.integers(0x80, 0xFF)))
 
 
 def without_version(text: str) -> str:
@@ -95,7 +95,7 @@ def test_exported_text_matches_golden_file(name: str, text: str, tmp_path: Path)
 @examples(30)
 @given(settings=any_settings(), line=any_link())
 def test_exported_text_is_short_ascii_lines_without_gaps(
-    settings: Settings, line: LinkSettings
+    settings: Settings, line: ConnectionSettings
 ) -> None:
     for language in Language:
         text = export_code(settings, line, language)
@@ -110,7 +110,7 @@ def test_exported_text_is_short_ascii_lines_without_gaps(
 @examples(30)
 @given(settings=any_settings(), line=any_link())
 def test_exported_python_parses_in_3_8_and_has_all_values(
-    settings: Settings, line: LinkSettings
+    settings: Settings, line: ConnectionSettings
 ) -> None:
     text = export_code(settings, line, Language.PYTHON)
     ast.parse(text, feature_version=(3, 8))
@@ -205,7 +205,7 @@ def test_header_names_board_and_warns_of_running_motors(language: Language) -> N
 
 @every_language
 def test_changed_line_settings_are_announced(language: Language) -> None:
-    def announced(line: LinkSettings, **parameters: int) -> str:
+    def announced(line: ConnectionSettings, **parameters: int) -> str:
         text = export_code(Settings(TREX, "1.2", parameters), line, language)
         found = re.search(r"speaks at (.*)\.", text)
         return found[1] if found else ""

@@ -35,7 +35,7 @@ from tests.devices.trex.code_export.programs import (
 from tests.devices.trex.simulator.patience import becomes
 from tests.support.matrix import sampled
 from trex_gui.devices.trex.code_export.language import Language
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.settings.document import Settings
@@ -381,11 +381,11 @@ def test_wrong_usage_and_missing_port_have_own_exit_codes(
 # --- What compilers say of the text
 
 
-def text_of_c(folder: Path, settings: Settings, line: LinkSettings) -> None:
+def text_of_c(folder: Path, settings: Settings, line: ConnectionSettings) -> None:
     compile_([*C, "-fsyntax-only", str(exported(folder, settings, line, Language.C))])
 
 
-def text_of_arduino(folder: Path, settings: Settings, line: LinkSettings) -> None:
+def text_of_arduino(folder: Path, settings: Settings, line: ConnectionSettings) -> None:
     sketch = exported(folder, settings, line, Language.ARDUINO)
     main = str(HERE / "arduino" / "main.cpp")
     # The newest standard too, which newer cores ask for.
@@ -420,7 +420,7 @@ def test_partial_settings_compile(part: str, compiled: Callable[..., None], tmp_
 def test_all_line_formats_compile(
     detection: Detection, stop_bits: int, compiled: Callable[..., None], tmp_path: Path
 ) -> None:
-    line = LinkSettings("unused", LineSettings(9600, detection, stop_bits))
+    line = ConnectionSettings("unused", LineSettings(9600, detection, stop_bits))
     compiled(tmp_path, settings_for(line), line)
 
 

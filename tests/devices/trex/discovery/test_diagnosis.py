@@ -4,10 +4,10 @@ import pytest
 
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.devices.trex.discovery.diagnosis import diagnose
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
-SETTINGS = LinkSettings("/dev/ttyUSB0")
+SETTINGS = ConnectionSettings("/dev/ttyUSB0")
 
 
 def test_missing_reply_message_lists_checks() -> None:
@@ -19,7 +19,7 @@ def test_missing_reply_message_lists_checks() -> None:
 
 
 def test_missing_reply_message_names_device_number() -> None:
-    settings = LinkSettings("/dev/ttyUSB0", device_number=12)
+    settings = ConnectionSettings("/dev/ttyUSB0", device_number=12)
     error = diagnose(settings, echo=False, error=NoReply("x"))
     assert "device number is 12" in str(error)
 
@@ -43,7 +43,7 @@ def test_port_error_is_returned_unchanged() -> None:
 
 
 def test_framing_has_crc_only_if_line_has_one() -> None:
-    plain = LinkSettings("x", device_number=7, polynomial=0x91)
+    plain = ConnectionSettings("x", device_number=7, polynomial=0x91)
     assert (plain.framing.device_number, plain.framing.polynomial) == (7, None)
-    crc = LinkSettings("x", LineSettings(detection=Detection.CRC7), polynomial=0x91)
+    crc = ConnectionSettings("x", LineSettings(detection=Detection.CRC7), polynomial=0x91)
     assert (crc.framing.device_number, crc.framing.polynomial) == (None, 0x91)

@@ -15,10 +15,12 @@ import pytest
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import VirtualTransport
+from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.simulator import sampling
 from trex_gui.core.simulator.sampling import _SAMPLE_AT, Receiver
-from trex_gui.devices.trex.discovery.probe import FLUSH_BYTE, FLUSH_LINE, Attempt
+from trex_gui.core.transport.settings import SerialFormat
+from trex_gui.devices.trex.discovery.probe import Attempt
 from trex_gui.devices.trex.discovery.prober import (
     FoundBoard,
     ScanProgress,
@@ -27,13 +29,13 @@ from trex_gui.devices.trex.discovery.prober import (
     find,
 )
 from trex_gui.devices.trex.protocol.commands import COMMANDS
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedLine
 from trex_gui.devices.trex.simulator.serial_control import SerialControl
 
-VIRTUAL = LinkSettings("virtual")
+VIRTUAL = ConnectionSettings("virtual")
 PARITIES = (Detection.NONE, Detection.EVEN, Detection.ODD)
 BOARDS = [
     LineSettings(baud, detection, stop_bits)
@@ -50,9 +52,9 @@ class Wire(VirtualTransport):
 
     def __init__(self, line: SimulatedLine) -> None:
         super().__init__(line)
-        self.tuned: list[LineSettings] = []
+        self.tuned: list[SerialFormat] = []
 
-    def reconfigure(self, line: LineSettings) -> None:
+    def reconfigure(self, line: SerialFormat) -> None:
         if line.baud in self.unable:
             raise BadRequest("no such rate")
         self.tuned.append(line)
@@ -102,7 +104,7 @@ def test_search_finds_every_board_and_commands_no_motor(
         stored = board.memory.stored()
         wire = wire_of(board)
         found = only(search(wire))
-        assert found.settings == LinkSettings("virtual", settings)
+        assert found.settings == ConnectionSettings("virtual", settings)
         assert (str(found.signature), found.device_number) == ("TReX 1.2", 7)
         assert (found.note, found.echo) == ("", False)
         assert not orders
@@ -172,7 +174,7 @@ State = tuple[int, ...]
 
 
 @cache
-def words(packet: bytes, host: LineSettings, own: LineSettings) -> frozenset[Word]:
+def words(packet: bytes, host: SerialFormat, own: LineSettings) -> frozenset[Word]:
     """Return all that a board may hear of a packet that comes alone.
 
     A board is deaf while it answers, so behind a question any part of the rest may be missing.
@@ -228,7 +230,7 @@ def after(begun: State, value: int, *, crc: bool) -> Iterator[State | str]:
 
 
 def hear(
-    begun: Iterable[State], packet: bytes, host: LineSettings, own: LineSettings, *, crc: bool
+    begun: Iterable[State], packet: bytes, host: SerialFormat, own: LineSettings, *, crc: bool
 ) -> tuple[set[State], set[str]]:
     """Return what packets may be begun after one more was sent, and the orders obeyed."""
     left: set[State] = set()
@@ -409,7 +411,7 @@ def test_other_polynomial_is_found_only_by_full_search() -> None:
         board = a_board(settings=line.to_wire(), crc7_polynomial=polynomial & 0x7F)
         assert not search(wire_of(board)).found
         found = only(search(wire_of(board), full=True))
-        assert found.settings == LinkSettings("virtual", line, polynomial=polynomial)
+        assert found.settings == ConnectionSettings("virtual", line, polynomial=polynomial)
 
 
 def test_full_search_distinguishes_boards_of_two_models() -> None:

@@ -7,11 +7,11 @@ from trex_gui.devices.trex.discovery.reconnect_candidates import (
     after_power_cycle,
     reconnect_candidates,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 
-NOW = LinkSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeouts(extra=0.1))
+NOW = ConnectionSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeouts(extra=0.1))
 FACTORY = {spec.key: spec.default for spec in parameters_of("trex", "1.2").readable}
 
 
@@ -47,7 +47,7 @@ def test_stored_polynomial_regains_its_highest_bit() -> None:
 def test_stored_device_number_is_used_only_when_addressed() -> None:
     stored = {"device_number": 9}
     assert after_power_cycle(NOW, stored, "1.2") == NOW
-    addressed = LinkSettings("/dev/ttyUSB0", device_number=7)
+    addressed = ConnectionSettings("/dev/ttyUSB0", device_number=7)
     coming = after_power_cycle(addressed, stored, "1.2")
     assert coming is not None
     assert coming.device_number == 9
@@ -63,7 +63,7 @@ def test_unchanged_line_has_no_reconnect_candidates() -> None:
 
 def test_reconnect_candidates_include_factory_polynomial() -> None:
     crc = LineSettings(19200, Detection.CRC7)
-    link = LinkSettings("/dev/ttyUSB0", line=crc, polynomial=0x91)
+    link = ConnectionSettings("/dev/ttyUSB0", line=crc, polynomial=0x91)
     before = {**FACTORY, "uart_settings": crc.to_wire(), "crc7_polynomial": 0x11}
     places = reconnect_candidates(link, before, {**before, "crc7_polynomial": 0x15}, "1.2")
     assert [place.polynomial for place in places] == [0x95, 0x89]
@@ -71,7 +71,7 @@ def test_reconnect_candidates_include_factory_polynomial() -> None:
 
 
 def test_reconnect_candidates_include_factory_device_number() -> None:
-    link = LinkSettings("/dev/ttyUSB0", device_number=20)
+    link = ConnectionSettings("/dev/ttyUSB0", device_number=20)
     before = {**FACTORY, "device_number": 20}
     places = reconnect_candidates(link, before, {**before, "device_number": 9}, "1.2")
     assert [place.device_number for place in places] == [9, 7]

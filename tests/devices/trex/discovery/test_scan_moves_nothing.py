@@ -10,7 +10,7 @@ import itertools
 import pytest
 
 from tests.support.virtual import Stage, VirtualTransport
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -27,7 +27,7 @@ class _Recorder(VirtualTransport):
         super().write(data)
 
 
-def _sent_to_nobody(settings: LinkSettings) -> list[bytes]:
+def _sent_to_nobody(settings: ConnectionSettings) -> list[bytes]:
     """Return what a session sends while nothing answers."""
     stage = Stage(Board())
     stage.line.mute = True
@@ -63,7 +63,7 @@ def _board(settings: LineSettings) -> Board:
 def test_connection_probes_start_no_motor_at_any_rate(
     detection: Detection, device_number: int | None
 ) -> None:
-    settings = LinkSettings("virtual", LineSettings(detection=detection), device_number)
+    settings = ConnectionSettings("virtual", LineSettings(detection=detection), device_number)
     packets = _sent_to_nobody(settings)
     assert packets
     for own_detection in Detection:

@@ -19,7 +19,7 @@ from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL, ArmingWatchdog
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetMode
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
     Close,
@@ -176,7 +176,7 @@ def test_late_confirmation_of_failed_stop_is_reported(stage: Stage) -> None:
     stage.script.at(1.0, SetMotor(1, Drive.at(80))).at(1.5, lose_our_ears).at(1.5, Stop(1))
     stage.script.at(5.0, Close())
     TrexSession(
-        LinkSettings("virtual"),
+        ConnectionSettings("virtual"),
         stage.script,
         hear_again_when_it_was_given_up,
         lambda _settings: stage.transport,

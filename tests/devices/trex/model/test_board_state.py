@@ -11,7 +11,7 @@ from trex_gui.devices.trex.model.board_state import after_writing, in_force
 from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.commands import Signature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, channel_mask
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
@@ -62,7 +62,7 @@ def test_write_result_gives_its_channel(what: str, channel: int | None) -> None:
 
 def test_active_values_come_from_the_line_settings() -> None:
     line = LineSettings(57600, Detection.CRC7)
-    shown = in_force(STATE, LinkSettings("virtual", line, polynomial=0x91))
+    shown = in_force(STATE, ConnectionSettings("virtual", line, polynomial=0x91))
     assert shown == {
         "uart_settings": line.to_wire(),
         "crc7_polynomial": 0x11,
@@ -71,7 +71,7 @@ def test_active_values_come_from_the_line_settings() -> None:
 
 
 def test_active_polynomial_is_unknown_without_crc7() -> None:
-    assert "crc7_polynomial" not in in_force(STATE, LinkSettings("virtual"))
+    assert "crc7_polynomial" not in in_force(STATE, ConnectionSettings("virtual"))
 
 
 def test_active_input_source_is_unknown_outside_serial_mode() -> None:

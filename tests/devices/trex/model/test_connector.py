@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import ConnectionState, Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.simulator_process import Simulator, simulator_command
@@ -47,7 +47,7 @@ def until(qtbot: QtBot) -> Until:
 
 
 def test_line_settings_default_to_factory(connector: Connector) -> None:
-    assert connector.settings == LinkSettings("")
+    assert connector.settings == ConnectionSettings("")
 
 
 @pytest.mark.parametrize("number", [None, 0, 7, 127])
@@ -56,8 +56,8 @@ def test_line_settings_are_saved(
 ) -> None:
     line = LineSettings(57600, Detection.CRC7, 2)
     with qtbot.waitSignal(connector.settings_changed):
-        connector.set_settings(LinkSettings("ignored", line, number, 0x91, name="ignored"))
-    expected = LinkSettings("", line, number, 0x91)
+        connector.set_settings(ConnectionSettings("ignored", line, number, 0x91, name="ignored"))
+    expected = ConnectionSettings("", line, number, 0x91)
     assert connector.settings == expected
     assert Connector(device, ports).settings == expected
 
@@ -74,9 +74,9 @@ def test_line_settings_are_saved(
 def test_invalid_saved_line_settings_fall_back_to_factory(
     device: Device, ports: Ports, key: str, value: object, connector: Connector
 ) -> None:
-    connector.set_settings(LinkSettings("", LineSettings(57600)))
+    connector.set_settings(ConnectionSettings("", LineSettings(57600)))
     QSettings().setValue(key, value)
-    assert Connector(device, ports).settings == LinkSettings("")
+    assert Connector(device, ports).settings == ConnectionSettings("")
 
 
 # --- Connecting -------------------------------------------------------------------------
@@ -90,10 +90,10 @@ def test_port_is_opened_with_the_chosen_settings(
     until: Until,
 ) -> None:
     url = start_simulator().url
-    connector.set_settings(LinkSettings("", device_number=7))
+    connector.set_settings(ConnectionSettings("", device_number=7))
     connector.connect_to(ports.add_typed(url))
     until(lambda: device.link is ConnectionState.UP)
-    assert device.settings == LinkSettings(url, device_number=7)
+    assert device.settings == ConnectionSettings(url, device_number=7)
     assert connector.port == ports.find(url)
     assert Ports().preferred == ports.find(url)
 
@@ -122,7 +122,7 @@ def test_disconnecting_clears_the_port(
 def test_choosing_the_demo_port_starts_the_simulator(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
-    connector.set_settings(LinkSettings("", LineSettings(115200, Detection.CRC7)))
+    connector.set_settings(ConnectionSettings("", LineSettings(115200, Detection.CRC7)))
     connector.connect_to(ports.demo)
     starting: list[bool] = [connector.starting]
     until(lambda: device.link is ConnectionState.UP)

@@ -10,7 +10,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.runtime import now
@@ -46,7 +46,7 @@ class DeviceRecorder:
         self.until(lambda: self.device.link is link)
 
     def connect(self, url: str, *, again: bool = False) -> None:
-        self.device.connect_to(LinkSettings(url))
+        self.device.connect_to(ConnectionSettings(url))
         if again:
             self.until(lambda: self.device.link is not ConnectionState.UP)
         failed = len(self.failures)
@@ -127,7 +127,7 @@ def test_echo_of_the_rs232_side_is_detected(
 
 
 def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:
-    recorder.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    recorder.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
     recorder.until_link(ConnectionState.NONE)
     assert recorder.links == [ConnectionState.OPENING, ConnectionState.NONE]
     assert len(recorder.failures) == 1
@@ -139,7 +139,7 @@ def test_unpowered_board_is_reported(
     recorder: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
-    recorder.device.connect_to(LinkSettings(quick_simulator.url))
+    recorder.device.connect_to(ConnectionSettings(quick_simulator.url))
     recorder.until_link(ConnectionState.NONE)
     assert "No TReX answers" in recorder.failures[0]
 
@@ -482,14 +482,14 @@ def test_last_of_several_chosen_ports_is_connected(
     connected: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
     other = start_simulator("--model", "trexjr")
-    connected.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
     connected.connect(other.url, again=True)
-    assert connected.device.settings == LinkSettings(other.url)
+    assert connected.device.settings == ConnectionSettings(other.url)
     assert connected.failures == []
 
 
 def test_missing_port_chosen_while_connected_is_reported(connected: DeviceRecorder) -> None:
-    connected.device.connect_to(LinkSettings("/dev/ttyNothing9"))
+    connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
     connected.until_link(ConnectionState.NONE)
     assert "There is no port" in connected.failures[0]
 
@@ -525,6 +525,6 @@ def test_device_does_not_change_after_shutdown(connected: DeviceRecorder, qtbot:
 def test_line_settings_are_used_for_the_connection(
     recorder: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
-    recorder.device.connect_to(LinkSettings(quick_simulator.url, LineSettings(9600)))
+    recorder.device.connect_to(ConnectionSettings(quick_simulator.url, LineSettings(9600)))
     recorder.until_link(ConnectionState.NONE)
     assert "9600 baud" in recorder.failures[0]

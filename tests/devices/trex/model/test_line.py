@@ -5,7 +5,7 @@ from pytestqt.qtbot import QtBot
 
 from trex_gui.devices.trex.model.line import Line
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Closed, Reload, SetMotor
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import runtime
@@ -17,7 +17,7 @@ def test_crashed_session_closes_the_line_and_keeps_may_move(
 ) -> None:
     monkeypatch.setattr(TrexSession, "run", lambda _: runtime().sleep(0.1))
     line = Line()
-    line.open(LinkSettings("nowhere"), may_move=False)
+    line.open(ConnectionSettings("nowhere"), may_move=False)
     if drives:
         line.submit(SetMotor(1, Drive.at(20)))
     with qtbot.waitSignal(line.closed) as last:

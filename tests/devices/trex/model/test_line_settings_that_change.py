@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import ConnectionState, Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.ui.devices.ports import Ports
 
@@ -78,15 +78,15 @@ def test_reconnect_at_new_line_settings_is_saved(
     connector.connect_to(ports.add_typed(quick_simulator.url))
     until(lambda: device.link is ConnectionState.UP)
     store(device, until, **{UART: NEW.to_wire(), POLYNOMIAL: 0x11})
-    device.expect((LinkSettings("", NEW, polynomial=0x91),))
+    device.expect((ConnectionSettings("", NEW, polynomial=0x91),))
     quick_simulator.do("power off")
     until(lambda: device.link is ConnectionState.SILENT)
-    assert connector.settings == LinkSettings("")
+    assert connector.settings == ConnectionSettings("")
     quick_simulator.do("power on")
     until(lambda: device.link is ConnectionState.UP)
-    there = LinkSettings(quick_simulator.url, NEW, polynomial=0x91)
+    there = ConnectionSettings(quick_simulator.url, NEW, polynomial=0x91)
     assert device.settings == there
-    assert connector.settings == LinkSettings("", NEW, polynomial=0x91)
+    assert connector.settings == ConnectionSettings("", NEW, polynomial=0x91)
     assert Connector(device, ports).settings == connector.settings
     assert device.parameters.active_of(UART) == NEW.to_wire()
     connector.disconnect_port()
@@ -108,7 +108,7 @@ def test_board_reconnects_at_a_new_baud_rate(
     connector.connect_to(ports.add_typed(quick_simulator.url))
     until(lambda: device.link is ConnectionState.UP)
     store(device, until, **{UART: LineSettings(baud).to_wire()})
-    device.expect((LinkSettings("", LineSettings(baud)),))
+    device.expect((ConnectionSettings("", LineSettings(baud)),))
     quick_simulator.do("power off")
     until(lambda: device.link is ConnectionState.SILENT)
     quick_simulator.do("power on")
@@ -122,10 +122,10 @@ def test_simulated_board_reconnects_at_its_last_settings(
     connector.connect_to(ports.demo)
     until(lambda: device.link is ConnectionState.UP)
     store(device, until, **{UART: NEW.to_wire()})
-    device.expect((LinkSettings("", NEW),))
+    device.expect((ConnectionSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
     assert line_of(device) == NEW
-    assert connector.settings == LinkSettings("")  # which are for real boards
+    assert connector.settings == ConnectionSettings("")  # which are for real boards
     connector.disconnect_port()
     until(lambda: device.link is ConnectionState.NONE)
     connector.connect_to(ports.demo)
@@ -139,7 +139,7 @@ def test_new_simulated_board_uses_factory_line_settings(
     connector.connect_to(ports.demo)
     until(lambda: device.link is ConnectionState.UP)
     store(device, until, **{UART: NEW.to_wire()})
-    device.expect((LinkSettings("", NEW),))
+    device.expect((ConnectionSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
     restart(device, until, connector.demo_board.restore_factory)
     assert line_of(device) == LineSettings()

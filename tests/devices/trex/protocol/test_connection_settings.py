@@ -2,7 +2,7 @@
 
 import pytest
 
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
@@ -16,5 +16,5 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
     ],
 )
 def test_short_text_uses_notation_of_terminal_programs(detection: Detection, text: str) -> None:
-    settings = LinkSettings("/dev/ttyUSB0", LineSettings(57600, detection, 2))
+    settings = ConnectionSettings("/dev/ttyUSB0", LineSettings(57600, detection, 2))
     assert settings.short == text

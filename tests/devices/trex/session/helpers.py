@@ -6,7 +6,7 @@ from typing import TypeVar
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.protocol.commands import Command
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parser import Packet, PacketParser
 from trex_gui.devices.trex.session.messages import Close, Outcome, Report
@@ -27,13 +27,13 @@ def staged(
     firmware: str = "1.2",
     mode: str = "serial",
     echo: bool = False,
-) -> tuple[Stage, LinkSettings]:
+) -> tuple[Stage, ConnectionSettings]:
     """Return a board that runs at these line settings, and the settings that fit it."""
     line = LineSettings(baud, detection)
     eeprom = Eeprom(model)
     eeprom.write("uart_settings", line.to_wire())
     board = Board(model, firmware, eeprom=eeprom, mode=mode)
-    return Stage(board, echo=echo), LinkSettings("virtual", line)
+    return Stage(board, echo=echo), ConnectionSettings("virtual", line)
 
 
 def among(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
@@ -78,7 +78,9 @@ def is_stopped(board: Board) -> bool:
     )
 
 
-def run_for(stage: Stage, seconds: float, settings: LinkSettings | None = None) -> list[Report]:
+def run_for(
+    stage: Stage, seconds: float, settings: ConnectionSettings | None = None
+) -> list[Report]:
     """Run the script of a stage, which ends so many seconds after the line began."""
     stage.script.at(seconds, Close())
     return stage.run(settings)
@@ -88,7 +90,7 @@ def run_after_another(stage: Stage, seconds: float) -> list[Report]:
     """Run a session whose forerunner may have left motors running."""
     stage.script.at(seconds, Close())
     TrexSession(
-        LinkSettings("virtual"),
+        ConnectionSettings("virtual"),
         stage.script,
         stage.reports.append,
         lambda _settings: stage.transport,
@@ -104,7 +106,7 @@ def seen_at(stage: Stage, moment: float, look: Callable[[], KindT]) -> list[Kind
     return seen
 
 
-def timed_run(stage: Stage, settings: LinkSettings) -> list[tuple[float, Report]]:
+def timed_run(stage: Stage, settings: ConnectionSettings) -> list[tuple[float, Report]]:
     """Run the script of a stage; return each report with the moment it was made."""
     reports: list[tuple[float, Report]] = []
     session = TrexSession(

@@ -2,11 +2,11 @@
 
 from tests.devices.trex.session.helpers import staged
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.liveness import LivenessMonitor
 
-ELSEWHERE = (LinkSettings("virtual", LineSettings(57600)),)
+ELSEWHERE = (ConnectionSettings("virtual", LineSettings(57600)),)
 
 
 def silent_at(now: float) -> LivenessMonitor:

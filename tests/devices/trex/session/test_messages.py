@@ -35,7 +35,7 @@ from trex_gui.devices.trex.protocol.commands import (
     GetSignature,
     SetCalibration,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
@@ -79,7 +79,7 @@ REQUESTS: list[Request] = [
     Heartbeat(),
     Write(6, (("serial_timeout", 5),), ((1, LEARNED),)),
     Reload(7),
-    SetReconnectCandidates((LinkSettings("", LineSettings(9600)),)),
+    SetReconnectCandidates((ConnectionSettings("", LineSettings(9600)),)),
     Close(),
 ]
 
@@ -179,5 +179,7 @@ def test_pickled_state_knows_its_parameters() -> None:
 
 def test_link_settings_survive_pickling() -> None:
     line = LineSettings(115200, Detection.CRC7, 2)
-    settings = LinkSettings("/dev/ttyUSB0", line, 7, 0x89, Timeouts(extra=0.5), "here")
+    settings = ConnectionSettings(
+        "/dev/ttyUSB0", line, 7, 0x89, timeouts=Timeouts(extra=0.5), name="here"
+    )
     assert there_and_back(settings) == settings

@@ -12,10 +12,11 @@ from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
+from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.discovery.probe import is_board_at, reconnect_places
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode, GetSignature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.session.messages import (
@@ -37,7 +38,7 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 from trex_gui.devices.trex.simulator.serial_control import SerialControl
 
-OLD = LinkSettings("virtual")
+OLD = ConnectionSettings("virtual")
 EVERYWHERE = [
     LineSettings(baud, detection, stop_bits)
     for detection, stop_bits, baud in product(Detection, (1, 2), baud_rates())
@@ -58,7 +59,7 @@ OFF, ON, END = 1.5, 2.5, 30.0
 class Place(Stage):
     """A board that is set to `old`, on a port that is set to that too."""
 
-    def __init__(self, old: LinkSettings = OLD, *, echo: bool = False) -> None:
+    def __init__(self, old: ConnectionSettings = OLD, *, echo: bool = False) -> None:
         number = 7 if old.device_number is None else old.device_number
         board = a_board(
             number,
@@ -70,12 +71,12 @@ class Place(Stage):
         self.old = old
         self.line.host = old.line
 
-    def store(self, new: LinkSettings) -> None:
+    def store(self, new: ConnectionSettings) -> None:
         """Let the board be at other settings when it is switched on the next time."""
         self.board.eeprom.write("uart_settings", new.line.to_wire())
         self.board.eeprom.write("crc7_polynomial", new.polynomial & 0x7F)
 
-    def go(self, *expected: LinkSettings, new: LinkSettings | None = None) -> "Place":
+    def go(self, *expected: ConnectionSettings, new: ConnectionSettings | None = None) -> "Place":
         """Plan a break of the power, after which the board is at `new`."""
         self.script.at(OFF - 0.1, SetReconnectCandidates(expected))
         self.script.at(OFF, self.board.power_off)
@@ -153,8 +154,8 @@ def test_board_reconnects_from_various_old_line_settings(
     old: LineSettings, orders: list[str]
 ) -> None:
     for line in EVERYWHERE[::17]:
-        new = LinkSettings("virtual", line)
-        place = Place(LinkSettings("virtual", old)).go(new, new=new)
+        new = ConnectionSettings("virtual", line)
+        place = Place(ConnectionSettings("virtual", old)).go(new, new=new)
         assert the_return(place, moment_of_end(line)).settings == new
     assert not orders
 
@@ -168,7 +169,7 @@ def test_board_reconnects_with_new_polynomial(polynomial: int) -> None:
 
 def test_board_reconnects_with_new_device_number() -> None:
     place = Place(replace(OLD, device_number=7))
-    new = LinkSettings("virtual", CRC, 100)
+    new = ConnectionSettings("virtual", CRC, 100)
     place.script.at(1.2, Write(1, (("device_number", 100), ("uart_settings", CRC.to_wire()))))
     assert the_return(place.go(new, new=new)).settings == new
     assert outcomes(place.reports)[1].error is None
@@ -184,7 +185,7 @@ def test_board_reconnects_at_settings_derived_from_stored_ones() -> None:
     place = Place()
     place.script.at(1.0, Write(1, (("uart_settings", CRC.to_wire()), ("crc7_polynomial", 0x11))))
     place.script.at(1.3, Reload(2))
-    coming = LinkSettings("virtual", CRC, polynomial=0x91)
+    coming = ConnectionSettings("virtual", CRC, polynomial=0x91)
     place.go(coming, new=coming).end(6.0)
     _, reloaded, returned = place.connections
     assert reloaded.settings == OLD
@@ -240,7 +241,7 @@ def test_counters_continue_after_reconnect(orders: list[str]) -> None:
 def test_round_of_reconnect_probes_takes_at_most_1500_ms() -> None:
     place = Place().go(replace(OLD, line=CRC), new=OLD)
     place.transport.latency = 0.06  # as of a local port
-    asked: list[tuple[float, LineSettings | None]] = []
+    asked: list[tuple[float, SerialFormat | None]] = []
     write = place.transport.write
 
     def note(data: bytes) -> None:
@@ -260,7 +261,7 @@ def test_stop_and_close_are_served_between_probes() -> None:
     place = Place().go(replace(OLD, line=CRC), new=OLD)
     place.transport.latency = 0.06
     place.script.at(ON + 0.01, place.board.power_off)
-    stops: list[tuple[float, LineSettings | None]] = []
+    stops: list[tuple[float, SerialFormat | None]] = []
     write = place.transport.write
 
     def note(data: bytes) -> None:
@@ -317,8 +318,8 @@ def test_reconnect_probes_command_no_motor_at_any_settings(
     for line in lines:
         if line.stop_bits == 2:
             continue
-        place = Place(LinkSettings("virtual", old))
-        place.go(replace(OLD, line=expected), new=LinkSettings("virtual", line))
+        place = Place(ConnectionSettings("virtual", old))
+        place.go(replace(OLD, line=expected), new=ConnectionSettings("virtual", line))
         place.script.at(ON, partial(setattr, place.line, "mute", True))
         place.end(4.5)
         assert len(place.connections) == 1
@@ -347,7 +348,7 @@ def test_stop_retry_at_old_settings_starts_no_motor(
             continue
         place = Place()
         place.script.at(1.2, SetMotor(1, Drive.at(100)))
-        place.go(LinkSettings("virtual", CRC), new=LinkSettings("virtual", line))
+        place.go(ConnectionSettings("virtual", CRC), new=ConnectionSettings("virtual", line))
         place.script.at(ON, partial(setattr, place.line, "mute", True))
         seen: list[bool] = []
         for step in range(400):
@@ -362,7 +363,7 @@ def test_stop_retry_at_old_settings_starts_no_motor(
 
 
 def test_factory_settings_are_probed_last() -> None:
-    old, new = replace(OLD, line=CRC, name="here"), LinkSettings("", LineSettings(9600))
+    old, new = replace(OLD, line=CRC, name="here"), ConnectionSettings("", LineSettings(9600))
     assert reconnect_places(old, [new]) == (
         old,
         replace(new, url="virtual", name="here"),
@@ -398,7 +399,7 @@ def test_unsupported_line_settings_are_skipped() -> None:
     place = Place(replace(OLD, line=LineSettings(9600))).go(replace(OLD, line=CRC), new=OLD)
     reconfigure = place.transport.reconfigure
 
-    def refuse(line: LineSettings) -> None:
+    def refuse(line: SerialFormat) -> None:
         if line == CRC:
             raise BadRequest("no such rate")
         reconfigure(line)

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.commands import (
     DriveMotor,
     GetMode,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
     Close,
@@ -239,7 +239,7 @@ def test_abandon_returns_each_request_once() -> None:
 
 
 def test_last_reconnect_candidates_replace_earlier_ones() -> None:
-    here, there = LinkSettings("here"), LinkSettings("there")
+    here, there = ConnectionSettings("here"), ConnectionSettings("there")
     assert mailbox().expected == ()
     assert mailbox(
         SetReconnectCandidates((here,)), Stop(1), SetReconnectCandidates((there, here))

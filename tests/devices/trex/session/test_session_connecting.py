@@ -7,7 +7,7 @@ from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import Drive, GetMode
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
@@ -75,7 +75,7 @@ def test_every_kind_of_board_is_identified(model: str, firmware: str) -> None:
 
 
 def test_board_is_reached_by_its_device_number(stage: Stage) -> None:
-    run_for(stage, 1.0, LinkSettings("virtual", device_number=7))
+    run_for(stage, 1.0, ConnectionSettings("virtual", device_number=7))
     assert connected(stage).state.parameters["device_number"] == 7
     assert bytes.fromhex("80 07 1F 00") in stage.transport.sent
 
@@ -109,7 +109,7 @@ def test_setpoint_before_board_is_read_is_sent(stage: Stage) -> None:
 
 def test_echo_is_detected_with_device_number(board: Board) -> None:
     stage = Stage(board, echo=True)
-    run_for(stage, 1.0, LinkSettings("virtual", device_number=7))
+    run_for(stage, 1.0, ConnectionSettings("virtual", device_number=7))
     assert connected(stage).echo
 
 
@@ -123,7 +123,7 @@ def test_echo_is_detected_despite_lost_byte(board: Board) -> None:
 # --- When there is no board -------------------------------------------------------------
 
 
-def end(stage: Stage, settings: LinkSettings | None = None) -> Closed:
+def end(stage: Stage, settings: ConnectionSettings | None = None) -> Closed:
     """Run a session that finds no board; return how it ended."""
     reports = run_for(stage, 30.0, settings)
     assert not among(reports, Connected)
@@ -149,13 +149,13 @@ def test_missing_board_is_reported_quickly(stage: Stage) -> None:
 
 
 def test_device_number_is_named_as_possible_cause(stage: Stage) -> None:
-    error = end(stage, LinkSettings("virtual", device_number=9)).error
+    error = end(stage, ConnectionSettings("virtual", device_number=9)).error
     assert "device number is 9" in str(error)
 
 
 def test_error_shows_port_name_instead_of_url(stage: Stage) -> None:
     stage.board.power_off()
-    error = end(stage, LinkSettings("/dev/pts/9", name="the simulated board")).error
+    error = end(stage, ConnectionSettings("/dev/pts/9", name="the simulated board")).error
     assert "the simulated board" in str(error)
     assert "/dev/pts/9" not in str(error)
 
@@ -170,7 +170,7 @@ def test_echo_without_board_is_reported(board: Board) -> None:
 
 
 def test_wrong_baud_rate_reports_error(stage: Stage) -> None:
-    settings = LinkSettings("virtual", LineSettings(9600))
+    settings = ConnectionSettings("virtual", LineSettings(9600))
     stage.line.host = settings.line
     assert isinstance(end(stage, settings).error, NoReply | BadReply)
 
@@ -215,12 +215,12 @@ def test_requests_fail_when_port_does_not_open() -> None:
     reports: list[Report] = []
     refusal = PortUnavailable("There is no port /dev/ttyUSB9.")
 
-    def refuse(_settings: LinkSettings) -> Transport:
+    def refuse(_settings: ConnectionSettings) -> Transport:
         raise refusal
 
     for request in (RunCommand(1, GetMode()), Stop(2), Write(3), Reload(4)):
         stage.script.at(0.0, request)
-    TrexSession(LinkSettings("/dev/ttyUSB9"), stage.script, reports.append, refuse).run()
+    TrexSession(ConnectionSettings("/dev/ttyUSB9"), stage.script, reports.append, refuse).run()
     assert sorted(outcomes(reports)) == [1, 2, 3, 4]
     assert all(outcome.error is refusal for outcome in outcomes(reports).values())
     assert reports[-1] == Closed(refusal)

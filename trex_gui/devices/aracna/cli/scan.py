@@ -4,13 +4,13 @@ from typing import Any
 
 from trex_gui.core.cli.host import host
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery.prober import (
     ARACNA_PROBER,
     AracnaScan,
     FoundRobot,
     find_aracna,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 __all__ = ["ARACNA_PROBER", "FoundRobot", "listed", "look", "row", "told"]
 
@@ -22,7 +22,7 @@ def look(url: str, patience: float) -> AracnaScan:
         PortUnavailable: the port cannot be opened, or is gone.
     """
     return find_aracna(
-        LinkSettings(url, timeouts=Timeouts(extra=patience)), open_wire=host().open_transport
+        PortSettings(url, timeouts=Timeouts(extra=patience)), open_wire=host().open_transport
     )
 
 
@@ -48,7 +48,7 @@ def row(found: FoundRobot) -> dict[str, Any]:
         "product": "Aracna",
         "firmware": str(found.version.version),
         "baud": found.settings.line.baud,
-        "detection": found.settings.line.detection.name.lower(),
+        "detection": found.settings.line.parity.name.lower(),
         "polynomial": None,
         "stop_bits": found.settings.line.stop_bits,
         "device_number": None,

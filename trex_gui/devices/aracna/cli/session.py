@@ -10,6 +10,7 @@ from trex_gui.core.cli.host import host
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.aracna.session.messages import (
     Connected,
@@ -19,14 +20,13 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Close, Closed, Outcome
 
 _LOOK = 0.1
 """Seconds between two looks whether the program was asked to end."""
 
 
-def settings_of(port: str | None, patience: float) -> LinkSettings:
+def settings_of(port: str | None, patience: float) -> PortSettings:
     """Return how to reach a robot.
 
     Raises:
@@ -34,7 +34,7 @@ def settings_of(port: str | None, patience: float) -> LinkSettings:
     """
     if not port:
         raise UsageError("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
-    return LinkSettings(port, LINE, timeouts=Timeouts(extra=patience))
+    return PortSettings(port, LINE, timeouts=Timeouts(extra=patience))
 
 
 class Talk:
@@ -48,7 +48,7 @@ class Talk:
 
     def __init__(
         self,
-        settings: LinkSettings,
+        settings: PortSettings,
         hear: Callable[[Report], None] = lambda _report: None,
         interrupted: Callable[[], bool] = lambda: False,
     ) -> None:

@@ -14,8 +14,9 @@ times.
 
 import contextlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
+from trex_gui.core.discovery.flush import flush
 from trex_gui.core.discovery.prober import (
     Diagnosis,
     Evidence,
@@ -27,14 +28,12 @@ from trex_gui.core.discovery.prober import (
 from trex_gui.core.discovery.scan import listen, probe_in_order
 from trex_gui.core.errors import BadReply, BadRequest, PortUnavailable
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.protocol import lines
 from trex_gui.devices.aracna.protocol.replies import Reader, Version
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.aracna.session.diagnosis import diagnose, is_echo, is_start
 from trex_gui.devices.aracna.session.liveness import motors_of
-from trex_gui.devices.trex.discovery.probe import flush
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 QUESTION = lines.NOTHING + lines.QUERY
 
@@ -55,7 +54,7 @@ _KEPT = 48
 class FoundRobot:
     """An Aracna, and how to reach it."""
 
-    settings: LinkSettings
+    settings: PortSettings
     version: Version
     note: str = ""
 
@@ -92,7 +91,7 @@ class AracnaScan:
         cancelled: whether it ended early because it was asked to.
     """
 
-    settings: LinkSettings
+    settings: PortSettings
     found: list[FoundRobot] = field(default_factory=list)
     heard: bytes = b""
     skipped: bool = False
@@ -139,11 +138,11 @@ class AracnaProber:
 
     parts = (QUESTIONS,)
 
-    def __init__(self, settings: LinkSettings, *, full: bool = False, known: bool = False) -> None:
+    def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
         """Look on this port; there is one setting only, so `full` changes nothing."""
         del full
         self._known = known
-        self.search = AracnaScan(replace(settings, line=LINE, device_number=None))
+        self.search = AracnaScan(settings.at(LINE))
         self._reader = Reader()
 
     @property
@@ -160,7 +159,7 @@ class AracnaProber:
         """Say what was tried and heard, where no robot was found."""
         return self.search.judged()
 
-    def note_unsolicited(self, line: LineSettings, data: bytes) -> None:
+    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         """Notice a board that opening the port has reset."""
         if line == LINE:
             self._take(data)
@@ -229,11 +228,11 @@ ARACNA_PROBER = ProberInfo("Aracna", AracnaProber, announces_at=LINE)
 
 
 def find_aracna(
-    settings: LinkSettings,
+    settings: PortSettings,
     *,
     progress: Callable[[ScanProgress], None] = ignore_step,
     cancelled: Callable[[], bool] = never_cancelled,
-    open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
+    open_wire: Callable[[PortSettings], Transport] = SerialTransport,
 ) -> AracnaScan:
     """Look for an Aracna alone on a port; end when it answers.
 

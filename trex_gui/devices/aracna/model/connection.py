@@ -2,12 +2,12 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.traffic_log import logged
 from trex_gui.devices.aracna.session.messages import Connected, Halt, NotResponding, Restarted
 from trex_gui.devices.aracna.session.session import AracnaSession
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Closed
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.traffic.model import TrafficModel
@@ -38,7 +38,7 @@ class RobotConnection(SessionThread):
         super().__init__(parent)
         self._link = ConnectionState.NONE
         self._status = self.tr("Not connected.")
-        self._next: LinkSettings | None = None
+        self._next: PortSettings | None = None
         self.traffic = TrafficModel(self, AracnaDecoder())
         self.closed.connect(self._on_closed)
 
@@ -52,13 +52,13 @@ class RobotConnection(SessionThread):
         """How things stand, as a sentence."""
         return self._status
 
-    def open(self, settings: LinkSettings) -> None:
+    def open(self, settings: PortSettings) -> None:
         """Open a line; one that is open is closed first."""
         if self.is_open:
             self.leave()
             self._next = settings
             return
-        where = settings.name or settings.url
+        where = settings.label
         self._stand(ConnectionState.OPENING, self.tr("Connecting to {0} …").format(where))
         self.start(
             lambda inbox, tell: AracnaSession(

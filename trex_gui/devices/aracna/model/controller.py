@@ -5,13 +5,12 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.model.automatic_stop import halt_because
 from trex_gui.devices.aracna.model.demo_robot import DemoRobot
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.protocol.lines import BAUD
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
@@ -19,7 +18,7 @@ from trex_gui.ui.devices.simulator_process import Simulator
 
 ARACNA = DeviceKind("aracna", "Aracna")
 
-LINE = LineSettings(BAUD)
+LINE = SerialFormat(BAUD)
 """The firmware knows no other."""
 
 
@@ -112,7 +111,7 @@ class AracnaController(QObject):
     @property
     def line_text(self) -> str:
         """How the line is set, always."""
-        return LinkSettings("", line=LINE).short
+        return PortSettings("", line=LINE).short
 
     def connect_to(self, port: Port) -> None:
         """Connect to a port; a line that is open is closed first, a search of the port is ended."""
@@ -126,10 +125,10 @@ class AracnaController(QObject):
         if self._demo_wanted:
             self.simulator.start()
         else:
-            self._robot.connect_to(LinkSettings(port.url, line=LINE, timeouts=self._timeouts))
+            self._robot.connect_to(PortSettings(port.url, line=LINE, timeouts=self._timeouts))
         self.changed.emit()
 
-    def connect_with(self, port: Port, settings: LinkSettings) -> None:
+    def connect_with(self, port: Port, settings: PortSettings) -> None:
         """Connect to a port at which a robot was found; its line is never set otherwise."""
         del settings
         self.connect_to(port)
@@ -186,7 +185,7 @@ class AracnaController(QObject):
             )
         elif self._demo_wanted:
             self._demo_wanted = False
-            settings = LinkSettings(url, line=LINE, timeouts=self._timeouts)
+            settings = PortSettings(url, line=LINE, timeouts=self._timeouts)
             self._robot.connect_to(replace(settings, name=self.demo_name))
 
     @Slot(str)

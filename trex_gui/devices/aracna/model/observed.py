@@ -5,6 +5,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import sentence
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.connection import RobotConnection
 from trex_gui.devices.aracna.model.event_log import RobotEventLog
 from trex_gui.devices.aracna.model.limits import JointLimits
@@ -23,7 +24,6 @@ from trex_gui.devices.aracna.session.messages import (
     SetLimits,
 )
 from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.devices.event_log import EventKind, EventLog
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now
@@ -159,7 +159,7 @@ class ObservedRobot(QObject):
 
     # --- The line -----------------------------------------------------------------------
 
-    def connect_to(self, settings: LinkSettings) -> None:
+    def connect_to(self, settings: PortSettings) -> None:
         """Open a line; one that is open is closed first."""
         self._line.open(settings)
 

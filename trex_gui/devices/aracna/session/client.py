@@ -13,6 +13,7 @@ from dataclasses import replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
 from trex_gui.core.transport.serial_port import Transport
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.protocol import lines
 from trex_gui.devices.aracna.protocol.replies import (
     Hello,
@@ -34,10 +35,8 @@ from trex_gui.devices.aracna.session.command_events import (
     Voided,
 )
 from trex_gui.devices.aracna.session.messages import LineStats
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
-LINE = LineSettings(lines.BAUD)
+LINE = SerialFormat(lines.BAUD)
 
 ANSWER = 1.0
 """Seconds within which `.q`, `.l` and `.v` are answered; the slowest takes 0.06 s on a wire."""
@@ -59,9 +58,9 @@ class AracnaClient:
         received: the first bytes that came, to show where none of them is a reply.
     """
 
-    def __init__(self, transport: Transport, settings: LinkSettings) -> None:
+    def __init__(self, transport: Transport, settings: PortSettings) -> None:
         self.transport = transport
-        self.settings = replace(settings, line=LINE, device_number=None)
+        self.settings = settings.at(LINE)
         self.motors = 0
         self.asked: Sent | None = None
         self.received = b""

@@ -1,9 +1,9 @@
 """Why no robot answers on a port: one sentence, and what to look at."""
 
 from trex_gui.core.errors import BadReply, NoReply, StudioError
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import lines
 from trex_gui.devices.aracna.session.client import shown
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 
 _NOBODY = "No Aracna answers on "
 _STRANGE = "Something answers on "
@@ -31,7 +31,7 @@ def is_start(received: bytes) -> bool:
     return bool(heard) and not heard.replace(b".h", b"").strip(b"\r\nh")
 
 
-def diagnose(settings: LinkSettings, received: bytes) -> StudioError:
+def diagnose(settings: PortSettings, received: bytes) -> StudioError:
     """Return an error that tells a person why no Aracna was found, from the first bytes heard."""
     where = settings.text()
     heard = received.strip(b"\r\n")

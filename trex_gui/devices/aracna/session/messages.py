@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 
 from trex_gui.core.errors import StudioError
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.session.messages import Close, Closed, Outcome
 
 # --- Requests -------------------------------------------------------------------------------
@@ -159,7 +159,7 @@ class Connected:
 
     version: int
     motors: int
-    settings: LinkSettings
+    settings: PortSettings
     restarted: bool = False
 
 

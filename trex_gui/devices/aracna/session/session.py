@@ -8,11 +8,11 @@ can do is to send nothing more.
 
 import logging
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Protocol
 
 from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import lines
 from trex_gui.devices.aracna.session.client import LINE, AracnaClient
 from trex_gui.devices.aracna.session.joint_limits import GoalLimits
@@ -38,7 +38,6 @@ from trex_gui.devices.aracna.session.reply_handler import ReplyHandler
 from trex_gui.devices.aracna.session.request_queue import Job, RequestQueue
 from trex_gui.devices.aracna.session.servos import FRESH, TRUST, deadline
 from trex_gui.devices.aracna.session.stats import StatsReporter
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.devices.trex.session.messages import Close, Closed
 
 log = logging.getLogger(__name__)
@@ -72,12 +71,12 @@ class AracnaSession:
 
     def __init__(
         self,
-        settings: LinkSettings,
+        settings: PortSettings,
         inbox: Inbox,
         tell: Callable[[Report], None],
-        open_transport: Callable[[LinkSettings], Transport] = SerialTransport,
+        open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     ) -> None:
-        self._settings = replace(settings, line=LINE, device_number=None)
+        self._settings = settings.at(LINE)
         self._inbox = inbox
         self._tell = tell
         self._open_transport = open_transport

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from trex_gui.core.simulator.timeline import Timeline
+from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.aracna.protocol.units import MOTORS
 from trex_gui.devices.aracna.simulator.faults import Faults
 from trex_gui.devices.aracna.simulator.firmware import Firmware
@@ -20,7 +21,6 @@ from trex_gui.devices.aracna.simulator.rates import (
 )
 from trex_gui.devices.aracna.simulator.servos import MARGIN, Servo
 from trex_gui.devices.aracna.simulator.station import RobotOnWire
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 _OLD_MOTORS = 2
 """Motors of version 0, of 22 Sep 2012."""
@@ -71,7 +71,7 @@ class AracnaLine:
             version = 0 if motors == _OLD_MOTORS else 1
         self.servos = tuple(Servo(position, margin) for position in positions)
         self.paced = paced
-        self.host: LineSettings | None = None
+        self.host: SerialFormat | None = None
         self.faults = Faults(seed)
         firmware = Firmware(
             self.servos, version, tells_motors=tells_motors, boot_loader=boot_loader
@@ -124,7 +124,7 @@ class AracnaLine:
         return data
 
     @property
-    def own_settings(self) -> LineSettings:
+    def own_settings(self) -> SerialFormat:
         """What a host that fits has set its port to: 38400 8N1."""
         return OWN
 
@@ -186,13 +186,13 @@ class AracnaLine:
 
         self.at(moment, act)
 
-    def _hear(self, byte: int, host: LineSettings | None, begun: float) -> None:
+    def _hear(self, byte: int, host: SerialFormat | None, begun: float) -> None:
         """Let a byte of the host arrive."""
         heard = self.faults.of_sent(byte, begun)
         if heard is not None:
             self.station.hear(self.faults.garble(heard) if is_other_parity(host) else heard)
 
-    def _begin_alien(self, byte: int, host: LineSettings) -> None:
+    def _begin_alien(self, byte: int, host: SerialFormat) -> None:
         """Let a byte of a host at another rate begin."""
         heard = self.faults.of_sent(byte, self.now)
         if heard is not None:

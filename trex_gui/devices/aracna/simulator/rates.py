@@ -6,9 +6,9 @@ from functools import partial
 
 from trex_gui.core.simulator.sampling import Receiver, SampledByte
 from trex_gui.core.simulator.timeline import Timeline
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.core.transport.settings import Parity, SerialFormat
 
-OWN = LineSettings(38_400)
+OWN = SerialFormat(38_400)
 """What a host has to be set to: 38400 8N1."""
 
 REAL_BAUD = 16_000_000 / 16 / 26
@@ -18,14 +18,14 @@ _RATE_TOLERANCE = 0.03
 """How far two UARTs may be apart: half a bit in the ten of a byte, for both together."""
 
 
-def is_other_rate(host: LineSettings | None) -> bool:
+def is_other_rate(host: SerialFormat | None) -> bool:
     """Whether a host runs at a rate at which neither understands the other."""
     return host is not None and abs(host.baud / OWN.baud - 1) > _RATE_TOLERANCE
 
 
-def is_other_parity(host: LineSettings | None) -> bool:
+def is_other_parity(host: SerialFormat | None) -> bool:
     """Whether a host sends and wants a parity bit. A second stop bit harms nobody."""
-    return host is not None and host.detection in {Detection.EVEN, Detection.ODD}
+    return host is not None and host.parity is not Parity.NONE
 
 
 class Sampler:
@@ -36,14 +36,14 @@ class Sampler:
     """
 
     def __init__(
-        self, timeline: Timeline, settings: LineSettings, deliver: Callable[[int], None]
+        self, timeline: Timeline, settings: SerialFormat, deliver: Callable[[int], None]
     ) -> None:
         self.settings = settings
         self._timeline = timeline
         self._deliver = deliver
         self._receiver = Receiver(settings, settings.baud, timeline.now)
 
-    def hear(self, byte: int, sender: LineSettings, *, paced: bool) -> None:
+    def hear(self, byte: int, sender: SerialFormat, *, paced: bool) -> None:
         """Take a byte that a sender with these settings begins now."""
         receiver, timeline = self._receiver, self._timeline
         if not paced:  # bytes take no time: each comes by itself

@@ -10,7 +10,7 @@ from trex_gui.devices.trex.cli.reconnect_hint import say_how_to_reach
 from trex_gui.devices.trex.cli.snapshots import keep
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.from_board import settings_of
@@ -50,7 +50,7 @@ def prepare_one(
     state: DeviceState,
     after: Settings,
     context: Context,
-    link: LinkSettings,
+    link: ConnectionSettings,
     *,
     what: str,
     command: str,
@@ -82,7 +82,7 @@ def prepare_one(
 
 
 def say_what_follows(
-    client: TrexClient, link: LinkSettings, state: DeviceState, stored: Mapping[str, int]
+    client: TrexClient, link: ConnectionSettings, state: DeviceState, stored: Mapping[str, int]
 ) -> None:
     """Say what waits for a power cycle, and how the board is reached now and after it.
 

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.discovery.diagnosis import diagnose
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
@@ -135,7 +135,7 @@ def link_options(function: FunctionT) -> FunctionT:
     return function
 
 
-def link_settings(options: dict[str, Any], url: str | None = None) -> LinkSettings:
+def link_settings(options: dict[str, Any], url: str | None = None) -> ConnectionSettings:
     """Make link settings of the common options.
 
     Raises:
@@ -159,10 +159,12 @@ def link_settings(options: dict[str, Any], url: str | None = None) -> LinkSettin
         Framing(number, polynomial)
     except BadRequest as error:
         raise UsageError(str(error)) from error
-    return LinkSettings(url, line, number, polynomial, Timeouts(extra=options["patience"]))
+    return ConnectionSettings(
+        url, line, number, polynomial, timeouts=Timeouts(extra=options["patience"])
+    )
 
 
-def as_options(settings: LinkSettings) -> str:
+def as_options(settings: ConnectionSettings) -> str:
     """Return link settings as options of this program, to paste behind a command."""
     line = settings.line
     words = [f"--port {settings.url}", f"--baud {line.baud}"]
@@ -173,7 +175,7 @@ def as_options(settings: LinkSettings) -> str:
             words.append("--parity odd")
         case Detection.CRC7:
             words.append("--crc")
-            if settings.polynomial != LinkSettings("").polynomial:
+            if settings.polynomial != ConnectionSettings("").polynomial:
                 words.append(f"--polynomial {settings.polynomial:02X}")
         case _:
             pass
@@ -197,7 +199,7 @@ def refusals() -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def open_line(settings: LinkSettings) -> Iterator[TrexClient]:
+def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
     """Open the line; whatever goes wrong on it ends the program with a sentence."""
     with refusals(), _begun(host().open_transport(settings), settings) as client:
         yield client
@@ -205,7 +207,7 @@ def open_line(settings: LinkSettings) -> Iterator[TrexClient]:
 
 @contextlib.contextmanager
 def open_line_to_change(
-    settings: LinkSettings,
+    settings: ConnectionSettings,
 ) -> Iterator[tuple[TrexClient, frozenset[int] | None]]:
     """Open the line as `open_line` does; tell the baud rates that the port can do as well.
 
@@ -213,13 +215,13 @@ def open_line_to_change(
     """
     with refusals():
         transport = host().open_transport(settings)
-        rates = transport.rates()  # nothing may have been sent yet
+        rates = transport.rates(baud_rates())  # nothing may have been sent yet
         with _begun(transport, settings) as client:
             yield client, rates
 
 
 @contextlib.contextmanager
-def _begun(transport: Transport, settings: LinkSettings) -> Iterator[TrexClient]:
+def _begun(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexClient]:
     client = TrexClient(transport, settings)
     try:
         client.detect_echo()

@@ -31,7 +31,7 @@ from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import Skipped, WriteResult, write_all
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow, compare
 from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS, Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
@@ -230,7 +230,7 @@ def _visible(wanted: Settings, state: DeviceState) -> Settings:
 
 
 def _write(
-    client: TrexClient, chosen: LinkSettings, state: DeviceState, rows: list[ComparisonRow]
+    client: TrexClient, chosen: ConnectionSettings, state: DeviceState, rows: list[ComparisonRow]
 ) -> None:
     names = {row.key: row.name for row in rows}
     parameters = [(row.key, row.after) for row in rows if isinstance(row.after, int)]

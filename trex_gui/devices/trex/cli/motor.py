@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.commands import (
     GetSerialControl,
     Signature,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.parameters import parameter_number, parameters_of
 
@@ -106,7 +106,7 @@ def stop(**options: Any) -> None:
     say("Stopped.")
 
 
-def _stop_at(settings: LinkSettings) -> None:
+def _stop_at(settings: ConnectionSettings) -> None:
     with open_line(settings) as client:
         reader = StatusReader(client.transport.clock)
         if not stop_and_confirm(client, reader, careful=True).confirmed:

@@ -27,7 +27,7 @@ from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.discovery.prober import TREX_PROBER
 from trex_gui.devices.trex.discovery.results import FoundBoard
 from trex_gui.devices.trex.protocol.commands import GetSignature, Signature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 _SEEKS = {"trex": TREX_PROBER, "aracna": scan.ARACNA_PROBER}
 """What is looked for, the commonest first; see `link.seeking` for the order of the questions."""
@@ -79,7 +79,7 @@ def list_command(as_json: bool, **options: Any) -> None:
         raise CommandFailed(f"{options['port']} could not be looked at.")
 
 
-def _what_answers(settings: LinkSettings) -> Signature | str:
+def _what_answers(settings: ConnectionSettings) -> Signature | str:
     """Return in a few words what a port holds.
 
     Raises:
@@ -123,7 +123,7 @@ def find_command(port: str | None, full: bool, patience: float, as_json: bool) -
             say(f"Searching {url} ...")
             with ProgressLine(f"Searching {url}") as line:
                 search = scan_port(
-                    LinkSettings(url, timeouts=Timeouts(extra=patience)),
+                    ConnectionSettings(url, timeouts=Timeouts(extra=patience)),
                     _SEEKS,
                     full=full,
                     progress=partial(_show, line),

@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from trex_gui.core.cli.console import say
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 
-def say_how_to_reach(used: LinkSettings, stored: Mapping[str, int], firmware: str) -> None:
+def say_how_to_reach(used: ConnectionSettings, stored: Mapping[str, int], firmware: str) -> None:
     """Say with which options to reach a board from its next start on, where they will change.
 
     Args:

@@ -1,12 +1,12 @@
 """What a board stored before a command changed it."""
 
 from trex_gui.core.cli.console import say
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
 
-def keep(settings: Settings, link: LinkSettings, reason: str) -> None:
+def keep(settings: Settings, link: ConnectionSettings, reason: str) -> None:
     """Save a snapshot where the window keeps its own, and say where.
 
     Raises:

@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.commands import (
     ReplyT_co,
     SetParameter,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.parameters import parameter_number
 from trex_gui.devices.trex.protocol.parser import Malformed, NeedData, Reply, ReplyParser
@@ -75,7 +75,9 @@ class TrexClient:
             its serial timeout would stop motors that are driven: a null command.
     """
 
-    def __init__(self, transport: Transport, settings: LinkSettings, *, echo: bool = False) -> None:
+    def __init__(
+        self, transport: Transport, settings: ConnectionSettings, *, echo: bool = False
+    ) -> None:
         self.echo = echo
         self.feeds_timeout = False
         self.counters = Counters()
@@ -87,7 +89,7 @@ class TrexClient:
         self._unanswered = 0  # answers that never came, since one was known to be what it seemed
 
     @property
-    def settings(self) -> LinkSettings:
+    def settings(self) -> ConnectionSettings:
         """How the line was opened."""
         return self._settings
 

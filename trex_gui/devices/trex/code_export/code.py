@@ -13,7 +13,7 @@ from trex_gui.devices.trex.code_export.language import Language
 from trex_gui.devices.trex.code_export.tables import Tables
 from trex_gui.devices.trex.code_export.template import fill
 from trex_gui.devices.trex.code_export.text import plain
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameter_number
@@ -30,7 +30,7 @@ def file_name(settings: Settings, language: Language) -> str:
     return _stem(settings) + language.suffix
 
 
-def export_code(settings: Settings, link: LinkSettings, language: Language) -> str:
+def export_code(settings: Settings, link: ConnectionSettings, language: Language) -> str:
     """Return a program that stands alone: it stores and checks settings and drives motors.
 
     The same settings and line give the same text, plain ASCII. A value that
@@ -56,7 +56,7 @@ def _stem(settings: Settings) -> str:
     return f"{settings.product.key}_board"
 
 
-def _flags(link: LinkSettings, tables: Tables) -> Mapping[str, bool]:
+def _flags(link: ConnectionSettings, tables: Tables) -> Mapping[str, bool]:
     """Return which parts of a template are needed."""
     return {
         "expanded": link.framing.device_number is not None,
@@ -74,7 +74,7 @@ def _flags(link: LinkSettings, tables: Tables) -> Mapping[str, bool]:
 
 
 def _values(
-    settings: Settings, link: LinkSettings, tables: Tables, language: Language
+    settings: Settings, link: ConnectionSettings, tables: Tables, language: Language
 ) -> Mapping[str, str]:
     """Return what stands in the places of a template."""
     product, device = settings.product, link.framing.device_number
@@ -130,7 +130,7 @@ def _serial_config(line: LineSettings) -> str:
     return "" if name == "SERIAL_8N1" else f", {name}"
 
 
-def _renumbers(link: LinkSettings, tables: Tables) -> bool:
+def _renumbers(link: ConnectionSettings, tables: Tables) -> bool:
     """Whether the board gets another device number than that in the packets."""
     number, device = tables.wire("device_number"), link.framing.device_number
     return None not in {number, device} and number != device
@@ -143,7 +143,7 @@ def _device_name(language: Language, *, renumbers: bool) -> str:
     return "trex_device" if renumbers else "TREX_DEVICE"
 
 
-def _new_line(link: LinkSettings, tables: Tables) -> str | None:
+def _new_line(link: ConnectionSettings, tables: Tables) -> str | None:
     """Return how the line will be once the settings act; `None` when it stays as it is."""
     wire, bits = tables.wire("uart_settings"), tables.wire("crc7_polynomial")
     line = link.line if wire is None else LineSettings.from_wire(wire)

@@ -1,7 +1,7 @@
 """Why a line does not talk: one sentence and what to look at, from what was seen on it."""
 
 from trex_gui.core.errors import BadReply, NoReply, StudioError
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 _STRANGE, _ECHO, _NOBODY = "Something answers on", "Everything sent on", "No TReX answers on"
 
@@ -11,7 +11,7 @@ def suggests_scan(text: str) -> bool:
     return text.startswith((_STRANGE, _ECHO, _NOBODY))
 
 
-def diagnose(settings: LinkSettings, *, echo: bool, error: StudioError) -> StudioError:
+def diagnose(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
     """Return an error that tells a person why no TReX was found, and what to check.
 
     `error` is what the first question ended in; its type is kept.

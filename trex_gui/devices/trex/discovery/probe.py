@@ -19,18 +19,15 @@ from dataclasses import dataclass, replace
 from enum import Enum, auto
 from itertools import product
 
+from trex_gui.core.discovery.flush import flush
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.protocol.commands import GetSignature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import crc7
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-
-FLUSH_BYTE = b"\xff"
-FLUSH_LINE = LineSettings(1200)
-"""What ends every packet that a board may have begun, and how it is sent."""
 
 QUIET = 0.13
 """Seconds after a question in which nothing is sent: a misread question may be answered, and
@@ -58,7 +55,7 @@ class Attempt:
     polynomials: tuple[int, ...] = ()
 
     @classmethod
-    def at(cls, settings: LinkSettings) -> "Attempt":
+    def at(cls, settings: ConnectionSettings) -> "Attempt":
         """Return the question for a board with these settings."""
         crc = settings.line.detection is Detection.CRC7
         return cls(settings.line, (settings.polynomial,) if crc else ())
@@ -95,18 +92,6 @@ class ProbeReply:
     echo: bool = False
 
 
-def flush(wire: Transport, patience: float = 0.0) -> None:
-    """End every packet that a board may have begun, at whatever rate it runs.
-
-    Raises:
-        BadRequest: the port cannot be set to 1200 baud.
-        PortUnavailable: the line is gone.
-    """
-    wire.reconfigure(FLUSH_LINE)
-    wire.write(FLUSH_BYTE)
-    wire.wait(FLUSH_LINE.seconds(len(FLUSH_BYTE)) + wire.latency + patience)
-
-
 def send_probe(wire: Transport, attempt: Attempt, patience: float = 0.0) -> ProbeReply:
     """Ask once on a line that was rinsed and set, and judge what comes back.
 
@@ -132,7 +117,7 @@ def send_probe(wire: Transport, attempt: Attempt, patience: float = 0.0) -> Prob
     return ProbeReply(ReplyKind.BOARD, answer, echo)
 
 
-def is_board_at(wire: Transport, settings: LinkSettings, *, echo: bool) -> bool:
+def is_board_at(wire: Transport, settings: ConnectionSettings, *, echo: bool) -> bool:
     """Return whether the board answers at these settings; the line is set to them then.
 
     A board that is addressed by number is so only where somebody has answered. Takes as long
@@ -155,8 +140,8 @@ def is_board_at(wire: Transport, settings: LinkSettings, *, echo: bool) -> bool:
 
 
 def reconnect_places(
-    used: LinkSettings, expected: Iterable[LinkSettings]
-) -> tuple[LinkSettings, ...]:
+    used: ConnectionSettings, expected: Iterable[ConnectionSettings]
+) -> tuple[ConnectionSettings, ...]:
     """Return the settings at which a silent board may be, those in use first.
 
     The factory's line settings come last: a power cut while UART settings were being stored
@@ -166,7 +151,7 @@ def reconnect_places(
     """
     here = [replace(one, url=used.url, name=used.name, timeouts=used.timeouts) for one in expected]
     first = next((one for one in here if _differ_in_stop_bits(one, used)), used)
-    places: dict[object, LinkSettings] = {}
+    places: dict[object, ConnectionSettings] = {}
     for place in (first, *here, replace(first, line=LineSettings())):
         places.setdefault((place.line, place.framing), place)
     return tuple(
@@ -176,14 +161,14 @@ def reconnect_places(
     )
 
 
-def _differ_in_stop_bits(one: LinkSettings, other: LinkSettings) -> bool:
+def _differ_in_stop_bits(one: ConnectionSettings, other: ConnectionSettings) -> bool:
     """Whether two settings differ in nothing else, and in that."""
     stop_bits = other.line.stop_bits
     alike = replace(one, line=replace(one.line, stop_bits=stop_bits)) == other
     return alike and one.line.stop_bits != stop_bits
 
 
-def _may_mishear(line: LineSettings, places: Iterable[LinkSettings]) -> bool:
+def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bool:
     """Whether a board at one of the places may hear an order in an unsafe question."""
     return any(
         place.line.detection is Detection.ODD and place.line.baud * 3 == line.baud * 8

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
+from trex_gui.core.discovery.flush import FLUSH_LINE, flush
 from trex_gui.core.discovery.prober import (
     Diagnosis,
     ProberInfo,
@@ -19,20 +20,19 @@ from trex_gui.core.discovery.prober import (
 from trex_gui.core.discovery.scan import listen, probe_in_order
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
 from trex_gui.devices.trex.discovery.probe import (
-    FLUSH_LINE,
     Attempt,
     ProbeReply,
     ReplyKind,
     checksum,
-    flush,
     send_probe,
 )
 from trex_gui.devices.trex.discovery.results import FoundBoard, TrexScan
 from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, Signature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import parameter_number
@@ -89,11 +89,11 @@ class TrexProber:
         search: what it has seen.
     """
 
-    def __init__(self, settings: LinkSettings, *, full: bool = False, known: bool = False) -> None:
+    def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
         """Look on this port; `full` tries every polynomial and asks for each device number."""
         del known  # what is asked moves nothing, whoever is there
-        self.search = TrexScan(settings.name or settings.url)
-        self._settings = settings
+        self.search = TrexScan(settings.label)
+        self._settings = ConnectionSettings.on(settings)
         self._full = full
         plan = list(attempts(full=full))
         self._plans = (plan[: len(_LIKELY)], plan[len(_LIKELY) :])
@@ -117,7 +117,7 @@ class TrexProber:
         """Say what was tried and heard, where no board was found."""
         return self.search.judged()
 
-    def note_unsolicited(self, line: LineSettings, data: bytes) -> None:
+    def note_unsolicited(self, line: SerialFormat, data: bytes) -> None:
         """Note what talks without being asked: no TReX does."""
         if data:
             self.search.strange.append((line, data))
@@ -222,8 +222,8 @@ TREX_PROBER = ProberInfo("TReX", TrexProber)
 
 
 def find(
-    settings: LinkSettings,
-    open_wire: Callable[[LinkSettings], Transport] = SerialTransport,
+    settings: PortSettings,
+    open_wire: Callable[[PortSettings], Transport] = SerialTransport,
     progress: Callable[[ScanProgress], None] = ignore_step,
     cancelled: Callable[[], bool] = never_cancelled,
     *,
@@ -242,7 +242,7 @@ def find(
     Raises:
         PortUnavailable: the port cannot be opened, or is gone.
     """
-    wire = open_wire(replace(settings, line=FLUSH_LINE, device_number=None))
+    wire = open_wire(settings.at(FLUSH_LINE))
     seeker = TrexProber(settings, full=full)
     try:
         seeker.note_unsolicited(FLUSH_LINE, listen(wire))

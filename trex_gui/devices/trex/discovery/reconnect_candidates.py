@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
@@ -17,8 +17,8 @@ POLYNOMIAL_BIT = 0x80
 
 
 def reconnect_candidates(
-    link: LinkSettings, before: Mapping[str, int], after: Mapping[str, int], firmware: str
-) -> tuple[LinkSettings, ...]:
+    link: ConnectionSettings, before: Mapping[str, int], after: Mapping[str, int], firmware: str
+) -> tuple[ConnectionSettings, ...]:
     """Return where a board may be whose power fails while it is given other settings.
 
     A value that is being stored is lost then: the factory's stands in its place. The factory's
@@ -44,8 +44,8 @@ def reconnect_candidates(
 
 
 def after_power_cycle(
-    link: LinkSettings, stored: Mapping[str, int], firmware: str
-) -> LinkSettings | None:
+    link: ConnectionSettings, stored: Mapping[str, int], firmware: str
+) -> ConnectionSettings | None:
     """Return how to reach a board that stores these parameters from its next start on.
 
     Args:

@@ -3,8 +3,9 @@
 from dataclasses import dataclass, field
 
 from trex_gui.core.discovery.prober import Diagnosis, Evidence
+from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.protocol.commands import Signature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 _LOADER = b"?"
@@ -26,7 +27,7 @@ class FoundBoard:
         note: what else to know of it, for people; may be empty.
     """
 
-    settings: LinkSettings
+    settings: ConnectionSettings
     signature: Signature
     device_number: int | None = None
     echo: bool = False
@@ -55,7 +56,7 @@ class TrexScan:
     url: str
     found: list[FoundBoard] = field(default_factory=list)
     echo: bool = False
-    strange: list[tuple[LineSettings, bytes]] = field(default_factory=list)
+    strange: list[tuple[SerialFormat, bytes]] = field(default_factory=list)
     several: LineSettings | None = None
     skipped: list[LineSettings] = field(default_factory=list)
     fixed: bool = False

@@ -6,7 +6,7 @@ from dataclasses import replace
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource, channel_mask, channels_in
 
 
@@ -27,7 +27,7 @@ def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceS
     )
 
 
-def in_force(state: DeviceState, link: LinkSettings | None) -> dict[str, int]:
+def in_force(state: DeviceState, link: ConnectionSettings | None) -> dict[str, int]:
     """Return what is surely in force now of what acts only after a power cycle.
 
     The line itself shows the UART settings, the mode the input source; stored values

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.model.line import Line
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Closed,
@@ -78,11 +78,11 @@ class Connection(QObject):
         super().__init__(parent)
         self._link = ConnectionState.NONE
         self._status = self.tr("Not connected.")
-        self._settings: LinkSettings | None = None
+        self._settings: ConnectionSettings | None = None
         self._echo = False
         self._port_rates: frozenset[int] | None = None
         self._counters = Counters()
-        self._next: LinkSettings | None = None
+        self._next: ConnectionSettings | None = None
         self._line = Line(self)
         self._wording = TrexDecoder()
         self.traffic = TrafficModel(self._line, self._wording)
@@ -107,7 +107,7 @@ class Connection(QObject):
         return self._line.is_open
 
     @property
-    def settings(self) -> LinkSettings | None:
+    def settings(self) -> ConnectionSettings | None:
         """How the line is, or was last, opened."""
         return self._settings
 
@@ -128,7 +128,7 @@ class Connection(QObject):
 
     # --- What a person does -------------------------------------------------------------
 
-    def open(self, settings: LinkSettings, *, may_move: bool) -> None:
+    def open(self, settings: ConnectionSettings, *, may_move: bool) -> None:
         """Open a line and read everything; one that is open is closed first.
 
         `may_move` says that motors may be turning from an earlier one.

@@ -6,9 +6,10 @@ from PySide6.QtCore import QObject, QSettings, Signal, Slot
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.demo.board import DemoBoard
 from trex_gui.devices.trex.model.device import ConnectionState, Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
@@ -52,7 +53,7 @@ class Connector(QObject):
         self._port: Port | None = None
         self._demo_wanted = False
         self._demo_in_use = False
-        self._demo_settings: LinkSettings | None = None
+        self._demo_settings: ConnectionSettings | None = None
         self.simulator = Simulator(self)
         self.demo_board = DemoBoard(self.simulator, self)
         self.finder = DeviceScanner(self.simulator, self, timeouts=self._timeouts)
@@ -66,7 +67,7 @@ class Connector(QObject):
         device.link_changed.connect(self._on_link_changed)
 
     @property
-    def settings(self) -> LinkSettings:
+    def settings(self) -> ConnectionSettings:
         """Line settings for the next connection; the address comes with the port."""
         return self._settings
 
@@ -88,7 +89,7 @@ class Connector(QObject):
         """
         return self._demo_in_use
 
-    def set_settings(self, settings: LinkSettings) -> None:
+    def set_settings(self, settings: ConnectionSettings) -> None:
         """Use, and remember, these line settings from the next connection on."""
         self._settings = replace(settings, url="", name="")
         self._store.setValue(_LINE, settings.line.to_wire())
@@ -112,8 +113,9 @@ class Connector(QObject):
         else:
             self._device.connect_to(replace(self._settings, url=port.url))
 
-    def connect_with(self, port: Port, settings: LinkSettings) -> None:
+    def connect_with(self, port: Port, found: PortSettings) -> None:
         """Connect to a port with these line settings, and remember them."""
+        settings = ConnectionSettings.on(found)
         if port.kind is PortKind.DEMO:
             self._demo_settings = replace(settings, url="", name="")
         else:
@@ -183,7 +185,7 @@ class Connector(QObject):
         elif self._demo_wanted:
             self._demo_wanted = False
             # The simulated board begins with the factory's settings, whatever is chosen here.
-            settings = self._demo_settings or LinkSettings("", timeouts=self._timeouts)
+            settings = self._demo_settings or ConnectionSettings("", timeouts=self._timeouts)
             name = self.tr("the simulated board")
             self._device.connect_to(replace(settings, url=url, name=name))
 
@@ -221,15 +223,15 @@ class Connector(QObject):
             return
         self._demo_settings = None
         if self._demo_in_use:
-            self._device.expect((LinkSettings(""),))
+            self._device.expect((ConnectionSettings(""),))
 
-    def _read_settings(self) -> LinkSettings:
-        default = LinkSettings("", timeouts=self._timeouts)
+    def _read_settings(self) -> ConnectionSettings:
+        default = ConnectionSettings("", timeouts=self._timeouts)
         try:
             wire = int(str(self._store.value(_LINE, default.line.to_wire())))
             number = int(str(self._store.value(_NUMBER, -1)))
             polynomial = int(str(self._store.value(_POLYNOMIAL, default.polynomial)))
-            settings = LinkSettings(
+            settings = ConnectionSettings(
                 "",
                 line=LineSettings.from_wire(wire),
                 device_number=None if number < 0 else number,

@@ -2,11 +2,11 @@
 
 from PySide6.QtCore import QObject, Signal
 
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.automatic_stop import AutomaticStop
 from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
 from trex_gui.ui.devices.device_kind import TREX, DeviceKind
 from trex_gui.ui.devices.ports import Port
 
@@ -80,7 +80,7 @@ class TrexController(QObject):
         """Connect to a port."""
         self._connector.connect_to(port)
 
-    def connect_with(self, port: Port, settings: LinkSettings) -> None:
+    def connect_with(self, port: Port, settings: PortSettings) -> None:
         """Connect to a port with these line settings, and remember them."""
         self._connector.connect_with(port, settings)
 

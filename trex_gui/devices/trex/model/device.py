@@ -25,7 +25,7 @@ from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.model.telemetry import Telemetry
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Closed,
@@ -124,7 +124,7 @@ class Device(QObject):
         return self._connection.status
 
     @property
-    def settings(self) -> LinkSettings | None:
+    def settings(self) -> ConnectionSettings | None:
         """How the line is, or was last, opened."""
         return self._connection.settings
 
@@ -219,7 +219,7 @@ class Device(QObject):
 
     # --- What a person does -------------------------------------------------------------
 
-    def connect_to(self, settings: LinkSettings) -> None:
+    def connect_to(self, settings: ConnectionSettings) -> None:
         """Open a line and read everything; ends in `ConnectionState.UP` or in `failed`.
 
         A line that is open is closed first.
@@ -308,7 +308,7 @@ class Device(QObject):
         firmware = self._state.signature.firmware
         self.expect(reconnect_candidates(self.settings, self._state.parameters, stored, firmware))
 
-    def expect(self, settings: tuple[LinkSettings, ...]) -> None:
+    def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
         """Name where else to look for the board when it falls silent; replaces what was named."""
         self._connection.submit(SetReconnectCandidates(settings))
 

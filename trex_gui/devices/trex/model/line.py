@@ -3,7 +3,7 @@
 import math
 
 from trex_gui.core.transport.traffic_log import logged
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Close,
     SetAuxiliary,
@@ -28,7 +28,7 @@ class Line(SessionThread):
         """The end of the program waits longer for what is being stored."""
         return isinstance(request, Write)
 
-    def open(self, settings: LinkSettings, *, may_move: bool) -> None:
+    def open(self, settings: ConnectionSettings, *, may_move: bool) -> None:
         """Start a session; `may_move` says that motors may be turning from an earlier one."""
         self.start(
             lambda inbox, tell: TrexSession(

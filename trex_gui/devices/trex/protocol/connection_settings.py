@@ -1,47 +1,40 @@
 """How to reach one board: which port, how bytes travel on it, how packets are wrapped."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.framing import Framing
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 
 @dataclass(frozen=True, slots=True)
-class LinkSettings:
-    """Everything that has to be known before the first byte.
+class ConnectionSettings(PortSettings):
+    """A port and the addressing of a board on it; the default line is the factory's.
 
     Attributes:
-        url: whatever pyserial opens: `/dev/ttyUSB0`, `COM3`, `socket://host:port`,
-            `rfc2217://host:port`.
-        line: baud rate, error detection and stop bits; the default is the factory's.
         device_number: 0-127 for the Pololu protocol, `None` for the compact one.
-        polynomial: used when `line.detection` is CRC-7.
-        name: what a person calls the port; the URL where it is empty.
-        timeouts: how long to wait for it.
+        polynomial: used when the line has CRC-7.
     """
 
-    url: str
     line: LineSettings = field(default_factory=LineSettings)
     device_number: int | None = None
     polynomial: int = DEFAULT_POLYNOMIAL
-    timeouts: Timeouts = field(default_factory=Timeouts)
-    name: str = ""
+
+    @classmethod
+    def on(cls, port: PortSettings) -> "ConnectionSettings":
+        """Return the default settings of a board on a port; keeps those of a board."""
+        if isinstance(port, ConnectionSettings):
+            return port
+        return cls(port.url, name=port.name, timeouts=port.timeouts)
+
+    def at(self, line: SerialFormat) -> PortSettings:
+        """Return these settings with another line; without addressing if no board can have it."""
+        if isinstance(line, LineSettings):
+            return replace(self, line=line)
+        return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
 
     @property
     def framing(self) -> Framing:
         """How packets are wrapped under these settings."""
-        crc = self.line.detection is Detection.CRC7
-        return Framing(self.device_number, self.polynomial if crc else None)
-
-    @property
-    def short(self) -> str:
-        """How the line is set, as terminal programs write it: `57600 8E1`, `57600 8N1 CRC`."""
-        parity = {Detection.EVEN: "E", Detection.ODD: "O"}.get(self.line.detection, "N")
-        crc = " CRC" if self.line.detection is Detection.CRC7 else ""
-        return f"{self.line.baud} 8{parity}{self.line.stop_bits}{crc}"
-
-    def text(self) -> str:
-        """Short text for people: port and line."""
-        return f"{self.name or self.url} at {self.line.text()}"
+        return Framing(self.device_number, self.polynomial if self.line.has_crc else None)

@@ -3,10 +3,11 @@
 Ref: Pololu TReX User's Guide 5.a, 5.e; the bit fields partly inferred, see the parameter table.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.trex.protocol.device_table import device_table, version_key
 
 
@@ -33,13 +34,22 @@ def baud_rates() -> tuple[int, ...]:
     return device_table().baud_rates
 
 
-@dataclass(frozen=True, slots=True)
-class LineSettings:
+_PARITIES = {Detection.EVEN: Parity.EVEN, Detection.ODD: Parity.ODD}
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class LineSettings(SerialFormat):
     """One setting of the board's serial line; the default is the factory's."""
 
-    baud: int = 19200
-    detection: Detection = Detection.NONE
-    stop_bits: int = 1
+    parity: Parity = field(init=False)
+    detection: Detection = field(default=Detection.NONE)
+
+    def __init__(
+        self, baud: int = 19200, detection: Detection = Detection.NONE, stop_bits: int = 1
+    ) -> None:
+        """Set the parity by the error detection: `dataclasses.replace` works with the latter."""
+        SerialFormat.__init__(self, baud, _PARITIES.get(detection, Parity.NONE), stop_bits)
+        object.__setattr__(self, "detection", detection)
 
     @classmethod
     def from_wire(cls, wire: int) -> "LineSettings":
@@ -81,22 +91,22 @@ class LineSettings:
         return self.baud // 2 if is_old and self.baud in table.half_rates else self.baud
 
     @property
-    def bits_per_byte(self) -> int:
-        """Bits that one byte takes on the wire: start, eight data, parity, stop."""
-        parity = self.detection in {Detection.EVEN, Detection.ODD}
-        return 9 + parity + self.stop_bits
+    def has_crc(self) -> bool:
+        """Whether every packet carries a CRC-7."""
+        return self.detection is Detection.CRC7
 
-    def seconds(self, size: int, baud: int | None = None) -> float:
-        """Return how long `size` bytes take on the wire."""
-        return size * self.bits_per_byte / (baud or self.baud)
+    @property
+    def short(self) -> str:
+        """The format as terminal programs write it: `57600 8E1`, `57600 8N1 CRC`."""
+        return super(LineSettings, self).short + (" CRC" if self.has_crc else "")
 
-    def text(self) -> str:
-        """Short text for people, such as `19200 baud, no error detection, 1 stop bit`."""
-        words = {
-            Detection.NONE: "no error detection",
-            Detection.CRC7: "CRC-7",
-            Detection.EVEN: "even parity",
-            Detection.ODD: "odd parity",
-        }
-        stop = "1 stop bit" if self.stop_bits == 1 else "2 stop bits"
-        return f"{self.baud} baud, {words[self.detection]}, {stop}"
+    @property
+    def check_text(self) -> str:
+        """How errors are detected: `no error detection`, `CRC-7`, `even parity`."""
+        if self.has_crc:
+            return "CRC-7"
+        return (
+            "no error detection"
+            if self.parity is Parity.NONE
+            else f"{self.parity.name.lower()} parity"
+        )

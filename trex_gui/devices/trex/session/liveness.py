@@ -2,7 +2,7 @@
 
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.reconnecting import ReconnectSearch
 
 _FAILURES_TO_SILENCE = 3
@@ -47,7 +47,7 @@ class LivenessMonitor:
         """Look again after the usual pause."""
         self.retry_at = now + self._retry
 
-    def is_scanning(self, client: TrexClient, expected: tuple[LinkSettings, ...]) -> bool:
+    def is_scanning(self, client: TrexClient, expected: tuple[ConnectionSettings, ...]) -> bool:
         """Whether a silent board may be at other settings.
 
         Then nothing goes out but stops and what is harmless to a board at any rate.
@@ -55,7 +55,9 @@ class LivenessMonitor:
         can = client.transport.is_configurable
         return self.silent and can and (self._search.has_looked or bool(expected))
 
-    def look(self, client: TrexClient, expected: tuple[LinkSettings, ...]) -> TrexClient | None:
+    def look(
+        self, client: TrexClient, expected: tuple[ConnectionSettings, ...]
+    ) -> TrexClient | None:
         """Put one question; return who talks to the board from now on, if it answered.
 
         Raises:

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, Drive
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 # --- In ---------------------------------------------------------------------------------
 
@@ -112,7 +112,7 @@ class SetReconnectCandidates:
     settings, this belongs before the `Write`: its power may fail right behind it.
     """
 
-    settings: tuple[LinkSettings, ...]
+    settings: tuple[ConnectionSettings, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,7 +175,7 @@ class Connected:
     state: DeviceState
     echo: bool
     occasion: ReadReason
-    settings: LinkSettings
+    settings: ConnectionSettings
     may_move: bool = False
     port_rates: frozenset[int] | None = None
 

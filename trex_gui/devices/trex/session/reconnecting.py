@@ -6,7 +6,7 @@ from collections import deque
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.discovery.probe import is_board_at, reconnect_places
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 log = logging.getLogger(__name__)
 
@@ -21,8 +21,8 @@ class ReconnectSearch:
 
     def __init__(self) -> None:
         self.has_looked = False
-        self._places: deque[LinkSettings] = deque()
-        self._expected: tuple[LinkSettings, ...] = ()
+        self._places: deque[ConnectionSettings] = deque()
+        self._expected: tuple[ConnectionSettings, ...] = ()
 
     @property
     def is_round_over(self) -> bool:
@@ -37,7 +37,9 @@ class ReconnectSearch:
         """Take the board for found."""
         self.has_looked = False
 
-    def look(self, client: TrexClient, expected: tuple[LinkSettings, ...]) -> TrexClient | None:
+    def look(
+        self, client: TrexClient, expected: tuple[ConnectionSettings, ...]
+    ) -> TrexClient | None:
         """Put one question; return who talks to the board from now on, if it answered.
 
         Raises:

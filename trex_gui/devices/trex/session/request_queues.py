@@ -6,7 +6,7 @@ from typing import Protocol
 
 from trex_gui.devices.trex.driving.arming import ArmingWatchdog
 from trex_gui.devices.trex.driving.setpoints import SetpointSlots
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
     Close,
@@ -51,7 +51,7 @@ class RequestQueues:
     jobs: deque[RunCommand | Write | Reload] = field(default_factory=deque)
     guard: ArmingWatchdog = field(default_factory=ArmingWatchdog)
     overtaken: list[int] = field(default_factory=list)
-    expected: tuple[LinkSettings, ...] = ()
+    expected: tuple[ConnectionSettings, ...] = ()
     closing: bool = False
 
     def collect(self, seconds: float = 0.0) -> None:

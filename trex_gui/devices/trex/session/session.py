@@ -20,8 +20,8 @@ from trex_gui.devices.trex.discovery.diagnosis import diagnose
 from trex_gui.devices.trex.driving.arming import ArmingWatchdog
 from trex_gui.devices.trex.driving.motors import MotorOutput
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.session.liveness import LivenessMonitor
 from trex_gui.devices.trex.session.messages import (
@@ -63,10 +63,10 @@ class TrexSession:
 
     def __init__(
         self,
-        settings: LinkSettings,
+        settings: ConnectionSettings,
         inbox: Inbox,
         emit: Callable[[Report], None],
-        open_transport: Callable[[LinkSettings], Transport] = SerialTransport,
+        open_transport: Callable[[ConnectionSettings], Transport] = SerialTransport,
         *,
         may_move: bool = False,
     ) -> None:
@@ -92,7 +92,7 @@ class TrexSession:
         try:
             _ = self._settings.framing  # impossible settings must not open the port
             transport = self._open_transport(self._settings)
-            self._port_rates = transport.rates()
+            self._port_rates = transport.rates(baud_rates())
             self._client = TrexClient(transport, self._settings)
             self._mail.guard.clock = transport.clock
             is_open = True

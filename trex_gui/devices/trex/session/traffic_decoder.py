@@ -2,12 +2,12 @@
 
 from functools import lru_cache
 
+from trex_gui.core.transport.settings import PortSettings
 from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction
 from trex_gui.devices.trex.protocol.commands import Command, Signature
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.descriptions import describe, describe_reply, is_refusal
 from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Framing
-from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.protocol.parser import (
     Malformed,
     NeedData,
@@ -107,7 +107,5 @@ def _parsed(
     return ReplyParser(command, framing, echo).feed(received)
 
 
-def _polynomial(settings: LinkSettings | None) -> int | None:
-    if settings is None or settings.line.detection is not Detection.CRC7:
-        return None
-    return settings.polynomial
+def _polynomial(settings: PortSettings | None) -> int | None:
+    return settings.framing.polynomial if isinstance(settings, ConnectionSettings) else None

@@ -12,8 +12,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import count
 
+from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.protocol.flags import UartError
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.shared_wire import Frame, SharedWire
 from trex_gui.devices.trex.simulator.station import BoardOnWire
@@ -54,7 +54,7 @@ class SimulatedLine:
         self.numbers = tuple(board.eeprom["device_number"] for board in boards)
         self.echo = echo
         self.paced = paced
-        self.host: LineSettings | None = None
+        self.host: SerialFormat | None = None
         self.mute = False
         self.plugged = True
         self.noise = 0.0
@@ -101,7 +101,7 @@ class SimulatedLine:
         self._host_busy_until = self.now
 
     @property
-    def own_settings(self) -> LineSettings:
+    def own_settings(self) -> SerialFormat:
         """What a host that fits the first board has set its port to."""
         return self.boards[0].memory.line_settings
 
@@ -186,14 +186,14 @@ class SimulatedLine:
             return self.host.seconds(1)
         return self._stations[0].byte_time
 
-    def _carry(self, byte: int, sender: LineSettings | None, begun: float) -> None:
+    def _carry(self, byte: int, sender: SerialFormat | None, begun: float) -> None:
         """Let a byte of the host arrive at the boards, which all run at its rate."""
         if (fate := self._fate(byte, begun)) is not None:
             byte, error = fate
             for station in self._stations:
                 station.hear(byte, sender, error, begun)
 
-    def _carry_alien(self, byte: int, sender: LineSettings, end: float) -> None:
+    def _carry_alien(self, byte: int, sender: SerialFormat, end: float) -> None:
         """Let a byte of the host begin that some boards cannot read."""
         begun = self.now
         if (fate := self._fate(byte, begun)) is None:
@@ -229,7 +229,7 @@ class SimulatedLine:
         else:
             self.arrive(byte, self.now)
 
-    def _host_settings(self) -> tuple[LineSettings, int]:
+    def _host_settings(self) -> tuple[SerialFormat, int]:
         """Return how the host's port is set, as far as that is known, and its rate."""
         if self.host is not None:
             return self.host, self.host.baud

@@ -3,7 +3,6 @@
 from typing import TYPE_CHECKING, Any
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS
 
 if TYPE_CHECKING:
@@ -44,7 +43,6 @@ def _learned_flash(board: "Board", since: float) -> tuple[str, str]:
 def report(board: "Board") -> dict[str, Any]:
     """Return what the board is doing, ready for JSON; currents in A, `raw` `None` if invalid."""
     memory = board.memory
-    parities = {Detection.EVEN: "even", Detection.ODD: "odd"}
     return {
         "model": board.model.key,
         "firmware": board.firmware,
@@ -84,7 +82,7 @@ def report(board: "Board") -> dict[str, Any]:
         "learned": {source.value.lower(): memory.learned(source) for source in InputSource},
         "active_uart": {
             "baud": memory.baud,
-            "parity": parities.get(memory.line_settings.detection, "none"),
+            "parity": memory.line_settings.parity.name.lower(),
             "stop_bits": memory.line_settings.stop_bits,
             "crc": memory.crc_polynomial is not None,
         },

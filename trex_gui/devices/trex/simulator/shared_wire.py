@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from trex_gui.core.simulator.sampling import Receiver, SampledByte, levels
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.core.transport.settings import SerialFormat
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
@@ -30,7 +30,7 @@ class Frame:
     start: float
     end: float
     value: int
-    settings: LineSettings
+    settings: SerialFormat
     baud: int
     alive: Callable[[], bool] = lambda: True
     clashed: bool = False
@@ -57,7 +57,7 @@ class SharedWire:
         self,
         at: Callable[[float, Callable[[], None]], None],
         arrive: Callable[[int, float], None],
-        host: Callable[[], tuple[LineSettings, int]],
+        host: Callable[[], tuple[SerialFormat, int]],
         counters: Counter[str],
     ) -> None:
         """Make a wire of which nobody talks.

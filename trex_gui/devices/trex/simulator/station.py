@@ -6,8 +6,8 @@ from functools import partial
 from typing import Protocol
 
 from trex_gui.core.simulator.sampling import Receiver, SampledByte
+from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.trex.protocol.flags import UartError
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.shared_wire import Frame
 from trex_gui.devices.trex.simulator.uart import SerialPort
@@ -17,15 +17,13 @@ _RATE_TOLERANCE = 0.03
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
 
-_PARITIES = {Detection.EVEN: "even", Detection.ODD: "odd"}
-
 
 class BoardWire(Protocol):
     """What a board needs of the wire that it hangs on."""
 
     now: float
     paced: bool
-    host: LineSettings | None
+    host: SerialFormat | None
 
     @property
     def is_instant(self) -> bool:
@@ -85,12 +83,12 @@ class BoardOnWire:
         memory = self.board.memory
         return memory.line_settings.bits_per_byte / memory.baud if self._wire.paced else 0.0
 
-    def is_other_rate(self, host: LineSettings) -> bool:
+    def is_other_rate(self, host: SerialFormat) -> bool:
         """Whether a host runs at a rate at which neither understands the other."""
         return abs(host.baud / self.board.memory.baud - 1) > _RATE_TOLERANCE
 
     def hear(
-        self, byte: int, host: LineSettings | None, error: UartError | None, begun: float
+        self, byte: int, host: SerialFormat | None, error: UartError | None, begun: float
     ) -> None:
         """Take a byte of a host that runs at its rate, at its end."""
         if error is UartError.PARITY and not self._has_parity:
@@ -99,7 +97,7 @@ class BoardOnWire:
             error = self._misread(host) or error
         self._take(byte, error, begun)
 
-    def sample(self, byte: int, host: LineSettings) -> None:
+    def sample(self, byte: int, host: SerialFormat) -> None:
         """Take from the wire what it can of a byte that a host at another rate begins."""
         self._is_new_boot()
         if self._ear is None:
@@ -136,9 +134,9 @@ class BoardOnWire:
 
     @property
     def _has_parity(self) -> bool:
-        return self.board.memory.line_settings.detection in _PARITIES
+        return self.board.memory.line_settings.parity is not Parity.NONE
 
-    def _misread(self, host: LineSettings) -> UartError | None:
+    def _misread(self, host: SerialFormat) -> UartError | None:
         """Return the error that each byte gives when parity or stop bits are set differently.
 
         A real receiver would take some of such bytes for good ones (every other one has the
@@ -146,9 +144,9 @@ class BoardOnWire:
         learner or a test sees does not depend on luck.
         """
         own = self.board.memory.line_settings
-        wanted, given = _PARITIES.get(own.detection), _PARITIES.get(host.detection)
+        wanted, given = own.parity, host.parity
         if wanted != given:
-            return UartError.PARITY if wanted else UartError.FRAMING
+            return UartError.FRAMING if wanted is Parity.NONE else UartError.PARITY
         return None if own.stop_bits == host.stop_bits else UartError.FRAMING
 
     # Talking

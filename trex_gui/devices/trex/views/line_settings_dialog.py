@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.views.pages.parameters.editors import LineSettingsEditor
 
@@ -32,7 +32,7 @@ class HexSpinBox(QSpinBox):
 class LineSettingsDialog(QDialog):
     """Changes how this computer talks; it does not change the board."""
 
-    def __init__(self, settings: LinkSettings, parent: QWidget | None = None) -> None:
+    def __init__(self, settings: ConnectionSettings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("lineSettingsDialog")
         self.setWindowTitle(self.tr("Line settings"))
@@ -93,7 +93,7 @@ class LineSettingsDialog(QDialog):
         self._on_changed()
 
     @property
-    def settings(self) -> LinkSettings:
+    def settings(self) -> ConnectionSettings:
         """What is shown."""
         number = self._number.value() if self._addressed.isChecked() else None
         return replace(
@@ -110,7 +110,7 @@ class LineSettingsDialog(QDialog):
 
     @Slot()
     def _on_restore_clicked(self) -> None:
-        default = LinkSettings("")
+        default = ConnectionSettings("")
         self._line.set_settings(default.line)
         self._polynomial.setValue(default.polynomial)
         self._addressed.setChecked(False)

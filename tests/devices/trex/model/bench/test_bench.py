@@ -13,7 +13,7 @@ from trex_gui.devices.trex.bench.profile import Profile, Shape
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench.bench import Bench, Phase, Plan
 from trex_gui.devices.trex.model.device import ConnectionState, Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.simulator.physics import CONSTANTS, MotorPhysics
 from trex_gui.ui.runtime import now
 
@@ -45,7 +45,7 @@ class BenchSetup:
         self._qtbot.waitUntil(condition)
 
     def connect(self) -> None:
-        self.device.connect_to(LinkSettings(self.simulator.url))
+        self.device.connect_to(ConnectionSettings(self.simulator.url))
         self.until(lambda: self.device.link is ConnectionState.UP)
         self.until(lambda: self.device.telemetry.motor_currents is not None)
 

@@ -7,7 +7,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.model.device import ConnectionState, Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 
 @pytest.fixture
@@ -27,6 +27,6 @@ def rc_board(start_simulator: StartSimulator) -> SimulatedDevice:
 @pytest.fixture
 def rc_device(device: Device, rc_board: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device that is connected to `rc_board`; no sample has come in yet."""
-    device.connect_to(LinkSettings(rc_board.url))
+    device.connect_to(ConnectionSettings(rc_board.url))
     qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
     return device

@@ -8,7 +8,7 @@ from trex_gui.composition import Program
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.model.driving.board_stop import why_the_board_stopped
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
 NO_STATUS = Status(0)
@@ -37,7 +37,7 @@ def test_line_error_disarms_and_clears_setpoints(
 ) -> None:
     device = program.device
     simulator = start_simulator("--unpaced")
-    device.connect_to(LinkSettings(simulator.url))
+    device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(
         lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
     )

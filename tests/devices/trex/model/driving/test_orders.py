@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.driving.drive_controller import DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Heartbeat, MotorsStopped, Request
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now, runtime
@@ -54,7 +54,7 @@ def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
 def driven(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose motor 1 runs."""
     device = program.device
-    device.connect_to(LinkSettings(simulator.url))
+    device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(
         lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
     )
@@ -152,7 +152,7 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
     outcomes: list[StudioError | None] = []
     failures: list[str] = []
     device.notifier.error.connect(failures.append)
-    device.connect_to(LinkSettings(quick_simulator.url))
+    device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: device.motors.can_arm)
     device.stop_motors(outcomes.append)
     qtbot.waitUntil(lambda: outcomes == [None])
@@ -174,7 +174,7 @@ def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
     failures: list[str] = []
     device.notifier.error.connect(failures.append)
     for simulator in (start_simulator("--unpaced"), start_simulator("--unpaced")):
-        device.connect_to(LinkSettings(simulator.url))
+        device.connect_to(ConnectionSettings(simulator.url))
         qtbot.waitUntil(lambda: device.link is ConnectionState.UP and device.motors.can_arm)
         device.disconnect_line()
         qtbot.waitUntil(lambda: device.link is ConnectionState.NONE)
@@ -188,7 +188,7 @@ def test_stop_of_another_board_warns_about_the_lost_one(
     simulator.do("line unplug")
     qtbot.waitUntil(lambda: driven.link is ConnectionState.NONE)
     driven.notifier.error.connect(failures.append)
-    driven.connect_to(LinkSettings(start_simulator().url))
+    driven.connect_to(ConnectionSettings(start_simulator().url))
     qtbot.waitUntil(lambda: bool(failures))
     assert not driven.may_move
     assert simulator.url in failures[0]

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.driving.drive_status import (
     reason_for,
     situation_of,
 )
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode, UartError
 
 
@@ -183,5 +183,5 @@ def test_situation_includes_the_serial_timeout_of_the_board(
     assert situation_of(device).timeout == ""
     quick_simulator.do("eeprom serial_timeout 5")
     quick_simulator.do("power cycle")
-    device.connect_to(LinkSettings(quick_simulator.url))
+    device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: situation_of(device).timeout == "0.5 s")

@@ -6,7 +6,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.safe_start import SafeStartWatch
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 COUNT = 0.15
 """Amperes of one count of a motor current of a TReX."""
@@ -18,7 +18,7 @@ def watch(device: Device, rc_board: SimulatedDevice, qtbot: QtBot) -> SafeStartW
     rc_board.do("channel 1 1900us")
     rc_board.do("current 1 0")
     watch = SafeStartWatch(device)
-    device.connect_to(LinkSettings(rc_board.url))
+    device.connect_to(ConnectionSettings(rc_board.url))
     telemetry = device.telemetry
     qtbot.waitUntil(lambda: None not in {telemetry.remapped, telemetry.motor_currents})
     return watch

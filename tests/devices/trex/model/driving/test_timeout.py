@@ -4,7 +4,7 @@ import pytest
 
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.model.driving.timeout import weakness_on
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 
@@ -23,7 +23,7 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 def test_warning_about_the_timeout_fits_the_line(
     url: str, baud: int, timeout: float, said: str, offered: float
 ) -> None:
-    weakness = weakness_on(LinkSettings(url, LineSettings(baud)), timeout)
+    weakness = weakness_on(ConnectionSettings(url, LineSettings(baud)), timeout)
     assert (weakness is None) == (not said)
     if weakness is not None:
         assert said in weakness.text
@@ -31,7 +31,7 @@ def test_warning_about_the_timeout_fits_the_line(
 
 
 def test_slow_line_gets_the_longest_offered_timeout() -> None:
-    settings = LinkSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
+    settings = ConnectionSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
     weakness = weakness_on(settings, 1.0)
     assert weakness is not None
     assert weakness.seconds == 5.0

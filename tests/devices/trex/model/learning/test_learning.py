@@ -13,7 +13,7 @@ from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 UNPROVED = "not sure that the motors stand"
 
@@ -31,7 +31,7 @@ class LearningSetup:
         self._qtbot = qtbot
         failures: list[str] = []
         self.device.notifier.error.connect(failures.append)
-        self.device.connect_to(LinkSettings(simulator.url))
+        self.device.connect_to(ConnectionSettings(simulator.url))
         self.until(lambda: self.device.link is ConnectionState.UP or bool(failures))
         assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])
         self.until(lambda: self.transmitter.rests(self.device.telemetry.raw_of))
@@ -426,7 +426,7 @@ def test_reconnecting_forgets_the_pending_test(
     setup.learning.take()
     setup.device.disconnect_line()
     setup.until(lambda: setup.device.link is ConnectionState.NONE)
-    setup.device.connect_to(LinkSettings(setup.simulator.url))
+    setup.device.connect_to(ConnectionSettings(setup.simulator.url))
     setup.until(lambda: setup.device.link is ConnectionState.UP)
     assert setup.device.pending
     setup.write()

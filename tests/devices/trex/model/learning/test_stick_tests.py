@@ -10,7 +10,7 @@ from trex_gui.devices.trex.calibration.proof import StickTest, idle_side
 from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
 """Learned from a stick that rests at 1100 µs; below that is trim only."""
@@ -59,7 +59,7 @@ def connect(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable
             quick_simulator.do(line)
         if lines:
             quick_simulator.do("power cycle")
-        device.connect_to(LinkSettings(quick_simulator.url))
+        device.connect_to(ConnectionSettings(quick_simulator.url))
         qtbot.waitUntil(lambda: device.link is ConnectionState.UP, timeout=30_000)
         return device
 

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample
 from trex_gui.devices.trex.model.device import ConnectionState, Device
 from trex_gui.devices.trex.model.recordings.recorder import Recorder
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.recording.files import open_recording
 from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord, SettingsSeen
 from trex_gui.devices.trex.session.messages import Batch
@@ -36,7 +36,7 @@ class RecorderSetup:
             self.samples += batch.samples
 
     def connect(self) -> None:
-        self.device.connect_to(LinkSettings(self.simulator.url))
+        self.device.connect_to(ConnectionSettings(self.simulator.url))
         self.wait(lambda: self.device.link is ConnectionState.UP)
 
     def wait(self, condition: Callable[[], bool]) -> None:

@@ -10,7 +10,7 @@ from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.client.writing import Skipped, WriteResult
 from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
@@ -161,7 +161,7 @@ def connect_after_power_cycle(applied: InterruptedApply) -> None:
     """Switch the board off and on, and connect at the line settings that it has stored."""
     applied.simulator.do("power cycle")
     line = LineSettings.from_wire(applied.stored["uart_settings"])
-    applied.device.connect_to(LinkSettings(applied.simulator.url, line))
+    applied.device.connect_to(ConnectionSettings(applied.simulator.url, line))
     applied.recorder.until_link(ConnectionState.UP)
 
 
@@ -226,7 +226,7 @@ def test_reconnecting_during_apply_keeps_only_unwritten_edits(
     step: int, applied: InterruptedApply
 ) -> None:
     """Connecting elsewhere closes the line first."""
-    again = LinkSettings(applied.simulator.url)
+    again = ConnectionSettings(applied.simulator.url)
     applied.disturb(step, lambda: applied.device.connect_to(again))
     applied.recorder.until_link(ConnectionState.UP)
     require_told(applied)
@@ -240,7 +240,7 @@ def test_reconnecting_during_apply_keeps_only_unwritten_edits(
 def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[DeviceRecorder]:
     """A device that calls its board by the number 7."""
     recorder = DeviceRecorder(qtbot)
-    recorder.device.connect_to(LinkSettings(quick_simulator.url, device_number=7))
+    recorder.device.connect_to(ConnectionSettings(quick_simulator.url, device_number=7))
     recorder.until_link(ConnectionState.UP)
     yield recorder
     qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on

@@ -9,7 +9,7 @@ from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL
 from trex_gui.devices.trex.model.connection import Connection, ConnectionState
 from trex_gui.devices.trex.model.driving.motors import Motors
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
     Closed,
@@ -51,7 +51,7 @@ class DriveController(QObject):
         self._may_move = False
         self._was_armed = False
         self._by_serial = True
-        self._lost_with: LinkSettings | None = None  # the line behind which motors may turn
+        self._lost_with: ConnectionSettings | None = None  # the line behind which motors may turn
         self._after_stop: list[AfterStop] = []
         self._pulse = runtime().timer(self)
         self._pulse.setInterval(round(HEARTBEAT_INTERVAL * 1000))

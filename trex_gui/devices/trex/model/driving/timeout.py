@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.driving.keepalive import survives_a_loss
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 _OFFERED_S = (0.5, 1.0, 2.0, 5.0)
 """Seconds offered, the first that this line can keep fed: in 0.5 s a robot at 2 m/s goes a metre,
@@ -28,7 +28,7 @@ def weakness_of_timeout(device: Device) -> Weakness | None:
     return None if timeout is None or settings is None else weakness_on(settings, timeout)
 
 
-def weakness_on(settings: LinkSettings, timeout: float) -> Weakness | None:
+def weakness_on(settings: ConnectionSettings, timeout: float) -> Weakness | None:
     """Return what is wrong with a timeout of so many seconds on such a line, 0 for none at all."""
     better = _offered(settings)
     if timeout == 0:
@@ -52,12 +52,12 @@ def weakness_on(settings: LinkSettings, timeout: float) -> Weakness | None:
     return Weakness(text, better)
 
 
-def _keeps(settings: LinkSettings, timeout: float) -> bool:
+def _keeps(settings: ConnectionSettings, timeout: float) -> bool:
     latency = latency_of(settings.url) + settings.timeouts.extra
     return survives_a_loss(settings.line, timeout, latency)
 
 
-def _offered(settings: LinkSettings) -> float:
+def _offered(settings: ConnectionSettings) -> float:
     fitting = (seconds for seconds in _OFFERED_S if _keeps(settings, seconds))
     return next(fitting, _OFFERED_S[-1])
 

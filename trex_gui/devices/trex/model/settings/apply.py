@@ -11,7 +11,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Outcome, Write
 from trex_gui.devices.trex.settings.document import calibration_key
 from trex_gui.devices.trex.settings.from_board import settings_of
@@ -53,7 +53,10 @@ class Apply(QObject):
         return self._running
 
     def start(
-        self, state: DeviceState, link: LinkSettings | None, only: Collection[str] | None = None
+        self,
+        state: DeviceState,
+        link: ConnectionSettings | None,
+        only: Collection[str] | None = None,
     ) -> None:
         """Write the edits, or those of them with the keys that a settings file would give them.
 
@@ -76,7 +79,9 @@ class Apply(QObject):
         if count:
             self._write(state, link, reason, parameters, calibrations)
 
-    def store(self, state: DeviceState, link: LinkSettings | None, key: str, wire: int) -> bool:
+    def store(
+        self, state: DeviceState, link: ConnectionSettings | None, key: str, wire: int
+    ) -> bool:
         """Write one parameter at once; edits of others go on waiting.
 
         Return whether it is on its way.
@@ -84,7 +89,7 @@ class Apply(QObject):
         reason = self.tr("{0} set").format(state.specs[key].name)
         return self._write(state, link, reason, ((key, wire),), ())
 
-    def reset(self, state: DeviceState, link: LinkSettings | None) -> bool:
+    def reset(self, state: DeviceState, link: ConnectionSettings | None) -> bool:
         """Let the board put every parameter back to the factory's value at its next start.
 
         Its answer is the only proof until then: the order cannot be read back. Return whether
@@ -97,7 +102,7 @@ class Apply(QObject):
     def _write(
         self,
         state: DeviceState,
-        link: LinkSettings | None,
+        link: ConnectionSettings | None,
         reason: str,
         parameters: tuple[tuple[str, int], ...],
         calibrations: tuple[tuple[int, Calibration], ...],
@@ -110,7 +115,7 @@ class Apply(QObject):
             self.started.emit()
         return self._running
 
-    def _keep(self, state: DeviceState, link: LinkSettings | None, reason: str) -> bool:
+    def _keep(self, state: DeviceState, link: ConnectionSettings | None, reason: str) -> bool:
         """Save what the board stores before it is changed; return whether that worked."""
         adapter = "" if link is None else link.name or link.url
         try:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
 from trex_gui.devices.trex.model.device import ConnectionState, Device
-from trex_gui.devices.trex.protocol.connection_settings import LinkSettings
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.settings.factory import factory_settings
 from trex_gui.ui.runtime import runtime
 
@@ -42,7 +42,7 @@ class PowerCycle(QObject):
         self._device = device
         self._stage = PowerCycleStage.NONE
         self._takes_long = False
-        self._expected: LinkSettings | None = None
+        self._expected: ConnectionSettings | None = None
         self._patience = runtime().timer(self)
         self._patience.setSingleShot(True)
         self._patience.setInterval(_LONG)
@@ -61,7 +61,7 @@ class PowerCycle(QObject):
         return self._takes_long
 
     @property
-    def expected(self) -> LinkSettings | None:
+    def expected(self) -> ConnectionSettings | None:
         """How the board will be reached when it is back, where that is another way than now."""
         return self._expected
 
