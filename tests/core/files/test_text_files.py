@@ -8,8 +8,7 @@ import pytest
 
 from tests.devices.trex.settings.samples import factory
 from trex_gui.core.files.errors import SettingsError
-from trex_gui.core.files.text_files import load, save
-from trex_gui.devices.trex.settings.plain_yaml import LARGEST_FILE
+from trex_gui.core.files.text_files import LARGEST_FILE, load, save
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
@@ -121,8 +120,8 @@ def test_invalid_file_name_is_reported() -> None:
 def test_pipe_is_rejected_without_waiting(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    assert sentence(pipe) == "is no ordinary file"
-    assert sentence(pipe, "new\n") == "is no ordinary file"
+    assert sentence(pipe) == "is not a regular file"
+    assert sentence(pipe, "new\n") == "is not a regular file"
 
 
 @forbidding

@@ -1,138 +1,112 @@
-"""Settings files on disk: read whole or not at all, written whole or not at all."""
+"""Text files that users edit: size limit on reading, atomic writing, errors as sentences."""
 
 import contextlib
 import os
-import secrets
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
+from trex_gui.core.files.atomic import atomic_file
 from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.devices.trex.settings.plain_yaml import LARGEST_FILE
+
+LARGEST_FILE = 256 * 1024
+"""Bytes; a complete settings file has about 3000."""
 
 
-def load(path: Path) -> bytes:
-    """Return what a settings file holds.
+def load(path: Path, content: str = "settings") -> bytes:
+    """Return the bytes of a text file.
+
+    Args:
+        path: the file.
+        content: what the file holds, in the plural; for messages.
 
     Raises:
-        SettingsError: it is missing, forbidden, no ordinary file or too large to be one.
+        SettingsError: it is missing, forbidden, not a regular file, or larger than 256 KiB.
     """
     with _sentences(path, "read"):
         if not path.is_file():
-            path.stat()  # says what is missing or forbidden
-            raise _refusal(path, _kind_of(path))
+            path.stat()  # raises where the file is missing or forbidden
+            raise _error(path, _kind_of(path))
         with path.open("rb") as file:
-            # A little more than allowed, for a file may grow between two looks at it.
             data = file.read(LARGEST_FILE + 1)
-    if len(data) > LARGEST_FILE:
-        limit = LARGEST_FILE // 1024
-        raise _refusal(path, f"is larger than {limit} KiB; settings are not that long")
+    check_size(data, str(path), content)
     return data
 
 
-def save(path: Path, text: str) -> None:
-    """Write a settings file; whatever happens, the old one or the new one is there, whole.
+def check_size(data: bytes, name: str, content: str = "settings") -> None:
+    """Raise a `SettingsError` for more than 256 KiB."""
+    if len(data) > LARGEST_FILE:
+        limit = LARGEST_FILE // 1024
+        message = f"is larger than {limit} KiB; {content} are not that long"
+        raise SettingsError(name, [Finding(None, None, message)])
+
+
+def decode(data: bytes, name: str) -> str:
+    """Return the text of a file without its byte order mark.
 
     Raises:
-        SettingsError: it cannot be written; says why.
+        SettingsError: it is too large, binary, or not UTF-8.
+    """
+    check_size(data, name)
+    message, position = "this is a binary file; settings are text", data.find(b"\0")
+    if position < 0:
+        try:
+            return data.decode("utf-8").removeprefix("\ufeff")
+        except UnicodeDecodeError as error:
+            message, position = "this is not UTF-8 text", error.start
+    raise SettingsError(name, [Finding(data.count(b"\n", 0, position) + 1, None, message)])
+
+
+def save(path: Path, text: str) -> None:
+    """Write a text file; after an error the old one is still there, complete.
+
+    Raises:
+        SettingsError: it cannot be written.
     """
     with _sentences(path, "written"):
         target = path.resolve()
         if target.exists() and not target.is_file():
-            raise _refusal(path, _kind_of(target))
+            raise _error(path, _kind_of(target))
         if target.exists() and not os.access(target, os.W_OK):
-            raise _refusal(path, "it may not be written; its permissions forbid it")
+            raise _error(path, "it may not be written; its permissions forbid it")
         if not target.parent.is_dir():
-            raise _refusal(path, f"there is no folder {target.parent}")
-        with _drafted(target, text) as draft:
-            with contextlib.suppress(FileNotFoundError):
-                shutil.copymode(target, draft)
-            draft.replace(target)
-        _sync_folder(target.parent)
+            raise _error(path, f"there is no folder {target.parent}")
+        with atomic_file(target) as file:
+            file.write(text.encode("utf-8"))
 
 
 def save_new(path: Path, text: str) -> bool:
-    """Write a settings file under a name that is free, whole or not at all.
-
-    Of several programs that want the same name at once, one gets it.
-
-    Returns:
-        Whether the name was free; else nothing was written.
+    """Write a text file under a free name; return `False`, with nothing written, if it is taken.
 
     Raises:
-        SettingsError: it cannot be written; says why.
+        SettingsError: it cannot be written.
     """
     with _sentences(path, "written"):
         try:
-            with _drafted(path, text) as draft:
-                _take_free_name(draft, path)
+            with atomic_file(path, overwrite=False) as file:
+                file.write(text.encode("utf-8"))
         except FileExistsError:
             return False
-        _sync_folder(path.parent)
     return True
 
 
 @contextlib.contextmanager
-def _drafted(target: Path, text: str) -> Iterator[Path]:
-    """Write a text beside its place and down to the disk; take the draft away if it stays."""
-    draft = target.with_name(f".{target.name[:100]}.{secrets.token_hex(4)}.tmp")
-    try:
-        with draft.open("xb") as file:
-            file.write(text.encode("utf-8"))
-            file.flush()
-            os.fsync(file.fileno())
-        yield draft
-    finally:
-        with contextlib.suppress(OSError):
-            draft.unlink()
-
-
-def _take_free_name(draft: Path, target: Path) -> None:
-    """Give a draft its name in one step; a `FileExistsError` when it is taken."""
-    if os.name == "nt":
-        draft.rename(target)  # refuses there what it replaces elsewhere
-        return
-    try:
-        target.hardlink_to(draft)
-    except FileExistsError:
-        raise
-    except OSError:  # a file system without hard links
-        target.open("xb").close()
-        try:
-            draft.replace(target)
-        except BaseException:
-            target.unlink()
-            raise
-
-
-def _sync_folder(folder: Path) -> None:
-    """Make the new name of a file last through a power failure, where a system can."""
-    with contextlib.suppress(OSError):
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)
-
-
-@contextlib.contextmanager
-def _sentences(path: Path, what: str) -> Iterator[None]:
-    """Say what the system refuses as a person would."""
+def _sentences(path: Path, verb: str) -> Iterator[None]:
+    """Turn errors of the operating system into a `SettingsError`."""
     try:
         yield
     except FileNotFoundError:
-        raise _refusal(path, "there is no such file") from None
+        raise _error(path, "there is no such file") from None
     except PermissionError:
-        raise _refusal(path, f"it may not be {what}; its permissions forbid it") from None
+        raise _error(path, f"it may not be {verb}; its permissions forbid it") from None
     except OSError as error:
-        raise _refusal(path, f"it cannot be {what}: {error.strerror or error}") from None
-    except ValueError as error:  # a name with a NUL in it; text that is no Unicode
-        raise _refusal(path, f"it cannot be {what}: {error}") from None
+        raise _error(path, f"it cannot be {verb}: {error.strerror or error}") from None
+    except ValueError as error:  # a name with a NUL in it; text that is not Unicode
+        raise _error(path, f"it cannot be {verb}: {error}") from None
 
 
 def _kind_of(path: Path) -> str:
-    return "is a folder, not a file" if path.is_dir() else "is no ordinary file"
+    return "is a folder, not a file" if path.is_dir() else "is not a regular file"
 
 
-def _refusal(path: Path, message: str) -> SettingsError:
+def _error(path: Path, message: str) -> SettingsError:
     return SettingsError(str(path), [Finding(None, None, message)])

@@ -7,9 +7,8 @@ from copy import copy
 from pathlib import Path
 from typing import ClassVar, Generic, Self
 
-from trex_gui.core.files.whole_files import opened
 from trex_gui.core.recording.blocks import Block, HeaderT, RecordT
-from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.errors import RecordingError, opened
 from trex_gui.devices.trex.recording.columns import cells_of, several_lines
 from trex_gui.devices.trex.recording.identify import wrong_device_message
 

@@ -1,5 +1,8 @@
 """What can be wrong with a recording, said with its file and the place in it."""
 
+from pathlib import Path
+from typing import BinaryIO
+
 from trex_gui.core.errors import StudioError
 
 
@@ -21,3 +24,16 @@ class RecordingError(StudioError):
     def __str__(self) -> str:
         where = f"{self.name}, {self.place}" if self.place else self.name
         return f"{where}: {self.message}"
+
+
+def opened(path: Path) -> BinaryIO:
+    """Open a recording for reading.
+
+    Raises:
+        RecordingError: it cannot be opened.
+    """
+    try:
+        return path.open("rb")
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise RecordingError(str(path), f"It cannot be opened: {reason}.") from error

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from trex_gui import __version__
-from trex_gui.core.files.whole_files import whole_file
+from trex_gui.core.files.atomic import atomic_file
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.core.transport.transactions import Transaction
 from trex_gui.ui.traffic.model import TrafficModel
@@ -48,7 +48,7 @@ def _write(
     ]
     try:
         with (
-            whole_file(path) as data,
+            atomic_file(path) as data,
             # Names of ports may hold what is no text on any system.
             io.TextIOWrapper(data, "utf-8", errors="backslashreplace", newline="") as file,
         ):

@@ -232,8 +232,8 @@ def test_file_in_braces_is_edited_in_braces() -> None:
     )
     wanted = Settings(TREX, None, {"serial_timeout": 12, "device_number": 8, "aux_pwm_maximum": 63})
     assert amend(before, wanted) == (
-        "{product: TReX, serial_timeout: 12,  # 1.2 s\n device_number: 8, aux_pwm_maximum: 63\n"
-        "   # j\n} # e\n"
+        "{product: TReX, aux_pwm_maximum: 63, serial_timeout: 12,  # 1.2 s\n device_number: 8,\n"
+        "               # j\n} # e\n"
     )
 
 

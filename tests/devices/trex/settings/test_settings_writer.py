@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-import yaml
+from ruamel.yaml import YAML
 
 from tests.devices.trex.settings.samples import TREX, TREX_JR, factory
 from trex_gui.core.errors import BadRequest
@@ -80,7 +80,7 @@ def test_file_without_firmware_and_settings_is_one_line() -> None:
 
 
 def test_standard_yaml_parser_reads_same_values() -> None:
-    data = yaml.safe_load(write_settings(factory()))
+    data = YAML(typ="safe", pure=True).load(write_settings(factory()))
     assert data["product"] == "TReX"
     assert data["rc_channel_5"] == {
         "minimum": 2500,

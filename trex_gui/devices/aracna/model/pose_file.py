@@ -1,6 +1,5 @@
 """Pose files on disk: read whole or not at all, written whole or not at all."""
 
-import contextlib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,7 +7,6 @@ from trex_gui.core.files.errors import Finding, SettingsError, Severity
 from trex_gui.core.files.text_files import load, save
 from trex_gui.devices.aracna.poses.ppr import read_ppr, write_ppr
 from trex_gui.devices.aracna.poses.project import Project
-from trex_gui.devices.trex.settings.plain_yaml import LARGEST_FILE
 
 _LEGIBLE = "\n\t\r"
 
@@ -28,11 +26,7 @@ def read_file(path: Path) -> PoseFile:
     Raises:
         SettingsError: it cannot be read, is larger than any pose file, or no text.
     """
-    with contextlib.suppress(OSError, ValueError):  # what cannot be looked at, `load` says
-        if path.stat().st_size > LARGEST_FILE:
-            said = f"is larger than {LARGEST_FILE // 1024} KiB; poses are not that long"
-            raise SettingsError(str(path), [Finding(None, None, said)])
-    data = load(path)
+    data = load(path, "poses")
     found: list[Finding] = []
     try:
         text = data.decode("utf-8")

@@ -6,10 +6,9 @@ from pathlib import Path
 import click
 
 from trex_gui.core.cli.console import say
-from trex_gui.core.files.text_files import load, save
+from trex_gui.core.files.text_files import LARGEST_FILE, load, save
 from trex_gui.devices.trex.cli.common import refusals
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.plain_yaml import LARGEST_FILE
 from trex_gui.devices.trex.settings.reader import read_settings
 
 FILE = click.Path(allow_dash=True)

@@ -5,9 +5,8 @@ from collections.abc import Callable
 from copy import copy
 from pathlib import Path
 
-from trex_gui.core.files.whole_files import opened
 from trex_gui.core.recording.blocks import Block
-from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.errors import RecordingError, opened
 from trex_gui.devices.trex.recording.codec import decode
 from trex_gui.devices.trex.recording.layout import (
     DATA_HEAD,

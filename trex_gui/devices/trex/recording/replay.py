@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from trex_gui.core.files.whole_files import whole_file
+from trex_gui.core.files.atomic import atomic_file
 from trex_gui.core.recording.block_replay import BlockReplay
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.devices.trex.client.telemetry import (
@@ -102,7 +102,7 @@ def export_span(
         if block.first <= end and block.last >= start
     ]
     try:
-        with whole_file(path) as target:
+        with atomic_file(path) as target:
             writer: CsvWriter | None = None
             for done, index in enumerate(indices, 1):
                 records = file.read(index)

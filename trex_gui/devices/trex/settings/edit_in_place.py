@@ -1,19 +1,20 @@
-"""New values in a file that a person wrote: what they wrote around the values stays.
+"""Change values in a settings file and keep everything else that the user wrote.
 
-A writer that starts from nothing would lose comments, order and spelling. This one looks up
-where each value stands and exchanges only those that differ.
+The round trip of ruamel.yaml keeps comments and order, but not spaces before and after colons,
+margins, mappings in braces over several lines, `+5`, `? key`, comments after `...` or line ends.
+So the text is edited at the positions of ruamel.yaml's nodes.
 """
 
 import re
 from bisect import bisect_right
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
-import yaml
+from ruamel.yaml.nodes import MappingNode, Node
 
 from trex_gui.core.files.errors import Finding, SettingsError
 from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
-from trex_gui.devices.trex.settings.plain_yaml import LINE_END, Word, compose, decoded
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import (
     calibration_line,
@@ -22,41 +23,43 @@ from trex_gui.devices.trex.settings.writer import (
     parameter_line,
     parameter_text,
 )
+from trex_gui.devices.trex.settings.yaml_subset import LINE_END, compose
 
-_MARK = "\ufeff"
+BYTE_ORDER_MARK = "\ufeff"
 _SMALLEST_GAP = 2
 """Spaces that the writer leaves between a value and its comment."""
+
+_LINE = re.compile(r"([^#]*?)(\s*)(#.*?)?(\s*)", re.DOTALL)
+"""Code, gap, comment, end. No `#` of a valid settings file is part of a key or a value."""
+
+_COMMA_AFTER = re.compile(r"(?:\s|#[^\r\n]*)*,")
 
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
     """Return the text of a settings file with other settings in it.
 
-    Values that differ are exchanged where they stand, in the base in which they are written. A
-    comment beside a value is renewed when it is what the program wrote there; a person's comment
-    stays. What the text lacks is appended; what the settings lack becomes a comment, as does a
-    value that the board would refuse. With the settings that it has, a text does not change.
+    Changed values are replaced where they are, in the same base. A comment beside a value is
+    updated if the program wrote it; the user's comments stay. Missing settings are appended;
+    settings to remove become comments, and so do values that the board would reject. With the
+    settings that it already has, a text does not change.
 
     Args:
-        text: what the file holds, line ends and byte order mark included.
+        text: the content of the file, line ends and byte order mark included.
         settings: what the result reads back as.
         name: what errors call the file.
 
     Raises:
-        SettingsError: the text cannot be read, or is written in a way that cannot be changed
-            in place.
+        SettingsError: the text cannot be read, or cannot be changed in place.
         BadRequest: the settings hold a key that their model and firmware do not have.
     """
     check_keys(settings)
     old, _ = read_settings(text, name)
-    wanted = _without_refused(settings)
-    mark = _MARK if text.startswith(_MARK) else ""
-    page = _Document.of(text.removeprefix(_MARK), name)
-    _exchange_values(page, old, wanted)
-    page.align_comments()
-    _renew_comments(page, old, wanted)
-    _remove(page, wanted)
-    page.append(list(_missing_lines(page, settings)))
-    amended = mark + page.text()
+    wanted = _without_invalid(settings)
+    mark = BYTE_ORDER_MARK if text.startswith(BYTE_ORDER_MARK) else ""
+    document = _Document.of(text.removeprefix(BYTE_ORDER_MARK), name)
+    _change_entries(document, old, wanted)
+    document.append(list(_missing_lines(document, settings)))
+    amended = mark + document.text()
     if amended != text and not _reads_as(wanted, amended):
         message = (
             "this file is written in a way that cannot be changed in place; save the settings as "
@@ -73,170 +76,155 @@ def _reads_as(settings: Settings, text: str) -> bool:
         return False
 
 
-def _without_refused(settings: Settings) -> Settings:
-    """Return the settings that a file can hold: those that the board would take."""
-    given, places = settings.parameters, settings.calibrations
+def _without_invalid(settings: Settings) -> Settings:
+    """Return the settings without values that the board would reject."""
+    parameters, calibrations = settings.parameters, settings.calibrations
     valid = {spec.key: spec.valid for spec in settings.specs.readable}
     return replace(
         settings,
-        parameters={key: wire for key, wire in given.items() if wire in valid[key]},
-        calibrations={at: found for at, found in places.items() if found.problem() is None},
+        parameters={key: wire for key, wire in parameters.items() if wire in valid[key]},
+        calibrations={key: c for key, c in calibrations.items() if c.problem() is None},
     )
 
 
 @dataclass(frozen=True, slots=True)
 class _Entry:
-    """Where one setting stands: numbers of its first and last word, and its value."""
+    """A setting with the positions of its first character and behind its last."""
 
-    first: int
-    last: int
-    value: yaml.Node
+    start: int
+    end: int
+    value: Node
 
 
 @dataclass(slots=True)
 class _Document:
-    """A text, what stands where in it, and the changes collected so far."""
+    """A text, the settings in it, and the changes collected so far.
+
+    Attributes:
+        edits: by line: first and last column, and the text that replaces what is between.
+        comments: by line: its new comment.
+        insertion: a line, and the text to insert before it.
+    """
 
     body: str
-    root: yaml.MappingNode
-    words: list[Word]
+    root: MappingNode
     entries: dict[str, _Entry]
     line_starts: list[int]
-    edits: list[tuple[int, int, str]] = field(default_factory=list)
+    edits: dict[int, list[tuple[int, int, str]]] = field(default_factory=lambda: defaultdict(list))
+    comments: dict[int, str] = field(default_factory=dict)
+    insertion: tuple[int, str] = (0, "")
 
     @classmethod
     def of(cls, body: str, name: str) -> "_Document":
-        root, words = compose(body, name), decoded(body)
-        by_start = {word.start: number for number, word in enumerate(words)}
-        by_end = {word.end: number for number, word in enumerate(words)}
+        root = compose(body, name)
         entries = {}
         for key, value in root.value:
-            first = by_start[_span(key)[0]]
-            if first > 0 and words[first - 1].kind is yaml.KeyToken:  # "? key"
-                first -= 1
-            entries[str(key.value)] = _Entry(first, by_end[_span(value)[1]], value)
-        line_starts = [0, *(end.end() for end in LINE_END.finditer(body))]
-        return cls(body, root, words, entries, line_starts)
+            start, end = key.start_mark.index, _end_of(value)
+            before = body[:start].rstrip()
+            first = len(before) - 1 if before.endswith("?") else start
+            entries[str(key.value)] = _Entry(first, start + len(body[start:end].rstrip()), value)
+        line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
+        return cls(body, root, entries, line_starts)
 
     def text(self) -> str:
-        """Return the text with every change made."""
-        parts, position = [], 0
-        for start, end, new in sorted(self.edits, key=lambda edit: edit[:2]):
-            parts += [self.body[position:start], new]
-            position = end
-        return "".join([*parts, self.body[position:]])
+        """Return the text with all changes; comments keep their columns if there is room."""
+        parts = []
+        for number in range(len(self.line_starts)):
+            old, gap, comment, end = self._parts(number)
+            code = old
+            for first, last, new in sorted(self.edits[number], reverse=True):
+                code = code[:first] + new + code[last:]
+            if comment and len(code) != len(old):
+                room = len(gap) + len(old) - len(code)
+                gap = " " * max(min(_SMALLEST_GAP, len(gap)), room)
+            parts.append("".join([code, gap, self.comments.get(number, comment), end]))
+        number, text = self.insertion
+        return "".join([*parts[:number], text, *parts[number:]])
 
-    def put(self, node: yaml.Node, new: str) -> None:
-        """Exchange a word for another, in the quotes that it has."""
-        start, end = _span(node)
-        style = node.style if isinstance(node, yaml.ScalarNode) else None
-        if style in {"|", ">"}:  # a block of text; its content begins after the first line
-            source = self.body[start:end].rstrip()
-            header = LINE_END.search(source)
-            content = source[header.end() if header else 0 :].lstrip()
-            start, end = start + len(source) - len(content), start + len(source)
-            style = None
-        self.edits.append((start, end, f"{style or ''}{new}{style or ''}"))
+    def replace(self, node: Node, old: str, new: str) -> None:
+        """Replace a word within a value."""
+        start = self.body.find(old, node.start_mark.index, node.end_mark.index)
+        if old != new and start >= 0:
+            self._edit(start, start + len(old), new)
 
-    def put_number(self, node: yaml.Node, wire: int) -> None:
-        """Exchange a number for another, in the base in which it is written."""
-        start, end = _span(node)
-        self.edits.append((start, end, _spelled_like(self.body[start:end], wire)))
+    def set_number(self, node: Node, wire: int) -> None:
+        """Replace a number by another in the same base."""
+        start, end = node.start_mark.index, node.end_mark.index
+        old = self.body[start:end]
+        if int(old, 0) != wire:
+            self._edit(start, end, _spelled_like(old, wire))
 
-    def comment_after(self, number: int) -> tuple[int, int] | None:
-        """Return from where to where the comment stands that follows a word in its line."""
-        word = self.words[number]
-        if LINE_END.match(self.body, word.end - 1):  # a block of text ends with its line
-            return None
-        following = self.words[number + 1].start if number + 1 < len(self.words) else None
-        gap = LINE_END.split(self.body[word.end : following], maxsplit=1)[0]
-        start = gap.find("#")
-        return None if start < 0 else (word.end + start, word.end + len(gap.rstrip()))
-
-    def line_of(self, position: int) -> int:
-        """Return the number of the line, from 0, in which a character stands."""
-        return bisect_right(self.line_starts, position) - 1
-
-    def align_comments(self) -> None:
-        """Keep comments in their columns while the values before them change their length."""
-        grown: dict[int, int] = {}
-        for start, end, new in self.edits:
-            line = self.line_of(start)
-            grown[line] = grown.get(line, 0) + len(new) - (end - start)
-        for number, word in enumerate(self.words):
-            growth, comment = grown.get(self.line_of(word.end), 0), self.comment_after(number)
-            if not growth or comment is None:
-                continue
-            gap = comment[0] - word.end  # spaces: YAML allows no tabs there
-            spaces = max(min(_SMALLEST_GAP, gap), gap - growth)
-            self.edits.append((word.end, comment[0], " " * spaces))
-
-    def renew_comment(self, key: str, old: str, new: str) -> None:
-        """Exchange the comments beside a setting that say `old`, and nothing else."""
-        entry = self.entries[key]
-        last = entry.last + self._is_comma(entry.last + 1)
-        for number in range(entry.first, last + 1):
-            comment = self.comment_after(number)
-            if comment is not None and self.body[slice(*comment)] == f"# {old}":
-                self.edits.append((*comment, f"# {new}"))
+    def update_comment(self, key: str, old: str, new: str) -> None:
+        """Replace the comments beside a setting that read `old`."""
+        for number in self._lines_of(self.entries[key]):
+            code, _, comment, _ = self._parts(number)
+            line_end = self.line_starts[number] + len(code)
+            is_last = not any(
+                self.entries[key].start < entry.start < line_end for entry in self.entries.values()
+            )
+            if code and comment == f"# {old}" and is_last:
+                self.comments[number] = f"# {new}"
 
     def remove(self, key: str) -> None:
-        """Make a comment of a setting's lines; where many share a line, take its words away."""
+        """Make a comment of a setting's lines; in a file in braces, delete it and its comma."""
         entry = self.entries[key]
-        first, last = self.words[entry.first], self.words[entry.last]
-        if self.root.flow_style:
-            end = entry.last + self._is_comma(entry.last + 1)
-            gone = self.words[entry.first : end + 1]
-            self.edits += [(word.start, word.end, "") for word in gone]
-            return
-        end = first.start + len(self.body[first.start : last.end].rstrip())
-        for line in range(self.line_of(first.start), self.line_of(end - 1) + 1):
-            start = self.line_starts[line]
-            rest = LINE_END.split(self.body[start:], maxsplit=1)[0].strip()
-            if rest and not rest.startswith("#"):
-                self.edits.append((start, start, "# "))
+        for number in self._lines_of(entry):
+            code, start = self._parts(number)[0], self.line_starts[number]
+            if self.root.flow_style:
+                first = max(entry.start, start)
+                self._edit(first, max(first, min(entry.end, start + len(code))), "")
+            elif code:
+                self._edit(start, start, "# ")
+        comma = _COMMA_AFTER.match(self.body, entry.end)
+        if self.root.flow_style and comma:
+            self._edit(comma.end() - 1, comma.end(), "")
 
     def append(self, lines: list[str]) -> None:
-        """Add lines at the end: settings, and comments beside them or of their own."""
+        """Add settings and comments at the end; in a file in braces, settings after the product."""
         if self.root.flow_style:
-            self._append_to_flow([line for line in lines if not line.startswith("#")])
+            settings = [line.partition("#")[0].rstrip() for line in lines]
+            place = self.entries["product"].end
+            self._edit(place, place, "".join(f", {setting}" for setting in settings if setting))
             lines = [line for line in lines if line.startswith("#")]
         if not lines:
             return
-        margin = 0 if self.root.start_mark is None else self.root.start_mark.column
         found = LINE_END.search(self.body)
         line_end = found[0] if found and found[0] in {"\r\n", "\n", "\r"} else "\n"
-        text = line_end.join(" " * margin + line for line in lines)
-        stops = [word.start for word in self.words if word.kind is yaml.DocumentEndToken]
-        place = stops[0] if stops else len(self.body)
-        is_line_start = place in self.line_starts
-        self.edits.append((place, place, text + line_end if is_line_start else line_end + text))
+        margin = " " * self.root.start_mark.column
+        text = line_end.join(margin + line for line in lines)
+        ends = [n for n, at in enumerate(self.line_starts) if self.body.startswith("...", at)]
+        number = ends[-1] if ends else len(self.line_starts)
+        has_line_end = bool(ends) or self.line_starts[-1] == len(self.body)
+        self.insertion = number, text + line_end if has_line_end else line_end + text
 
-    def _append_to_flow(self, lines: list[str]) -> None:
-        """Add settings before the brace that ends the file's one mapping."""
-        settings = [line.partition("#")[0].rstrip() for line in lines]
-        if not settings:
-            return
-        gone = {start for start, end, new in self.edits if not new and end > start}
-        brace = max(n for n, w in enumerate(self.words) if w.kind is yaml.FlowMappingEndToken)
-        before = next(w for w in reversed(self.words[:brace]) if w.start not in gone)
-        comma = " " if before.kind is yaml.FlowEntryToken else ", "
-        self.edits.append((before.end, before.end, comma + ", ".join(settings)))
+    def _edit(self, start: int, end: int, new: str) -> None:
+        number = self._line_at(start)
+        offset = self.line_starts[number]
+        self.edits[number].append((start - offset, end - offset, new))
 
-    def _is_comma(self, number: int) -> bool:
-        return number < len(self.words) and self.words[number].kind is yaml.FlowEntryToken
+    def _line_at(self, position: int) -> int:
+        return bisect_right(self.line_starts, position) - 1
+
+    def _lines_of(self, entry: _Entry) -> range:
+        return range(self._line_at(entry.start), self._line_at(entry.end - 1) + 1)
+
+    def _parts(self, number: int) -> tuple[str, str, str, str]:
+        """Return code, gap, comment and end of a line."""
+        line = self.body[slice(*[*self.line_starts, len(self.body)][number : number + 2])]
+        found = _LINE.fullmatch(line)
+        code, gap, comment, end = found.groups("") if found else (line, "", "", "")
+        return code, gap, comment, end
 
 
-def _span(node: yaml.Node) -> tuple[int, int]:
-    """Return where a node begins and ends, in characters, without what follows its last word."""
-    start, end = node.start_mark, node.end_mark
-    if isinstance(node, yaml.MappingNode) and not node.flow_style:
-        return _span(node.value[0][0])[0], _span(node.value[-1][1])[1]
-    return (0 if start is None else start.index), (0 if end is None else end.index)
+def _end_of(node: Node) -> int:
+    """Return the position behind a node; in a block mapping, behind its last value."""
+    if isinstance(node, MappingNode) and not node.flow_style:
+        return _end_of(node.value[-1][1])
+    return int(node.end_mark.index)
 
 
 def _spelled_like(old: str, wire: int) -> str:
-    """Return a number as another one is written: `0x0f` makes `0x7b` of 123."""
+    """Return a number in the format of another one: `0x0f` makes `0x7b` of 123."""
     if old[:2] not in {"0x", "0X"}:
         return f"+{wire}" if old.startswith("+") else str(wire)
     digits = old[2:]
@@ -244,57 +232,33 @@ def _spelled_like(old: str, wire: int) -> str:
     return f"{old[:2]}{wire:0{len(digits)}{letters}}"
 
 
-def _exchange_values(page: _Document, old: Settings, new: Settings) -> None:
-    if old.product != new.product:
-        page.put(page.entries["product"].value, new.product.name)
-    if old.firmware != new.firmware and None not in {old.firmware, new.firmware}:
-        page.put(page.entries["firmware"].value, str(new.firmware))
-    for key, wire in new.parameters.items():
-        if old.parameters.get(key, wire) != wire:
-            page.put_number(page.entries[key].value, wire)
-    for key, place in CALIBRATION_KEYS.items():
-        before, after = old.calibrations.get(place), new.calibrations.get(place)
-        if before is None or after is None:
-            continue
-        for part, node in page.entries[key].value.value:
-            field_name = str(part.value)
-            if getattr(before, field_name) != (wire := getattr(after, field_name)):
-                page.put_number(node, wire)
+def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
+    """Change or remove every setting of a text, and update the comments that the program wrote."""
+    for key, entry in document.entries.items():
+        place = CALIBRATION_KEYS.get(key)
+        if key == "product":
+            document.replace(entry.value, old.product.name, new.product.name)
+        elif key == "firmware" and old.firmware and new.firmware:
+            document.replace(entry.value, old.firmware, new.firmware)
+        elif key in new.parameters:
+            before, after = old.parameters[key], new.parameters[key]
+            document.set_number(entry.value, after)
+            document.update_comment(
+                key, parameter_text(old.specs[key], before), new.specs[key].text(after)
+            )
+        elif place in new.calibrations and place is not None:
+            calibrations = old.calibrations[place], new.calibrations[place]
+            for part, node in entry.value.value:
+                document.set_number(node, getattr(calibrations[1], str(part.value)))
+            texts = [calibration_text(place[0], calibration) for calibration in calibrations]
+            document.update_comment(key, *texts)
+        else:
+            document.remove(key)
 
 
-def _renew_comments(page: _Document, old: Settings, new: Settings) -> None:
-    """Renew what the program itself wrote beside values; the model decides some of it."""
-    for spec in new.specs.readable:
-        if spec.key in old.parameters and spec.key in new.parameters:
-            before = parameter_text(old.specs[spec.key], old.parameters[spec.key])
-            after = spec.text(new.parameters[spec.key])
-            if before not in {"", after}:
-                page.renew_comment(spec.key, before, after)
-    for key, place in CALIBRATION_KEYS.items():
-        if place in old.calibrations and place in new.calibrations:
-            before = calibration_text(place[0], old.calibrations[place])
-            after = calibration_text(place[0], new.calibrations[place])
-            if before != after:
-                page.renew_comment(key, before, after)
-
-
-def _remove(page: _Document, wanted: Settings) -> None:
-    for key in page.entries:
-        if not _has(wanted, key):
-            page.remove(key)
-
-
-def _has(settings: Settings, key: str) -> bool:
-    if key in CALIBRATION_KEYS:
-        return CALIBRATION_KEYS[key] in settings.calibrations
-    if key == "firmware":
-        return settings.firmware is not None
-    return key == "product" or key in settings.parameters
-
-
-def _missing_lines(page: _Document, settings: Settings) -> Iterator[str]:
-    """Yield a line for each setting that the page lacks, in the order of the table."""
-    if settings.firmware is not None and "firmware" not in page.entries:
+def _missing_lines(document: _Document, settings: Settings) -> Iterator[str]:
+    """Yield a line for each setting that the text lacks, in the order of the table."""
+    if settings.firmware is not None and "firmware" not in document.entries:
         yield f"firmware: {settings.firmware}"
     lines = [
         (spec.key, parameter_line(spec, settings.parameters[spec.key]))
@@ -306,8 +270,8 @@ def _missing_lines(page: _Document, settings: Settings) -> Iterator[str]:
         for key, place in CALIBRATION_KEYS.items()
         if place in settings.calibrations
     ]
-    there = {line.strip() for line in page.body.splitlines()}
+    present = {line.strip() for line in document.body.splitlines()}
     for key, line in lines:
-        is_comment = line.startswith("#")  # a value that the board would refuse
-        if (is_comment and line not in there) or (not is_comment and key not in page.entries):
+        is_comment = line.startswith("#")  # a value that the board would reject
+        if (is_comment and line not in present) or (not is_comment and key not in document.entries):
             yield line

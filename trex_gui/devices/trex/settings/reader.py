@@ -5,10 +5,11 @@ import re
 from dataclasses import dataclass, field
 from functools import cache
 
-import yaml
+from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import Finding, SettingsError, Severity
+from trex_gui.core.files.text_files import decode
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.device_table import Model, device_table, version_key
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -19,7 +20,7 @@ from trex_gui.devices.trex.settings.document import (
     Settings,
     specs_for,
 )
-from trex_gui.devices.trex.settings.plain_yaml import compose, decode, line_of, shortened
+from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
 MOST_FINDINGS = 100
 """A file with more is no settings file; the rest is counted."""
@@ -45,7 +46,8 @@ def read_settings(
             nothing can be said of the settings that follow, and without sound YAML nothing of
             any setting.
     """
-    content = decode(text, name)
+    data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
+    content = decode(data, name)
     reader = _Reader()
     settings = reader.read(compose(content, name))
     if content[-1:] not in {"\n", "\r"}:
@@ -63,7 +65,7 @@ class _Entry:
 
     key: str
     line: int
-    value: yaml.Node
+    value: Node
 
 
 @dataclass(slots=True)
@@ -91,7 +93,7 @@ class _Reader:
             found.append(Finding(None, None, f"{self.left_out} more errors are not listed"))
         return tuple(found)
 
-    def read(self, root: yaml.MappingNode) -> Settings | None:
+    def read(self, root: MappingNode) -> Settings | None:
         """Return the settings, or `None` where not even the product is known."""
         entries = self._entries(root, None)
         product = self._product(entries)
@@ -106,12 +108,12 @@ class _Reader:
         self._warn_of_missing({entry.key for entry in entries}, product, firmware)
         return Settings(product, firmware, self.parameters, self.calibrations)
 
-    def _entries(self, node: yaml.MappingNode, owner: str | None) -> list[_Entry]:
+    def _entries(self, node: MappingNode, owner: str | None) -> list[_Entry]:
         """Return what a mapping says, the first of each key."""
         entries: dict[str, _Entry] = {}
         for key_node, value in node.value:
             line = line_of(key_node)
-            if not isinstance(key_node, yaml.ScalarNode):
+            if not isinstance(key_node, ScalarNode):
                 self.error(line, owner, "a name belongs before the colon, not a list or a group")
                 continue
             key = str(key_node.value)
@@ -135,7 +137,7 @@ class _Reader:
         given = _words(found.value)
         for model in models:
             if _bare(given) in {_bare(model.name), _bare(model.key)}:
-                if not isinstance(found.value, yaml.ScalarNode) or given != model.name:
+                if not isinstance(found.value, ScalarNode) or given != model.name:
                     message = f"{_names(models)}, not {_shown(found.value)}"
                     self.error(found.line, "product", f"{message}; did you mean {model.name}?")
                 return model
@@ -184,7 +186,7 @@ class _Reader:
 
     def _read_calibration(self, entry: _Entry) -> None:
         key = entry.key
-        if not isinstance(entry.value, yaml.MappingNode):
+        if not isinstance(entry.value, MappingNode):
             wanted = "{" + ", ".join(f"{name}: …" for name in CALIBRATION_FIELDS) + "}"
             self.error(entry.line, key, f"is written {wanted}, not {_shown(entry.value)}")
             return
@@ -222,9 +224,9 @@ class _Reader:
             self.warn(None, None, message)
 
 
-def _integer(node: yaml.Node) -> int | None:
+def _integer(node: Node) -> int | None:
     """Return the number that a node plainly is: decimal, or hexadecimal with 0x."""
-    if not isinstance(node, yaml.ScalarNode) or node.style is not None:
+    if not isinstance(node, ScalarNode) or node.style is not None:
         return None
     text = str(node.value)
     if not _INTEGER.fullmatch(text):
@@ -232,14 +234,14 @@ def _integer(node: yaml.Node) -> int | None:
     return int(text, 16 if text[1:2] in {"x", "X"} else 10)
 
 
-def _words(node: yaml.Node) -> str:
-    return str(node.value) if isinstance(node, yaml.ScalarNode) else ""
+def _words(node: Node) -> str:
+    return str(node.value) if isinstance(node, ScalarNode) else ""
 
 
-def _shown(node: yaml.Node) -> str:
+def _shown(node: Node) -> str:
     """Return what a person sees where a value belongs."""
-    if not isinstance(node, yaml.ScalarNode):
-        return "a list" if isinstance(node, yaml.SequenceNode) else "a group of settings"
+    if not isinstance(node, ScalarNode):
+        return "a list" if isinstance(node, SequenceNode) else "a group of settings"
     text = shortened(str(node.value))
     if node.style is not None:
         return f"{text} in quotes" if node.style in "'\"" else "a block of text"
@@ -256,7 +258,7 @@ def _range(spec: ParameterSpec) -> str:
     return wires if meaning == wires else f"{wires} ({meaning})"
 
 
-def _hint(spec: ParameterSpec, node: yaml.Node) -> str:
+def _hint(spec: ParameterSpec, node: Node) -> str:
     """Return how a physical value, such as `1.5 s`, is written in a settings file."""
     text = _words(node)
     if len(text) > len("19200 baud, no error detection, 1 stop bit") or not text.strip():

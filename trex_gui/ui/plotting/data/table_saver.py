@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from trex_gui.core.files.whole_files import whole_file
+from trex_gui.core.files.atomic import atomic_file
 from trex_gui.core.recording.errors import RecordingError
 from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.plotting.data.traces import Traces
@@ -62,7 +62,7 @@ class _Table:
 def _write(path: Path, table: _Table, tell: ProgressCallback) -> int:
     try:
         with (
-            whole_file(path) as data,
+            atomic_file(path) as data,
             io.TextIOWrapper(data, encoding="utf-8", newline="") as file,
         ):
             return write_trace_csv(file, table.heads, table.rows(tell), table.events, table.origin)

@@ -6,11 +6,10 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.core.files.text_files import load, save
+from trex_gui.core.files.text_files import decode, load, save
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
-from trex_gui.devices.trex.settings.plain_yaml import decode
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.runtime import runtime

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.core.files.errors import Finding, Severity
-from trex_gui.devices.trex.settings.plain_yaml import LINE_END
 from trex_gui.devices.trex.settings.rules import LintFinding
+from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import theme

@@ -1,20 +1,47 @@
-"""The text of a settings file: as Save writes it, or to be mended."""
+"""The text of a settings file: as Save writes it, or to be corrected."""
 
+import re
 from bisect import bisect_right
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import takewhile
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSplitter, QVBoxLayout, QWidget
 
 from trex_gui.core.files.errors import Severity
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.settings.line_ends import EDITOR_BREAK, with_line_ends
-from trex_gui.devices.trex.settings.plain_yaml import LINE_END
+from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel
 from trex_gui.devices.trex.views.settings_editor.numbered_text import NumberedText
 from trex_gui.ui.theme.icons import set_icon
 
 _MARK = "\ufeff"
+
+EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")
+"""What Qt's editor shows as the end of a line; YAML has two more characters for it."""
+
+
+def with_line_ends(lines: Sequence[str], before: str) -> str:
+    """Join the lines of an editor to text with the line ends of the text before.
+
+    Lines unchanged at the beginning and the end keep theirs; the others get that of the first.
+    """
+    ends, old, typed = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
+    if typed == old:
+        return before
+    head, tail = _common_start(typed, old), _common_start(typed[::-1], old[::-1])
+    shift = len(old) - len(typed)
+    result = [ends[0] if ends else "\n"] * (len(typed) - 1)
+    for number in range(len(result)):
+        place = number if number < head else number + shift
+        if (number < head or number >= len(typed) - tail) and place < len(ends):
+            result[number] = ends[place]
+    return "".join([*(a + b for a, b in zip(typed, result, strict=False)), *typed[-1:]])
+
+
+def _common_start(one: list[str], other: list[str]) -> int:
+    pairs = zip(one, other, strict=False)
+    return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
 
 
 class TextPage(QWidget):

@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.settings.line_ends import EDITOR_BREAK, with_line_ends
+from trex_gui.devices.trex.views.settings_editor.text_page import EDITOR_BREAK, with_line_ends
 
 some_text = st.text(st.sampled_from("ab \r\n\u2029"), max_size=20)
 

@@ -1,0 +1,125 @@
+"""The subset of YAML that settings files use: one mapping of scalars and of mappings of scalars.
+
+Files are composed to nodes with their positions; no Python object is ever constructed. Anchors,
+tags, merge keys and deep nesting, which settings do not need and which turn small files into
+large ones, are rejected.
+"""
+
+import re
+from typing import Any, ClassVar
+
+from ruamel.yaml import YAML
+from ruamel.yaml.composer import Composer
+from ruamel.yaml.error import MarkedYAMLError, StreamMark
+from ruamel.yaml.events import AliasEvent, CollectionStartEvent, StreamEndEvent
+from ruamel.yaml.nodes import MappingNode, Node
+from ruamel.yaml.reader import ReaderError
+
+from trex_gui.core.files.errors import Finding, SettingsError
+
+MOST_NODES = 2000
+"""Scalars and collections; a complete settings file has about 160."""
+
+LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
+_PLAIN_YAML = "settings are plain 'key: value' lines"
+
+
+def line_of(node: Node) -> int:
+    """Return the line in which a node begins, counted from 1."""
+    return int(node.start_mark.line) + 1
+
+
+def shortened(text: str, longest: int = 40) -> str:
+    """Return printable text of limited length, for a message."""
+    shown = "".join(c if c.isprintable() else "�" for c in text[: longest + 1])
+    return shown if len(shown) <= longest else f"{shown[:longest]}…"
+
+
+def compose(text: str, name: str) -> MappingNode:
+    """Return the one mapping that a text consists of; at most one level of mappings inside.
+
+    Raises:
+        SettingsError: the text is not YAML, or uses more of it than settings do.
+    """
+    yaml = YAML(typ="safe", pure=True)
+    yaml.Composer = _Composer
+    try:
+        node = yaml.compose(text)
+    except ReaderError as error:
+        line = len(LINE_END.findall(text, 0, error.position)) + 1
+        message = f"the character U+{error.character:04X} has no place in a text file"
+        raise _error(name, line, message) from None
+    except _UnsupportedError as error:
+        raise _error(name, error.line, error.message) from None
+    except MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        line = 1 if mark is None else mark.line + 1
+        problem = shortened(error.problem or error.context or "no YAML", 100)
+        message = f"the text breaks off or is damaged here ({problem}); {_PLAIN_YAML}"
+        raise _error(name, line, message) from None
+    if node is None:
+        raise _error(name, 1, "there are no settings here; the first is 'product: TReX'")
+    if not isinstance(node, MappingNode):
+        raise _error(name, line_of(node), f"this is no setting; {_PLAIN_YAML}")
+    return node
+
+
+def _error(name: str, line: int | None, message: str) -> SettingsError:
+    return SettingsError(name, [Finding(line, None, message)])
+
+
+class _UnsupportedError(Exception):
+    def __init__(self, mark: StreamMark, message: str) -> None:
+        super().__init__(message)
+        self.line = mark.line + 1
+        self.message = message
+
+
+class _Composer(Composer):
+    """Checks every event before its node is made."""
+
+    deepest: ClassVar[int] = 2
+    open_collections = 0
+    nodes = 0
+
+    def get_single_node(self) -> Node | None:
+        try:
+            return self._only_document()
+        except (ValueError, OverflowError):
+            # ruamel.yaml does not catch errors of chr() and int() in absurd escapes and versions.
+            mark = self.loader.reader.get_mark()
+            raise _UnsupportedError(mark, f"this number cannot be read; {_PLAIN_YAML}") from None
+
+    def _only_document(self) -> Node | None:
+        self.parser.get_event()
+        if self.parser.check_event(StreamEndEvent):
+            return None
+        node: Node = self.compose_document()
+        if not self.parser.check_event(StreamEndEvent):
+            mark = self.parser.peek_event().start_mark
+            raise _UnsupportedError(mark, "a second document begins here; settings are one")
+        return node
+
+    def compose_node(self, parent: Node | None, index: int | None) -> Node:
+        event = self.parser.peek_event()
+        self._check(event)
+        is_collection = isinstance(event, CollectionStartEvent)
+        self.open_collections += is_collection
+        node: Node = super().compose_node(parent, index)
+        self.open_collections -= is_collection
+        return node
+
+    def _check(self, event: Any) -> None:
+        mark = event.start_mark
+        self.nodes += 1
+        if isinstance(event, AliasEvent) or event.anchor is not None:
+            raise _UnsupportedError(mark, f"anchors (& and *) are not allowed; {_PLAIN_YAML}")
+        if event.tag is not None:
+            raise _UnsupportedError(mark, f"tags (!) are not allowed; {_PLAIN_YAML}")
+        if getattr(event, "value", None) == "<<" and not event.style:
+            raise _UnsupportedError(mark, f"merge keys (<<) are not allowed; {_PLAIN_YAML}")
+        if self.nodes > MOST_NODES:
+            raise _UnsupportedError(mark, "there is more here than any board can be set to")
+        is_collection = isinstance(event, CollectionStartEvent)
+        if is_collection and self.open_collections == self.deepest:
+            raise _UnsupportedError(mark, f"this is nested too deeply; {_PLAIN_YAML}")
