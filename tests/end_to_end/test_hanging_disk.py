@@ -21,14 +21,14 @@ import sys
 from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QTimer
-from trex_gui import app, window
+from trex_gui import app, composition
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.model.telemetry import Series
 from trex_gui.devices.trex.model.traces import board_traces
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
 
-build, kept, path = window.build, [], Path(sys.argv[2])
+build, kept, path = composition.build, [], Path(sys.argv[2])
 
 def table(program):
     from trex_gui.ui.plotting.panel import TracePanel
@@ -40,8 +40,8 @@ def table(program):
 
 def transcript(program):
     from trex_gui.ui.traffic.saver import TranscriptSaver
-    kept.append(saver := TranscriptSaver(program.device.transcript, program.window))
-    saver.save(path, program.device.transcript.everything.rows)
+    kept.append(saver := TranscriptSaver(program.device.traffic, program.window))
+    saver.save(path, program.device.traffic.everything.rows)
 
 def built(*_):
     program = build()
@@ -51,7 +51,7 @@ def built(*_):
     QTimer.singleShot(300, begin)
     return program
 
-window.build = built
+composition.build = built
 code = app.main([])
 sys.stdout.write("whole")
 sys.exit(code)

@@ -200,9 +200,9 @@ def test_esc_in_file_dialog_stops_motors(window: WindowDriver, ask: str) -> None
 def test_native_file_dialogs_are_disabled() -> None:
     script = (
         "import sys; from PySide6.QtCore import Qt; from PySide6.QtWidgets import QApplication; "
-        "from trex_gui import app, window; "
+        "from trex_gui import app, composition; "
         "native = Qt.ApplicationAttribute.AA_DontUseNativeDialogs; "
-        "window.build = lambda *_: sys.exit(7 if QApplication.testAttribute(native) else 8); "
+        "composition.build = lambda *_: sys.exit(7 if QApplication.testAttribute(native) else 8); "
         "app.main([])"
     )
     result = subprocess.run([sys.executable, "-c", script], timeout=40, check=False)
@@ -286,8 +286,8 @@ def test_shutdown_while_recording_loads_ends_its_thread(
 @pytest.mark.realtime
 def test_pyqtgraph_is_loaded_soon_after_start(tmp_path: Path) -> None:
     script = (
-        "import os, sys; from PySide6.QtCore import QTimer; from trex_gui import app, window\n"
-        "build = window.build\n"
+        "import os, sys; from PySide6.QtCore import QTimer; from trex_gui import app, composition\n"
+        "build = composition.build\n"
         "def built(*_):\n"
         "    global timer, ticks\n"
         "    program, ticks, timer = build(), 0, QTimer()\n"
@@ -300,7 +300,7 @@ def test_pyqtgraph_is_loaded_soon_after_start(tmp_path: Path) -> None:
         "    timer.timeout.connect(look); timer.start(20)\n"
         "    assert 'pyqtgraph' not in sys.modules\n"
         "    return program\n"
-        "window.build = built; app.main([])"
+        "composition.build = built; app.main([])"
     )
     result = subprocess.run(
         [sys.executable, "-c", script],
