@@ -30,8 +30,8 @@ from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot, VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import Program, build
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import use_runtime
 from trex_gui.ui.theme.theme import theme
 
@@ -284,7 +284,7 @@ def program(qtbot: QtBot, qapp: QApplication) -> Iterator[Program]:
     # Windows that live on would all be painted anew with each change of theme.
     program.window.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    assert program.device.link is ConnectionState.NONE
+    assert program.device.link is ConnectionState.DISCONNECTED
 
 
 @pytest.fixture

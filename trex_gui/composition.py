@@ -14,8 +14,9 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.views.workspace import AracnaWorkspace
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.controller import TrexController
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.workspace import TrexWorkspace
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import TREX
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Ports
@@ -58,7 +59,7 @@ class Program:
 
     def _when_connected(self, then: Callable[[], object]) -> None:
         def run_once() -> None:
-            if self.device.link is ConnectionState.UP:
+            if self.device.link is ConnectionState.CONNECTED:
                 self.device.state_changed.disconnect(run_once)
                 then()
 

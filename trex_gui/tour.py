@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from trex_gui.composition import Program
 from trex_gui.devices.aracna.session.messages import Play, Step
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.theme.theme import Scheme, theme
 
@@ -73,7 +73,7 @@ class Tour(QObject):
         self._program.device.state_changed.connect(self._on_state_changed)
 
     def _on_state_changed(self) -> None:
-        if self._program.device.link is ConnectionState.UP and self._deadline.isActive():
+        if self._program.device.link is ConnectionState.CONNECTED and self._deadline.isActive():
             self._deadline.stop()
             motors = self._program.device.motors
             motors.arm()
@@ -148,7 +148,7 @@ class Tour(QObject):
         )
         yield self._program.device.motors.stop
         yield partial(self._program.connect_to_demo, "aracna")
-        yield lambda: robot.link is ConnectionState.UP
+        yield lambda: robot.link is ConnectionState.CONNECTED
         yield partial(robot.move, steps[0].goals)
         yield lambda: robot.known.moved is not None
         yield from self._look_at_pages()

@@ -11,7 +11,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from trex_gui.composition import Program
-from trex_gui.devices.trex.model.device import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 _FRAMES = 20_000
 
@@ -20,7 +20,7 @@ def test_20000_frames_keep_references_to_none(
     program: Program, qtbot: QtBot, capsys: pytest.CaptureFixture[str]
 ) -> None:
     program.connector.connect_to(program.ports.demo)
-    qtbot.waitUntil(lambda: program.device.link is ConnectionState.UP, timeout=20_000)
+    qtbot.waitUntil(lambda: program.device.link is ConnectionState.CONNECTED, timeout=20_000)
     motors = program.device.motors
     motors.arm()
     motors.set_speed(1, 100)

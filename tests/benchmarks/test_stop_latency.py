@@ -21,11 +21,11 @@ from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 _PRESSES = 1000
 _STOP_BYTES = STOP[0].opcode.to_bytes()
@@ -100,7 +100,7 @@ def test_delay_from_press_to_wire_stays_below_limit(
     device, qtbot = window.device, window.qtbot
     device.connect_to(ConnectionSettings(simulator.url, line))
     qtbot.waitUntil(
-        lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
+        lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm, timeout=20_000
     )
     device.motors.lockout = 0.0
     window.window.pages.setCurrentIndex(3)

@@ -15,13 +15,13 @@ from tests.support.virtual import Stage
 from trex_gui.composition import Program
 from trex_gui.devices.trex.client.schedule import rates
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Batch, Report
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 _SECONDS = 8.0
 _KINDS = {"currents": Currents, "raw": Raw, "remapped": Remapped, "control": Control}
@@ -67,7 +67,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
 
     reports: list[Report] = []
     program.device.connect_to(settings)
-    qtbot.waitUntil(lambda: program.device.link is ConnectionState.UP, timeout=20_000)
+    qtbot.waitUntil(lambda: program.device.link is ConnectionState.CONNECTED, timeout=20_000)
     program.device._connection._line.reported.connect(reports.append)
     qtbot.wait(round(_SECONDS * 1000))
     read = {name: count / _SECONDS for name, count in _count(reports).items()}

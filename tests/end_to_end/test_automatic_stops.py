@@ -11,7 +11,7 @@ from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import TIMEOUT_MS, WindowDriver
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
-from trex_gui.devices.trex.model.device import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 LOCKED = "The screen was locked"
 MISTAKEN = "The program made a mistake (ValueError)"
@@ -31,7 +31,7 @@ def causes(window: WindowDriver, qtbot: QtBot, qapp: QApplication) -> Iterator[C
 
 def drive(window: WindowDriver, simulator: SimulatedDevice | None = None) -> None:
     """Let a motor run."""
-    window.wait(lambda: window.device.link is ConnectionState.UP and window.motors.can_arm)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED and window.motors.can_arm)
     window.motors.arm()
     window.motors.set_speed(1, 60)
     window.wait(lambda: window.device.may_move)
@@ -104,7 +104,7 @@ def test_stop_stays_unconfirmed_while_board_does_not_reply(
 
     drive(window, quick_simulator)
     quick_simulator.do("line unplug")
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert window.device.may_move
     causes.told.clear()
     causes.lock_the_screen()
@@ -122,7 +122,7 @@ def test_stop_stays_unconfirmed_when_board_is_unplugged(
     drive(window, quick_simulator)
     quick_simulator.do("line unplug")
     causes.lock_the_screen()  # before the window has seen that the cable is gone, or after
-    window.wait(lambda: window.device.link is ConnectionState.NONE and causes.told)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED and causes.told)
     window.wait(lambda: not causes.told[-1].endswith("is not confirmed yet."))
     assert not [text for text in causes.told if "were stopped" in text]
     assert causes.told[-1].endswith("cut its power.") or causes.told[-1].endswith("their power.")
@@ -143,7 +143,9 @@ def test_no_stop_is_reported_without_stoppable_motors(
 
     for line in ("jumper mode rc", "power off", "power on"):
         quick_simulator.do(line)
-    window.wait(lambda: window.device.link is ConnectionState.UP and not window.motors.can_arm)
+    window.wait(
+        lambda: window.device.link is ConnectionState.CONNECTED and not window.motors.can_arm
+    )
     causes.lock_the_screen()
     wait_for_banner(window, causes, f"{LOCKED}. {BEYOND_A_STOP}")  # channels drive
     for line in ("jumper mode serial", "power off", "power on"):

@@ -2,7 +2,7 @@
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def lose(window: WindowDriver, board: SimulatedDevice) -> None:
@@ -13,7 +13,7 @@ def lose(window: WindowDriver, board: SimulatedDevice) -> None:
     motors.set_speed(1, 60)
     window.wait(lambda: device.may_move and board.show()["motors"][0]["direction"] == "forward")
     board.do("line unplug")
-    window.wait(lambda: device.link is ConnectionState.NONE)
+    window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     assert device.may_move
 
 

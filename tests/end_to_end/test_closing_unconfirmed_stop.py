@@ -12,8 +12,8 @@ from tests.support.simulator import SimulatorProcess
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
 from trex_gui.app import UNCONFIRMED_STOP
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.frame.unconfirmed_stop_warning import UnconfirmedStopWarning
 from trex_gui.ui.runtime import runtime
 
@@ -46,7 +46,7 @@ class UnconfirmedStopWindow(WindowDriver):
 
     def connect_board(self) -> None:
         self.device.connect_to(ConnectionSettings(self.simulator.url))
-        self.wait(lambda: self.device.link is ConnectionState.UP and self.motors.can_arm)
+        self.wait(lambda: self.device.link is ConnectionState.CONNECTED and self.motors.can_arm)
 
     @property
     def prompt(self) -> str:

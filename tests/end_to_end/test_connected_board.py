@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QSlider, QWidget
 from tests.support.pages.parameters import ParametersPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now, open_transport
 
 
@@ -59,14 +59,14 @@ def test_pages_show_board_data_until_disconnect(
     channels.wait(lambda: channels.text("channel2Input") == "no signal")
 
     simulator.do("power off")
-    window.wait(lambda: window.device.link is ConnectionState.SILENT)
+    window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
     assert "stopped answering" in window.text("statusLabel")
     simulator.do("power on")
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     channels.wait(lambda: "µs" in channels.text("channel1Input"))
 
     window.click("connectButton")
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert channels.text("channel1Input") == "N/A"
     assert status.text("modelValue") == "N/A"
     for name in ("parametersView", "runButton", "stopButton", "applyButton"):
@@ -111,7 +111,7 @@ def test_parameters_are_edited_applied_and_activated(
     assert device.parameters.waiting_for_power == ("Motor Mode",)
     assert "Motor Mode" in page.text("parametersNotice")
     simulator.do("power off")
-    window.wait(lambda: device.link is ConnectionState.SILENT)
+    window.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
     simulator.do("power on")
     window.wait(lambda: device.parameters.waiting_for_power == ())
     assert device.state.parameters["motor_mode"] == 1
@@ -179,7 +179,7 @@ def test_unplugging_is_detected_and_reconnecting_brakes_motors(
     wait_for_speed(window, simulator, 0, 50)
     begin = now()
     simulator.do("line unplug")
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert now() - begin < 0.5
     assert "gone" in window.text("bannerText")
     assert not window.motors.armed
@@ -201,11 +201,11 @@ def test_board_that_does_not_reply_is_stopped(
     window.motors.set_speed(2, 90)
     wait_for_speed(window, simulator, 1, 90)
     simulator.do("line mute on")
-    window.wait(lambda: window.device.link is ConnectionState.SILENT)
+    window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
     wait_for_brake(window, simulator, 1)
     assert window.open_page("statusPage").text("modelValue") == "N/A"
     simulator.do("line mute off")
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert not window.motors.armed
 
 
@@ -215,7 +215,7 @@ def test_missing_and_busy_ports_are_reported(
     connector, ports = window.program.connector, window.program.ports
     connector.connect_to(ports.add_typed("/dev/ttyNothing7"))
     window.wait_for_text("bannerText", "There is no port /dev/ttyNothing7")
-    assert window.device.link is ConnectionState.NONE
+    assert window.device.link is ConnectionState.DISCONNECTED
 
     other = open_transport(ConnectionSettings(simulator.url))
     connector.connect_to(ports.add_typed(simulator.url))

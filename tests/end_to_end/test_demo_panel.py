@@ -17,9 +17,9 @@ from PySide6.QtWidgets import (
 from tests.support.demo_panels import reached_by_tab, stand_in_order
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.demo.snapshot import DemoSnapshot
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.stick_slider import StickSlider
 
 CONTROLS = {
@@ -56,7 +56,7 @@ class DemoPanel(WidgetDriver):
 
     def pull_cable(self) -> None:
         self.click("demoCable")
-        self.wait_for(ConnectionState.NONE)
+        self.wait_for(ConnectionState.DISCONNECTED)
         self.wait(lambda: not self.board.line.plugged)
 
     def plug_cable(self) -> None:
@@ -144,21 +144,21 @@ def test_faults_are_counted_on_the_status_page(window: WindowDriver, panel: Demo
     window.wait(lambda: window.device.counters != counters)
     panel.drag_stick("demoNoise", 0)
     panel.wait(lambda: panel.board.line.noise == 0)
-    panel.wait_for(ConnectionState.UP)
+    panel.wait_for(ConnectionState.CONNECTED)
 
     panel.click("demoMute")
-    panel.wait_for(ConnectionState.SILENT)
+    panel.wait_for(ConnectionState.NOT_RESPONDING)
     panel.click("demoMute")
-    panel.wait_for(ConnectionState.UP)
+    panel.wait_for(ConnectionState.CONNECTED)
 
 
 def test_mode_jumper_takes_effect_at_power_cycle(window: WindowDriver, panel: DemoPanel) -> None:
     panel.click("demoPower")
-    panel.wait_for(ConnectionState.SILENT)
+    panel.wait_for(ConnectionState.NOT_RESPONDING)
     assert "stopped answering" in window.text("statusLabel")
     panel.wait_for_text("demoState", "power is off")
     panel.click("demoPower")
-    panel.wait_for(ConnectionState.UP)
+    panel.wait_for(ConnectionState.CONNECTED)
 
     panel.click("demoCentre")
     panel.choose("demoMode", "rc")
@@ -197,7 +197,7 @@ def test_panel_guides_learning_and_resets_to_factory_state(panel: DemoPanel) -> 
     panel.wait(lambda: panel.board.mode is Mode.SERIAL_RC)
     panel.wait(lambda: panel.board.channels[4].has_signal)
     assert panel.combo("demoMode").currentData() == "serial"
-    panel.wait_for(ConnectionState.UP)
+    panel.wait_for(ConnectionState.CONNECTED)
 
 
 def test_motors_draw_current_and_keep_running_when_unplugged(
@@ -215,7 +215,7 @@ def test_motors_draw_current_and_keep_running_when_unplugged(
     assert panel.text("demoMotor1").startswith("forward 127")
     panel.plug_cable()
     window.click("connectButton")
-    panel.wait_for(ConnectionState.UP)
+    panel.wait_for(ConnectionState.CONNECTED)
     panel.wait(lambda: panel.board.motors[0].direction == "brake")
     panel.wait(lambda: not window.device.may_move)
 
@@ -229,7 +229,7 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
 
     window.click("connectButton")
     assert "Tick “Plugged in” on its panel" in window.text("bannerText")
-    assert window.device.link is ConnectionState.NONE
+    assert window.device.link is ConnectionState.DISCONNECTED
     assert panel.root.isVisible()
     assert window.text("statusLabel") == "Not connected."
     assert window.is_enabled("connectButton")
@@ -237,14 +237,14 @@ def test_cable_is_unplugged_and_plugged_in_again(window: WindowDriver, panel: De
     panel.click("demoCable")
     panel.wait(lambda: panel.text("demoState") == "The cable is in again. Press Connect.")
     window.click("connectButton")
-    panel.wait_for(ConnectionState.UP)
+    panel.wait_for(ConnectionState.CONNECTED)
     panel.wait(lambda: panel.text("demoState").startswith("Serial mode."))
     assert window.program.connector.port == window.program.ports.demo
 
     panel.pull_cable()
     panel.plug_cable()
     window.select("portCombo", window.program.ports.demo)
-    panel.wait_for(ConnectionState.UP)
+    panel.wait_for(ConnectionState.CONNECTED)
 
     panel.click("demoPower")
     panel.pull_cable()
@@ -260,7 +260,7 @@ def test_choosing_unplugged_demo_disconnects_other_board(
     assert panel.root.isHidden()
     connector = window.program.connector
     connector.connect_to(window.program.ports.demo)
-    panel.wait_for(ConnectionState.NONE)
+    panel.wait_for(ConnectionState.DISCONNECTED)
     assert connector.port is None
     assert "Tick “Plugged in” on its panel" in window.text("bannerText")
     assert panel.root.isVisible()

@@ -20,7 +20,6 @@ from tests.devices.trex.session.helpers import moving
 from tests.support.pages.motors import BRAKE, FULL, Gesture, MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.model.driving.lockout import remembered_lockout
 from trex_gui.devices.trex.protocol.commands import (
     Command,
@@ -31,6 +30,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 BACK = ("reverse", 127)
 CURVE = (FULL, ("forward", 42))
@@ -628,7 +628,7 @@ def test_joint_mode_drives_one_motor_and_ignores_turning(page: MotorsPage) -> No
     page.device.apply()
     page.wait(lambda: not page.device.applying)
     page.simulator.do("power off")
-    page.wait(lambda: page.device.link is ConnectionState.SILENT)
+    page.wait(lambda: page.device.link is ConnectionState.NOT_RESPONDING)
     assert "does not answer" in page.text("motorsReason")
     page.simulator.do("power on")
     page.wait(lambda: page.device.is_joint and page.motors.can_arm)
@@ -690,7 +690,7 @@ def test_timeout_too_short_for_baud_rate_is_set_with_a_click(
     simulator.do("power cycle")
     device = window.device
     device.connect_to(ConnectionSettings(simulator.url, LineSettings(1200)))
-    window.wait(lambda: device.link is ConnectionState.UP)
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
     assert window.has("timeoutNotice")
     assert "0.1 s is short for 1200 baud" in window.text("timeoutLabel")
     assert "faster baud rate" in window.text("timeoutLabel")

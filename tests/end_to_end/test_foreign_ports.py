@@ -9,9 +9,9 @@ import pytest
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 @pytest.fixture
@@ -45,9 +45,9 @@ def test_network_board_connects_and_its_loss_is_reported(
 ) -> None:
     simulator = start_simulator(kind, "127.0.0.1:0")
     window.device.connect_to(ConnectionSettings(simulator.url))
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     simulator.do("line unplug")
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert "gone" in window.text("bannerText")
 
 
@@ -56,7 +56,7 @@ def test_device_sending_unsolicited_data_is_reported(
     window: WindowDriver, unsolicited_sender: str
 ) -> None:
     window.device.connect_to(ConnectionSettings(unsolicited_sender))
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert "not as a TReX does" in window.text("bannerText")
     assert window.device.shut_down()
 
@@ -64,7 +64,7 @@ def test_device_sending_unsolicited_data_is_reported(
 def test_port_without_a_board_is_reported(window: WindowDriver, simulator: SimulatedDevice) -> None:
     simulator.do("power off")
     window.device.connect_to(ConnectionSettings(simulator.url))
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert "No TReX answers" in window.text("bannerText")
     assert "power" in window.text("bannerText")
 
@@ -73,7 +73,7 @@ def test_wrong_baud_rate_is_named_in_the_message(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window.device.connect_to(ConnectionSettings(simulator.url, LineSettings(9600)))
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert "9600 baud" in window.text("bannerText")
 
 
@@ -81,7 +81,7 @@ def test_board_set_to_crc_reconnects_with_crc(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window.device.connect_to(ConnectionSettings(simulator.url))
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     model = window.device.parameters
     model.setData(model.index_of("uart_settings"), 0x2A)
     window.device.apply()
@@ -91,7 +91,7 @@ def test_board_set_to_crc_reconnects_with_crc(
     settings = ConnectionSettings(simulator.url, LineSettings(115200, Detection.CRC7))
     window.device.connect_to(settings)
     window.wait(lambda: window.device.settings == settings)
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert model.waiting_for_power == ()
 
 
@@ -100,7 +100,7 @@ def test_addressed_board_with_echo_connects(
 ) -> None:
     simulator = start_simulator("--echo", "--device", "9")
     window.device.connect_to(ConnectionSettings(simulator.url, device_number=9))
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert window.device.echo
 
 
@@ -109,14 +109,14 @@ def test_driving_continues_over_a_damaged_echo(
 ) -> None:
     simulator = start_simulator("--echo")
     window.device.connect_to(ConnectionSettings(simulator.url))
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     window.device.motors.arm()
     simulator.do("line noise 0.01")
     for speed in range(1, 60):
         window.device.motors.set_speed(1, speed)
         virtual_time.advance(0.01)
     simulator.do("line noise 0")
-    assert window.device.link is not ConnectionState.NONE
+    assert window.device.link is not ConnectionState.DISCONNECTED
     window.device.motors.stop()
     window.wait(lambda: not window.device.may_move)
     assert simulator.show()["motors"][0]["direction"] == "brake"

@@ -10,7 +10,7 @@ from tests.support.pages.settings import HistoryDialog, ReviewDialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.snapshots import take
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 @pytest.fixture
@@ -133,7 +133,7 @@ def test_history_dialog_follows_connection_state(
     assert combo.currentText().startswith("the board")
 
     quick_simulator.do("line mute on")
-    window.wait(lambda: device.link is ConnectionState.SILENT)
+    window.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
     dialog.wait_for_text("restoreNote", "does not answer")
     assert not dialog.is_enabled("restoreButton")
     assert dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")}
@@ -142,7 +142,7 @@ def test_history_dialog_follows_connection_state(
 
     quick_simulator.do("line unplug")
     dialog.wait(lambda: not dialog.is_enabled("restoreButton"))
-    window.wait(lambda: device.link is not ConnectionState.UP)
+    window.wait(lambda: device.link is not ConnectionState.CONNECTED)
     window.program.connector.disconnect_port()
     dialog.wait_for_text("restoreNote", "No board is connected")
     dialog.wait(lambda: combo.currentText().startswith("snapshot of"))

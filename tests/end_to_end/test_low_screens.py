@@ -12,7 +12,7 @@ from tests.support.held_line import before_storing
 from tests.support.pages.motors import Gesture
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.device import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt
 
@@ -168,7 +168,7 @@ def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None
     asking.check_that_stop_works()
     asking.click("questionCancel")
     assert asking.is_shown()
-    assert asking.link() is ConnectionState.UP
+    assert asking.link() is ConnectionState.CONNECTED
     assert not asking.window.close()
     asking.click("closeYes")
     assert not asking.is_shown()
@@ -203,12 +203,12 @@ def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) 
         disconnect()
         assert asking.has_question()
         assert "Settings are being written. Disconnect all the same?" in asking.question.text
-        assert asking.link() is ConnectionState.UP
+        assert asking.link() is ConnectionState.CONNECTED
         asking.click("questionCancel")
     asking.click("connectButton")
     asking.click("disconnectYes")
     asking.may_store = True
-    asking.wait(lambda: asking.link() is ConnectionState.NONE)
+    asking.wait(lambda: asking.link() is ConnectionState.DISCONNECTED)
     assert 0 < asking.device.pending <= count
 
 
@@ -219,14 +219,14 @@ def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
     asking.may_store = True
     asking.wait(lambda: not asking.device.applying)
     assert asking.device.pending == 0
-    assert asking.link() is ConnectionState.UP
+    assert asking.link() is ConnectionState.CONNECTED
 
     asking.begin_to_write()
     asking.click("connectButton")
     asking.may_store = True
     asking.wait(lambda: not asking.device.applying)
     asking.wait(lambda: not asking.has_question())
-    assert asking.link() is ConnectionState.UP
+    assert asking.link() is ConnectionState.CONNECTED
 
     asking.begin_to_write()
     assert not asking.window.close()

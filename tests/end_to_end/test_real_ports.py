@@ -14,7 +14,7 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.pages.settings import ReviewDialog
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 pytestmark = [
     pytest.mark.realtime,
@@ -35,7 +35,7 @@ def test_motors_page_drives_and_stops_a_board(
     assert not page.is_armed()
 
     simulator.do("line unplug")
-    page.wait(lambda: page.device.link is ConnectionState.NONE)
+    page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
     assert "gone" in page.text("bannerText")
 
 

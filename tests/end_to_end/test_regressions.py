@@ -11,11 +11,12 @@ from tests.devices.trex.session.helpers import among, moving, outcomes, run_for,
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, PortUnavailable
+from trex_gui.core.session.messages import Closed
 from trex_gui.devices.trex.client.schedule import rates
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import write_parameter
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -25,7 +26,6 @@ from trex_gui.devices.trex.protocol.flags import InputSource, Status
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.session.messages import (
-    Closed,
     Connected,
     Reload,
     Request,
@@ -36,6 +36,7 @@ from trex_gui.devices.trex.session.messages import (
     Write,
 )
 from trex_gui.devices.trex.simulator.motors import MotorDirection as EmulatedDirection
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Ports
 from trex_gui.ui.devices.simulator_process import Simulator
 from trex_gui.ui.runtime import runtime
@@ -141,15 +142,15 @@ def test_apply_without_a_board_does_not_lock_apply(
 ) -> None:
     device = Device()
     device.connect_to(ConnectionSettings(simulator.url))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
     device.parameters.setData(device.parameters.index_of("serial_timeout"), 9)
     device.disconnect_line()
-    qtbot.waitUntil(lambda: device.link is ConnectionState.NONE)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
     device.apply()
     try:
         assert not device.applying
         device.connect_to(ConnectionSettings(simulator.url))
-        qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
         with qtbot.waitSignal(device.applied):
             device.apply()
     finally:
@@ -166,9 +167,13 @@ def test_closing_connection_is_never_reported_connected(
     while simulator.show()["counters"]["packets"] < 45:
         runtime().sleep(0.001)  # the window hangs meanwhile; `Connected` waits in its queue
     device.disconnect_line()
-    qtbot.waitUntil(lambda: device.link is ConnectionState.NONE)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
     device.shut_down()
-    assert links == [ConnectionState.OPENING, ConnectionState.CLOSING, ConnectionState.NONE]
+    assert links == [
+        ConnectionState.CONNECTING,
+        ConnectionState.DISCONNECTING,
+        ConnectionState.DISCONNECTED,
+    ]
 
 
 def test_stopping_simulator_reports_no_failure(qtbot: QtBot) -> None:
@@ -195,13 +200,13 @@ def test_calibration_edits_do_not_carry_over_to_other_model(
     device = Device()
     try:
         device.connect_to(ConnectionSettings(start_simulator().url))
-        qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
         device.calibrations.edit(1, Calibration(2400, 3700, 5100, 80))
         other = start_simulator("--model", "trexjr").url
         device.connect_to(ConnectionSettings(other))
         qtbot.waitUntil(
             lambda: (
-                device.link is ConnectionState.UP
+                device.link is ConnectionState.CONNECTED
                 and device.settings is not None
                 and device.settings.url == other
             )

@@ -7,11 +7,11 @@ from tests.support.pages.settings import ComparisonDialog, ReviewDialog, Simulat
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 LINES = (
     LineSettings(115200),
@@ -133,7 +133,7 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     assert "not tried after that" in [row[-1] for row in review.rows()]
     assert "the factory's" in review.head
     simulator.do("line mute off")
-    window.wait(lambda: device.link is ConnectionState.UP)
+    window.wait(lambda: device.link is ConnectionState.CONNECTED)
     device.discard_edits()
 
     keys = [key for key in device.parameters.all_stored if key.startswith("motor")][:12]
@@ -142,7 +142,7 @@ def test_interrupted_write_keeps_unwritten_settings_pending(
     review.open()
     before_storing(simulator, 3, lambda: simulator.do("line unplug"))
     review.click("writeButton")
-    window.wait(lambda: device.link is ConnectionState.NONE)
+    window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     review.wait(lambda: review.button("reviewCloseButton").text() == "Close")
     assert "did not stick" in review.head
     assert count > device.pending > 0
@@ -335,7 +335,7 @@ def test_pending_edits_survive_a_disconnect(
 
     junior = start_simulator("--unpaced", "--model", "trexjr")
     device.connect_to(ConnectionSettings(junior.url))
-    window.wait(lambda: "TReX Jr" in device.status and device.link is ConnectionState.UP)
+    window.wait(lambda: "TReX Jr" in device.status and device.link is ConnectionState.CONNECTED)
     assert device.pending == 0
     (snapshot,) = device.history.snapshots()
     assert device.history.load(snapshot).parameters["device_number"] == 9

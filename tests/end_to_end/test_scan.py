@@ -9,10 +9,10 @@ from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.commands import SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.frame.find_dialog import FindDialog
 from trex_gui.ui.runtime import open_transport
 
@@ -63,7 +63,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     dialog.wait_for_end()
     assert dialog.text("findProgressText") == "1 board found."
     dialog.click("connectFound0")
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert window.device.settings is not None
     assert window.device.settings.line == LineSettings(57600)
     assert window.find(QToolButton, "lineButton").text() == "57600 8N1"
@@ -73,7 +73,7 @@ def test_board_at_unknown_line_settings_is_found_and_connected(
     assert f"{url} – connected to this window" in dialog.rows()
     assert dialog.text("findBusyLabel").startswith(f"{url} is connected to this window")
     dialog.click("findDisconnectButton")
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert not dialog.has("findBusyLabel")
     dialog.click("findStartButton")
     dialog.wait(lambda: dialog.has("connectFound0"), 60_000)
@@ -95,7 +95,7 @@ def test_board_with_parity_is_found_on_port_that_shows_parity(
     (finding,) = dialog.finder.findings
     assert finding.text == f"TReX 1.2 on {simulator.url} at 57600 8E1, device 7."
     dialog.click("connectFound0")
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
     assert window.device.settings is not None
     assert window.device.settings.line == EVEN
 
@@ -135,7 +135,7 @@ def test_search_without_board_reports_why_none_was_found(
     quick_simulator.do("power off")
     window.program.connector.connect_to(window.program.ports.add_typed(url))
     window.wait_for_text("bannerText", " Find a board (Ctrl+Shift+F) tries every setting.")
-    assert window.device.link is ConnectionState.NONE
+    assert window.device.link is ConnectionState.DISCONNECTED
 
     dialog.search(window, url)
     dialog.wait_for_end()

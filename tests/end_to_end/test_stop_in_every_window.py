@@ -11,8 +11,8 @@ from tests.support.pages.motors import BRAKE, MotorsPage
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.core.files.text_files import save
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.settings.writer import write_settings
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def open_playback(window: WindowDriver, folder: Path) -> QWidget:
@@ -94,7 +94,7 @@ def test_stop_button_of_every_window_stops_motors(
         opened.append((window, button))
 
     page.device.disconnect_line()
-    page.wait(lambda: page.device.link is ConnectionState.NONE)
+    page.wait(lambda: page.device.link is ConnectionState.DISCONNECTED)
     for window, button in opened:
         assert not button.isEnabled(), window.objectName()
         window.close()

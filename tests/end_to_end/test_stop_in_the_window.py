@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMessageBox, QSlider
 from tests.support.pages.motors import MotorsPage, is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import LEFT, WindowDriver
-from trex_gui.devices.trex.model.device import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 class DrivingWindow(MotorsPage):
@@ -120,7 +120,7 @@ def test_drag_continued_after_escape_drives_nothing(driving: DrivingWindow) -> N
 def test_disconnecting_and_closing_stop_the_motors(driving: DrivingWindow) -> None:
     driving.trigger("disconnect")
     driving.wait(lambda: is_stopped(driving.simulator))
-    driving.wait(lambda: driving.device.link is ConnectionState.NONE)
+    driving.wait(lambda: driving.device.link is ConnectionState.DISCONNECTED)
     driving.connect(driving.simulator.url)
     driving.drive()
     driving.window.close()
@@ -131,11 +131,11 @@ def test_stop_pressed_while_board_is_read_is_sent(
     window: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window.select("portCombo", window.program.ports.add_typed(simulator.url))
-    assert window.device.link is ConnectionState.OPENING
+    assert window.device.link is ConnectionState.CONNECTING
     window.click("stopButton")
     window.wait(lambda: simulator.show()["counters"]["packets"] > 2)
     window.wait(lambda: is_stopped(simulator))
-    window.wait(lambda: window.device.link is ConnectionState.UP)
+    window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
 
 
 # --- The lock, and what is said ---------------------------------------------------------

@@ -19,9 +19,9 @@ from tests.support.patient import PATIENT
 from trex_gui import app, composition
 from trex_gui.composition import Program
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.session import session
 from trex_gui.system.wake import SuspendDetector
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 SPEEDS = {1: 60, 2: -60}
 AUXILIARY = 50
@@ -50,7 +50,7 @@ class Driver(QObject):
         self._mistake.timeout.connect(partial(raise_error, ZeroDivisionError))
 
     def _drive_as_soon_as_possible(self) -> None:
-        if self._program.device.link is not ConnectionState.UP or not self._motors.can_arm:
+        if self._program.device.link is not ConnectionState.CONNECTED or not self._motors.can_arm:
             return
         if self._motors.armed:
             return

@@ -16,7 +16,7 @@ from tests.support.patient import PATIENT
 from trex_gui import app, composition
 from trex_gui.composition import Program
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.model.device import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 ENOUGH = 100  # samples
 
@@ -35,7 +35,7 @@ class Recording(QObject):
 
     def _look(self) -> None:
         recorder = self._program.workspace.recordings.recorder
-        if self._program.device.link is not ConnectionState.UP:
+        if self._program.device.link is not ConnectionState.CONNECTED:
             return
         samples = self._program.device.telemetry.samples
         if recorder.recording and samples > self._samples + ENOUGH:

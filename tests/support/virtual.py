@@ -3,10 +3,11 @@
 from collections import deque
 from collections.abc import Callable, Collection
 
+from trex_gui.core.session.messages import Close
 from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import Close, Report, Request
+from trex_gui.devices.trex.session.messages import Report, Request
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedLine

@@ -27,7 +27,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from trex_gui.composition import Program
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 ObjectT = TypeVar("ObjectT", bound=QObject)
 
@@ -186,17 +186,17 @@ class WindowDriver(WidgetDriver):
     def connect(self, url: str) -> None:
         """Choose the port of a TReX and wait until the board is read."""
         self.select("portCombo", self.program.ports.add_typed(url))
-        self.wait(lambda: self.device.link is ConnectionState.UP)
+        self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
 
     def connect_to_demo(self, kind: str = "trex") -> None:
         """Choose the simulated TReX or Aracna and wait until it is read."""
         self.program.connect_to_demo(kind)
         model = self.device if kind == "trex" else self.robot
-        self.wait(lambda: model.link is ConnectionState.UP)
+        self.wait(lambda: model.link is ConnectionState.CONNECTED)
 
     def disconnect(self) -> None:
         self.trigger("disconnect")
-        self.wait(lambda: self.program.device_manager.current.link is ConnectionState.NONE)
+        self.wait(lambda: self.program.device_manager.current.link is ConnectionState.DISCONNECTED)
 
     # --- Look around --------------------------------------------------------------------
 

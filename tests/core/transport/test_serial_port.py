@@ -14,12 +14,13 @@ import pytest
 import serial
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.core.errors import NoReply, PortUnavailable, ResultCode
+from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import SerialTransport, why_not_open
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import GetMode, GetSignature, SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 

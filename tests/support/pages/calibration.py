@@ -11,11 +11,12 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, TIMEOUT_MS, WidgetDriver
 from trex_gui.devices.trex.model.calibration.moves import Handle
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.views.pages.calibration import page
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
 
 
@@ -29,12 +30,12 @@ class CalibrationPage(WidgetDriver):
 
     def connect(self, url: str) -> None:
         self.device.connect_to(ConnectionSettings(url))
-        self.wait(lambda: self.device.link is ConnectionState.UP)
+        self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
         self.wait(lambda: self.device.telemetry.raw is not None)
 
     def disconnect(self) -> None:
         self.device.disconnect_line()
-        self.wait(lambda: self.device.link is ConnectionState.NONE)
+        self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
 
     # --- Read ---------------------------------------------------------------------------
 

@@ -11,12 +11,13 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick, Transmitter
 from tests.support.window import TIMEOUT_MS, WidgetDriver
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.learning.dialog import LearnDialog
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.theme import theme
 
@@ -200,7 +201,7 @@ def learning_dialog(
     theme().install(app)
     device = Device()
     device.connect_to(ConnectionSettings(simulator.url, line or LineSettings()))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.UP, timeout=TIMEOUT_MS)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED, timeout=TIMEOUT_MS)
     dialog = LearnDialog(Learning(device, device))
     qtbot.addWidget(dialog)
     try:

@@ -23,7 +23,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
 from trex_gui.composition import Program
 from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 ROBOT_PAGE, POSES_PAGE, LOG_PAGE = range(3)
 
@@ -47,7 +47,7 @@ class RobotWindow(WindowDriver):
         self.robot.reported.connect(self._note)
 
     def _count_silences(self) -> None:
-        if self.robot.link is ConnectionState.SILENT:
+        if self.robot.link is ConnectionState.NOT_RESPONDING:
             self._silences += 1
 
     def _note(self, report: object) -> None:
@@ -75,7 +75,7 @@ class RobotWindow(WindowDriver):
     def wait_until_up(self, kind: str = "aracna") -> None:
         """Wait until the TReX or the Aracna is read."""
         model = self.device if kind == "trex" else self.robot
-        self.wait(lambda: model.link is ConnectionState.UP)
+        self.wait(lambda: model.link is ConnectionState.CONNECTED)
 
     def press_connect(self, kind: str = "aracna") -> None:
         """Press Connect and wait until the device is read."""

@@ -11,10 +11,10 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn, ComparisonRole
 from trex_gui.devices.trex.views.history import dialog as history_dialog
 from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt
 
 
@@ -81,11 +81,11 @@ class SimulatedPower:
 
     def off(self) -> None:
         self._simulator.do("power off")
-        self._window.wait(lambda: self._window.device.link is ConnectionState.SILENT)
+        self._window.wait(lambda: self._window.device.link is ConnectionState.NOT_RESPONDING)
 
     def on(self) -> None:
         self._simulator.do("power on")
-        self._window.wait(lambda: self._window.device.link is ConnectionState.UP)
+        self._window.wait(lambda: self._window.device.link is ConnectionState.CONNECTED)
 
     def cycle(self) -> None:
         self.off()

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind
@@ -20,7 +20,7 @@ class FakeDevice(QObject):
     def __init__(self, key: str) -> None:
         super().__init__()
         self.kind = DeviceKind(key, key.title())
-        self.link = ConnectionState.NONE
+        self.link = ConnectionState.DISCONNECTED
         self.starting = False
         self.port: Port | None = None
         self.done: list[str] = []
@@ -31,7 +31,7 @@ class FakeDevice(QObject):
     def connect_to(self, port: Port) -> None:
         self.done.append(f"connect {port.url}")
         self.port = port
-        self.become(ConnectionState.UP)
+        self.become(ConnectionState.CONNECTED)
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.done.append(f"with {settings.short}")
@@ -39,8 +39,8 @@ class FakeDevice(QObject):
 
     def leave(self) -> None:
         self.done.append("leave")
-        if self.link is not ConnectionState.NONE:
-            self.become(ConnectionState.CLOSING)
+        if self.link is not ConnectionState.DISCONNECTED:
+            self.become(ConnectionState.DISCONNECTING)
 
     def press_stop(self) -> None:
         self.done.append("stop")
@@ -49,7 +49,7 @@ class FakeDevice(QObject):
         self.done.append(f"stop: {reason}")
         return (
             f"{reason}, so {self.kind.name} is told."
-            if self.link is not ConnectionState.NONE
+            if self.link is not ConnectionState.DISCONNECTED
             else ""
         )
 
@@ -97,7 +97,7 @@ def test_previous_device_disconnects_before_the_next_connects(
     board.connect_to(port("b", "second"))
     assert first.done[-1] == "leave"
     assert (second.done, board.current) == ([], first)
-    first.become(ConnectionState.NONE)
+    first.become(ConnectionState.DISCONNECTED)
     assert second.done == ["connect b"]
     assert board.current is second
 
@@ -117,7 +117,7 @@ def test_leaving_cancels_the_pending_connection(
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     board.leave()
-    first.become(ConnectionState.NONE)
+    first.become(ConnectionState.DISCONNECTED)
     assert second.done == []
 
 
@@ -128,7 +128,7 @@ def test_last_chosen_port_is_connected(
     board.connect_to(port("a", "first"))
     board.connect_to(port("b", "second"))
     board.connect_with(port("c", "second"), PortSettings(""))
-    first.become(ConnectionState.NONE)
+    first.become(ConnectionState.DISCONNECTED)
     assert second.done == ["with 9600 8N1", "connect c"]
 
 

@@ -8,8 +8,9 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
@@ -121,7 +122,7 @@ def test_connecting_to_a_scanned_port_ends_the_scan_first(
     quick_simulator.do("line mute off")
     connector.connect_to(port)
     assert connector.port is None
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert not connector.finder.running
     connector.shut_down()
 
@@ -137,7 +138,7 @@ def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
     assert finding.text == "TReX 1.2 on the simulated board at 19200 8N1, device 7."
     assert finding.found is not None
     connector.connect_with(finding.port, finding.found.settings)
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert connector.demo_in_use
     assert device.settings is not None
     assert device.settings.line == LineSettings()

@@ -8,14 +8,15 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
+from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.devices.aracna.model.connection import RobotConnection
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.session.messages import Halt
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import Close, Closed
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers import orphaned_threads
@@ -122,7 +123,7 @@ def driven(simulator: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device whose first motor runs."""
     device = Device()
     device.connect_to(ConnectionSettings(simulator.url))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.UP and device.motors.can_arm)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm)
     device.motors.arm()
     device.motors.set_speed(1, 60)
     qtbot.waitUntil(lambda: simulator.show()["motors"][0]["speed"] == 60)
@@ -135,7 +136,7 @@ def test_unconfirmed_stop_keeps_may_move_after_shutdown(
     device = driven(quick_simulator, qtbot)
     quick_simulator.do("line mute on")
     qtbot.waitUntil(device.shut_down)
-    assert device.link is ConnectionState.NONE
+    assert device.link is ConnectionState.DISCONNECTED
     assert device.may_move
 
 
@@ -172,12 +173,12 @@ def test_shutdown_closes_the_line_before_waiting_for_a_scan(
         return close(worker)
 
     device.connect_to(ConnectionSettings(quick_simulator.url))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
     monkeypatch.setattr(ScanWorker, "close", note_and_close)
     connector.finder.start([Port(PortKind.TYPED, "/dev/ttyNothing9", "/dev/ttyNothing9")])
     connector.shut_down()
     assert links
-    assert ConnectionState.UP not in links
+    assert ConnectionState.CONNECTED not in links
 
 
 # --- Requests from other threads --------------------------------------------------------

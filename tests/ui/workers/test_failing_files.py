@@ -9,9 +9,10 @@ from typing import BinaryIO
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.recording.recording import Marker
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.traffic.saver import TrafficSaver
 from trex_gui.ui.workers.file_saver import FileSaver
 from trex_gui.ui.workers.file_worker import Done, FileWorker
@@ -64,7 +65,7 @@ def test_silent_end_of_a_worker_is_reported_as_a_failure(
 def test_undecodable_port_name_is_saved_in_the_transcript(qtbot: QtBot, tmp_path: Path) -> None:
     device = Device()
     device.connect_to(ConnectionSettings(os.fsdecode(b"/dev/pts/\xe9")))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.NONE)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
     saver, path = TrafficSaver(device.traffic), tmp_path / "line.txt"
     with qtbot.waitSignal(saver.saved):
         saver.save(path, device.traffic.everything.rows)

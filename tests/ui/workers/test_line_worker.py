@@ -12,15 +12,13 @@ from tests.support.patient import PATIENT, PatientQtBot
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
+from trex_gui.core.session.messages import Closed, Outcome, Progress
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.commands import Drive, GetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Batch,
-    Closed,
     Connected,
-    Outcome,
-    Progress,
     Report,
     RunCommand,
     SetMotor,

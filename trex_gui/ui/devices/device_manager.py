@@ -7,7 +7,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, Signal, SignalInstance, Slot
 
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.ports import Port
 
@@ -155,7 +155,7 @@ class DeviceManager(QObject):
     @property
     def is_idle(self) -> bool:
         """Whether nothing is connected, nor about to be."""
-        return self._current.link is ConnectionState.NONE and not self._current.starting
+        return self._current.link is ConnectionState.DISCONNECTED and not self._current.starting
 
     def connect_to(self, port: Port) -> None:
         """Connect to a port; a device of another kind is left first."""

@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.frame.find_dialog import FindDialog
@@ -239,7 +239,7 @@ class ConnectionBar(QWidget):
     def _on_link_changed(self) -> None:
         way = self._switchboard.current
         link, starting, idle = way.link, way.starting, self._switchboard.is_idle
-        opening = link is ConnectionState.OPENING or starting
+        opening = link is ConnectionState.CONNECTING or starting
         if way.port != self._connected:
             self._connected = way.port
             if way.port is not None:
@@ -256,7 +256,7 @@ class ConnectionBar(QWidget):
             self._progress.setRange(0, 0)
         self._connect.setText(self.tr("&Connect") if idle else self.tr("Dis&connect"))
         set_icon(self._connect, "connect" if idle else "disconnect")
-        self._connect.setEnabled(link is not ConnectionState.CLOSING)
+        self._connect.setEnabled(link is not ConnectionState.DISCONNECTING)
         self._line.setEnabled(idle and way.has_line_settings)
 
     @Slot(int, int, str)

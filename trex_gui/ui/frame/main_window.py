@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui import __version__
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_manager import DeviceManager
 from trex_gui.ui.frame.actions import build_menus
 from trex_gui.ui.frame.connection_bar import ConnectionBar
@@ -180,10 +180,15 @@ class MainWindow(QMainWindow):
         way = self._switchboard.current
         link = way.link
         enabled_actions = {
-            "connect": link is ConnectionState.NONE,
-            "line": link is ConnectionState.NONE and way.has_line_settings,
-            "disconnect": link not in {ConnectionState.NONE, ConnectionState.CLOSING},
-            "stop": link in {ConnectionState.OPENING, ConnectionState.UP, ConnectionState.SILENT},
+            "connect": link is ConnectionState.DISCONNECTED,
+            "line": link is ConnectionState.DISCONNECTED and way.has_line_settings,
+            "disconnect": link not in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING},
+            "stop": link
+            in {
+                ConnectionState.CONNECTING,
+                ConnectionState.CONNECTED,
+                ConnectionState.NOT_RESPONDING,
+            },
             **self._workspace.enabled_actions(),
         }
         for key, is_possible in enabled_actions.items():

@@ -5,8 +5,8 @@ from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
 
+from trex_gui.core.session.messages import Close
 from trex_gui.core.session.request_queue import RequestQueue
-from trex_gui.devices.trex.session.messages import Close
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.thread import WorkerThread
 

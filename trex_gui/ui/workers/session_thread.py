@@ -6,8 +6,8 @@ from collections.abc import Callable
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal, Slot
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.core.transport.traffic_log import TrafficLog
-from trex_gui.devices.trex.session.messages import Close, Closed, Outcome
 from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.line_worker import LineWorker, MakeSession
 

@@ -24,7 +24,7 @@ from tests.support.window import WidgetDriver
 from trex_gui.devices.aracna.model.demo_snapshot import RobotSnapshot
 from trex_gui.devices.aracna.views.demo.gauge import ServoGauge
 from trex_gui.devices.aracna.views.demo.panel import DemoRobotView
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.leds import Lamp
 from trex_gui.ui.widgets.stick_slider import StickSlider
 
@@ -169,7 +169,7 @@ def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
     panel.wait_for_text("aracnaDemoState", "Idle")
 
     panel.click("aracnaDemoPower")
-    panel.wait(lambda: robot.link is ConnectionState.SILENT)
+    panel.wait(lambda: robot.link is ConnectionState.NOT_RESPONDING)
     assert "stopped answering" in window.text("statusLabel")
     panel.wait_for_text("aracnaDemoState", "power is off")
     assert not panel.is_enabled("aracnaDemoRestart")
@@ -202,7 +202,7 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
     window = panel.window
     panel.begin_to_move()
     panel.click("aracnaDemoCable")
-    panel.wait(lambda: panel.robot.link is ConnectionState.NONE)
+    panel.wait(lambda: panel.robot.link is ConnectionState.DISCONNECTED)
     panel.wait(lambda: not panel.snapshot.line.plugged)
     assert window.has("banner")
     assert "goes on" in window.text("aracnaMotionLabel")
@@ -212,7 +212,7 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
 
     window.click("connectButton")
     window.wait_for_text("bannerText", "Tick “Plugged in” on its panel")
-    assert panel.robot.link is ConnectionState.NONE
+    assert panel.robot.link is ConnectionState.DISCONNECTED
     assert panel.dock.isVisible()
     assert window.text("statusLabel") == "Not connected."
     assert window.is_enabled("connectButton")
@@ -222,7 +222,7 @@ def test_unplugged_cable_is_reported_until_plugged_in(panel: DemoRobotPanel) -> 
     window.press_connect()
 
     panel.click("aracnaDemoMute")
-    panel.wait(lambda: panel.robot.link is ConnectionState.SILENT)
+    panel.wait(lambda: panel.robot.link is ConnectionState.NOT_RESPONDING)
     panel.click("aracnaDemoMute")
     window.wait_until_up()
 
@@ -264,7 +264,7 @@ def test_mend_all_repairs_everything(panel: DemoRobotPanel) -> None:
     assert panel.snapshot.servos[1].dead
     assert panel.snapshot.servos[2].blocked
     panel.wait(
-        lambda: panel.robot.link is ConnectionState.SILENT
+        lambda: panel.robot.link is ConnectionState.NOT_RESPONDING
     )  # else it may be called so once mended
 
     panel.click("aracnaDemoMend")

@@ -8,15 +8,15 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 TREX_MENUS = ["File", "Edit", "Device", "Window", "Help"]
 ARACNA_MENUS = ["File", "Device", "Aracna", "Poses", "Window", "Help"]
 
 
 def assert_trex_workspace(window: RobotWindow) -> None:
-    assert window.robot.link is ConnectionState.NONE
+    assert window.robot.link is ConnectionState.DISCONNECTED
     assert window.has("tabs")
     assert not window.has("aracnaTabs")
     assert window.menus == TREX_MENUS
@@ -25,7 +25,7 @@ def assert_trex_workspace(window: RobotWindow) -> None:
 
 
 def assert_robot_workspace(window: RobotWindow) -> None:
-    assert window.device.link is ConnectionState.NONE, "one device at a time"
+    assert window.device.link is ConnectionState.DISCONNECTED, "one device at a time"
     assert window.has("aracnaTabs")
     assert not window.has("tabs")
     assert window.menus == ARACNA_MENUS
@@ -92,7 +92,7 @@ def test_newest_device_choice_wins(
     program.connect_to_demo("aracna")
     window.wait_until_up()
     window.wait(lambda: not finder.running)
-    assert window.device.link is ConnectionState.NONE
+    assert window.device.link is ConnectionState.DISCONNECTED
     window.press_disconnect()
 
     settings = ConnectionSettings(quick_simulator.url)
@@ -100,16 +100,20 @@ def test_newest_device_choice_wins(
     window.wait_until_up("trex")
     window.device.connect_to(settings)
     window.device.disconnect_line()
-    window.wait(lambda: window.device.link is ConnectionState.NONE)
+    window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED)
     assert program.connector.port is None
     virtual_time.advance(0.5)
-    assert window.device.link is ConnectionState.NONE, "disconnecting drops the connection to come"
+    assert window.device.link is ConnectionState.DISCONNECTED, (
+        "disconnecting drops the connection to come"
+    )
 
     robot = PortSettings(start_simulator("--aracna", "--unpaced").url)
     window.robot.connect_to(robot)
     window.wait_until_up()
     window.robot.connect_to(robot)
     window.robot.disconnect_line()
-    window.wait(lambda: window.robot.link is ConnectionState.NONE)
+    window.wait(lambda: window.robot.link is ConnectionState.DISCONNECTED)
     virtual_time.advance(0.5)
-    assert window.robot.link is ConnectionState.NONE, "disconnecting drops the connection to come"
+    assert window.robot.link is ConnectionState.DISCONNECTED, (
+        "disconnecting drops the connection to come"
+    )

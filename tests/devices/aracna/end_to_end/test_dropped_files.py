@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtWidgets import QMessageBox
 
 from tests.support.pages.robot import POSES_PAGE, RobotWindow
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 POSES = "Test:8:1024:1024:1024:1024:1024:1024:1024:1024\nPose=low:100,100,100,100,100,100,100,100\n"
 OTHER_POSES = POSES.replace("low", "other")
@@ -85,11 +85,11 @@ def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Mak
     window.choose_demo()
     assert window.drop(make("walk.PPR", POSES))
     window.wait(lambda: poses(window) == ["low"])
-    assert window.robot.link is ConnectionState.UP
+    assert window.robot.link is ConnectionState.CONNECTED
 
     assert window.drop(make("rover.txt", SETTINGS))
     window.wait_for_text("bannerText", "rover.txt is a settings file of a TReX.")
-    assert window.robot.link is ConnectionState.UP
+    assert window.robot.link is ConnectionState.CONNECTED
     assert shows_robot(window)
     assert window.program.workspace.files.editors == []
 
@@ -97,7 +97,7 @@ def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Mak
     assert window.drop(make("other.ppr", OTHER_POSES))
     window.wait_for_text("bannerText", "other.ppr is a pose file of an Aracna.")
     assert "connected to TReX: disconnect, then drop the file again" in banner(window)
-    assert window.device.link is ConnectionState.UP
+    assert window.device.link is ConnectionState.CONNECTED
     assert not shows_robot(window)
     assert poses(window) == ["low"]
 

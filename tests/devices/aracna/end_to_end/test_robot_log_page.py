@@ -1,7 +1,7 @@
 """The Log page shows the quality of the line to the robot."""
 
 from tests.support.pages.robot import LOG_PAGE, RobotWindow
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindow) -> None:
@@ -13,7 +13,7 @@ def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindo
     assert window.robot.counters.answers > 0
 
     window.control("line mute on")
-    window.wait(lambda: window.robot.link is ConnectionState.SILENT)
+    window.wait(lambda: window.robot.link is ConnectionState.NOT_RESPONDING)
     window.wait(lambda: not window.text("aracnaQualityValue").startswith("0 silent"))
     window.control("line mute off")
     window.wait_until_up()

@@ -9,7 +9,7 @@ from tests.support.pages.robot import RobotWindow
 from tests.support.window import LEFT
 from trex_gui.devices.aracna.session.messages import Play, Step
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def spin_box(window: RobotWindow, name: str) -> QSpinBox:
@@ -164,4 +164,4 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     window.wait_for_text("aracnaMotionLabel", "step 1")
     window.click("aracnaEndButton")
     window.wait(lambda: robot.playing is None)
-    assert robot.link is ConnectionState.UP
+    assert robot.link is ConnectionState.CONNECTED

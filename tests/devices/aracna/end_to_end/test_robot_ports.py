@@ -7,7 +7,7 @@ from serial.tools.list_ports_common import ListPortInfo
 from tests.support.pages.robot import RobotWindow
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import app
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Ports
 
 DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
@@ -54,7 +54,7 @@ def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotW
     assert window.port == DEMO_TREX
     window.trigger("connect")
     window.wait_until_up("trex")
-    assert window.robot.link is ConnectionState.NONE
+    assert window.robot.link is ConnectionState.DISCONNECTED
     window.press_disconnect()
     window.press_connect("trex")
 
@@ -79,7 +79,7 @@ def test_connect_uses_last_connected_robot(
     window.select("portCombo", ports.demo_of("aracna"))
     window.wait_for_text("bannerText", "does not start")
     window.wait(window.is_idle)
-    assert window.robot.link is ConnectionState.NONE, "it was left for the simulator"
+    assert window.robot.link is ConnectionState.DISCONNECTED, "it was left for the simulator"
     assert not window.robot.move((512,) * 8)
 
 

@@ -1,7 +1,7 @@
 """The window says no more of the robot than is known, and refuses what could not be done."""
 
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 UNSURE = "Not known: what was sent last goes on to its goal."
 AT_REST = "At rest: nothing is sent."
@@ -120,7 +120,7 @@ def test_motion_is_shown_as_continuing_after_reset(connected_window: RobotWindow
     window.wait_for_silence(lambda: window.control("reset"))
     window.wait_until_up()
     robot.changed.disconnect(note)
-    *_, last = [text for link, text in texts if link is ConnectionState.SILENT]
+    *_, last = [text for link, text in texts if link is ConnectionState.NOT_RESPONDING]
     assert last.startswith("Not known: what was sent last may go on")
     assert window.servos_turn()
     assert window.text("aracnaMotionLabel").startswith("Not known: what was sent last may go on")

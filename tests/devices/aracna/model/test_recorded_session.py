@@ -28,8 +28,8 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.recording.recording import Marker
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventKind
 
 PATIENCE = 15_000
@@ -53,7 +53,7 @@ class Session:
         self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
         self.robot.reported.connect(self._on_reported)
         self.robot.connect_to(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
-        self.wait_for(ConnectionState.UP)
+        self.wait_for(ConnectionState.CONNECTED)
 
     def _on_reported(self, report: object) -> None:
         if self.recorder.recording and isinstance(report, RECORDED):
@@ -80,7 +80,7 @@ class Session:
     def end(self) -> None:
         assert self.recorder.shut_down()
         self.robot.disconnect_line()
-        self.wait_for(ConnectionState.NONE)
+        self.wait_for(ConnectionState.DISCONNECTED)
         assert self.robot.shut_down()
 
 
@@ -133,13 +133,13 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     session.links.clear()
     session.simulator.do("reset")
     session.qtbot.waitUntil(
-        lambda: ConnectionState.SILENT in session.links, timeout=PATIENCE
+        lambda: ConnectionState.NOT_RESPONDING in session.links, timeout=PATIENCE
     )  # for a second
-    session.wait_for(ConnectionState.UP)
+    session.wait_for(ConnectionState.CONNECTED)
     session.simulator.do("line mute on")
-    session.wait_for(ConnectionState.SILENT)
+    session.wait_for(ConnectionState.NOT_RESPONDING)
     session.simulator.do("line mute off")
-    session.wait_for(ConnectionState.UP)
+    session.wait_for(ConnectionState.CONNECTED)
     found = session.stop()
     kinds = {type(row) for row in found}
     assert {Stuck, Restarted, FellSilent} <= kinds

@@ -12,7 +12,7 @@ from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.recorder import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def rows(path: Path) -> list[dict[str, str]]:
@@ -25,10 +25,10 @@ def robot(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[Robot]:
     simulator = start_simulator("--aracna", "--unpaced")
     robot = Robot()
     robot.connect_to(PortSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
-    qtbot.waitUntil(lambda: robot.link is ConnectionState.UP, timeout=15_000)
+    qtbot.waitUntil(lambda: robot.link is ConnectionState.CONNECTED, timeout=15_000)
     yield robot
     robot.disconnect_line()
-    qtbot.waitUntil(lambda: robot.link is ConnectionState.NONE, timeout=15_000)
+    qtbot.waitUntil(lambda: robot.link is ConnectionState.DISCONNECTED, timeout=15_000)
     assert robot.shut_down()
 
 

@@ -14,7 +14,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.speeds import FIRST_SPEED
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Play, SpeedsHeld, Step
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
 
 LOW = (300,) * 8
@@ -41,7 +41,7 @@ class RobotHarness:
 
     def connect(self) -> None:
         self.robot.connect_to(PortSettings(self.simulator.url, timeouts=Timeouts(extra=2.0)))
-        self.wait(lambda: self.robot.link is ConnectionState.UP)
+        self.wait(lambda: self.robot.link is ConnectionState.CONNECTED)
 
     def wait(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition, timeout=15_000)
@@ -76,7 +76,7 @@ class RobotHarness:
     def end(self) -> None:
         """Give the line back, which may take longer than a program waits that ends."""
         self.robot.disconnect_line()
-        self.wait(lambda: self.robot.link is ConnectionState.NONE)
+        self.wait(lambda: self.robot.link is ConnectionState.DISCONNECTED)
         assert self.robot.shut_down()
 
     def of(self, kind: type) -> list[object]:
@@ -268,7 +268,7 @@ def test_halt_now_ends_playback_from_other_thread(robot: Robot, harness: RobotHa
     thread.start()
     thread.join()
     harness.wait(lambda: robot.playing is None)
-    assert robot.link is ConnectionState.UP
+    assert robot.link is ConnectionState.CONNECTED
 
 
 def test_move_during_sequence_is_rejected(robot: Robot, harness: RobotHarness) -> None:
@@ -299,9 +299,9 @@ def test_board_restart_is_reported_and_speeds_are_resent(
     harness.simulator.do("power cycle")
     harness.wait(lambda: bool(harness.links))
     link, status = harness.links[0]
-    assert link is ConnectionState.SILENT
+    assert link is ConnectionState.NOT_RESPONDING
     assert "restarted" in status
-    harness.wait(lambda: robot.link is ConnectionState.UP)
+    harness.wait(lambda: robot.link is ConnectionState.CONNECTED)
     harness.move((310,) * 8)
     assert harness.speeds == [150] * 8
 
@@ -309,7 +309,7 @@ def test_board_restart_is_reported_and_speeds_are_resent(
 def test_unplugged_line_is_reported(robot: Robot, harness: RobotHarness) -> None:
     harness.move(LOW)
     harness.simulator.do("line unplug")
-    harness.wait(lambda: robot.link is ConnectionState.NONE)
+    harness.wait(lambda: robot.link is ConnectionState.DISCONNECTED)
     assert len(harness.messages) == 1
     assert robot.present == (None,) * 8
     assert not robot.move(LOW)

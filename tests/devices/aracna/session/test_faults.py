@@ -4,6 +4,7 @@ import pytest
 
 from tests.devices.aracna.session.scene import ScriptedSession
 from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.aracna.session.client import ASK_AGAIN
 from trex_gui.devices.aracna.session.liveness import BOOT
 from trex_gui.devices.aracna.session.messages import (
@@ -26,7 +27,6 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.devices.aracna.session.rejections import STUCK
-from trex_gui.devices.trex.session.messages import Closed, Outcome
 
 HERE = (512,) * 8
 THERE = (600,) * 8

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from tests.devices.aracna.session.scene import ScriptedSession
 from trex_gui.core.errors import BadRequest
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.protocol.units import travel_seconds
 from trex_gui.devices.aracna.session.messages import (
     Ending,
@@ -27,7 +28,6 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.servos import TRUST
 from trex_gui.devices.aracna.session.step_clock import StepClock, check
-from trex_gui.devices.trex.session.messages import Outcome
 
 HERE = (512,) * 8
 SLOW = (100,) * 8

@@ -6,6 +6,7 @@ A servo that was without power is as fast as it can be; nothing on the link tell
 import pytest
 
 from tests.devices.aracna.session.scene import ScriptedSession
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.session.messages import (
     Drag,
     Ending,
@@ -17,7 +18,6 @@ from trex_gui.devices.aracna.session.messages import (
     Step,
 )
 from trex_gui.devices.aracna.session.servos import TRUST
-from trex_gui.devices.trex.session.messages import Outcome
 
 SLOW = (30,) * 8
 FASTEST = 2.28 * 30 * 1.1

@@ -4,6 +4,7 @@ import pytest
 
 from tests.devices.aracna.session.scene import ScriptedSession
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.aracna.session.liveness import BOOT, PATIENCE
 from trex_gui.devices.aracna.session.messages import (
     Connected,
@@ -20,7 +21,6 @@ from trex_gui.devices.aracna.session.messages import (
     SpeedsHeld,
     Stuck,
 )
-from trex_gui.devices.trex.session.messages import Closed, Outcome
 
 HERE = (512,) * 8
 THERE = (600,) * 8

@@ -9,6 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.discovery.prober import find_aracna
@@ -31,7 +32,6 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
-from trex_gui.devices.trex.session.messages import Closed, Outcome
 from trex_gui.ui.runtime import open_transport
 from trex_gui.ui.workers.line_worker import LineWorker
 

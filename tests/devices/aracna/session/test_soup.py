@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from tests.devices.aracna.session.scene import ScriptedSession
 from tests.support.matrix import examples
+from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Drag,
@@ -27,7 +28,6 @@ from trex_gui.devices.aracna.session.messages import (
     Step,
     StepBegun,
 )
-from trex_gui.devices.trex.session.messages import Closed, Outcome
 
 PLACES = st.sampled_from([(400,) * 8, (512,) * 8, (600,) * 8, (5, 6)])
 STEPS = st.lists(st.builds(Step, PLACES, st.sampled_from([0.05, 0.4, 1.0])), max_size=3).map(tuple)

@@ -5,6 +5,7 @@ import re
 import pytest
 
 from tests.devices.aracna.session.scene import ScriptedSession
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.session.messages import (
     Drag,
     DragDropped,
@@ -22,7 +23,6 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.devices.trex.session.messages import Outcome
 
 HERE = (512,) * 8
 THERE = (600,) * 8

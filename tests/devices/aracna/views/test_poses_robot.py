@@ -12,7 +12,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.sequence import SequenceStep
 from trex_gui.devices.aracna.session.messages import Ending, Moving, PlayEnded
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 class ConnectedPanelDriver(PosesPanelDriver):
@@ -32,7 +32,7 @@ class ConnectedPanelDriver(PosesPanelDriver):
         self.follow()
 
     def follow(self) -> None:
-        self.panel.show_link(self.robot.link is ConnectionState.UP)
+        self.panel.show_link(self.robot.link is ConnectionState.CONNECTED)
         self.panel.show_present(self.robot.present)
         self.panel.show_playing(self.robot.playing)
 
@@ -51,14 +51,14 @@ def driver(qtbot: QtBot, start_simulator: StartSimulator) -> Iterator[ConnectedP
     robot = Robot()
     driver = ConnectedPanelDriver(qtbot, robot)
     robot.connect_to(PortSettings(simulator.url, timeouts=Timeouts(extra=2.0)))
-    qtbot.waitUntil(lambda: robot.link is ConnectionState.UP, timeout=15_000)
+    qtbot.waitUntil(lambda: robot.link is ConnectionState.CONNECTED, timeout=15_000)
     robot.set_speeds((800,) * 8)
     yield driver
     robot.changed.disconnect(driver.follow)
     robot.link_changed.disconnect(driver.follow)
     driver.close()
     robot.disconnect_line()
-    qtbot.waitUntil(lambda: robot.link is ConnectionState.NONE, timeout=15_000)
+    qtbot.waitUntil(lambda: robot.link is ConnectionState.DISCONNECTED, timeout=15_000)
     assert robot.shut_down()
     simulator.end()
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.devices.trex.session.helpers import staged
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, ResultCode
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -31,6 +31,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.eeprom import Eeprom

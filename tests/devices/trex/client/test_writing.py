@@ -9,14 +9,7 @@ from hypothesis import strategies as st
 from tests.devices.trex.session.helpers import commands, staged
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
-from trex_gui.core.errors import (
-    BadReply,
-    BadRequest,
-    NoReply,
-    PortUnavailable,
-    Rejected,
-    ResultCode,
-)
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.writing import (
     WriteResult,
     write_all,
@@ -32,6 +25,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of

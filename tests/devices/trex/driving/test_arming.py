@@ -16,17 +16,15 @@ from tests.devices.trex.session.helpers import (
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply
+from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL, ArmingWatchdog
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Close,
-    Closed,
     Heartbeat,
     MotorsStopped,
-    Outcome,
     Reload,
     Report,
     RunCommand,

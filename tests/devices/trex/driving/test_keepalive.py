@@ -7,6 +7,7 @@ import pytest
 from tests.devices.trex.session.helpers import among, commands, run_for, samples, seen_at, staged
 from tests.support.matrix import sampled
 from tests.support.virtual import Stage
+from trex_gui.core.session.messages import Outcome
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.schedule import Topic
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, Raw
@@ -20,15 +21,7 @@ from trex_gui.devices.trex.driving.keepalive import (
 from trex_gui.devices.trex.protocol.commands import Drive, GetRawChannels
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
-from trex_gui.devices.trex.session.messages import (
-    Arm,
-    Connected,
-    Heartbeat,
-    Outcome,
-    SetMotor,
-    Stop,
-    Write,
-)
+from trex_gui.devices.trex.session.messages import Arm, Connected, Heartbeat, SetMotor, Stop, Write
 
 
 def opening(baud: int) -> float:

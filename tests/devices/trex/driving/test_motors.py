@@ -5,17 +5,12 @@ import pytest
 from tests.devices.trex.session.helpers import moving, staged
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply, PortUnavailable
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.driving.motors import DRIVE_INTERVAL, MotorOutput
 from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
 from trex_gui.devices.trex.protocol.commands import Drive, DriveAuxiliary, DriveMotor
-from trex_gui.devices.trex.session.messages import (
-    MotorsStopped,
-    Outcome,
-    SetAuxiliary,
-    SetMotor,
-    Stop,
-)
+from trex_gui.devices.trex.session.messages import MotorsStopped, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.session.request_queues import RequestQueues
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 

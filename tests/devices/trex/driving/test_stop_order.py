@@ -7,11 +7,12 @@ import pytest
 from tests.devices.trex.session.helpers import among, is_stopped, outcomes, staged
 from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.driving.arming import ArmingWatchdog
 from trex_gui.devices.trex.protocol.commands import DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.session.messages import Close, Closed, Request, RunCommand, Stop
+from trex_gui.devices.trex.session.messages import Request, RunCommand, Stop
 from trex_gui.devices.trex.session.session import TrexSession
 
 Step = Callable[[], Request | None]

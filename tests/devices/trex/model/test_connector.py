@@ -9,9 +9,10 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.simulator_process import Simulator, simulator_command
 
@@ -92,7 +93,7 @@ def test_port_is_opened_with_the_chosen_settings(
     url = start_simulator().url
     connector.set_settings(ConnectionSettings("", device_number=7))
     connector.connect_to(ports.add_typed(url))
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert device.settings == ConnectionSettings(url, device_number=7)
     assert connector.port == ports.find(url)
     assert Ports().preferred == ports.find(url)
@@ -101,7 +102,7 @@ def test_port_is_opened_with_the_chosen_settings(
 def test_failed_open_clears_the_port(connector: Connector, device: Device, until: Until) -> None:
     connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x"))
     assert connector.port is not None
-    until(lambda: device.link is ConnectionState.NONE)
+    until(lambda: device.link is ConnectionState.DISCONNECTED)
     assert connector.port is None
 
 
@@ -113,9 +114,9 @@ def test_disconnecting_clears_the_port(
     until: Until,
 ) -> None:
     connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     connector.disconnect_port()
-    until(lambda: device.link is ConnectionState.NONE)
+    until(lambda: device.link is ConnectionState.DISCONNECTED)
     assert connector.port is None
 
 
@@ -125,7 +126,7 @@ def test_choosing_the_demo_port_starts_the_simulator(
     connector.set_settings(ConnectionSettings("", LineSettings(115200, Detection.CRC7)))
     connector.connect_to(ports.demo)
     starting: list[bool] = [connector.starting]
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert [*starting, connector.starting] == [True, False]
     assert connector.port == ports.demo
     assert connector.simulator.url
@@ -137,12 +138,12 @@ def test_simulator_keeps_running_after_disconnect(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     url = connector.simulator.url
     connector.disconnect_port()
-    until(lambda: device.link is ConnectionState.NONE)
+    until(lambda: device.link is ConnectionState.DISCONNECTED)
     connector.connect_to(ports.demo)
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert connector.simulator.url == url
 
 
@@ -155,7 +156,7 @@ def test_later_port_choice_wins_while_the_simulator_starts(
 ) -> None:
     connector.connect_to(ports.demo)
     connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.UP and connector.simulator.url != "")
+    until(lambda: device.link is ConnectionState.CONNECTED and connector.simulator.url != "")
     assert device.settings is not None
     assert device.settings.url == quick_simulator.url
 
@@ -167,14 +168,14 @@ def test_disconnecting_while_the_simulator_starts_cancels(
     connector.disconnect_port()
     assert connector.port is None
     until(lambda: connector.simulator.url != "")
-    assert device.link is ConnectionState.NONE
+    assert device.link is ConnectionState.DISCONNECTED
 
 
 def test_shutdown_ends_line_and_simulator(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     connector.shut_down()
     assert connector.simulator.url == ""
     assert device.state is None

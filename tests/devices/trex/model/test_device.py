@@ -8,11 +8,12 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
 
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -48,10 +49,12 @@ class DeviceRecorder:
     def connect(self, url: str, *, again: bool = False) -> None:
         self.device.connect_to(ConnectionSettings(url))
         if again:
-            self.until(lambda: self.device.link is not ConnectionState.UP)
+            self.until(lambda: self.device.link is not ConnectionState.CONNECTED)
         failed = len(self.failures)
-        self.until(lambda: self.device.link is ConnectionState.UP or len(self.failures) > failed)
-        assert self.device.link is ConnectionState.UP, self.failures[failed:]
+        self.until(
+            lambda: self.device.link is ConnectionState.CONNECTED or len(self.failures) > failed
+        )
+        assert self.device.link is ConnectionState.CONNECTED, self.failures[failed:]
 
     def edit(self, key: str, wire: int) -> None:
         assert self.device.parameters.setData(self.device.parameters.index_of(key), wire)
@@ -83,7 +86,7 @@ def connected(recorder: DeviceRecorder, quick_simulator: SimulatedDevice) -> Dev
 
 def test_device_is_empty_before_connecting(recorder: DeviceRecorder) -> None:
     device = recorder.device
-    assert device.link is ConnectionState.NONE
+    assert device.link is ConnectionState.DISCONNECTED
     assert device.state is None
     assert device.settings is None
     assert not device.motors.can_arm
@@ -93,7 +96,7 @@ def test_connecting_reads_state_and_enables_arming(
     connected: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
     device = connected.device
-    assert connected.links == [ConnectionState.OPENING, ConnectionState.UP]
+    assert connected.links == [ConnectionState.CONNECTING, ConnectionState.CONNECTED]
     assert "Connected to TReX 1.2" in device.status
     assert device.state is not None
     assert device.state.parameters == quick_simulator.show()["parameters"]
@@ -128,8 +131,8 @@ def test_echo_of_the_rs232_side_is_detected(
 
 def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:
     recorder.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
-    recorder.until_link(ConnectionState.NONE)
-    assert recorder.links == [ConnectionState.OPENING, ConnectionState.NONE]
+    recorder.until_link(ConnectionState.DISCONNECTED)
+    assert recorder.links == [ConnectionState.CONNECTING, ConnectionState.DISCONNECTED]
     assert len(recorder.failures) == 1
     assert "There is no port /dev/ttyNothing9" in recorder.failures[0]
     assert recorder.device.status == "Not connected."
@@ -140,7 +143,7 @@ def test_unpowered_board_is_reported(
 ) -> None:
     quick_simulator.do("power off")
     recorder.device.connect_to(ConnectionSettings(quick_simulator.url))
-    recorder.until_link(ConnectionState.NONE)
+    recorder.until_link(ConnectionState.DISCONNECTED)
     assert "No TReX answers" in recorder.failures[0]
 
 
@@ -260,10 +263,10 @@ def test_power_cycle_activates_waiting_parameter(
     assert connected.device.parameters.waiting_for_power == ("Motor Mode",)
     assert connected.device.parameters.active_of("motor_mode") == 0
     quick_simulator.do("power off")
-    connected.until_link(ConnectionState.SILENT)
+    connected.until_link(ConnectionState.NOT_RESPONDING)
     waiting = [connected.device.parameters.waiting_for_power]
     quick_simulator.do("power on")
-    connected.until_link(ConnectionState.UP)
+    connected.until_link(ConnectionState.CONNECTED)
     waiting.append(connected.device.parameters.waiting_for_power)
     assert waiting == [("Motor Mode",), ()]
     assert connected.device.parameters.active_of("motor_mode") == 1
@@ -275,7 +278,7 @@ def test_unpowered_board_cannot_be_driven_or_edited(
 ) -> None:
     connected.device.motors.arm()
     quick_simulator.do("power off")
-    connected.until_link(ConnectionState.SILENT)
+    connected.until_link(ConnectionState.NOT_RESPONDING)
     assert not connected.device.motors.armed
     assert not connected.device.motors.can_arm
     model = connected.device.parameters
@@ -289,9 +292,9 @@ def test_edits_survive_a_power_cycle(
 ) -> None:
     connected.edit("serial_timeout", 15)
     quick_simulator.do("power off")
-    connected.until_link(ConnectionState.SILENT)
+    connected.until_link(ConnectionState.NOT_RESPONDING)
     quick_simulator.do("power on")
-    connected.until_link(ConnectionState.UP)
+    connected.until_link(ConnectionState.CONNECTED)
     assert connected.device.parameters.pending == (("serial_timeout", 15),)
 
 
@@ -361,7 +364,7 @@ def test_disconnecting_stops_the_motors(
     run_motor_1(connected, quick_simulator)
     connected.device.disconnect_line()
     assert not connected.device.motors.armed
-    connected.until_link(ConnectionState.NONE)
+    connected.until_link(ConnectionState.DISCONNECTED)
     connected.until(lambda: speed(quick_simulator) == ("brake", 127))
 
 
@@ -392,7 +395,7 @@ def test_reconnect_stops_motors_that_ran_when_unplugged(
 ) -> None:
     run_motor_1(connected, quick_simulator)
     quick_simulator.do("line unplug")
-    connected.until_link(ConnectionState.NONE)
+    connected.until_link(ConnectionState.DISCONNECTED)
     assert connected.device.may_move
     assert speed(quick_simulator) == ("forward", 90)
     connected.connect(quick_simulator.do("line plug").split()[-1])
@@ -406,9 +409,9 @@ def test_reconnect_stops_motors_that_ran_when_unplugged(
 def test_disconnecting_reports_no_failure(connected: DeviceRecorder) -> None:
     connected.device.disconnect_line()
     connected.device.disconnect_line()
-    assert connected.device.link is ConnectionState.CLOSING
-    connected.until_link(ConnectionState.NONE)
-    assert connected.links.count(ConnectionState.NONE) == 1
+    assert connected.device.link is ConnectionState.DISCONNECTING
+    connected.until_link(ConnectionState.DISCONNECTED)
+    assert connected.links.count(ConnectionState.DISCONNECTED) == 1
     assert connected.failures == []
     assert connected.device.state is None
     assert connected.device.status == "Not connected."
@@ -422,7 +425,7 @@ def test_unplugged_cable_is_reported_within_half_a_second(
     connected.device.motors.arm()
     quick_simulator.do("line unplug")
     begun = now()
-    connected.until_link(ConnectionState.NONE)
+    connected.until_link(ConnectionState.DISCONNECTED)
     assert now() - begun < 0.5
     assert len(connected.failures) == 1
     assert "Plug it in, then connect again" in connected.failures[0]
@@ -436,7 +439,7 @@ def test_cable_unplugged_during_a_write_keeps_the_edits(
         connected.edit(key, 15)
     quick_simulator.do("line unplug")
     connected.device.apply()
-    connected.until_link(ConnectionState.NONE)
+    connected.until_link(ConnectionState.DISCONNECTED)
     assert any("Plug it in, then connect again" in failure for failure in connected.failures)
     assert connected.device.pending == 3
     assert not connected.device.applying
@@ -447,7 +450,7 @@ def test_replugged_cable_can_be_reconnected_and_keeps_edits(
 ) -> None:
     connected.edit("serial_timeout", 15)
     quick_simulator.do("line unplug")
-    connected.until_link(ConnectionState.NONE)
+    connected.until_link(ConnectionState.DISCONNECTED)
     url = quick_simulator.do("line plug").split()[-1]
     connected.connect(url)
     assert connected.device.parameters.pending == (("serial_timeout", 15),)
@@ -463,11 +466,11 @@ def test_line_is_closed_before_another_is_opened(
     other = start_simulator("--model", "trexjr")
     connected.connect(other.url, again=True)
     assert connected.links == [
-        ConnectionState.OPENING,
-        ConnectionState.UP,
-        ConnectionState.CLOSING,
-        ConnectionState.OPENING,
-        ConnectionState.UP,
+        ConnectionState.CONNECTING,
+        ConnectionState.CONNECTED,
+        ConnectionState.DISCONNECTING,
+        ConnectionState.CONNECTING,
+        ConnectionState.CONNECTED,
     ]
     assert connected.device.state is not None
     assert connected.device.state.signature.model.key == "trexjr"
@@ -490,7 +493,7 @@ def test_last_of_several_chosen_ports_is_connected(
 
 def test_missing_port_chosen_while_connected_is_reported(connected: DeviceRecorder) -> None:
     connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
-    connected.until_link(ConnectionState.NONE)
+    connected.until_link(ConnectionState.DISCONNECTED)
     assert "There is no port" in connected.failures[0]
 
 
@@ -501,7 +504,7 @@ def test_shutdown_stops_motors_within_one_second(
     begun = now()
     assert connected.device.shut_down()
     assert now() - begun < 1.0
-    assert connected.device.link is ConnectionState.NONE
+    assert connected.device.link is ConnectionState.DISCONNECTED
     assert speed(quick_simulator) == ("brake", 127)
 
 
@@ -526,5 +529,5 @@ def test_line_settings_are_used_for_the_connection(
     recorder: DeviceRecorder, quick_simulator: SimulatedDevice
 ) -> None:
     recorder.device.connect_to(ConnectionSettings(quick_simulator.url, LineSettings(9600)))
-    recorder.until_link(ConnectionState.NONE)
+    recorder.until_link(ConnectionState.DISCONNECTED)
     assert "9600 baud" in recorder.failures[0]

@@ -7,9 +7,10 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Ports
 
 NEW = LineSettings(57600, Detection.CRC7)
@@ -59,7 +60,9 @@ def restart(device: Device, until: Until, act: Callable[[], None]) -> None:
 
     device.link_changed.connect(note)
     act()
-    until(lambda: ConnectionState.SILENT in seen and device.link is ConnectionState.UP)
+    until(
+        lambda: ConnectionState.NOT_RESPONDING in seen and device.link is ConnectionState.CONNECTED
+    )
     device.link_changed.disconnect(note)
 
 
@@ -76,23 +79,23 @@ def test_reconnect_at_new_line_settings_is_saved(
     until: Until,
 ) -> None:
     connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     store(device, until, **{UART: NEW.to_wire(), POLYNOMIAL: 0x11})
     device.expect((ConnectionSettings("", NEW, polynomial=0x91),))
     quick_simulator.do("power off")
-    until(lambda: device.link is ConnectionState.SILENT)
+    until(lambda: device.link is ConnectionState.NOT_RESPONDING)
     assert connector.settings == ConnectionSettings("")
     quick_simulator.do("power on")
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     there = ConnectionSettings(quick_simulator.url, NEW, polynomial=0x91)
     assert device.settings == there
     assert connector.settings == ConnectionSettings("", NEW, polynomial=0x91)
     assert Connector(device, ports).settings == connector.settings
     assert device.parameters.active_of(UART) == NEW.to_wire()
     connector.disconnect_port()
-    until(lambda: device.link is ConnectionState.NONE)
+    until(lambda: device.link is ConnectionState.DISCONNECTED)
     connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert device.settings == there
 
 
@@ -106,13 +109,13 @@ def test_board_reconnects_at_a_new_baud_rate(
     baud: int,
 ) -> None:
     connector.connect_to(ports.add_typed(quick_simulator.url))
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     store(device, until, **{UART: LineSettings(baud).to_wire()})
     device.expect((ConnectionSettings("", LineSettings(baud)),))
     quick_simulator.do("power off")
-    until(lambda: device.link is ConnectionState.SILENT)
+    until(lambda: device.link is ConnectionState.NOT_RESPONDING)
     quick_simulator.do("power on")
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert line_of(device) == LineSettings(baud)
 
 
@@ -120,16 +123,16 @@ def test_simulated_board_reconnects_at_its_last_settings(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((ConnectionSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
     assert line_of(device) == NEW
     assert connector.settings == ConnectionSettings("")  # which are for real boards
     connector.disconnect_port()
-    until(lambda: device.link is ConnectionState.NONE)
+    until(lambda: device.link is ConnectionState.DISCONNECTED)
     connector.connect_to(ports.demo)
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert line_of(device) == NEW
 
 
@@ -137,14 +140,14 @@ def test_new_simulated_board_uses_factory_line_settings(
     connector: Connector, device: Device, ports: Ports, until: Until
 ) -> None:
     connector.connect_to(ports.demo)
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     store(device, until, **{UART: NEW.to_wire()})
     device.expect((ConnectionSettings("", NEW),))
     restart(device, until, connector.demo_board.power_cycle)
     restart(device, until, connector.demo_board.restore_factory)
     assert line_of(device) == LineSettings()
     connector.simulator.stop()
-    until(lambda: device.link is ConnectionState.NONE)
+    until(lambda: device.link is ConnectionState.DISCONNECTED)
     connector.connect_to(ports.demo)
-    until(lambda: device.link is ConnectionState.UP)
+    until(lambda: device.link is ConnectionState.CONNECTED)
     assert line_of(device) == LineSettings()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from trex_gui.core.errors import NoReply, Rejected, ResultCode
+from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.channel_text import (
     beyond_input,
@@ -13,6 +13,7 @@ from trex_gui.devices.trex.protocol.channel_text import (
     why_not_stored,
     wrong_order,
 )
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 
 USUAL = Calibration(2500, 3750, 5000, 75)

@@ -6,15 +6,9 @@ import pickle
 import pytest
 
 from trex_gui.core import errors
-from trex_gui.core.errors import (
-    BadReply,
-    BadRequest,
-    NoReply,
-    PortUnavailable,
-    Rejected,
-    ResultCode,
-    StudioError,
-)
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.devices.trex.protocol import errors as trex_errors
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 
 EVERY_ERROR: list[StudioError] = [
     StudioError("the worst has happened"),
@@ -29,7 +23,8 @@ EVERY_ERROR: list[StudioError] = [
 def test_examples_cover_every_error() -> None:
     defined = {
         found
-        for found in vars(errors).values()
+        for module in (errors, trex_errors)
+        for found in vars(module).values()
         if isinstance(found, type) and issubclass(found, StudioError)
     }
     assert {type(error) for error in EVERY_ERROR} == defined

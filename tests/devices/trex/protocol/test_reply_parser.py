@@ -2,7 +2,6 @@
 
 import pytest
 
-from trex_gui.core.errors import ResultCode
 from trex_gui.devices.trex.protocol.commands import (
     Command,
     DriveAuxiliary,
@@ -14,6 +13,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.crc7 import crc7
+from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.parser import Malformed, NeedData, Reply, ReplyParser

@@ -2,7 +2,6 @@
 
 import pytest
 
-from trex_gui.core.errors import ResultCode
 from trex_gui.devices.trex.protocol.commands import (
     GetCalibratedChannels,
     GetCurrents,
@@ -13,6 +12,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.descriptions import describe, describe_reply, is_refusal
 from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.errors import ResultCode
 
 TREX_JR = Signature(device_table().model("trexjr"), "1.2")
 

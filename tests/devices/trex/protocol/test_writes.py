@@ -2,9 +2,10 @@
 
 import pytest
 
-from trex_gui.core.errors import BadReply, BadRequest, ResultCode
+from trex_gui.core.errors import BadReply, BadRequest
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import Command, SetCalibration, SetParameter
+from trex_gui.devices.trex.protocol.errors import ResultCode
 
 TYPICAL = Calibration(2500, 3750, 5000, 75)
 WRITES: list[Command[ResultCode]] = [SetParameter(7, 5), SetCalibration(1, TYPICAL)]

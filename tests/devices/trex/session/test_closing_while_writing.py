@@ -20,14 +20,12 @@ from tests.devices.trex.client.test_interrupted_writing import (
 )
 from tests.devices.trex.session.helpers import commands, moving, outcomes, timed_run
 from trex_gui.core.errors import NoReply
+from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.devices.trex.client.writing import Skipped, WriteResult
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetStatus
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import (
-    Close,
-    Closed,
     Connected,
-    Outcome,
     Report,
     SetAuxiliary,
     SetMotor,

@@ -6,15 +6,8 @@ from typing import TypeVar
 import pytest
 
 from tests.devices.trex.session.helpers import among, run_for, staged
-from trex_gui.core.errors import (
-    BadReply,
-    BadRequest,
-    NoReply,
-    PortUnavailable,
-    Rejected,
-    ResultCode,
-    StudioError,
-)
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.session.messages import Close, Closed, Outcome, Progress
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import (
@@ -36,19 +29,16 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
     Batch,
-    Close,
-    Closed,
     Connected,
     Heartbeat,
     MotorsStopped,
     NotResponding,
-    Outcome,
-    Progress,
     Reload,
     Report,
     Request,

@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
+from trex_gui.core.session.messages import Close
 from trex_gui.devices.trex.driving.setpoints import SetpointSlots, packets
 from trex_gui.devices.trex.protocol.commands import (
     Drive,
@@ -17,7 +18,6 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Close,
     Reload,
     Request,
     RunCommand,

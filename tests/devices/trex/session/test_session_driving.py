@@ -18,6 +18,7 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply
+from trex_gui.core.session.messages import Closed
 from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -36,7 +37,6 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Closed,
     Connected,
     Reload,
     RunCommand,

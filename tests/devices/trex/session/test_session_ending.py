@@ -18,6 +18,7 @@ from tests.devices.trex.session.helpers import (
 from tests.support.matrix import examples
 from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable, StudioError
+from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
@@ -29,8 +30,6 @@ from trex_gui.devices.trex.protocol.commands import (
     GetStatus,
 )
 from trex_gui.devices.trex.session.messages import (
-    Close,
-    Closed,
     Connected,
     ReadReason,
     Reload,

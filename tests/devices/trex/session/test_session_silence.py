@@ -15,14 +15,13 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply, PortUnavailable
+from trex_gui.core.session.messages import Close, Closed
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
 from trex_gui.devices.trex.session.messages import (
     Arm,
     Batch,
-    Close,
-    Closed,
     Connected,
     NotResponding,
     ReadReason,

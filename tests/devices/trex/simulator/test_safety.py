@@ -3,7 +3,7 @@
 import pytest
 
 from tests.devices.trex.simulator.ports import SETTLED
-from trex_gui.core.errors import ResultCode
+from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board

@@ -19,10 +19,10 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.pages.calibration import CalibrationPage, calibration_page
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.core.errors import Rejected, ResultCode
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.calibration.moves import Handle
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.simulator.mapping import ChannelSetup
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot

@@ -13,12 +13,12 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.views.learning.channel_rows import ChannelRows
 from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.note import Note
 from trex_gui.ui.widgets.scroll_box import ScrollBox
@@ -498,7 +498,7 @@ def test_unconfirmed_stop_blocks_learning(learning: LearningDialog, fault: str) 
 
     learning.simulator.do("line mute off")
     learning.simulator.do("line noise 0")
-    learning.wait(lambda: learning.device.link is ConnectionState.UP)
+    learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
     learning.click("learnAgainButton")
     learning.wait_for_head("Let go of every stick")
     assert_braked(learning)
@@ -553,7 +553,7 @@ def test_unplugging_ends_each_step_and_changes_nothing(learning: LearningDialog)
 
         learning.simulator.do("line plug")
         learning.device.connect_to(settings)
-        learning.wait(lambda: learning.device.link is ConnectionState.UP)
+        learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
 
 
 def test_learning_can_be_restarted_after_the_board_was_mute(learning: LearningDialog) -> None:
@@ -562,6 +562,6 @@ def test_learning_can_be_restarted_after_the_board_was_mute(learning: LearningDi
     learning.simulator.do("line mute on")
     learning.wait_for_head("has stopped answering")
     learning.simulator.do("line mute off")
-    learning.wait(lambda: learning.device.link is ConnectionState.UP)
+    learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
     learning.click("learnAgainButton")
     learning.wait_for_head("Let go of every stick")

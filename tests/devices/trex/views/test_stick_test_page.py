@@ -8,8 +8,8 @@ from pytestqt.qtbot import QtBot
 from tests.support.pages.learning import LearningDialog, learning_dialog
 from tests.support.simulator import SimulatedDevice
 from tests.support.transmitter import Stick
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.note import Note
 
@@ -105,7 +105,7 @@ def test_stick_test_continues_after_a_power_failure(learning: LearningDialog) ->
     assert "it changes nothing in the board" in learning.head
 
     learning.simulator.do("power on")
-    learning.wait(lambda: learning.device.link is ConnectionState.UP)
+    learning.wait(lambda: learning.device.link is ConnectionState.CONNECTED)
     learning.click("learnAgainButton")
     learning.wait_for_head("Push every stick")
     learning.push(1, -1)
@@ -123,5 +123,5 @@ def test_stick_test_continues_after_a_short_power_cycle(learning: LearningDialog
     learning.push(1, -1)
     for channel in sticks:
         learning.wait_for_text(f"learnTest{channel}", "Good.")
-    assert learning.device.link is ConnectionState.UP
+    assert learning.device.link is ConnectionState.CONNECTED
     learning.assert_nothing_changed()

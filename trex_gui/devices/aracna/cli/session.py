@@ -8,6 +8,7 @@ from typing import Self
 from trex_gui.core.cli.console import CommandFailed, UsageError
 from trex_gui.core.cli.host import host
 from trex_gui.core.errors import StudioError
+from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.core.session.request_queue import RequestQueue
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
@@ -20,7 +21,6 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
-from trex_gui.devices.trex.session.messages import Close, Closed, Outcome
 
 _LOOK = 0.1
 """Seconds between two looks whether the program was asked to end."""

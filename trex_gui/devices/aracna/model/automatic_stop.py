@@ -3,7 +3,7 @@
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventKind
 
 
@@ -20,7 +20,7 @@ def halt_because(robot: Robot, reason: str) -> str:
     reckoning, in seconds; see `ObservedRobot.remaining`.
     """
     left = robot.remaining()
-    if robot.link is ConnectionState.NONE:
+    if robot.link is ConnectionState.DISCONNECTED:
         text = tr("{0}. No robot is connected; the motion goes on to its goal (about {1:.0f} s).")
         return text.format(reason, max(left, 1)) if left > 0 else ""
     at_rest = _is_at_rest(robot)
@@ -40,4 +40,4 @@ def _is_at_rest(robot: Robot) -> bool:
     """Whether the robot has said that all its motors stand, and nothing was asked of it since."""
     known = robot.known
     goes_on = known.moving is not None or known.play is not None or robot.dragging
-    return robot.link is ConnectionState.UP and not goes_on and not known.may_move_unseen
+    return robot.link is ConnectionState.CONNECTED and not goes_on and not known.may_move_unseen

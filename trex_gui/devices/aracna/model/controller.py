@@ -10,7 +10,7 @@ from trex_gui.devices.aracna.model.automatic_stop import halt_because
 from trex_gui.devices.aracna.model.demo_robot import DemoRobot
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.protocol.lines import BAUD
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
@@ -137,7 +137,7 @@ class AracnaController(QObject):
         """Send nothing more and close the line; a motion that runs ends by itself."""
         self._after_search = None
         self._demo_wanted = self._demo_in_use = False
-        if self._robot.link is ConnectionState.NONE:
+        if self._robot.link is ConnectionState.DISCONNECTED:
             self._port = None
             self.changed.emit()
         self._robot.disconnect_line()
@@ -197,7 +197,7 @@ class AracnaController(QObject):
     def _give_demo_up(self, reason: str) -> None:
         """Connect nothing; a line that was to make room for the simulated robot closes too."""
         self._demo_wanted = False
-        if self._robot.link is ConnectionState.NONE:
+        if self._robot.link is ConnectionState.DISCONNECTED:
             self._port = None
         else:
             self._robot.disconnect_line()
@@ -206,8 +206,8 @@ class AracnaController(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._robot.link is ConnectionState.UP and self._port is not None:
+        if self._robot.link is ConnectionState.CONNECTED and self._port is not None:
             self._ports.note_used(self._port)
-        if self._robot.link is ConnectionState.NONE and not self._demo_wanted:
+        if self._robot.link is ConnectionState.DISCONNECTED and not self._demo_wanted:
             self._port = None
         self.changed.emit()

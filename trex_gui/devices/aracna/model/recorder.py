@@ -21,8 +21,8 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.recording.records_from import marker
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
@@ -55,7 +55,7 @@ class AracnaRecorder(RecordThread[Row]):
     @property
     def is_there(self) -> bool:
         """Whether a robot answers."""
-        return self._robot.link is ConnectionState.UP
+        return self._robot.link is ConnectionState.CONNECTED
 
     def start(self, path: Path) -> bool:
         """Record into a CSV file from now on; return whether that is possible now.
@@ -127,7 +127,7 @@ class AracnaRecorder(RecordThread[Row]):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self.recording and self._robot.link is ConnectionState.NONE:
+        if self.recording and self._robot.link is ConnectionState.DISCONNECTED:
             self.end_because(self.tr("The recording {0} has ended with the connection."))
         elif self.recording and self._robot.motors != self._motors:
             self.end_because(self.tr("The recording {0} has ended: the robot has other motors."))

@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from trex_gui.core.errors import sentence
+from trex_gui.core.session.messages import Close, Outcome
 from trex_gui.devices.aracna.model.cropping import cropped_goals_text, slowly_first, within_limits
 from trex_gui.devices.aracna.model.observed import ObservedRobot
 from trex_gui.devices.aracna.model.robot_state import PlayState
 from trex_gui.devices.aracna.session.messages import Drag, EndPlay, Halt, Move, Play, SetTimeScale
-from trex_gui.devices.trex.model.connection import ConnectionState
-from trex_gui.devices.trex.session.messages import Close, Outcome
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventKind
 
 
@@ -47,7 +47,7 @@ class Robot(ObservedRobot):
 
     def drag(self, goals: Sequence[int]) -> None:
         """Send every motor to a goal as soon as the robot listens; the newest goals count."""
-        if self._dragging and self.link is ConnectionState.UP:
+        if self._dragging and self.link is ConnectionState.CONNECTED:
             self._holding = False
             self._line.submit(Drag(self.limits.crop(goals), self.speeds.wanted))
 
@@ -67,7 +67,7 @@ class Robot(ObservedRobot):
             BadRequest: too few, too many, or one out of range.
         """
         self.speeds.choose(speeds)
-        if self.link is ConnectionState.UP and self._known.play is None:
+        if self.link is ConnectionState.CONNECTED and self._known.play is None:
             self.speeds.give()
 
     def play(self, play: Play) -> bool:
@@ -106,7 +106,7 @@ class Robot(ObservedRobot):
 
     def halt(self) -> None:
         """Send nothing more. What moves goes on to its goal: nothing on this link stops it."""
-        if not self._line.is_open or self.link is ConnectionState.CLOSING:
+        if not self._line.is_open or self.link is ConnectionState.DISCONNECTING:
             return
         known = self._known
         goes_on = known.moving is not None or known.play is not None
@@ -128,7 +128,7 @@ class Robot(ObservedRobot):
         self._line.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
 
     def _may_move(self) -> bool:
-        if self.link is not ConnectionState.UP:
+        if self.link is not ConnectionState.CONNECTED:
             self._reject(self.tr("No robot is connected that could move."))
             return False
         if self._known.play is not None:

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.errors import BadRequest, sentence
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.model.connection import RobotConnection
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 from trex_gui.devices.aracna.session.messages import SetSpeeds
-from trex_gui.devices.trex.session.messages import Outcome
 
 FIRST_SPEED = 100
 """What every servo gets before the first motion, unless a person has chosen: 67 degrees a second.

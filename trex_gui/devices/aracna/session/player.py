@@ -4,11 +4,11 @@ import math
 from collections.abc import Callable
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.session.joint_limits import GoalLimits
 from trex_gui.devices.aracna.session.messages import Ending, Play, PlayEnded, Report, StepBegun
 from trex_gui.devices.aracna.session.servos import Servos
 from trex_gui.devices.aracna.session.step_clock import StepClock, check, check_scale
-from trex_gui.devices.trex.session.messages import Outcome
 
 
 class SequencePlayer:

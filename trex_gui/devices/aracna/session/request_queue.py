@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TypeVar
 
 from trex_gui.core.errors import StudioError
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.aracna.session.messages import (
     Drag,
     DragDropped,
@@ -16,7 +17,6 @@ from trex_gui.devices.aracna.session.messages import (
     SetLed,
     SetSpeeds,
 )
-from trex_gui.devices.trex.session.messages import Outcome
 
 Job = Move | SetSpeeds | SetLed
 """What has one outcome. A line to the robot, and before a `Move` perhaps one with its speeds."""

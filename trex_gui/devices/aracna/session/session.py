@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from trex_gui.core.errors import BadRequest, NoReply, StudioError
+from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import lines
@@ -38,7 +39,6 @@ from trex_gui.devices.aracna.session.reply_handler import ReplyHandler
 from trex_gui.devices.aracna.session.request_queue import Job, RequestQueue
 from trex_gui.devices.aracna.session.servos import FRESH, TRUST, deadline
 from trex_gui.devices.aracna.session.stats import StatsReporter
-from trex_gui.devices.trex.session.messages import Close, Closed
 
 log = logging.getLogger(__name__)
 

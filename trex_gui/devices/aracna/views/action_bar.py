@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import PlayState
 from trex_gui.devices.aracna.views.stop_button import StopSequenceButton
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.note import Note
 
@@ -60,7 +60,7 @@ class RobotBar(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         robot = self._robot
-        self._end.setEnabled(robot.playing is not None and robot.link is ConnectionState.UP)
+        self._end.setEnabled(robot.playing is not None and robot.link is ConnectionState.CONNECTED)
         self._show()
 
     @Slot()
@@ -75,7 +75,11 @@ class RobotBar(QWidget):
     def _words(self, left: float) -> tuple[str, bool]:
         """Say what is known of the motion, which should last `left` seconds; never more."""
         robot, known = self._robot, self._robot.known
-        if robot.link in {ConnectionState.NONE, ConnectionState.CLOSING, ConnectionState.OPENING}:
+        if robot.link in {
+            ConnectionState.DISCONNECTED,
+            ConnectionState.DISCONNECTING,
+            ConnectionState.CONNECTING,
+        }:
             return self._unconnected_words(left)
         if known.stuck is not None:
             return self._stuck_text(known.stuck.motor), True
@@ -84,7 +88,7 @@ class RobotBar(QWidget):
             return f"{self._playing_text(robot.playing)} {wait}", True
         if wait:
             return wait, True
-        if robot.link is ConnectionState.SILENT or known.may_move_unseen:
+        if robot.link is ConnectionState.NOT_RESPONDING or known.may_move_unseen:
             return self._unseen_words(left)
         return self.tr("At rest: nothing is sent."), False
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.theme.icons import icon
@@ -70,7 +70,7 @@ class LogPage(QWidget):
         """Show the counts; they are told once a second."""
         counters = self._robot.counters
         known = (
-            self._robot.link in {ConnectionState.UP, ConnectionState.SILENT}
+            self._robot.link in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}
             and counters.requests > 0
         )
         for label in (self._traffic, self._quality):

@@ -4,7 +4,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.red_button import RedButton
 
 
@@ -26,5 +26,9 @@ class StopSequenceButton(RedButton):
     def _on_link_changed(self) -> None:
         self.setEnabled(
             self._robot.link
-            in {ConnectionState.OPENING, ConnectionState.UP, ConnectionState.SILENT}
+            in {
+                ConnectionState.CONNECTING,
+                ConnectionState.CONNECTED,
+                ConnectionState.NOT_RESPONDING,
+            }
         )

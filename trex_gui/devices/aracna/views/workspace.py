@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.views.menu import menus
 from trex_gui.devices.aracna.views.poses_page import PosesPage
 from trex_gui.devices.aracna.views.recordings import AracnaRecordings
 from trex_gui.devices.aracna.views.robot.page import RobotPage
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.frame.actions import ActionInfo
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
@@ -172,7 +172,7 @@ class AracnaWorkspace(Workspace):
             "aracna_centre": idle,
             "aracna_stand": idle,
             "aracna_play": self._page.controls.can_move,
-            "aracna_end": not idle and robot.link is ConnectionState.UP,
+            "aracna_end": not idle and robot.link is ConnectionState.CONNECTED,
             "aracna_record": recorder.recording or recorder.can_record,
             "aracna_limits": not robot.limits.are_factory,
             "aracna_capture": None not in robot.present,
@@ -195,7 +195,7 @@ class AracnaWorkspace(Workspace):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        up = self._robot.link is ConnectionState.UP
+        up = self._robot.link is ConnectionState.CONNECTED
         if up and not self._was_up:
             self.notifier.cleared.emit()
         self._was_up = up

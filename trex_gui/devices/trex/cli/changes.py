@@ -4,13 +4,13 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from trex_gui.core.cli.console import ProgressLine, say
-from trex_gui.core.errors import Rejected, ResultCode
 from trex_gui.devices.trex.cli.common import as_options
 from trex_gui.devices.trex.cli.reconnect_hint import say_how_to_reach
 from trex_gui.devices.trex.cli.snapshots import keep
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.from_board import settings_of

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Protocol
 
-from trex_gui.core.errors import BadReply, NoReply, ResultCode
+from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.protocol.commands import (
     Command,
@@ -18,6 +18,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.parameters import parameter_number
 from trex_gui.devices.trex.protocol.parser import Malformed, NeedData, Reply, ReplyParser

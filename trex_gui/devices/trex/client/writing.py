@@ -7,15 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum, auto
 
-from trex_gui.core.errors import (
-    BadReply,
-    BadRequest,
-    NoReply,
-    PortUnavailable,
-    Rejected,
-    ResultCode,
-    StudioError,
-)
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.client import Requester
 from trex_gui.devices.trex.client.reading import ATTEMPTS, Progress, ask, no_progress
 from trex_gui.devices.trex.protocol.calibration import Calibration
@@ -26,6 +18,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetCalibration,
     SetParameter,
 )
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec

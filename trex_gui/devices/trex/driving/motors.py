@@ -7,13 +7,14 @@ import logging
 from collections.abc import Callable, Sequence
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
 from trex_gui.devices.trex.driving.idle_refresh import IdleRefresh
 from trex_gui.devices.trex.driving.setpoint_retry import SetpointRetry
 from trex_gui.devices.trex.driving.setpoints import packets
 from trex_gui.devices.trex.driving.stopping import ATTEMPTS, send_stop, stop_and_confirm
-from trex_gui.devices.trex.session.messages import MotorsStopped, Outcome, Stop
+from trex_gui.devices.trex.session.messages import MotorsStopped, Stop
 from trex_gui.devices.trex.session.request_queues import RequestQueues
 
 log = logging.getLogger(__name__)

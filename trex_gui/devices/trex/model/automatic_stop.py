@@ -4,8 +4,8 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError, sentence
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 class AutomaticStop(QObject):
@@ -36,7 +36,7 @@ class AutomaticStop(QObject):
         """
         self._unproved = ""
         self._newest += 1
-        if self._device.link is ConnectionState.NONE:
+        if self._device.link is ConnectionState.DISCONNECTED:
             return self._out_of_reach(reason) if self._device.may_move else ""
         number, self._awaited = self._newest, reason
         self._device.stop_motors(
@@ -63,12 +63,14 @@ class AutomaticStop(QObject):
 
         But of one that was asked of a line that had just ended nothing is heard.
         """
-        if self._device.link is ConnectionState.NONE:
+        if self._device.link is ConnectionState.DISCONNECTED:
             reason, self._awaited, self._unproved = self._awaited, "", ""
             if reason:
                 self.told.emit(self._closed(reason))
         elif (
-            self._unproved and self._device.link is ConnectionState.UP and not self._device.may_move
+            self._unproved
+            and self._device.link is ConnectionState.CONNECTED
+            and not self._device.may_move
         ):
             reason, self._unproved = self._unproved, ""
             self.told.emit(self._proved(reason))

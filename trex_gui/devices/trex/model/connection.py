@@ -3,21 +3,18 @@
 import logging
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from enum import Enum, auto
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.session.messages import Closed, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.model.line import Line
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Batch,
-    Closed,
     Connected,
     MotorsStopped,
     NotResponding,
-    Outcome,
-    Progress,
     Reload,
     Report,
     Request,
@@ -25,19 +22,10 @@ from trex_gui.devices.trex.session.messages import (
     Write,
 )
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.traffic.model import TrafficModel
 
 log = logging.getLogger(__name__)
-
-
-class ConnectionState(Enum):
-    """How things stand between the program and a board."""
-
-    NONE = auto()
-    OPENING = auto()
-    UP = auto()
-    SILENT = auto()
-    CLOSING = auto()
 
 
 class Connection(QObject):
@@ -52,7 +40,7 @@ class Connection(QObject):
     Signals:
         changed: `link` and `status`.
         answered: the board was read, or read anew: the `Connected`.
-        settled: what `answered` told is taken in, and `link` is `UP`.
+        settled: what `answered` told is taken in, and `link` is `CONNECTED`.
         closing: the line is about to be closed, as was asked.
         silenced: the board has stopped answering.
         left: the line is closed, and nothing of the board counts any more: the `Closed`; `None`
@@ -76,7 +64,7 @@ class Connection(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._link = ConnectionState.NONE
+        self._link = ConnectionState.DISCONNECTED
         self._status = self.tr("Not connected.")
         self._settings: ConnectionSettings | None = None
         self._echo = False
@@ -139,16 +127,18 @@ class Connection(QObject):
             return
         self._settings = settings
         self._counters = Counters()
-        self._stand(ConnectionState.OPENING, self.tr("Connecting to {0} …").format(settings.text()))
+        self._stand(
+            ConnectionState.CONNECTING, self.tr("Connecting to {0} …").format(settings.text())
+        )
         self._line.open(settings, may_move=may_move)
 
     def close(self) -> None:
         """Stop the motors if they were driven, and close the line; does not wait for it."""
         self._next = None
-        if self._line.is_open and self._link is not ConnectionState.CLOSING:
+        if self._line.is_open and self._link is not ConnectionState.DISCONNECTING:
             self.closing.emit()
             self._line.close()
-            self._stand(ConnectionState.CLOSING, self.tr("Disconnecting …"))
+            self._stand(ConnectionState.DISCONNECTING, self.tr("Disconnecting …"))
 
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every motor, from any thread; see `Line.stop_now`."""
@@ -161,7 +151,7 @@ class Connection(QObject):
         in_time = self._line.shut_down()
         if was_open:
             self.left.emit(self._line.last)
-            self._stand(ConnectionState.NONE, self.tr("Not connected."))
+            self._stand(ConnectionState.DISCONNECTED, self.tr("Not connected."))
         return in_time
 
     def submit(self, request: Request) -> bool:
@@ -195,7 +185,7 @@ class Connection(QObject):
                 self.halted.emit(report)
             case Progress(done=done, total=total, what=what):
                 self.progressed.emit(done, total, what)
-            case Connected() | NotResponding() if self._link is ConnectionState.CLOSING:
+            case Connected() | NotResponding() if self._link is ConnectionState.DISCONNECTING:
                 pass  # it was on its way when the line was given up
             case Connected():
                 self._take(report)
@@ -212,13 +202,15 @@ class Connection(QObject):
             self._wording.board = report.state.signature
             self.traffic.forget_words()
         self.answered.emit(report)
-        self._stand(ConnectionState.UP, self.tr("Connected to {0}.").format(report.state.signature))
+        self._stand(
+            ConnectionState.CONNECTED, self.tr("Connected to {0}.").format(report.state.signature)
+        )
         self.settled.emit()
 
     def _fall_silent(self, reason: str) -> None:
         self.silenced.emit()
         self._stand(
-            ConnectionState.SILENT,
+            ConnectionState.NOT_RESPONDING,
             self.tr("The board has stopped answering. Is its power on? Waiting for it …"),
         )
         log.info("the board fell silent: %s", reason)
@@ -230,7 +222,7 @@ class Connection(QObject):
         if following is not None:
             self.open(following, may_move=last.may_move)
             return
-        self._stand(ConnectionState.NONE, self.tr("Not connected."))
+        self._stand(ConnectionState.DISCONNECTED, self.tr("Not connected."))
         if last.error is not None:
             self.failed.emit(str(last.error))
 

@@ -8,10 +8,11 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.demo.board import DemoBoard
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Port, PortKind, Ports
 from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator_process import Simulator
@@ -127,7 +128,7 @@ class Connector(QObject):
         self._after_search = None
         self._demo_wanted = False
         self._set_demo_in_use(False)
-        if self._device.link is ConnectionState.NONE:
+        if self._device.link is ConnectionState.DISCONNECTED:
             self._set_port(None)
         self._device.disconnect_line()
 
@@ -161,7 +162,7 @@ class Connector(QObject):
     def _give_demo_up(self, reason: str) -> None:
         """Connect nothing; a line that was to make room for the simulated board closes too."""
         self._demo_wanted = False
-        if self._device.link is ConnectionState.NONE:
+        if self._device.link is ConnectionState.DISCONNECTED:
             self._set_port(None)
         else:
             self._device.disconnect_line()
@@ -197,10 +198,10 @@ class Connector(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._device.link is ConnectionState.UP and self._port is not None:
+        if self._device.link is ConnectionState.CONNECTED and self._port is not None:
             self._ports.note_used(self._port)
             self._note_settings(self._port)
-        if self._device.link is ConnectionState.NONE and not self._demo_wanted:
+        if self._device.link is ConnectionState.DISCONNECTED and not self._demo_wanted:
             self._set_port(None)
 
     def _note_settings(self, port: Port) -> None:

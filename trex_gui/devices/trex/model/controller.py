@@ -4,9 +4,9 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.trex.model.automatic_stop import AutomaticStop
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import TREX, DeviceKind
 from trex_gui.ui.devices.ports import Port
 
@@ -99,7 +99,7 @@ class TrexController(QObject):
     @property
     def unconfirmed_stop(self) -> str:
         """A stop that no board has confirmed, where the line is closed."""
-        if self._device.link is not ConnectionState.NONE or not self._device.may_move:
+        if self._device.link is not ConnectionState.DISCONNECTED or not self._device.may_move:
             return ""
         return self.tr("The stop is not confirmed. If a motor still turns, cut its power.")
 

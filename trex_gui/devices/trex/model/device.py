@@ -4,6 +4,7 @@ from collections.abc import Callable, Collection, Mapping
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.explanations import who_controls
@@ -13,7 +14,7 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.discovery.diagnosis import suggests_scan
 from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
 from trex_gui.devices.trex.model.board_state import after_writing, in_force
-from trex_gui.devices.trex.model.connection import Connection, ConnectionState
+from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.board_stop import SHUTDOWN, why_the_board_stopped
 from trex_gui.devices.trex.model.driving.drive_controller import AfterStop, DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
@@ -28,9 +29,7 @@ from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Batch,
-    Closed,
     Connected,
-    Outcome,
     ReadReason,
     Reload,
     SetReconnectCandidates,
@@ -39,13 +38,14 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.settings.document import calibration_key
 from trex_gui.devices.trex.settings.factory import factory_settings
 from trex_gui.devices.trex.settings.history import SettingsHistory
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventLog
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.traffic.model import TrafficModel
 
 _TIMEOUT = "serial_timeout"
 
-__all__ = ["AfterStop", "ConnectionState", "Device"]
+__all__ = ["AfterStop", "Device"]
 
 
 class Device(QObject):
@@ -177,7 +177,7 @@ class Device(QObject):
     @property
     def control_text(self) -> str:
         """Who controls the motors, as a sentence; empty while no board answers."""
-        if self._state is None or self.link is not ConnectionState.UP:
+        if self._state is None or self.link is not ConnectionState.CONNECTED:
             return ""
         seen = self.telemetry.serial_controls
         by_serial = self._state.serial_controls if seen is None else seen
@@ -203,7 +203,7 @@ class Device(QObject):
         `None` while no board answers, or where it was not read.
         """
         wire = None if self._state is None else self._state.parameters.get(_TIMEOUT)
-        if self._state is None or wire is None or self.link is not ConnectionState.UP:
+        if self._state is None or wire is None or self.link is not ConnectionState.CONNECTED:
             return None
         return wire * self._state.specs[_TIMEOUT].scale
 
@@ -220,7 +220,7 @@ class Device(QObject):
     # --- What a person does -------------------------------------------------------------
 
     def connect_to(self, settings: ConnectionSettings) -> None:
-        """Open a line and read everything; ends in `ConnectionState.UP` or in `failed`.
+        """Open a line and read everything; ends in `ConnectionState.CONNECTED` or in `failed`.
 
         A line that is open is closed first.
         """

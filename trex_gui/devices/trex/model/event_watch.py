@@ -2,12 +2,13 @@
 
 from PySide6.QtCore import QObject, Slot
 
+from trex_gui.core.session.messages import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.flags import STATUS_MEANING, UART_MEANING, Status, UartError
-from trex_gui.devices.trex.session.messages import Batch, Closed, Connected, ReadReason
+from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason
 from trex_gui.ui.devices.event_log import EventKind, EventLog
 
 GOES_ON = 1.0

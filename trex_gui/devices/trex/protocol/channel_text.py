@@ -1,7 +1,8 @@
 """Sentences about one channel: what it does now, and what stands in the way."""
 
-from trex_gui.core.errors import Rejected, ResultCode, StudioError, sentence
+from trex_gui.core.errors import StudioError, sentence
 from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 
 CHANNEL_NAMES = {1: "Motor 1", 2: "Motor 2", 3: "Auxiliary", 4: "Flip", 5: "Override"}

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from typing import Any
 
-from trex_gui.core.errors import ResultCode
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     Command,
@@ -29,6 +28,7 @@ from trex_gui.devices.trex.protocol.commands import (
     Signature,
 )
 from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import (
     CHANNELS,
     STATUS_MEANING,

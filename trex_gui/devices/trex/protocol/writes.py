@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from trex_gui.core.errors import BadReply, BadRequest, ResultCode
+from trex_gui.core.errors import BadReply, BadRequest
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.command import Command, channel_index, seven_bits
+from trex_gui.devices.trex.protocol.errors import ResultCode
 
 FORMAT_BYTES = b"\x55\x2a"
 """What ends every write, so that noise does not become one."""

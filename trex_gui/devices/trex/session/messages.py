@@ -7,7 +7,7 @@ nobody above it notices the difference.
 from dataclasses import dataclass
 from enum import Enum, auto
 
-from trex_gui.core.errors import StudioError
+from trex_gui.core.session.messages import Close, Closed, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
@@ -115,11 +115,6 @@ class SetReconnectCandidates:
     settings: tuple[ConnectionSettings, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Close:
-    """Stop the motors if they were driven, give the port back, end."""
-
-
 MotorRequest = SetMotor | SetMotors | SetAuxiliary
 """What asks motors for something."""
 
@@ -136,15 +131,6 @@ Request = (
 )
 
 # --- Out --------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True, slots=True)
-class Progress:
-    """A long piece of work is at step `done` of `total`; `what` comes next."""
-
-    done: int
-    total: int
-    what: str
 
 
 class ReadReason(Enum):
@@ -210,27 +196,6 @@ class Batch:
 
     samples: tuple[Sample, ...]
     counters: Counters
-
-
-@dataclass(frozen=True, slots=True)
-class Outcome:
-    """The end of a request; exactly one for each that has an `id`."""
-
-    id: int
-    value: object = None
-    error: StudioError | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Closed:
-    """The session has ended and the port is free; the last message.
-
-    `error` is `None` when it ended as asked. `may_move` says that motors were driven and no
-    stop was proved since.
-    """
-
-    error: StudioError | None
-    may_move: bool = False
 
 
 Report = Progress | Connected | NotResponding | MotorsStopped | Batch | Outcome | Closed

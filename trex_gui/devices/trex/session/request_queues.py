@@ -4,12 +4,12 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from trex_gui.core.session.messages import Close
 from trex_gui.devices.trex.driving.arming import ArmingWatchdog
 from trex_gui.devices.trex.driving.setpoints import SetpointSlots
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Close,
     Heartbeat,
     Reload,
     Request,

@@ -9,7 +9,8 @@ import logging
 from collections.abc import Callable
 from dataclasses import replace
 
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, Rejected, StudioError
+from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.core.session.messages import Closed, Outcome, Progress
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
@@ -21,15 +22,13 @@ from trex_gui.devices.trex.driving.arming import ArmingWatchdog
 from trex_gui.devices.trex.driving.motors import MotorOutput
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import Rejected
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.session.liveness import LivenessMonitor
 from trex_gui.devices.trex.session.messages import (
-    Closed,
     Connected,
     NotResponding,
-    Outcome,
-    Progress,
     ReadReason,
     Reload,
     Report,

@@ -6,8 +6,8 @@ Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 from collections import Counter
 from typing import Any
 
-from trex_gui.core.errors import ResultCode
 from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
 from trex_gui.devices.trex.simulator.channel_control import ChannelControl
 from trex_gui.devices.trex.simulator.channels import Channels

@@ -5,9 +5,10 @@ import math
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.stop_button import StopButton
 from trex_gui.devices.trex.views.timeout_notice import TimeoutNotice
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme, tint
 
@@ -76,13 +77,15 @@ class ActionBar(QWidget):
         self._run.setEnabled(motors.can_arm and not motors.armed and not motors.locked_for)
         self._state.setText(self._state_text())
         is_beyond_reach = (
-            link is ConnectionState.UP and not motors.can_arm and motors.locked_for > 0
+            link is ConnectionState.CONNECTED and not motors.can_arm and motors.locked_for > 0
         )
         alarming = motors.armed or self._device.may_move or is_beyond_reach
         self._show_state(alarming=alarming)
         pending = self._device.pending > 0
         self._unapplied.setVisible(pending)
-        self._apply.setEnabled(pending and link is ConnectionState.UP and not self._device.applying)
+        self._apply.setEnabled(
+            pending and link is ConnectionState.CONNECTED and not self._device.applying
+        )
 
     def _state_text(self) -> str:
         """What is known of the motors; never more than that."""
@@ -90,21 +93,21 @@ class ActionBar(QWidget):
         if motors.armed:
             return self.tr("Armed. Asked: {0}").format(motors.text or self.tr("nothing yet"))
         if self._device.may_move:
-            if link in {ConnectionState.UP, ConnectionState.CLOSING}:
+            if link in {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}:
                 return self.tr("Stopping …")
-            if link is ConnectionState.NONE:
+            if link is ConnectionState.DISCONNECTED:
                 return self.tr("The line was lost: motors may still turn. Cut their power.")
             return self.tr("Not known: motors may still turn. The stop is sent again and again.")
-        if link is ConnectionState.UP and not motors.can_arm and motors.locked_for:
+        if link is ConnectionState.CONNECTED and not motors.can_arm and motors.locked_for:
             return self.tr("Channels control the motors: Stop does not reach what they drive.")
         if motors.locked_for:
             left = math.ceil(motors.locked_for)
             return self.tr("Stopped. Motors are locked for {0} s.").format(left)
-        if link is ConnectionState.UP and motors.stop_reason:
+        if link is ConnectionState.CONNECTED and motors.stop_reason:
             return self.tr("Stopped. {0}").format(motors.stop_reason)
-        if link is ConnectionState.UP and motors.can_arm:
+        if link is ConnectionState.CONNECTED and motors.can_arm:
             return self.tr("Not armed: nothing is sent before Run motor.")
-        if link is ConnectionState.UP:
+        if link is ConnectionState.CONNECTED:
             return self.tr("Channels control the motors; Run motor needs serial control.")
         return self.tr("Motors: N/A")
 

@@ -3,7 +3,8 @@
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.red_button import RedButton
 
 
@@ -22,5 +23,9 @@ class StopButton(RedButton):
     def _on_link_changed(self) -> None:
         self.setEnabled(
             self._device.link
-            in {ConnectionState.OPENING, ConnectionState.UP, ConnectionState.SILENT}
+            in {
+                ConnectionState.CONNECTING,
+                ConnectionState.CONNECTED,
+                ConnectionState.NOT_RESPONDING,
+            }
         )

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout
 from trex_gui.core.errors import sentence
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.connector import Connector
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
 from trex_gui.devices.trex.views.action_bar import ActionBar
@@ -28,6 +28,7 @@ from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle_dialog import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
 from trex_gui.devices.trex.views.settings_files import SettingsFiles
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import TREX
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
@@ -198,7 +199,7 @@ class TrexWorkspace(Workspace):
     def enabled_actions(self) -> Mapping[str, bool]:
         """Return which of its actions can be done now."""
         link, motors = self._device.link, self._device.motors
-        up = link is ConnectionState.UP
+        up = link is ConnectionState.CONNECTED
         shown = self._device.draft.shown is not None and not self._device.applying
         waiting = bool(self._device.parameters.waiting_for_power)
         edited = shown and self._device.pending > 0
@@ -227,7 +228,7 @@ class TrexWorkspace(Workspace):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        up = self._device.link is ConnectionState.UP
+        up = self._device.link is ConnectionState.CONNECTED
         if up and not self._was_up:
             self.notifier.cleared.emit()
         self._was_up = up
@@ -288,7 +289,7 @@ class TrexWorkspace(Workspace):
     @Slot()
     def _on_power_cycle_wanted(self) -> None:
         if (
-            self._device.link is ConnectionState.UP
+            self._device.link is ConnectionState.CONNECTED
         ):  # a window that closes has nothing to lead through
             self._guided.begin()
             self._power.guide()
@@ -303,7 +304,7 @@ class TrexWorkspace(Workspace):
             PromptAnswer("reloadYes", self.tr("Forget them and reload"), self._forget_and_reload),
             still=lambda: (
                 self._device.pending > 0
-                and self._device.link is ConnectionState.UP
+                and self._device.link is ConnectionState.CONNECTED
                 and not self._device.applying
             ),
         )

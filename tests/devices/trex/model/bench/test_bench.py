@@ -12,9 +12,10 @@ from trex_gui.devices.trex.bench.figures import figures
 from trex_gui.devices.trex.bench.profile import Profile, Shape
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.model.bench.bench import Bench, Phase, Plan
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.simulator.physics import CONSTANTS, MotorPhysics
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now
 
 STEP = 0.02
@@ -46,7 +47,7 @@ class BenchSetup:
 
     def connect(self) -> None:
         self.device.connect_to(ConnectionSettings(self.simulator.url))
-        self.until(lambda: self.device.link is ConnectionState.UP)
+        self.until(lambda: self.device.link is ConnectionState.CONNECTED)
         self.until(lambda: self.device.telemetry.motor_currents is not None)
 
     def plan(self, shape: Shape = Shape.STEP, **values: Any) -> None:

@@ -6,8 +6,9 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 @pytest.fixture
@@ -28,5 +29,5 @@ def rc_board(start_simulator: StartSimulator) -> SimulatedDevice:
 def rc_device(device: Device, rc_board: SimulatedDevice, qtbot: QtBot) -> Device:
     """A device that is connected to `rc_board`; no sample has come in yet."""
     device.connect_to(ConnectionSettings(rc_board.url))
-    qtbot.waitUntil(lambda: device.link is ConnectionState.UP)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
     return device

@@ -6,10 +6,10 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import StartSimulator
 from trex_gui.composition import Program
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.model.driving.board_stop import why_the_board_stopped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 NO_STATUS = Status(0)
 
@@ -39,7 +39,7 @@ def test_line_error_disarms_and_clears_setpoints(
     simulator = start_simulator("--unpaced")
     device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(
-        lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
+        lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm, timeout=20_000
     )
     device.motors.arm()
     device.motors.accelerate = False

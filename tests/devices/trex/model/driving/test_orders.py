@@ -13,11 +13,12 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.model.connection import Connection
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_controller import DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Heartbeat, MotorsStopped, Request
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now, runtime
 
@@ -56,7 +57,7 @@ def driven(program: Program, simulator: SimulatedDevice, qtbot: QtBot) -> Device
     device = program.device
     device.connect_to(ConnectionSettings(simulator.url))
     qtbot.waitUntil(
-        lambda: device.link is ConnectionState.UP and device.motors.can_arm, timeout=20_000
+        lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm, timeout=20_000
     )
     device.motors.arm()
     device.motors.accelerate = False
@@ -175,9 +176,9 @@ def test_line_closed_with_motors_at_rest_is_not_reported_as_lost(
     device.notifier.error.connect(failures.append)
     for simulator in (start_simulator("--unpaced"), start_simulator("--unpaced")):
         device.connect_to(ConnectionSettings(simulator.url))
-        qtbot.waitUntil(lambda: device.link is ConnectionState.UP and device.motors.can_arm)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED and device.motors.can_arm)
         device.disconnect_line()
-        qtbot.waitUntil(lambda: device.link is ConnectionState.NONE)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.DISCONNECTED)
     assert failures == []
 
 
@@ -186,7 +187,7 @@ def test_stop_of_another_board_warns_about_the_lost_one(
 ) -> None:
     failures: list[str] = []
     simulator.do("line unplug")
-    qtbot.waitUntil(lambda: driven.link is ConnectionState.NONE)
+    qtbot.waitUntil(lambda: driven.link is ConnectionState.DISCONNECTED)
     driven.notifier.error.connect(failures.append)
     driven.connect_to(ConnectionSettings(start_simulator().url))
     qtbot.waitUntil(lambda: bool(failures))

@@ -6,7 +6,6 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_status import (
     DriveBlocker,
@@ -16,15 +15,16 @@ from trex_gui.devices.trex.model.driving.drive_status import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode, UartError
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 @pytest.mark.parametrize(
     ("situation", "kind", "said"),
     [
-        (DriveInputs(link=ConnectionState.NONE), DriveBlocker.NO_BOARD, "No board"),
-        (DriveInputs(link=ConnectionState.OPENING), DriveBlocker.OPENING, "being read"),
-        (DriveInputs(link=ConnectionState.CLOSING), DriveBlocker.CLOSING, "closed"),
-        (DriveInputs(link=ConnectionState.SILENT), DriveBlocker.SILENT, "does not answer"),
+        (DriveInputs(link=ConnectionState.DISCONNECTED), DriveBlocker.NO_BOARD, "No board"),
+        (DriveInputs(link=ConnectionState.CONNECTING), DriveBlocker.OPENING, "being read"),
+        (DriveInputs(link=ConnectionState.DISCONNECTING), DriveBlocker.CLOSING, "closed"),
+        (DriveInputs(link=ConnectionState.NOT_RESPONDING), DriveBlocker.SILENT, "does not answer"),
         (DriveInputs(mode=None), DriveBlocker.UNKNOWN, "not said yet"),
         (DriveInputs(by_serial=None), DriveBlocker.UNKNOWN, "not said yet"),
         (DriveInputs(by_serial=False), DriveBlocker.NOT_SERIAL, "serial commands do not"),
@@ -132,7 +132,7 @@ def test_every_situation_gives_a_sentence() -> None:
 def test_obeyed_is_set_only_when_serial_commands_act() -> None:
     for now in _EVERYTHING:
         obeyed = (
-            now.link is ConnectionState.UP
+            now.link is ConnectionState.CONNECTED
             and now.mode is not None
             and now.by_serial is True
             and now.armed

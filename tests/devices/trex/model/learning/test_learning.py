@@ -11,9 +11,10 @@ from tests.support.transmitter import Stick, Transmitter
 from trex_gui.core.errors import NoReply, StudioError
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning, LearningStep
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 UNPROVED = "not sure that the motors stand"
 
@@ -32,7 +33,7 @@ class LearningSetup:
         failures: list[str] = []
         self.device.notifier.error.connect(failures.append)
         self.device.connect_to(ConnectionSettings(simulator.url))
-        self.until(lambda: self.device.link is ConnectionState.UP or bool(failures))
+        self.until(lambda: self.device.link is ConnectionState.CONNECTED or bool(failures))
         assert not failures, (failures, simulator.show()["power"], simulator.show()["active_uart"])
         self.until(lambda: self.transmitter.rests(self.device.telemetry.raw_of))
 
@@ -166,9 +167,9 @@ def test_analog_mode_is_refused(setup: LearningSetup) -> None:
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:
     setup.simulator.do("eeprom motor_mode 1")
     setup.simulator.do("power off")
-    setup.until(lambda: setup.device.link is ConnectionState.SILENT)
+    setup.until(lambda: setup.device.link is ConnectionState.NOT_RESPONDING)
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is ConnectionState.UP and setup.device.is_joint)
+    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED and setup.device.is_joint)
     setup.until(lambda: setup.device.motors.can_arm)
     setup.device.motors.arm()
     setup.device.motors.set_speed(1, 60)
@@ -205,7 +206,7 @@ def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSe
 
 def test_learning_without_a_board_names_the_reason(setup: LearningSetup) -> None:
     setup.device.disconnect_line()
-    setup.until(lambda: setup.device.link is ConnectionState.NONE)
+    setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
     assert setup.learning.why_not() == "Connect to a board first."
 
 
@@ -269,7 +270,7 @@ def test_power_loss_fails_learning_and_allows_a_restart(
     setup.learning.again()
     assert setup.learning.trouble == "Connect to a board first."
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is ConnectionState.UP)
+    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
     setup.learning.again()
     setup.until_step(LearningStep.NEUTRAL if step is LearningStep.TRAVEL else LearningStep.TEST)
 
@@ -366,7 +367,7 @@ def test_stop_outcome_is_reported_once_per_request(setup: LearningSetup) -> None
     setup.device.motors.stop()
     setup.until(lambda: not setup.device.may_move)
     setup.device.disconnect_line()
-    setup.until(lambda: setup.device.link is ConnectionState.NONE)
+    setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
     setup.device.stop_motors(told.append)
     assert len(told) == 2
     assert "No board is connected" in str(told[1])
@@ -425,9 +426,9 @@ def test_reconnecting_forgets_the_pending_test(
     setup.to_review(1)
     setup.learning.take()
     setup.device.disconnect_line()
-    setup.until(lambda: setup.device.link is ConnectionState.NONE)
+    setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
     setup.device.connect_to(ConnectionSettings(setup.simulator.url))
-    setup.until(lambda: setup.device.link is ConnectionState.UP)
+    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
     assert setup.device.pending
     setup.write()
     assert setup.device.pending == 0
@@ -564,7 +565,7 @@ def test_restart_after_power_loss_stops_the_motors_again(
     setup.simulator.do("power off")
     setup.until_step(LearningStep.FAILED)
     setup.simulator.do("power on")
-    setup.until(lambda: setup.device.link is ConnectionState.UP)
+    setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
     assert not setup.learning.can_go_on
     assert not setup.learning.can_take
     setup.learning.again()

@@ -7,10 +7,11 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.calibration.proof import StickTest, idle_side
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.stick_tests import StickTests
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
 """Learned from a stick that rests at 1100 µs; below that is trim only."""
@@ -60,7 +61,7 @@ def connect(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable
         if lines:
             quick_simulator.do("power cycle")
         device.connect_to(ConnectionSettings(quick_simulator.url))
-        qtbot.waitUntil(lambda: device.link is ConnectionState.UP, timeout=30_000)
+        qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED, timeout=30_000)
         return device
 
     yield connect

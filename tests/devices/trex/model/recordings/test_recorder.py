@@ -9,13 +9,14 @@ from pytestqt.qtbot import QtBot
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.recording.backlog import Backlog
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.recordings.recorder import Recorder
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.recording.files import open_recording
 from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord, SettingsSeen
 from trex_gui.devices.trex.session.messages import Batch
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventKind
 
 
@@ -37,7 +38,7 @@ class RecorderSetup:
 
     def connect(self) -> None:
         self.device.connect_to(ConnectionSettings(self.simulator.url))
-        self.wait(lambda: self.device.link is ConnectionState.UP)
+        self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
 
     def wait(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition, timeout=20_000)
@@ -140,10 +141,10 @@ def test_recording_continues_while_the_board_is_unresponsive(
     session.recorder.start(tmp_path / "a.trexrec")
     session.wait(lambda: len(session.samples) > 50)
     session.simulator.do("power off")
-    session.wait(lambda: session.device.link is ConnectionState.SILENT)
+    session.wait(lambda: session.device.link is ConnectionState.NOT_RESPONDING)
     assert session.recorder.recording
     session.simulator.do("power on")
-    session.wait(lambda: session.device.link is ConnectionState.UP)
+    session.wait(lambda: session.device.link is ConnectionState.CONNECTED)
     before = len(session.samples)
     session.wait(lambda: len(session.samples) > before + 50)
     assert session.recorder.recording

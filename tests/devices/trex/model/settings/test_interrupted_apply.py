@@ -8,13 +8,13 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.model.test_device import DeviceRecorder
 from tests.support.simulator import SimulatedDevice
 from trex_gui.devices.trex.client.writing import Skipped, WriteResult
-from trex_gui.devices.trex.model.device import ConnectionState
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 SPECS = parameters_of("trex", "1.2")
 LEARNED = Calibration(2400, 3700, 5100, 80)
@@ -129,14 +129,14 @@ def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -
 @every_step
 def test_apply_resumes_after_a_power_cut(step: int, applied: InterruptedApply) -> None:
     applied.disturb(step, lambda: applied.simulator.do("power off"))
-    applied.recorder.until_link(ConnectionState.SILENT)
+    applied.recorder.until_link(ConnectionState.NOT_RESPONDING)
     applied.simulator.do("power on")
     applied.require_kept()
     applied.require_named()
     require_old_or_new(applied.stored, applied.before, lost=1)
 
     # With the line settings stored it comes back at those: Apply has said where to look.
-    applied.recorder.until_link(ConnectionState.UP)
+    applied.recorder.until_link(ConnectionState.CONNECTED)
     applied.require_waiting()
     applied.finish()
 
@@ -144,7 +144,7 @@ def test_apply_resumes_after_a_power_cut(step: int, applied: InterruptedApply) -
 @every_step
 def test_apply_resumes_after_an_unplugged_cable(step: int, applied: InterruptedApply) -> None:
     applied.disturb(step, lambda: applied.simulator.do("line unplug"))
-    applied.recorder.until_link(ConnectionState.NONE)
+    applied.recorder.until_link(ConnectionState.DISCONNECTED)
     applied.require_kept()
     applied.require_named()
     require_old_or_new(applied.stored, applied.before, lost=0)
@@ -162,7 +162,7 @@ def connect_after_power_cycle(applied: InterruptedApply) -> None:
     applied.simulator.do("power cycle")
     line = LineSettings.from_wire(applied.stored["uart_settings"])
     applied.device.connect_to(ConnectionSettings(applied.simulator.url, line))
-    applied.recorder.until_link(ConnectionState.UP)
+    applied.recorder.until_link(ConnectionState.CONNECTED)
 
 
 def require_told(applied: InterruptedApply) -> None:
@@ -181,7 +181,7 @@ def require_told(applied: InterruptedApply) -> None:
 @every_step
 def test_apply_resumes_after_disconnecting(step: int, applied: InterruptedApply) -> None:
     applied.disturb(step, applied.device.disconnect_line)
-    applied.recorder.until_link(ConnectionState.NONE)
+    applied.recorder.until_link(ConnectionState.DISCONNECTED)
     require_told(applied)
 
     applied.recorder.connect(applied.simulator.url)
@@ -194,7 +194,7 @@ def test_apply_resumes_after_disconnect_and_power_cycle(
     step: int, applied: InterruptedApply
 ) -> None:
     applied.disturb(step, applied.device.disconnect_line)
-    applied.recorder.until_link(ConnectionState.NONE)
+    applied.recorder.until_link(ConnectionState.DISCONNECTED)
     require_told(applied)
 
     connect_after_power_cycle(applied)
@@ -213,7 +213,7 @@ def test_shutdown_reports_the_results_of_an_apply(step: int, applied: Interrupte
 
     applied.disturb(step, end)
     assert (ended, told) == ([True], [1])
-    assert applied.device.link is ConnectionState.NONE
+    assert applied.device.link is ConnectionState.DISCONNECTED
     require_told(applied)
 
     connect_after_power_cycle(applied)
@@ -228,7 +228,7 @@ def test_reconnecting_during_apply_keeps_only_unwritten_edits(
     """Connecting elsewhere closes the line first."""
     again = ConnectionSettings(applied.simulator.url)
     applied.disturb(step, lambda: applied.device.connect_to(again))
-    applied.recorder.until_link(ConnectionState.UP)
+    applied.recorder.until_link(ConnectionState.CONNECTED)
     require_told(applied)
     applied.finish()
 
@@ -241,7 +241,7 @@ def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Device
     """A device that calls its board by the number 7."""
     recorder = DeviceRecorder(qtbot)
     recorder.device.connect_to(ConnectionSettings(quick_simulator.url, device_number=7))
-    recorder.until_link(ConnectionState.UP)
+    recorder.until_link(ConnectionState.CONNECTED)
     yield recorder
     qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
 
@@ -257,7 +257,7 @@ def test_new_device_number_is_used_immediately(
     steps = len(addressed.steps)
     addressed.device.reload()
     addressed.until(lambda: len(addressed.steps) > steps and addressed.steps[-1][2] == "done")
-    assert addressed.device.link is ConnectionState.UP
+    assert addressed.device.link is ConnectionState.CONNECTED
     assert addressed.failures == []
 
 
@@ -268,9 +268,9 @@ def test_renumbered_board_reconnects_after_power_cycle(
     addressed.edit("uart_settings", WANTED["uart_settings"])
     addressed.apply()
     quick_simulator.do("power off")
-    addressed.until_link(ConnectionState.SILENT)
+    addressed.until_link(ConnectionState.NOT_RESPONDING)
     quick_simulator.do("power on")
-    addressed.until_link(ConnectionState.UP)
+    addressed.until_link(ConnectionState.CONNECTED)
     assert addressed.device.settings is not None
     assert addressed.device.settings.device_number == 9
     assert addressed.device.parameters.stored_of("device_number") == 9
@@ -282,9 +282,9 @@ def test_renumbered_board_reconnects_after_unplugged_cable(
     addressed.edit("device_number", 9)
     addressed.apply()
     quick_simulator.do("line unplug")
-    addressed.until_link(ConnectionState.NONE)
+    addressed.until_link(ConnectionState.DISCONNECTED)
     quick_simulator.do("line plug")
     assert addressed.device.settings is not None
     addressed.device.connect_to(addressed.device.settings)
-    addressed.until(lambda: addressed.device.link is not ConnectionState.OPENING)
-    assert addressed.device.link is ConnectionState.UP
+    addressed.until(lambda: addressed.device.link is not ConnectionState.CONNECTING)
+    assert addressed.device.link is ConnectionState.CONNECTED

@@ -10,7 +10,7 @@ from trex_gui.devices.aracna.model.event_log import missed_text
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.views.robot.joint_row import JointRow, JointState
 from trex_gui.devices.aracna.views.robot.words import joint_of, side_text, signed, speed_text
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.theme import theme
 
 _LEG, _NAME, _SLIDER, _UNITS, _DEGREES, _PRESENT, _STATE, _SPEED, _LOW, _HIGH = range(10)
@@ -216,7 +216,7 @@ class JointTable(QWidget):
         if known.stuck is not None and known.stuck.motor == motor:
             return JointState(present, self.tr("stuck here"), alarming=True)
         if known.moving is not None:
-            if self._robot.link is not ConnectionState.UP or known.waited_for > motor:
+            if self._robot.link is not ConnectionState.CONNECTED or known.waited_for > motor:
                 return JointState(present, self._difference(motor))
             return JointState(present, self.tr("moving …"))
         if missed is not None and missed.unreadable:

@@ -7,7 +7,7 @@ from trex_gui.devices.aracna.model.event_log import joined, missed_texts, speed_
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.speeds import FIRST_SPEED
 from trex_gui.devices.aracna.views.robot.words import speed_text as meaning
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.note import Note
 
 
@@ -36,7 +36,11 @@ class Reports(QWidget):
 
     def _words(self) -> tuple[str, bool]:
         robot, known = self._robot, self._robot.known
-        if robot.link in {ConnectionState.NONE, ConnectionState.CLOSING, ConnectionState.OPENING}:
+        if robot.link in {
+            ConnectionState.DISCONNECTED,
+            ConnectionState.DISCONNECTING,
+            ConnectionState.CONNECTING,
+        }:
             return self._without_a_robot(), False
         if known.stuck is not None:
             return stuck_text(known.stuck.motor), True

@@ -5,7 +5,7 @@ from PySide6.QtCore import QCoreApplication
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.protocol.joints import JOINTS, Joint, JointKind, Side
 from trex_gui.devices.aracna.protocol.units import degrees, degrees_per_second
-from trex_gui.devices.trex.model.connection import ConnectionState
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def tr(text: str) -> str:
@@ -68,7 +68,7 @@ def assumed_text() -> str:
 
 def why_not_move(robot: Robot) -> str:
     """Say why a robot cannot be sent anywhere now; empty where it can."""
-    if robot.link is not ConnectionState.UP:
+    if robot.link is not ConnectionState.CONNECTED:
         return tr("There is no robot that could move now.")
     if (stuck := robot.known.stuck) is None:
         return ""

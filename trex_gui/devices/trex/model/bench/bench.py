@@ -11,9 +11,10 @@ from trex_gui.devices.trex.bench.plan import Plan
 from trex_gui.devices.trex.bench.run import End, Run
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus
 from trex_gui.devices.trex.model.bench.obstacle import HOLDER, obstacle
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.session.messages import Batch
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventKind
 from trex_gui.ui.runtime import now, runtime
 
@@ -276,15 +277,15 @@ class Bench(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._phase is not Phase.IDLE and self._device.link is not ConnectionState.UP:
+        if self._phase is not Phase.IDLE and self._device.link is not ConnectionState.CONNECTED:
             self.abort("")
             self._finish()
         self.changed.emit()
 
     def _reason_from_outside(self) -> str:
-        if self._device.link is ConnectionState.SILENT:
+        if self._device.link is ConnectionState.NOT_RESPONDING:
             return self.tr("The board has stopped answering.")
-        if self._device.link is not ConnectionState.UP:
+        if self._device.link is not ConnectionState.CONNECTED:
             return self.tr("The line was closed.")
         if self._device.telemetry.serial_controls is False:
             return self.tr("Serial commands do not control the motors any more.")

@@ -2,8 +2,9 @@
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.motors import Motors
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 HOLDER = "bench"
 """By which the motors know that a bench test has them."""
@@ -20,9 +21,9 @@ def obstacle(device: Device, *, ignore_wishes: bool = False) -> str:
     With `ignore_wishes` motors may be driven: a test does so itself.
     """
     motors = device.motors
-    if device.link is ConnectionState.SILENT:
+    if device.link is ConnectionState.NOT_RESPONDING:
         return tr("The board does not answer.")
-    if device.link is not ConnectionState.UP:
+    if device.link is not ConnectionState.CONNECTED:
         return tr("Connect to a board to test its motors.")
     if device.is_joint:
         return tr("In joint mode the board senses no current: nothing would end a test of itself.")

@@ -5,22 +5,22 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.errors import NoReply, StudioError
+from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
 from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL
-from trex_gui.devices.trex.model.connection import Connection, ConnectionState
+from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
     Arm,
-    Closed,
     Connected,
     Heartbeat,
     MotorRequest,
     MotorsStopped,
-    Outcome,
     ReadReason,
     Stop,
 )
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now, runtime
 
@@ -79,7 +79,7 @@ class DriveController(QObject):
         what was meant for now would start later.
         """
         self._by_serial = by_serial
-        is_up = self._connection.link is ConnectionState.UP
+        is_up = self._connection.link is ConnectionState.CONNECTED
         allowed = is_up and by_serial
         if allowed != self._motors.can_arm:
             if not allowed and self._motors.armed and is_up:
@@ -139,9 +139,9 @@ class DriveController(QObject):
             self._may_move = self._motors.armed
             self.confirmed.emit()
             self._tell_of_the_lost()
-            if self._connection.link is ConnectionState.UP and not self._by_serial:
+            if self._connection.link is ConnectionState.CONNECTED and not self._by_serial:
                 self._notifier.error.emit(BEYOND_A_STOP)
-        elif self._connection.link is not ConnectionState.CLOSING:
+        elif self._connection.link is not ConnectionState.DISCONNECTING:
             self._notifier.error.emit(str(outcome.error))
 
     @Slot(object)
@@ -186,7 +186,7 @@ class DriveController(QObject):
     def _tell_of_the_lost(self) -> None:
         """A board that stands now need not be the one whose line was lost with turning motors."""
         lost, now = self._lost_with, self._connection.settings
-        if lost is None or self._may_move or self._connection.link is not ConnectionState.UP:
+        if lost is None or self._may_move or self._connection.link is not ConnectionState.CONNECTED:
             return
         self._lost_with = None
         if now is not None and now.url != lost.url:

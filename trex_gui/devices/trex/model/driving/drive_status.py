@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from enum import Enum, auto
 from math import ceil
 
-from trex_gui.devices.trex.model.connection import ConnectionState
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError, channels_in
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 _NO_ERROR = UartError(0)
 
@@ -76,7 +76,7 @@ class DriveInputs:
         locked_for: seconds.
     """
 
-    link: ConnectionState = ConnectionState.UP
+    link: ConnectionState = ConnectionState.CONNECTED
     mode: Mode | None = Mode.SERIAL_RC
     by_serial: bool | None = True
     joint: bool = False
@@ -149,21 +149,21 @@ def _motors_with(bits: Sequence[Status | UartError], wanted: dict[int, Status]) 
 
 def _of_the_link(now: DriveInputs) -> DriveStatus | None:
     match now.link:
-        case ConnectionState.NONE:
+        case ConnectionState.DISCONNECTED:
             return DriveStatus(
                 DriveBlocker.NO_BOARD, "No board is connected.", "Choose a port above."
             )
-        case ConnectionState.OPENING:
+        case ConnectionState.CONNECTING:
             return DriveStatus(DriveBlocker.OPENING, "The board is being read.")
-        case ConnectionState.CLOSING:
+        case ConnectionState.DISCONNECTING:
             return DriveStatus(DriveBlocker.CLOSING, "The line is being closed.")
-        case ConnectionState.SILENT:
+        case ConnectionState.NOT_RESPONDING:
             return DriveStatus(
                 DriveBlocker.SILENT,
                 "The board does not answer.",
                 "Look at its power and the cable; a stop is sent again and again.",
             )
-        case ConnectionState.UP:
+        case ConnectionState.CONNECTED:
             return None
 
 

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import channels_in
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 _REVERSED = "reversed_channels"
 
@@ -70,7 +71,7 @@ class PendingLearnedValues(QObject):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._device.link is not ConnectionState.UP:
+        if self._device.link is not ConnectionState.CONNECTED:
             self.forget()
 
     @Slot()

@@ -2,8 +2,9 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 class CalibrationPreconditions(QObject):
@@ -56,7 +57,7 @@ class CalibrationPreconditions(QObject):
     def why_not(self) -> str:
         """Say why nobody should push sticks now; empty when they move nothing."""
         state = self._device.state
-        if self._device.link is not ConnectionState.UP or state is None:
+        if self._device.link is not ConnectionState.CONNECTED or state is None:
             return self.tr("Connect to a board first.")
         if not state.mode.is_serial:
             mode = state.mode.source.value
@@ -85,9 +86,9 @@ class CalibrationPreconditions(QObject):
     @Slot()
     def _on_link_changed(self) -> None:
         link = self._device.link
-        if link is ConnectionState.SILENT:
+        if link is ConnectionState.NOT_RESPONDING:
             self._break(self.tr("The board has stopped answering: its power or its cable was cut."))
-        elif link is not ConnectionState.UP:
+        elif link is not ConnectionState.CONNECTED:
             self._break(self.tr("The line to the board is gone."))
 
     @Slot()

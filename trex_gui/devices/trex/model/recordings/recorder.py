@@ -8,11 +8,12 @@ from PySide6.QtCore import QObject, Slot
 
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.driving.setpoints import setpoints_in
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.recording.files import writer_for
 from trex_gui.devices.trex.recording.recording import Record
 from trex_gui.devices.trex.recording.records_from import header_of, marker, settings_seen, wish_of
 from trex_gui.devices.trex.session.messages import Batch, MotorRequest
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
@@ -47,7 +48,7 @@ class Recorder(RecordThread[Record]):
     @property
     def is_there(self) -> bool:
         """Whether a board is connected and was read."""
-        return self._device.link is ConnectionState.UP and self._device.state is not None
+        return self._device.link is ConnectionState.CONNECTED and self._device.state is not None
 
     def start(self, path: Path) -> bool:
         """Record into a file from now on; return whether that is possible now.
@@ -97,7 +98,7 @@ class Recorder(RecordThread[Record]):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self.recording and self._device.link is ConnectionState.NONE:
+        if self.recording and self._device.link is ConnectionState.DISCONNECTED:
             self.end_because(self.tr("The recording {0} has ended with the connection."))
         self.changed.emit()
 

@@ -7,12 +7,13 @@ from PySide6.QtCore import QObject, Signal
 
 from trex_gui.core.errors import sentence
 from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.session.messages import Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import Outcome, Write
+from trex_gui.devices.trex.session.messages import Write
 from trex_gui.devices.trex.settings.document import calibration_key
 from trex_gui.devices.trex.settings.from_board import settings_of
 from trex_gui.devices.trex.settings.history import SettingsHistory

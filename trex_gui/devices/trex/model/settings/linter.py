@@ -2,9 +2,10 @@
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.settings.rules import Context, LintFinding, advise
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 class SettingsLinter(QObject):
@@ -70,7 +71,7 @@ class BoardAdviser(SettingsLinter):
     @Slot()
     def _on_board_changed(self) -> None:
         settings = self._device.settings
-        if settings is None or self._device.link is not ConnectionState.UP:
+        if settings is None or self._device.link is not ConnectionState.CONNECTED:
             self._drove = False
             self.set_context(None)
             return

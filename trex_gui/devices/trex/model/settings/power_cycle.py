@@ -5,9 +5,10 @@ from enum import Enum, auto
 from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.settings.factory import factory_settings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 
 _LONG = 10_000
@@ -73,7 +74,7 @@ class PowerCycle(QObject):
     def begin(self) -> None:
         """Wait for the power to go off, and on again."""
         state, settings = self._device.state, self._device.settings
-        if state is None or settings is None or self._device.link is not ConnectionState.UP:
+        if state is None or settings is None or self._device.link is not ConnectionState.CONNECTED:
             return
         signature = state.signature
         values = state.parameters
@@ -86,7 +87,7 @@ class PowerCycle(QObject):
 
     def confirm(self) -> None:
         """Take a person's word that the power was off and is on again."""
-        if self._device.link is ConnectionState.UP:
+        if self._device.link is ConnectionState.CONNECTED:
             self._device.note_power_cycled()
             self._go(PowerCycleStage.BACK)
 
@@ -98,16 +99,19 @@ class PowerCycle(QObject):
     @Slot()
     def _on_link_changed(self) -> None:
         match self._stage, self._device.link:
-            case PowerCycleStage.OFF_WANTED | PowerCycleStage.UNSURE, ConnectionState.SILENT:
+            case (
+                PowerCycleStage.OFF_WANTED | PowerCycleStage.UNSURE,
+                ConnectionState.NOT_RESPONDING,
+            ):
                 self._go(PowerCycleStage.ON_WANTED)
-            case PowerCycleStage.ON_WANTED, ConnectionState.UP:
+            case PowerCycleStage.ON_WANTED, ConnectionState.CONNECTED:
                 self._go(PowerCycleStage.BACK)
             case (
                 PowerCycleStage.OFF_WANTED | PowerCycleStage.ON_WANTED | PowerCycleStage.UNSURE,
-                ConnectionState.NONE | ConnectionState.CLOSING,
+                ConnectionState.DISCONNECTED | ConnectionState.DISCONNECTING,
             ):
                 self._go(PowerCycleStage.LOST)
-            case PowerCycleStage.LOST, ConnectionState.UP:
+            case PowerCycleStage.LOST, ConnectionState.CONNECTED:
                 self._go(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)
 
     @Slot()

@@ -7,9 +7,10 @@ from PySide6.QtWidgets import QGridLayout, QGroupBox, QLabel, QPushButton, QVBox
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.bench.bench import Bench
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.parameters.motor_pairs import motor_name
 from trex_gui.devices.trex.views.pages.parameters.editors import Editor, editor_for
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
 
@@ -80,7 +81,9 @@ class Tuning(QGroupBox):
         self._empty.setVisible(not keys)
         self._show_values()
         can = (
-            device.link is ConnectionState.UP and not device.applying and not self._bench.is_driving
+            device.link is ConnectionState.CONNECTED
+            and not device.applying
+            and not self._bench.is_driving
         )
         for editor in self._editors.values():
             editor.setEnabled(can)

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import SettingsError
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
@@ -13,6 +13,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.history.present_choice import Present, PresentChoice
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.note import Note
 
@@ -217,7 +218,7 @@ class SnapshotPane(QWidget):
             return why_not
         if not self._against_board:
             return self.tr("To restore, compare with the board as it is now.")
-        if self._device.link is not ConnectionState.UP:
+        if self._device.link is not ConnectionState.CONNECTED:
             return self.tr("The board does not answer now, so nothing can be restored.")
         if self._device.applying:
             return self.tr("Settings are being written; wait for that.")

@@ -9,11 +9,12 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QHBoxLayout, QLabel, QSize
 
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.files.text_files import load
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
 from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.no_wheel_combo_box import NoWheelComboBox
 
 FOLDER = "settings/folder"
@@ -115,7 +116,10 @@ class PresentChoice(QWidget):
     def why_not_the_board(self, snapshot: Snapshot) -> str:
         """Say why a snapshot cannot be compared with the board, nor restored; empty: it can."""
         state = self._device.state
-        if state is None or self._device.link in {ConnectionState.NONE, ConnectionState.CLOSING}:
+        if state is None or self._device.link in {
+            ConnectionState.DISCONNECTED,
+            ConnectionState.DISCONNECTING,
+        }:
             return self.tr("No board is connected. Connect one to restore a snapshot.")
         board = state.signature.model.name
         if snapshot.product != board:

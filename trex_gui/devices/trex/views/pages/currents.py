@@ -6,8 +6,9 @@ from PySide6.QtCore import Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.traces import LiveTraces
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ class CurrentsPage(QWidget):
         state = self._device.state
         if state is None:
             note = empty = self.tr("Connect to a board to see its motor currents.")
-            if self._device.link is ConnectionState.NONE:
+            if self._device.link is ConnectionState.DISCONNECTED:
                 empty = self.tr(
                     "No board is connected. Choose a port at the top and press Connect; without "
                     "hardware, choose the demo board."

@@ -17,8 +17,9 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.devices.trex.client.explanations import MODE_TEXT
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.header_names import name_headers
@@ -133,7 +134,7 @@ class StatusPage(QWidget):
         state = self._device.state
         settings = self._device.settings
         not_there = self.tr("N/A")
-        up = self._device.link is ConnectionState.UP
+        up = self._device.link is ConnectionState.CONNECTED
         for label in self._values.values():
             label.setText(not_there)
             label.setEnabled(up)
@@ -179,7 +180,7 @@ class StatusPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_telemetry_updated(self) -> None:
-        if self._device.link is not ConnectionState.UP:
+        if self._device.link is not ConnectionState.CONNECTED:
             return
         counters = self._device.counters
         self._values["control"].setText(self._device.control_text)

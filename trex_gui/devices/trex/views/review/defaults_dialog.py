@@ -10,12 +10,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.factory import factory_settings, serial_defaults
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.stop_button import StopButton
+from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 class DefaultsDialog(QDialog):
@@ -160,7 +161,7 @@ class DefaultsDialog(QDialog):
 
     def _describe(self) -> None:
         count = len(self._rows.table.ticked)
-        up = self._device.link is ConnectionState.UP and not self._device.applying
+        up = self._device.link is ConnectionState.CONNECTED and not self._device.applying
         self._take.setText(
             self.tr("Make 1 change an edit")
             if count == 1

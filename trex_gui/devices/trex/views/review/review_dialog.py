@@ -17,12 +17,13 @@ from PySide6.QtWidgets import (
 
 from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.review.power_cycle_panel import PowerCyclePanel
 from trex_gui.devices.trex.views.stop_button import StopButton
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.note import Note
 
@@ -117,7 +118,9 @@ class ReviewDialog(QDialog):
         """Whether the board takes settings now, and what it takes stays."""
         device = self._device
         return (
-            device.link is ConnectionState.UP and not device.applying and not device.reset_ordered
+            device.link is ConnectionState.CONNECTED
+            and not device.applying
+            and not device.reset_ordered
         )
 
     # --- What a person does -------------------------------------------------------------
@@ -158,7 +161,7 @@ class ReviewDialog(QDialog):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        if self._phase is _Phase.WRITING and self._device.link is ConnectionState.NONE:
+        if self._phase is _Phase.WRITING and self._device.link is ConnectionState.DISCONNECTED:
             self._problem = self._problem or self.tr("The line was lost.")
             self._enter(_Phase.DONE)
         elif self.isVisible():
@@ -260,7 +263,7 @@ class ReviewDialog(QDialog):
                 return self._count_text(count, self.tr("{0} stored and read back equal."))
         if count == 0:
             return self.tr("There is nothing to write: no setting was changed.")
-        if self._device.link is not ConnectionState.UP:
+        if self._device.link is not ConnectionState.CONNECTED:
             return self.tr("No board answers. The edits are kept.")
         if self._device.reset_ordered:
             return self.tr(

@@ -7,12 +7,13 @@ from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPushButton, QVBoxLa
 
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.core.files.errors import Finding
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsPanel, line_of_key
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.note import Note
 
@@ -233,5 +234,5 @@ class LoadDialog(QDialog):
             self._take.setText(self.tr("&Make 1 change an edit"))
         else:
             self._take.setText(self.tr("&Make {0} changes edits").format(count))
-        up = self._device.link is ConnectionState.UP and not self._device.applying
+        up = self._device.link is ConnectionState.CONNECTED and not self._device.applying
         self._take.setEnabled(up and count > 0 and not self._rows.isHidden())

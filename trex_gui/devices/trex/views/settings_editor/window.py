@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QMainWindow, QTabWidget, QVB
 
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.files.text_files import load
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
 from trex_gui.devices.trex.model.settings.linter import SettingsLinter
 from trex_gui.devices.trex.settings.document import Settings
@@ -24,6 +24,7 @@ from trex_gui.devices.trex.views.settings_editor.findings_panel import FindingsP
 from trex_gui.devices.trex.views.settings_editor.printed import PrintedSettings
 from trex_gui.devices.trex.views.settings_editor.text_page import TextPage
 from trex_gui.devices.trex.views.stop_button import StopButton
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.banner import Banner
@@ -295,7 +296,7 @@ class SettingsEditor(QMainWindow):
     def _on_actions_changed(self) -> None:
         """Let every action say whether it can be done now."""
         readable = self._document.readable
-        up = self._device.link is ConnectionState.UP and self._device.state is not None
+        up = self._device.link is ConnectionState.CONNECTED and self._device.state is not None
         undo, text = self._document.draft.undo, self._text.editor.document()
         for key, possible in {
             "print": readable,

@@ -3,9 +3,10 @@
 from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.channel_text import SOURCE_NAMES, way_to
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 
 _KEY = "channel_input_source"
@@ -58,7 +59,7 @@ class OtherSource(QWidget):
             self._cycle.hide()
             return
         parameters, wire = self._device.parameters, int(source is InputSource.ANALOG)
-        is_up = self._device.link is ConnectionState.UP
+        is_up = self._device.link is ConnectionState.CONNECTED
         is_wished = parameters.value_of(_KEY) == wire
         is_stored = parameters.stored_of(_KEY) == wire
         words = way_to(source, state.mode)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 from trex_gui.core.errors import BadRequest, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.calibration.moves import Handle
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol import channel_text
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
@@ -22,6 +22,7 @@ from trex_gui.devices.trex.views.pages.calibration.legend import CurveLegend
 from trex_gui.devices.trex.views.pages.calibration.live import LiveInputs
 from trex_gui.devices.trex.views.pages.calibration.options import ChannelOptions
 from trex_gui.devices.trex.views.pages.calibration.other_source import OtherSource
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.note import Note
 
@@ -163,7 +164,7 @@ class CalibrationPage(QWidget):
 
     @property
     def _editable(self) -> bool:
-        is_up = self._device.link is ConnectionState.UP
+        is_up = self._device.link is ConnectionState.CONNECTED
         return is_up and self._in_force and not self._device.applying
 
     def _calibration(self) -> Calibration | None:
@@ -182,7 +183,7 @@ class CalibrationPage(QWidget):
 
     @Slot()
     def _on_device_changed(self) -> None:
-        if self._device.link is not ConnectionState.UP:
+        if self._device.link is not ConnectionState.CONNECTED:
             self._live.forget_mixing()
         known = self._device.calibrations.stored(1) is not None
         self._empty.setVisible(not known)
@@ -232,7 +233,7 @@ class CalibrationPage(QWidget):
 
     def _show_possibilities(self) -> None:
         """Grey what would be done to the calibrations of the other source than is looked at."""
-        is_up, why_not = self._device.link is ConnectionState.UP, ""
+        is_up, why_not = self._device.link is ConnectionState.CONNECTED, ""
         if not self._in_force:
             read = channel_text.SOURCE_NAMES[self._device.calibrations.source]
             shown = channel_text.SOURCE_NAMES[self._source]
@@ -271,7 +272,7 @@ class CalibrationPage(QWidget):
             self._note.show_note(self._refusal, alarming=bool(self._refusal))
         elif failure := self._failure(self.channel):
             self._note.show_note(failure, alarming=True)
-        elif self._device.link is not ConnectionState.UP:
+        elif self._device.link is not ConnectionState.CONNECTED:
             self._note.show_note(
                 self.tr("No board answers. Edits are kept for when the same kind is back.")
             )

@@ -5,10 +5,11 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.client.explanations import CHANNEL_ROLES
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.output_bar import OutputBar
 from trex_gui.devices.trex.views.pages.channels.channel_bar import ChannelBar
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.widgets.visibility import only_when_visible
 
 _CHANNEL, _INPUT, _BAR, _OUTPUT = range(4)
@@ -98,7 +99,7 @@ class ChannelsPage(QWidget):
     @Slot()
     def _on_device_changed(self) -> None:
         state = self._device.state
-        there = state is not None and self._device.link is ConnectionState.UP
+        there = state is not None and self._device.link is ConnectionState.CONNECTED
         if state is None:
             self._summary.setText(self.tr("Connect to a board to see its inputs."))
         else:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, Signal, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QGroupBox, QHBoxLayout, QVBoxLayout, QWidget
 
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.drive_status import reason_for, situation_of
 from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.driving.safe_start import SafeStartWatch
@@ -23,6 +23,7 @@ from trex_gui.devices.trex.views.pages.motors.drive_pad import DrivePad
 from trex_gui.devices.trex.views.pages.motors.facts import Facts
 from trex_gui.devices.trex.views.pages.motors.head import Head
 from trex_gui.devices.trex.views.pages.motors.options import Options
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.visibility import only_when_visible
@@ -230,7 +231,11 @@ class MotorsPage(QWidget):
     def _channels_drive(self) -> bool:
         """Whether channels have the motors, so that there is nothing to do here but look."""
         state = self._device.state
-        if state is None or self._device.link is not ConnectionState.UP or state.mode.is_serial:
+        if (
+            state is None
+            or self._device.link is not ConnectionState.CONNECTED
+            or state.mode.is_serial
+        ):
             return False
         return not self._device.telemetry.serial_controls
 

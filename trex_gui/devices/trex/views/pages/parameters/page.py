@@ -4,9 +4,10 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.device import ConnectionState, Device
+from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.linter import BoardAdviser
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
+from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 
 
@@ -71,7 +72,7 @@ class ParametersPage(QWidget):
 
     @Slot()
     def _on_link_changed(self) -> None:
-        up = self._device.link is ConnectionState.UP
+        up = self._device.link is ConnectionState.CONNECTED
         self._reload.setEnabled(up)
         self._activate.setVisible(up and self._waits_for_power)
         self._table.set_rows_enabled(up)
@@ -92,9 +93,11 @@ class ParametersPage(QWidget):
     @Slot()
     def _on_pending_changed(self) -> None:
         count = self._device.pending
-        self._discard.setEnabled(count > 0 and self._device.link is ConnectionState.UP)
+        self._discard.setEnabled(count > 0 and self._device.link is ConnectionState.CONNECTED)
         waiting = self._model.waiting_for_power
-        self._activate.setVisible(self._waits_for_power and self._device.link is ConnectionState.UP)
+        self._activate.setVisible(
+            self._waits_for_power and self._device.link is ConnectionState.CONNECTED
+        )
         if self._device.reset_ordered:
             text = self.tr("The factory's values stand here after the next power cycle.")
         elif count:
