@@ -9,8 +9,8 @@ from tests.support.bad_files import BAD_FILES
 from tests.support.pages.settings import ComparisonDialog, SettingsFiles, answer_questions
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.window import WindowDriver
-from trex_gui.devices.trex.code_export.language import Language
 from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.settings.code_export import Language
 
 ROVER = """product: TReX
 serial_timeout: 5

@@ -14,12 +14,11 @@ import pytest
 
 from tests.devices.trex.settings.samples import factory
 from tests.support.simulator import SimulatorProcess
-from trex_gui.devices.trex.code_export.code import export_code, file_name
-from trex_gui.devices.trex.code_export.language import Language
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 

@@ -25,16 +25,13 @@ from tests.devices.trex.settings.samples import TREX, TREX_JR, any_settings, fac
 from tests.support.matrix import examples
 from trex_gui import __version__
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.trex.code_export.code import export_code, file_name
-from trex_gui.devices.trex.code_export.language import Language
-from trex_gui.devices.trex.code_export.template import TemplateError, fill
-from trex_gui.devices.trex.code_export.text import plain
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import parameters_of
+from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name, plain
 from trex_gui.devices.trex.settings.document import Settings
 
 every_language = pytest.mark.parametrize("language", LANGUAGES, ids=LANGUAGE_NAMES)
@@ -103,7 +100,7 @@ def test_exported_text_is_short_ascii_lines_without_gaps(
         assert text.isascii()
         assert text.endswith("\n")
         assert "\n\n\n\n" not in text
-        assert not re.search(r"@[a-z_ ]+@|[ \t]\n|\r", text)
+        assert not re.search(r"\{[{%]|[%}]\}(?!,)|[ \t]\n|\r", text)
         assert max(map(len, text.splitlines())) <= LONGEST_LINE
 
 
@@ -295,27 +292,3 @@ def test_code_compiles_with_special_characters_in_names(language: Language, tmp_
             includes = ["-I", str(HERE / "arduino"), "-include", "Arduino.h"]
             warnings = ["-Wall", "-Wextra", "-Werror"]
             compile_(["g++", *warnings, *includes, "-fsyntax-only", "-x", "c++", str(path)])
-
-
-# --- Templates
-
-
-def test_template_fills_values_conditions_and_repeated_lines() -> None:
-    template = (
-        "a @x@ b @x@\n@if yes@\n  // @rows@;\n@if not yes@\nno\n@else@\nboth\n@end@\n@end@\nend\n"
-    )
-    values = {"x": "1", "rows": "p\nq"}
-    assert fill(template, values, {"yes": True}) == "a 1 b 1\n  // p\n  // q;\nboth\nend\n"
-    assert fill(template, values, {"yes": False}) == "a 1 b 1\nend\n"
-
-
-def test_placeholder_inside_value_is_not_filled() -> None:
-    assert fill("@a@\n", {"a": "@b@", "b": "x"}, {}) == "@b@\n"
-
-
-@pytest.mark.parametrize(
-    "template", ["@missing@", "@if missing@\n@end@", "@end@", "@else@", "@if yes@\n"]
-)
-def test_invalid_template_is_rejected(template: str) -> None:
-    with pytest.raises(TemplateError):
-        fill(template, {}, {"yes": True})

@@ -8,8 +8,7 @@ from trex_gui.core.cli.console import ProgressLine, say
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.cli.settings_io import FILE, save_file
 from trex_gui.devices.trex.client.reading import read_everything
-from trex_gui.devices.trex.code_export.code import export_code
-from trex_gui.devices.trex.code_export.language import Language
+from trex_gui.devices.trex.settings.code_export import Language, export_code
 from trex_gui.devices.trex.settings.from_board import settings_of
 
 

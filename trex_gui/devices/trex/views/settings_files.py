@@ -11,10 +11,9 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import Finding, SettingsError
 from trex_gui.core.files.text_files import load, save
-from trex_gui.devices.trex.code_export.code import export_code, file_name
-from trex_gui.devices.trex.code_export.language import Language
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
+from trex_gui.devices.trex.settings.code_export import Language, export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings

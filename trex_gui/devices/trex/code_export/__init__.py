@@ -1,1 +1,0 @@
-"""Settings as programs in C, Python and for Arduino."""
