@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.aracna.discovery.prober import ARACNA_PROBER
+from trex_gui.devices.aracna.discovery import ARACNA_PROBER
 from trex_gui.devices.aracna.model.controller import ARACNA, AracnaController
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.model.robot import Robot

@@ -1,5 +1,5 @@
-"""Aracna, an eight-motor quadruped with a text protocol: the second device, the same layers.
+"""Aracna, an eight-motor quadruped with a text protocol.
 
-Facts and their sources: the wiki page "Communication Protocol" of 22 Sep 2012, and what the
-published firmware (CreativeMachinesLab/aracna, 2015) really does where the two differ.
+Facts come from the wiki page "Communication Protocol" of 22 Sep 2012 and from the published
+firmware (CreativeMachinesLab/aracna, 2015); where they differ, the firmware counts.
 """

@@ -10,7 +10,7 @@ def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindo
     window.wait(lambda: window.text("aracnaTrafficValue").endswith("answered (100.00 %)"))
     assert window.text("aracnaQualityValue").startswith("0 silent, 0 damaged, 0 strange lines")
     assert window.is_enabled("aracnaTrafficValue")
-    assert window.robot.counters.answers > 0
+    assert window.robot.counters.replies > 0
 
     window.control("line mute on")
     window.wait(lambda: window.robot.link is ConnectionState.NOT_RESPONDING)
@@ -21,4 +21,4 @@ def test_log_page_counts_requests_and_line_failures(connected_window: RobotWindo
     window.press_disconnect()
     assert window.text("aracnaTrafficValue") == "N/A"
     assert not window.is_enabled("aracnaTrafficValue")
-    assert window.robot.counters.answers == 0, "the next line counts anew"
+    assert window.robot.counters.replies == 0, "the next line counts anew"

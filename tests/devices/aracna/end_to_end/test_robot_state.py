@@ -81,7 +81,7 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     window.select("portCombo", window.program.ports.demo_of("aracna"))
     window.wait_for_text("bannerText", "No Aracna answers")
     message = window.text("bannerText")
-    assert "may still be moving and hears nothing meanwhile; wait until it stands" in message
+    assert "may still be moving and cannot listen meanwhile; wait until it has stopped" in message
     assert "Find a board (Ctrl+Shift+F)" in message
 
 

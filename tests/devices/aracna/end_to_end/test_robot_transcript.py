@@ -30,7 +30,7 @@ def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWind
     assert "faults: 0" in window.text("aracnaTranscriptSummary")
     window.control("servo 3 dead")
     window.robot.set_speeds((50,) * 8)
-    wait_for_row(window, "no answer")
+    wait_for_row(window, "no reply")
     # It counts once it is over: with the next question.
     window.wait(lambda: "faults: 0" not in window.text("aracnaTranscriptSummary"))
     window.control("servo 3 alive")
@@ -38,7 +38,7 @@ def test_traffic_log_shows_motions_resets_and_faults(connected_window: RobotWind
     assert window.robot.move((500,) * 8)
     wait_for_row(window, "go to 500")
     window.control("reset")
-    wait_for_row(window, "the robot has started, and is deaf for a second")
+    wait_for_row(window, "the robot has started, busy for a second")
     window.wait_until_up()
 
 

@@ -12,7 +12,7 @@ from trex_gui.devices.aracna.protocol.replies import (
     Reader,
     Reply,
     Speeds,
-    Strange,
+    Unrecognized,
     Version,
     read_line,
 )
@@ -40,7 +40,7 @@ def written(reply: Reply) -> bytes:
             return b".c" + ",".join(map(str, values)).encode()
         case Led(on):
             return b".l1" if on else b".l0"
-        case Strange(line):
+        case Unrecognized(line):
             return line
 
 
@@ -72,7 +72,7 @@ def test_chunk_boundaries_do_not_change_reading_of_any_bytes(data: bytes, cuts: 
     whole, cut = Reader(), Reader()
     at_once = whole.feed(data)
     assert [reply for piece in pieces(data, cuts) for reply in cut.feed(piece)] == at_once
-    assert cut.passed == whole.passed
+    assert cut.arrived == whole.arrived
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ def test_chunk_boundaries_do_not_change_reading_of_any_bytes(data: bytes, cuts: 
     ],
 )
 def test_invalid_line_is_strange(line: bytes) -> None:
-    assert read_line(line) == Strange(line)
+    assert read_line(line) == Unrecognized(line)
 
 
 @pytest.mark.parametrize("tail", [b"h\r\n", b"\r\n", b"\n", b",8\r\n", b"12,-1,5\r\n", b"\xff\n"])
@@ -124,7 +124,7 @@ def test_tail_of_hello_counts_as_hello() -> None:
 def test_hello_is_read_behind_truncated_reply() -> None:
     reader = Reader()
     reader.feed(b"\r\n.c520,5")
-    assert reader.feed(b".h\r\n") == [Strange(b".c520,5"), Hello()]
+    assert reader.feed(b".h\r\n") == [Unrecognized(b".c520,5"), Hello()]
 
 
 def test_motors_are_counted_at_each_comma() -> None:
@@ -132,19 +132,19 @@ def test_motors_are_counted_at_each_comma() -> None:
     told = []
     for byte in b".c520,-1,7\r":
         reader.feed(bytes([byte]))
-        told.append(reader.passed)
+        told.append(reader.arrived)
     assert told[:3] == [None, (), ()]
     assert told[5] == (520,)
     assert told[-1] == (520, -1)
     assert reader.feed(b"\n") == [Positions((520, -1, 7))]
-    assert reader.passed is None
+    assert reader.arrived is None
 
 
 @pytest.mark.parametrize("rest", [b".q1", b".cx", b".c520,x", b".c520,,", b"c520,", b""])
 def test_other_partial_lines_count_no_motors(rest: bytes) -> None:
     reader = Reader()
     reader.feed(rest)
-    assert reader.passed is None
+    assert reader.arrived is None
 
 
 def test_endless_line_uses_bounded_memory() -> None:
@@ -160,4 +160,4 @@ def test_endless_line_uses_bounded_memory() -> None:
     "line", [b".c512,1024", b".c99999", b".v1024,0", b".q1,12", b".q1,999"], ids=bytes.decode
 )
 def test_line_with_values_out_of_range_is_strange(line: bytes) -> None:
-    assert read_line(line) == Strange(line)
+    assert read_line(line) == Unrecognized(line)

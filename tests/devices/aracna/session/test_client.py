@@ -6,15 +6,17 @@ from tests.support.aracna import AracnaStage
 from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol.replies import Positions, Version
-from trex_gui.devices.aracna.session.client import ASK_AGAIN, AracnaClient, shown
-from trex_gui.devices.aracna.session.command_events import (
+from trex_gui.devices.aracna.session.client import (
+    QUERY_RETRY,
     Answered,
+    AracnaClient,
+    CommandEvent,
     LateReply,
-    Lost,
-    News,
-    Passing,
+    PartialReply,
+    ReplyLost,
     Voided,
 )
+from trex_gui.devices.aracna.session.errors import printable
 
 THERE = (600,) * 8
 
@@ -25,10 +27,10 @@ def client_of(stage: AracnaStage, motors: int = 8) -> AracnaClient:
     return client
 
 
-def heard(client: AracnaClient, seconds: float) -> list[News]:
+def heard(client: AracnaClient, seconds: float) -> list[CommandEvent]:
     """Listen in small slices for so long."""
     end = client.transport.clock() + seconds
-    news: list[News] = []
+    news: list[CommandEvent] = []
     while client.transport.clock() < end:
         news += client.listen(0.01)
     return news
@@ -60,18 +62,18 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     client = client_of(stage)
     client.move(THERE, 1.0)
     news = heard(client, 30.0)
-    assert [type(one) for one in news if not isinstance(one, Passing)] == [LateReply]
-    assert client.waits_for == 1
+    assert [type(one) for one in news if not isinstance(one, PartialReply)] == [LateReply]
+    assert client.awaited_motor == 1
     behind = bytes(stage.transport.sent).partition(b"600\n")[2]
     assert behind == b".q\n" * behind.count(b".q\n")
-    assert 1 < behind.count(b".q\n") <= 2 + 29 / ASK_AGAIN
+    assert 1 < behind.count(b".q\n") <= 2 + 29 / QUERY_RETRY
     stage.do("servo 1 free")
-    first, second = [one for one in heard(client, 2.0) if not isinstance(one, Passing)]
+    first, second = [one for one in heard(client, 2.0) if not isinstance(one, PartialReply)]
     assert isinstance(first, Answered)
     assert isinstance(first.reply, Positions)
     assert isinstance(second, Answered)
     assert second.reply == Version(1, 8)
-    assert client.asked is None
+    assert client.pending is None
 
 
 def test_line_is_busy_until_query_behind_late_move_is_answered() -> None:
@@ -97,8 +99,8 @@ def test_lost_move_ends_when_following_query_is_answered() -> None:
     late, lost = heard(client, 2.0)
     assert isinstance(late, LateReply)
     assert late.motor is None
-    assert isinstance(lost, Lost)
-    assert lost.free
+    assert isinstance(lost, ReplyLost)
+    assert lost.robot_free
 
 
 @pytest.mark.parametrize("letter", ["q", "v", "c", "l"])
@@ -116,11 +118,11 @@ def test_hello_voids_pending_command(letter: str) -> None:
             client.set_led(on=True)
     stage.do("reset")
     [voided] = [one for one in heard(client, 0.5) if isinstance(one, Voided)]
-    assert voided.asked is not None
-    assert voided.asked.letter == letter
-    assert client.asked is None
+    assert voided.command is not None
+    assert voided.command.letter == letter
+    assert client.pending is None
 
 
 def test_printable_bytes_are_shown_as_text_and_others_as_hex() -> None:
-    assert shown(b"\r\nERR 7\r\n") == "ERR 7"
-    assert shown(bytes(range(0x80, 0x90))) == "80 81 82 83 84 85 86 87 88 89 8A 8B …"
+    assert printable(b"\r\nERR 7\r\n") == "ERR 7"
+    assert printable(bytes(range(0x80, 0x90))) == "80 81 82 83 84 85 86 87 88 89 8A 8B …"

@@ -11,8 +11,8 @@ from tests.support.aracna import AracnaStage
 from trex_gui.core.discovery.flush import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.devices.aracna.discovery.prober import QUESTION, QUESTIONS, AracnaScan, find_aracna
-from trex_gui.devices.aracna.protocol.lines import QUERY
+from trex_gui.devices.aracna.discovery import PROBE, PROBES, AracnaScan, find_aracna
+from trex_gui.devices.aracna.protocol.commands import QUERY
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery.prober import ScanProgress, find
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -98,22 +98,22 @@ def test_silent_port_is_reported_with_hint_within_3_s() -> None:
     result = search(stage)
     assert not result.found
     assert stage.now - begun < 3.0
-    assert "No Aracna answers on virtual at 38400" in result.diagnosis()
-    assert "power" in result.diagnosis()
+    assert "No Aracna answers on virtual at 38400" in result.diagnosis().text
+    assert "power" in result.diagnosis().text
 
 
 def test_unknown_reply_is_shown_in_diagnosis() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\r\nERR 7\r\n")
-    assert "not as an Aracna does: ERR 7" in search(stage).diagnosis()
+    assert "not as an Aracna does: ERR 7" in search(stage).diagnosis().text
 
 
 def test_robot_that_boots_but_never_answers_is_reported() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b".h\r\n")
-    assert "starts again and again" in search(stage).diagnosis()
+    assert "restarting repeatedly" in search(stage).diagnosis().text
 
 
 def test_echo_is_reported() -> None:
@@ -122,7 +122,7 @@ def test_echo_is_reported() -> None:
     line = SimulatedLine([board], echo=True)
     wire = Wire(line)
     result = find_aracna(VIRTUAL, open_wire=lambda _settings: wire)
-    assert "comes back" in result.diagnosis()
+    assert "comes back" in result.diagnosis().text
 
 
 def test_network_port_of_fixed_rate_is_not_probed() -> None:
@@ -130,15 +130,15 @@ def test_network_port_of_fixed_rate_is_not_probed() -> None:
     stage.transport.is_configurable = False
     result = search(stage)
     assert not stage.transport.sent
-    assert "was asked for" in result.diagnosis()
-    assert "--device aracna --port virtual" in result.diagnosis()
+    assert "No probe for an Aracna was sent" in result.diagnosis().text
+    assert "--device aracna --port virtual" in result.diagnosis().text
 
 
 def test_noise_is_not_reported_as_echo() -> None:
     stage = AracnaStage()
     stage.do("power off")
     stage.line.inject(b"\xff\x00\xff")
-    assert "not as an Aracna does: FF 00 FF" in search(stage).diagnosis()
+    assert "not as an Aracna does: FF 00 FF" in search(stage).diagnosis().text
 
 
 def test_search_reports_progress_and_can_be_cancelled() -> None:
@@ -153,8 +153,8 @@ def test_search_reports_progress_and_can_be_cancelled() -> None:
     )
     assert result.cancelled
     assert [(step.done, step.total, step.line) for step in steps] == [
-        (0, QUESTIONS, LINE),
-        (1, QUESTIONS, LINE),
+        (0, PROBES, LINE),
+        (1, PROBES, LINE),
     ]
     assert stage.transport.closed
 
@@ -219,7 +219,7 @@ def test_probe_cannot_form_trex_motor_command(
 ) -> None:
     """For any device number, any polynomial, and whatever the board received before."""
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
-        assert not _orders_obeyed([(), *BEGUN], [QUESTION], own, crc=crc, rinsed=True)
+        assert not _orders_obeyed([(), *BEGUN], [PROBE], own, crc=crc, rinsed=True)
 
 
 @pytest.mark.parametrize("own", OWN, ids=lambda own: own.text())
@@ -231,7 +231,7 @@ def test_session_query_cannot_form_trex_motor_command(own: LineSettings) -> None
 def test_probe_without_flush_byte_would_start_trex_motor() -> None:
     """Shows that the tests above can fail."""
     own = LineSettings(28800)
-    assert "c5 05" in _orders_obeyed([()], [QUESTION], own, crc=False, rinsed=False)
+    assert "c5 05" in _orders_obeyed([()], [PROBE], own, crc=False, rinsed=False)
 
 
 def test_probe_at_fixed_rate_would_start_trex_motor() -> None:
@@ -239,7 +239,7 @@ def test_probe_at_fixed_rate_would_start_trex_motor() -> None:
     own, host = LineSettings(28800), LINE
     begun: set[State] = {()}
     obeyed: set[str] = set()
-    for question in (FLUSH_BYTE, QUESTION) * 2:
+    for question in (FLUSH_BYTE, PROBE) * 2:
         left, more = hear(begun, question, host, own, crc=False)
         begun |= left
         obeyed |= more

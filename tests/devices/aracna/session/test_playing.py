@@ -26,8 +26,8 @@ from trex_gui.devices.aracna.session.messages import (
     Step,
     StepBegun,
 )
-from trex_gui.devices.aracna.session.servos import TRUST
-from trex_gui.devices.aracna.session.step_clock import StepClock, check
+from trex_gui.devices.aracna.session.player import StepClock, check_play
+from trex_gui.devices.aracna.session.servo_estimates import TRUST
 
 HERE = (512,) * 8
 SLOW = (100,) * 8
@@ -139,7 +139,7 @@ def test_late_steps_are_reported_and_none_is_skipped() -> None:
     session.run()
     assert described(session) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
     assert max(begun.late for begun in session.of(StepBegun)) > 0.3
-    # The clock is set anew: what is late does not add up for ever.
+    # The clock is set anew: what is late does not add up endless.
     assert session.of(StepBegun)[-1].late < 1.0
     starts, ends = session.when(Moving), session.when(Moved)
     assert all(end <= start for end, start in zip(ends, starts[1:], strict=False))
@@ -148,7 +148,7 @@ def test_late_steps_are_reported_and_none_is_skipped() -> None:
 def test_first_step_from_unknown_position_is_slow() -> None:
     session = ScriptedSession().at(0.5, Play(1, (step(600, 0.1),))).until(8.0)
     session.run()
-    assert session.of(SpeedsHeld)[0].wanted == SLOW
+    assert session.of(SpeedsHeld)[0].requested == SLOW
     assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
 
 
@@ -233,8 +233,8 @@ def test_moves_and_speeds_are_rejected_during_playback() -> None:
     ("play", "says"),
     [
         (Play(1, ()), "no step"),
-        (Play(1, (), 0, (step(5, 1),)), "for ever"),
-        (Play(1, (step(5, 1),), -1), "0 .for ever. or more"),
+        (Play(1, (), 0, (step(5, 1),)), "endless"),
+        (Play(1, (step(5, 1),), -1), "0 .endless. or more"),
         (Play(1, (Step((1, 2), 1.0),)), "2 positions"),
         (Play(1, (step(1024, 1),)), "0 to 1023"),
         (Play(1, (step(5, 0.0),)), "more than 0 s"),
@@ -245,7 +245,7 @@ def test_moves_and_speeds_are_rejected_during_playback() -> None:
 )
 def test_invalid_play_request_is_rejected_with_explanation(play: Play, says: str) -> None:
     with pytest.raises(BadRequest, match=says):
-        check(play, 8)
+        check_play(play, 8)
     session = placed().at(1.0, play).until(2.0)
     session.run()
     [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
@@ -269,9 +269,9 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
     out = [("out", index, 0) for index in range(after)]
     seen: list[tuple[str, int, int]] = []
     while (turn := playing.next()) is not None:
-        playing.begin(turn, playing.due)
+        playing.start(turn, playing.due)
         seen.append((turn.part, turn.index, turn.round))
         if len(seen) == end_after:
-            playing.end()
+            playing.is_ending = True
     cut = whole if end_after is None else whole[:end_after]
     assert seen == [*cut, *out]

@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.session.messages import (
     SpeedsHeld,
     Step,
 )
-from trex_gui.devices.aracna.session.servos import TRUST
+from trex_gui.devices.aracna.session.servo_estimates import TRUST
 
 SLOW = (30,) * 8
 FASTEST = 2.28 * 30 * 1.1
@@ -100,7 +100,7 @@ def test_sequence_does_not_resume_when_power_returns() -> None:
     assert not [when for when in session.when(Moving) if when > 7.3]
     [error] = [one.error for one in session.of(Outcome) if one.id == 2]
     assert "off its goal" in str(error)
-    assert "does not go on by itself" in str(error)
+    assert "does not continue by itself" in str(error)
 
 
 def test_single_unreadable_position_does_not_end_sequence() -> None:

@@ -5,7 +5,7 @@ import pytest
 from tests.devices.aracna.session.scene import ScriptedSession
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.core.session.messages import Closed, Outcome
-from trex_gui.devices.aracna.session.liveness import BOOT, PATIENCE
+from trex_gui.devices.aracna.session.liveness import BOOT_TIME, BOOT_TIMEOUT
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Drag,
@@ -44,7 +44,7 @@ def test_robot_reset_by_opening_port_connects_after_boot(boot_loader: float) -> 
     session = ScriptedSession(booted=False, boot_loader=boot_loader).until(boot_loader + 3.0)
     session.run()
     assert session.kinds == ["Connected", "Closed"]
-    assert session.when(Connected)[0] == pytest.approx(boot_loader + BOOT, abs=0.6)
+    assert session.when(Connected)[0] == pytest.approx(boot_loader + BOOT_TIME, abs=0.6)
     assert session.line.station.firmware.boots == 1
 
 
@@ -87,7 +87,7 @@ def test_silent_line_closes_session_after_boot_loader_time() -> None:
     assert isinstance(closed, Closed)
     assert isinstance(closed.error, NoReply)
     assert "No Aracna answers on virtual at 38400" in str(closed.error)
-    assert session.when(Closed)[0] == pytest.approx(PATIENCE, abs=0.6)
+    assert session.when(Closed)[0] == pytest.approx(BOOT_TIMEOUT, abs=0.6)
     [outcome] = session.of(Outcome)
     assert outcome.id == 1
     assert isinstance(outcome.error, NoReply)
@@ -108,7 +108,7 @@ def test_move_reports_each_arrival_and_then_completion() -> None:
     session = ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.5, Move(2, THERE)).until(3.0)
     session.run()
     [held] = session.of(SpeedsHeld)
-    assert held.wanted == held.held == SLOW
+    assert held.requested == held.held == SLOW
     [moving] = session.of(Moving)
     assert moving.starts == (None,) * 8
     assert moving.expected == pytest.approx(600 / 228)  # as far as it may have to go
@@ -174,8 +174,8 @@ def test_halt_drops_queued_moves_and_reports_motion_end() -> None:
     session.run()
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert outcomes[1] is None
-    assert "Halted" in str(outcomes[2])
-    assert "Halted" in str(outcomes[3])
+    assert "Stopped" in str(outcomes[2])
+    assert "Stopped" in str(outcomes[3])
     assert len(session.of(Moving)) == 1
     assert session.stage.positions == (598,) * 8
     assert session.of(Moved)[0].present == (598,) * 8

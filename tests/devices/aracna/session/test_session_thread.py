@@ -12,7 +12,7 @@ from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.discovery.prober import find_aracna
+from trex_gui.devices.aracna.discovery import find_aracna
 from trex_gui.devices.aracna.protocol.units import travel_seconds
 from trex_gui.devices.aracna.session.messages import (
     Connected,

@@ -121,7 +121,7 @@ def test_halt_during_speed_command_prevents_motion() -> None:
     session.run()
     assert lines(session, "v") == ["30", "700"]
     assert not lines(session, "c")
-    assert "Halted" in errors(session)[1]
+    assert "Stopped" in errors(session)[1]
 
 
 def test_rejected_step_speed_ends_playback() -> None:
@@ -156,7 +156,7 @@ def test_latest_speed_applies_to_next_motion() -> None:
     assert lines(session, "v") == ["700", "100", "20"]
     assert lines(session, "c") == ["512", "600", "512"]
     assert session.of(Moved)[-1].seconds > 1.8, "86 units at 20 are 1.89 s"
-    assert "chosen since" in errors(session)[3]
+    assert "Newer speeds" in errors(session)[3]
     assert errors(session)[4] == ""
 
 

@@ -114,7 +114,7 @@ def set_speeds(talk: Talk, speeds: Sequence[int]) -> list[str]:
     talk.tell(SetSpeeds(number, tuple(speeds)))
     held = talk.wait(number)
     assert isinstance(held, SpeedsHeld)  # noqa: S101 - for the type checker
-    return amiss_after_speeds(held.wanted, held.held)
+    return amiss_after_speeds(held.requested, held.held)
 
 
 def move(talk: Talk, watch: Watch, goals: Sequence[int], speeds: Sequence[int]) -> Moved:

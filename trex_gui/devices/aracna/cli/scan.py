@@ -5,7 +5,7 @@ from typing import Any
 from trex_gui.core.cli.host import host
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.discovery.prober import (
+from trex_gui.devices.aracna.discovery import (
     ARACNA_PROBER,
     AracnaScan,
     FoundRobot,

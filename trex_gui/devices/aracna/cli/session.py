@@ -155,7 +155,7 @@ def _complain(report: Report) -> None:
     match report:
         case Stuck(motor=motor):
             raise CommandFailed(_stuck(motor))
-        case NotResponding(reason=reason):
+        case NotResponding(error=reason):
             raise CommandFailed(reason)
         case _:
             pass

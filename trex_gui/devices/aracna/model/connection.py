@@ -25,14 +25,14 @@ class RobotConnection(SessionThread):
         answered: the robot has said what it is: the `Connected`; before `link` is `CONNECTED`.
         lapsed: it does not listen, or has restarted: what servos hold is not certain any more.
         left: the line is closed, and nothing of the robot counts any more.
-        failed: why the line is closed, for people.
+        failed: the error that closed the line.
     """
 
     changed = Signal()
     answered = Signal(object)
     lapsed = Signal()
     left = Signal()
-    failed = Signal(str)
+    failed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -116,7 +116,7 @@ class RobotConnection(SessionThread):
             return
         self._stand(ConnectionState.DISCONNECTED, self.tr("Not connected."))
         if last.error is not None:
-            self.failed.emit(str(last.error))
+            self.failed.emit(last.error)
 
     def _stand(self, link: ConnectionState, status: str) -> None:
         self._link, self._status = link, status

@@ -9,7 +9,7 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.model.automatic_stop import halt_because
 from trex_gui.devices.aracna.model.demo_robot import DemoRobot
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.protocol.lines import BAUD
+from trex_gui.devices.aracna.protocol.commands import BAUD
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import DeviceKind
 from trex_gui.ui.devices.ports import Port, PortKind, Ports

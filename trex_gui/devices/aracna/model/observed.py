@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.core.errors import sentence
+from trex_gui.core.errors import StudioError, sentence
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.connection import RobotConnection
 from trex_gui.devices.aracna.model.event_log import RobotEventLog
@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.model.robot_state import PlayState, Rate, RobotStat
 from trex_gui.devices.aracna.model.speeds import ServoSpeeds
 from trex_gui.devices.aracna.model.targets import Targets
 from trex_gui.devices.aracna.protocol.units import MOTORS
-from trex_gui.devices.aracna.session.diagnosis import may_be_elsewhere
+from trex_gui.devices.aracna.session.errors import suggests_scan
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     DragDropped,
@@ -188,7 +188,7 @@ class ObservedRobot(QObject):
         self._line.follow(report)
         self._known.take(report)
         match report:
-            case LineStatsChanged(counters=counters):
+            case LineStatsChanged(stats=counters):
                 self._counters = counters
             case Moving(goals=goals) if self._known.play is not None:
                 self.targets.set_all(goals)
@@ -241,9 +241,10 @@ class ObservedRobot(QObject):
         self.events.add(EventKind.LINK, self.status)
         self.link_changed.emit()
 
-    @Slot(str)
-    def _on_failed(self, reason: str) -> None:
+    @Slot(object)
+    def _on_failed(self, error: StudioError) -> None:
+        reason = str(error)
         self.events.add(EventKind.LINK, reason)
-        if may_be_elsewhere(reason):
+        if suggests_scan(error):
             reason = self.tr("{0} Find a board (Ctrl+Shift+F) tries every setting.").format(reason)
         self.notifier.error.emit(reason)

@@ -55,7 +55,7 @@ class Moment:
         """Take a record as the newest."""
         match record:
             case FellSilent():
-                self.known.take(NotResponding(""))
+                self.known.take(NotResponding())
                 self.step = None
             case StepBegun():
                 self.step = record

@@ -90,7 +90,7 @@ class AracnaRecorder(RecordThread[Row]):
             places = tuple(-1 if place is None else place for place in known.present)
             rows.append(Passed(now, places))
         if known.speeds is not None:
-            rows.append(SpeedsHeld(now, known.speeds.wanted, known.speeds.held))
+            rows.append(SpeedsHeld(now, known.speeds.requested, known.speeds.held))
         if known.moving is not None and known.ends_at is not None:
             left = max(known.ends_at - now, 0.0)
             rows.append(replace(known.moving, time=now, expected=left))

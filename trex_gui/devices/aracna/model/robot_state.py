@@ -218,7 +218,7 @@ class RobotState:
         """The speeds of the last `.v` that a servo did not take."""
         if self.speeds is None:
             return ()
-        pairs = enumerate(zip(self.speeds.wanted, self.speeds.held, strict=False))
+        pairs = enumerate(zip(self.speeds.requested, self.speeds.held, strict=False))
         return tuple(
             SpeedRefused(motor, wanted, held) for motor, (wanted, held) in pairs if wanted != held
         )

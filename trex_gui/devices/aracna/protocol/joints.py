@@ -1,10 +1,11 @@
-"""The eight joints, where they are, and how far they may turn.
+"""The eight joints, their places on the robot, and their limits.
 
 Ref: CreativeMachinesLab/aracna `RobotPi/RobotPi.py` (even motors are inner joints),
 `RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (which leg is where,
 given only for the nine-motor ancestor QuadraTot: assumed for Aracna).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -19,7 +20,7 @@ class JointKind(Enum):
 
 
 class Side(Enum):
-    """Where a leg is, seen from above with the front up."""
+    """Which leg, seen from above with the front up."""
 
     LEFT_FRONT = "front left"
     RIGHT_FRONT = "front right"
@@ -29,7 +30,7 @@ class Side(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """One joint and its motor (0-7); `side` is assumed, `kind` is known."""
+    """One joint and its motor (0-7); `side` is assumed, `kind` is documented."""
 
     motor: int
     kind: JointKind
@@ -47,35 +48,44 @@ JOINTS = tuple(
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """How far a joint may turn, 0-1023; `low` is not above `high`."""
+    """Lowest and highest position of a joint, 0-1023."""
 
     low: int = 0
     high: int = HIGHEST
 
     def __post_init__(self) -> None:
-        """Refuse limits that leave no position.
+        """Check the order and the range.
 
         Raises:
-            ValueError: they do, or are outside 0-1023.
+            ValueError: `low` is above `high`, or one is outside 0-1023.
         """
         if not 0 <= self.low <= self.high <= HIGHEST:
             raise ValueError(f"limits are 0 to {HIGHEST} in order, not {self.low} to {self.high}")
 
     def crop(self, position: float) -> int:
-        """Return the nearest position that is allowed."""
+        """Return the nearest allowed position."""
         return min(max(round(position), self.low), self.high)
 
     def allow(self, position: int) -> bool:
-        """Whether a position may be sent."""
+        """Whether a position is within the limits."""
         return self.low <= position <= self.high
 
 
 FACTORY_LIMITS = {JointKind.INNER: Limits(50, 600), JointKind.OUTER: Limits(0, 550)}
-"""They keep a joint from hitting body and screws; legs can still hit each other."""
+"""They keep a joint from hitting body and screws; legs can still collide."""
 
 
 def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
-    """Return the limits tuned on the robot, one a motor."""
+    """Return the limits tuned on the robot, one for each motor."""
     return tuple(
         FACTORY_LIMITS[JointKind.OUTER if motor % 2 else JointKind.INNER] for motor in range(motors)
+    )
+
+
+def crop(goals: Sequence[float], limits: Sequence[Limits]) -> tuple[int, ...]:
+    """Return the nearest allowed goals; a motor without limits keeps its goal."""
+    known = len(limits)
+    return tuple(
+        limits[motor].crop(goal) if motor < known else round(goal)
+        for motor, goal in enumerate(goals)
     )

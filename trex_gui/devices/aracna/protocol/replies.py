@@ -1,37 +1,48 @@
-"""What the robot says, read as it comes: whole lines, and the answer to `.c` motor by motor."""
+"""Replies of the robot: whole lines, and the reply to `.c` motor by motor as it arrives."""
 
 import re
 from dataclasses import dataclass
 
-from trex_gui.devices.aracna.protocol.units import HIGHEST
+from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
+
+UNREADABLE = -1
+"""Reported for a servo that does not answer."""
+
+MOST_MOTORS = 11
+"""The firmware's line buffer of 59 characters has no room for more values of four digits."""
+
+_MOTORS_BY_VERSION = {0: 2}
+"""Motors of firmware that does not report their number, by version."""
 
 
 @dataclass(frozen=True, slots=True)
 class Hello:
-    """`.h`: the firmware has started; a command that was pending is void."""
+    """`.h`: the firmware has started; a pending command is void."""
 
 
 @dataclass(frozen=True, slots=True)
 class Version:
-    """`.q`: the firmware's version and how many motors it was made for.
-
-    Builds from before 22 Sep 2012 do not say how many: `None`.
-    """
+    """`.q`: firmware version and number of motors (`None` in builds before 22 Sep 2012)."""
 
     version: int
     motors: int | None
 
+    @property
+    def motor_count(self) -> int:
+        """The reported number of motors, else the one known for this version."""
+        return self.motors or _MOTORS_BY_VERSION.get(self.version, MOTORS)
+
 
 @dataclass(frozen=True, slots=True)
 class Speeds:
-    """`.v`: what each servo holds; -1 for one that does not answer."""
+    """`.v`: the speed that each servo holds, or `UNREADABLE`."""
 
     values: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Positions:
-    """`.c`: where each servo is; -1 for one whose position could not be read."""
+    """`.c`: the position of each servo, or `UNREADABLE`."""
 
     values: tuple[int, ...]
 
@@ -44,100 +55,95 @@ class Led:
 
 
 @dataclass(frozen=True, slots=True)
-class Strange:
-    """A line that is none of these: cut, damaged, or from something else."""
+class Unrecognized:
+    """A line that is none of these: truncated, corrupted, or from another device."""
 
     line: bytes
 
 
-Reply = Hello | Version | Speeds | Positions | Led | Strange
+Reply = Hello | Version | Speeds | Positions | Led | Unrecognized
 
 _LONGEST = 200
-"""Bytes without a line end that are kept; the longest reply of eight motors has 43."""
-
-MOST_MOTORS = 11
-"""More values of four digits than the firmware's line buffer of 59 characters takes."""
+"""Bytes kept without a line end; the longest reply of eight motors has 43."""
 
 _NUMBER = rb"-1|0|[1-9]\d{0,4}"
-"""What `%d` makes of it: no sign but of -1, nothing in front of it."""
+"""As `%d` prints it: no padding, and no sign except in -1."""
 
 _QUERY = re.compile(rb"\.q(0|[1-9]\d{0,4})(?:,([1-9]\d{0,2}))?")
 _VALUES = re.compile(rb"\.([vc])((?:%b)(?:,(?:%b))*)" % (_NUMBER, _NUMBER))
 _LED = re.compile(rb"\.l([01])")
-_BEGUN = re.compile(rb"\.c((?:(?:%b),)*)(?:-|%b)?\r?" % (_NUMBER, _NUMBER))
+_PARTIAL = re.compile(rb"\.c((?:(?:%b),)*)(?:-|%b)?\r?" % (_NUMBER, _NUMBER))
 
 
 def read_line(line: bytes) -> Reply:
-    """Return what a line without its end says."""
+    """Parse a line without its line end."""
     if line == b".h":
         return Hello()
     if match := _QUERY.fullmatch(line):
         motors = None if match[2] is None else int(match[2])
-        return Strange(line) if (motors or 0) > MOST_MOTORS else Version(int(match[1]), motors)
+        if (motors or 0) > MOST_MOTORS:
+            return Unrecognized(line)
+        return Version(int(match[1]), motors)
     if match := _VALUES.fullmatch(line):
         values = tuple(map(int, match[2].split(b",")))
         if max(values) > HIGHEST:
-            return Strange(line)
+            return Unrecognized(line)
         return Speeds(values) if match[1] == b"v" else Positions(values)
     if match := _LED.fullmatch(line):
         return Led(match[1] == b"1")
-    return Strange(line)
+    return Unrecognized(line)
 
 
-def _pieces(line: bytes) -> list[bytes]:
-    """Cut what has no end in sight, always at the same places; the last piece is the rest."""
+def read_lines(line: bytes) -> list[Reply]:
+    """Parse a line that may end in the `.h` of a restart; an empty line has no reply."""
+    if not line:
+        return []
+    reply = read_line(line)
+    if isinstance(reply, Unrecognized) and line.endswith(b".h"):
+        return [Unrecognized(line[:-2]), Hello()]
+    return [reply]
+
+
+def _chunks(line: bytes) -> list[bytes]:
+    """Split an endless line at fixed places; the last chunk is the rest."""
     return [line[at : at + _LONGEST] for at in range(0, max(len(line), 1), _LONGEST)]
 
 
 class Reader:
-    r"""Cuts what comes into lines: `\r\n` and `\n` end one, an empty one says nothing.
+    r"""Splits received bytes into lines, ended by `\r\n` or `\n`, and parses them.
 
-    The first line may have begun before anybody listened. A `.h` is heard at any time, behind
-    the rest of a line that broke off when the firmware restarted, too.
+    The first line may be truncated at its beginning, and is then ignored.
     """
 
     def __init__(self) -> None:
         self._rest = b""
-        self._may_be_cut = True
+        self._may_be_truncated = True
 
     @property
-    def passed(self) -> tuple[int, ...] | None:
-        """The motors that an unfinished `.c` has told of, in order; `None` while none comes.
+    def arrived(self) -> tuple[int, ...] | None:
+        """The positions in an unfinished `.c` reply so far; `None` if none is arriving.
 
-        A number counts when its comma is there: the next motor is the one that is waited for.
+        A number counts once its comma has arrived: the firmware then waits for the next motor.
         """
-        match = _BEGUN.fullmatch(self._rest)
-        if match is None:
-            return None
-        return tuple(map(int, match[1].split(b",")[:-1]))
+        match = _PARTIAL.fullmatch(self._rest)
+        return None if match is None else tuple(map(int, match[1].split(b",")[:-1]))
 
     def feed(self, data: bytes) -> list[Reply]:
-        """Take what has come; return what the lines say that are complete now."""
+        """Return the replies that these bytes complete."""
         *lines, self._rest = (self._rest + data).split(b"\n")
         replies: list[Reply] = []
         for line in lines:
-            *pieces, end = _pieces(line)
-            for piece in (*pieces, end.removesuffix(b"\r")):
-                replies += self._take(piece)
-        *pieces, self._rest = _pieces(self._rest)
-        for piece in pieces:
-            replies += self._take(piece)
+            *chunks, end = _chunks(line)
+            for chunk in (*chunks, end.removesuffix(b"\r")):
+                replies += self._parse(chunk)
+        *chunks, self._rest = _chunks(self._rest)
+        for chunk in chunks:
+            replies += self._parse(chunk)
         return replies
 
-    def _take(self, line: bytes) -> list[Reply]:
-        was_first, self._may_be_cut = self._may_be_cut, False
-        if not line:
-            return []
-        reply = read_line(line)
-        if not isinstance(reply, Strange):
-            return [reply]
-        if line.endswith(b".h"):  # the line before it was never ended
-            return [Strange(line[:-2]), Hello()]
-        if was_first:
+    def _parse(self, line: bytes) -> list[Reply]:
+        was_first, self._may_be_truncated = self._may_be_truncated, False
+        replies = read_lines(line)
+        if was_first and len(replies) == 1 and isinstance(replies[0], Unrecognized):
             return [Hello()] if line == b"h" else []
-        return [reply]
-
-    def begin(self) -> None:
-        """Forget what has come: what comes next may begin in mid-line."""
-        self._rest = b""
-        self._may_be_cut = True
+        return replies

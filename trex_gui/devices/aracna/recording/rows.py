@@ -111,7 +111,7 @@ def read_present(text: str) -> tuple[int | None, float]:
 
 def speeds_text(held: SpeedsHeld) -> str:
     """Say what was asked of the servos; what they hold stands in columns."""
-    return f"asked for {_numbers(held.wanted)}"
+    return f"asked for {_numbers(held.requested)}"
 
 
 def read_speeds(text: str) -> tuple[int, ...]:

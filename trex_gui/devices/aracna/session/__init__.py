@@ -1,1 +1,1 @@
-"""The loop that owns a line to Aracna, one command in flight."""
+"""Session with an Aracna: one command in flight on one line."""

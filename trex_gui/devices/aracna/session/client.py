@@ -1,20 +1,20 @@
 """One command in flight on a line to the robot.
 
-The answer to a `.c` comes as the motors arrive, so nothing here waits for an answer: whoever
-owns the line begins a command and listens in small slices, and is told what has come of it.
+The reply to `.c` arrives motor by motor, so nothing here blocks until it is complete: the session
+sends a command, listens in short slices, and receives events.
 
-The one thing that may be sent behind a command that is not answered is a single `.q`: three
-bytes, which the chip keeps while the firmware is busy. Its answer shows that the firmware is
-free again; a late answer to the command itself comes before it.
+Only a single `.q` may be sent behind an unanswered command: its three bytes survive in the chip
+while the firmware is busy. Its reply shows that the firmware is free again; a late reply to the
+command itself comes first.
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.core.errors import BadReply
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.devices.aracna.protocol import lines
+from trex_gui.devices.aracna.protocol import commands
 from trex_gui.devices.aracna.protocol.replies import (
     Hello,
     Led,
@@ -22,255 +22,289 @@ from trex_gui.devices.aracna.protocol.replies import (
     Reader,
     Reply,
     Speeds,
-    Strange,
+    Unrecognized,
     Version,
 )
-from trex_gui.devices.aracna.session.command_events import (
-    Answered,
-    LateReply,
-    Lost,
-    News,
-    Passing,
-    Sent,
-    Voided,
+from trex_gui.devices.aracna.session.errors import (
+    ErrorCode,
+    RobotBadReplyError,
+    RobotBusyError,
+    RobotError,
+    RobotNoReplyError,
+    printable,
 )
 from trex_gui.devices.aracna.session.messages import LineStats
 
-LINE = SerialFormat(lines.BAUD)
+LINE = SerialFormat(commands.BAUD)
 
-ANSWER = 1.0
-"""Seconds within which `.q`, `.l` and `.v` are answered; the slowest takes 0.06 s on a wire."""
+REPLY_TIMEOUT = 1.0
+"""Seconds for `.q`, `.l` and `.v`; the slowest takes 0.06 s on a wire."""
 
-ASK_AGAIN = 5.0
-"""Seconds after which a robot that has broken off in mid-answer is asked once more whether it is
-free. Its chip keeps one `.q`, however often that was sent, and answers once."""
+QUERY_RETRY = 5.0
+"""Seconds after which `.q` is repeated behind a reply that stopped halfway. The chip keeps one `.q`
+and answers it once, however often it was sent."""
 
 _KEPT = 48
-"""Bytes that are kept of what nobody understands, to show them."""
+"""Bytes kept of unrecognized data, for error messages."""
+
+
+@dataclass(frozen=True, slots=True)
+class SentCommand:
+    """A command on its way.
+
+    Attributes:
+        letter: `q`, `v`, `c` or `l`.
+        values: one for each motor for `.v` and `.c`, else empty.
+        sent: on the line's clock.
+        timeout: seconds until its reply is late.
+    """
+
+    letter: str
+    values: tuple[int, ...]
+    sent: float
+    timeout: float
+
+
+@dataclass(frozen=True, slots=True)
+class Answered:
+    """The complete reply has arrived."""
+
+    command: SentCommand
+    reply: Version | Speeds | Positions | Led
+    time: float
+
+
+@dataclass(frozen=True, slots=True)
+class PartialReply:
+    """The reply to a `.c` so far; the firmware is waiting for the next motor."""
+
+    command: SentCommand
+    present: tuple[int, ...]
+    time: float
+
+
+@dataclass(frozen=True, slots=True)
+class LateReply:
+    """The reply to a `.c` is late; `motor` is awaited, `None` if nothing has arrived."""
+
+    command: SentCommand
+    motor: int | None
+    time: float
+
+
+@dataclass(frozen=True, slots=True)
+class ReplyLost:
+    """No reply will come; `robot_free`: the robot has answered a `.q` sent behind the command."""
+
+    command: SentCommand
+    error: RobotError
+    robot_free: bool
+    time: float
+
+
+@dataclass(frozen=True, slots=True)
+class Voided:
+    """The firmware has started: a pending command (`None`: there was none) is not answered."""
+
+    command: SentCommand | None
+    time: float
+
+
+CommandEvent = Answered | PartialReply | LateReply | ReplyLost | Voided
 
 
 class AracnaClient:
-    """Talks over an open line, which it tells the robot's settings.
+    """Talks over an open line at the robot's line settings.
 
     Attributes:
-        motors: how many values a command has; from the answer to `.q`.
-        asked: what is on its way.
-        received: the first bytes that came, to show where none of them is a reply.
+        motors: how many values a command has; 0 before the first `.q` reply.
+        pending: the command on its way.
+        received: the first bytes that arrived, for a diagnosis.
     """
 
     def __init__(self, transport: Transport, settings: PortSettings) -> None:
         self.transport = transport
         self.settings = settings.at(LINE)
         self.motors = 0
-        self.asked: Sent | None = None
+        self.pending: SentCommand | None = None
         self.received = b""
-        self.counters = LineStats()
-        self._strange = b""
+        self.stats = LineStats()
+        self._unrecognized = b""
         self._reader = Reader()
-        self._passed: tuple[int, ...] | None = None
+        self._arrived: tuple[int, ...] | None = None
         self._is_late = False
-        self._free_by: float | None = None  # when an answer to the `.q` behind it is late
+        self._query_deadline: float | None = None  # of a `.q` behind the pending command
 
     @property
-    def slack(self) -> float:
-        """Seconds that an answer may be late for reasons that are not the robot's."""
+    def extra_time(self) -> float:
+        """Seconds that a reply may be delayed by the line rather than by the robot."""
         return self.transport.latency + self.settings.timeouts.extra
 
     @property
-    def waits_for(self) -> int | None:
-        """The motor that a streamed answer waits for; `None` while none comes."""
-        passed = self._reader.passed
-        return None if passed is None else len(passed)
+    def awaited_motor(self) -> int | None:
+        """The motor that an arriving `.c` reply is waiting for; `None` if none is arriving."""
+        arrived = self._reader.arrived
+        return None if arrived is None else len(arrived)
 
     # --- Commands -----------------------------------------------------------------------
+    # Each raises PortUnavailable when the line is gone, and BadRequest while one is pending.
 
-    def query(self, seconds: float = ANSWER) -> None:
-        """Ask for version and number of motors.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
-        self._send("q", (), lines.QUERY, seconds)
+    def query(self, timeout: float = REPLY_TIMEOUT) -> None:
+        """Query version and number of motors."""
+        self._send("q", (), commands.QUERY, timeout)
 
     def set_led(self, *, on: bool) -> None:
-        """Switch the debug LED.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
-        self._send("l", (), lines.LED[on], ANSWER)
+        """Switch the debug LED."""
+        self._send("l", (), commands.LED[on], REPLY_TIMEOUT)
 
     def set_speeds(self, values: Sequence[int]) -> None:
-        """Give every servo a speed.
+        """Set every servo's speed, one value of 0-1023 for each motor (BadRequest otherwise)."""
+        line = commands.speeds(values, self._known_motors())
+        self._send("v", tuple(values), line, REPLY_TIMEOUT)
 
-        Raises:
-            BadRequest: not one value of 0-1023 for each motor.
-            PortUnavailable: the line is gone.
-        """
-        self._send("v", tuple(values), lines.speeds(values, self._known_motors()), ANSWER)
-
-    def move(self, goals: Sequence[int], seconds: float) -> None:
-        """Send every motor to a goal; the answer is late after so many seconds.
-
-        Raises:
-            BadRequest: not one value of 0-1023 for each motor.
-            PortUnavailable: the line is gone.
-        """
-        self._send("c", tuple(goals), lines.positions(goals, self._known_motors()), seconds)
+    def move(self, goals: Sequence[int], timeout: float) -> None:
+        """Move every motor, one goal of 0-1023 for each (BadRequest otherwise)."""
+        line = commands.positions(goals, self._known_motors())
+        self._send("c", tuple(goals), line, timeout)
 
     def _known_motors(self) -> int:
         if not self.motors:
-            raise NoReply("The robot has not said yet how many motors it has.")
+            raise RobotNoReplyError(ErrorCode.NOT_READY)
         return self.motors
 
-    def _send(self, letter: str, values: tuple[int, ...], line: bytes, seconds: float) -> None:
-        if self.asked is not None:
-            raise BadRequest("One command at a time: the last one is not answered yet.")
+    def _send(self, letter: str, values: tuple[int, ...], line: bytes, timeout: float) -> None:
+        if self.pending is not None:
+            raise RobotBusyError(ErrorCode.COMMAND_PENDING)
         self.transport.write(line)
-        self.asked = Sent(letter, values, self.transport.clock(), seconds + self.slack)
-        self._passed = None
-        self._strange = b""
+        now = self.transport.clock()
+        self.pending = SentCommand(letter, values, now, timeout + self.extra_time)
+        self._arrived = None
+        self._unrecognized = b""
         self._is_late = False
-        self._free_by = None
-        self.counters = replace(self.counters, requests=self.counters.requests + 1)
+        self._query_deadline = None
+        self._count(requests=1)
 
-    # --- Answers ------------------------------------------------------------------------
+    # --- Replies ------------------------------------------------------------------------
 
-    def listen(self, seconds: float = 0.0) -> list[News]:
-        """Return what has come of it, waiting up to `seconds` for the first byte.
+    def listen(self, seconds: float = 0.0) -> list[CommandEvent]:
+        """Return what has happened, waiting up to `seconds` for the first byte.
 
         Raises:
             PortUnavailable: the line is gone.
         """
         data = self.transport.read(1, seconds) if seconds > 0 else b""
-        looked = self.transport.clock()  # what had not come by then was late, whenever this is read
+        checked = self.transport.clock()  # what had not arrived by then was late
         try:
             data += self.transport.discard()
-        except BadReply:  # bytes without end are no answer; some of them show what it is
+        except BadReply:  # endless data is no reply; some of it identifies the sender
             data += self.transport.read(_KEPT, 0.0)
         now = self.transport.clock()
         self.received = (self.received + data)[:_KEPT]
-        news: list[News] = []
+        events: list[CommandEvent] = []
         for reply in self._reader.feed(data):
-            news += self._take(reply, now)
-        news += self._look_at_the_rest(now)
-        news += self._look_at_the_clock(looked)
-        return news
+            events += self._take(reply, now)
+        return events + self._check_partial_reply(now) + self._check_timeouts(checked)
 
-    def _take(self, reply: Reply, now: float) -> list[News]:
+    def _take(self, reply: Reply, now: float) -> list[CommandEvent]:
         if isinstance(reply, Hello):
-            self.counters = replace(self.counters, restarts=self.counters.restarts + 1)
-            voided, self.asked = self.asked, None
+            self._count(restarts=1)
+            voided, self.pending = self.pending, None
             return [Voided(voided, now)]
-        asked = self.asked
-        if not isinstance(reply, Strange) and asked is not None:
-            if self._answers(asked, reply):
-                self._count_answer(asked, now)
-                self.asked = self._behind(now)
-                return [Answered(asked, reply, now)]
-            if isinstance(reply, Version) and self._free_by is not None:
-                return [self._lose(self._why_lost(), now, free=True)]
-        if isinstance(reply, Strange) or not isinstance(reply, Version):
-            self._note_strange(reply)
-            if asked is not None and asked.letter == "c":
-                self._ask_whether_free(max(asked.sent + asked.seconds, now) + ANSWER + self.slack)
+        command = self.pending
+        if not isinstance(reply, Unrecognized) and command is not None:
+            if self._matches(command, reply):
+                self._count_reply(command, now)
+                self.pending = self._query_behind(now)
+                return [Answered(command, reply, now)]
+            if isinstance(reply, Version) and self._query_deadline is not None:
+                return [self._lose(now, robot_free=True)]
+        if not isinstance(reply, Version):
+            self._count(unrecognized=1)
+            if isinstance(reply, Unrecognized):
+                self._unrecognized = reply.line
+            if command is not None and command.letter == "c":
+                late = max(command.sent + command.timeout, now)
+                self._send_query_behind(late + REPLY_TIMEOUT + self.extra_time)
         return []
 
-    def _answers(self, asked: Sent, reply: Reply) -> bool:
+    def _matches(self, command: SentCommand, reply: Reply) -> bool:
         match reply:
             case Version():
-                return asked.letter == "q"
+                return command.letter == "q"
             case Led():
-                return asked.letter == "l"
+                return command.letter == "l"
             case Speeds(values):
-                return asked.letter == "v" and len(values) == self.motors
+                return command.letter == "v" and len(values) == self.motors
             case Positions(values):
-                return asked.letter == "c" and len(values) == self.motors
+                return command.letter == "c" and len(values) == self.motors
             case _:
                 return False
 
-    def _behind(self, now: float) -> Sent | None:
-        """Return what is answered next: the `.q` that went out behind a late command, if one did.
-
-        The robot speaks then and does not listen.
-        """
-        if self._free_by is None:
+    def _query_behind(self, now: float) -> SentCommand | None:
+        """Return the `.q` that was sent behind a late command and is answered next, if any."""
+        if self._query_deadline is None:
             return None
-        self._free_by = None
-        return Sent("q", (), now, ANSWER + self.slack)
+        self._query_deadline = None
+        return SentCommand("q", (), now, REPLY_TIMEOUT + self.extra_time)
 
-    def _count_answer(self, asked: Sent, now: float) -> None:
-        counters = self.counters
-        if not counters.answers:  # until now nobody knew whether it listens
-            self.counters = LineStats(requests=1, answers=1)
-            return
-        took = 0.0 if asked.letter == "c" else now - asked.sent
-        self.counters = replace(
-            counters, answers=counters.answers + 1, slowest=max(counters.slowest, took)
-        )
-
-    def _note_strange(self, reply: Reply) -> None:
-        self.counters = replace(self.counters, strange=self.counters.strange + 1)
-        if isinstance(reply, Strange):
-            self._strange = reply.line
-
-    def _look_at_the_rest(self, now: float) -> list[News]:
-        passed = self._reader.passed
-        if self.asked is None or self.asked.letter != "c" or passed in {None, self._passed}:
+    def _check_partial_reply(self, now: float) -> list[CommandEvent]:
+        arrived = self._reader.arrived
+        if self.pending is None or self.pending.letter != "c" or arrived in {None, self._arrived}:
             return []
-        self._passed = passed
-        if self._is_late:  # the next motor may be waited for in vain, too
+        self._arrived = arrived
+        if self._is_late:  # the next motor may not arrive either
             self._is_late = False
-            seconds = max(self.asked.seconds, now - self.asked.sent + ANSWER + self.slack)
-            self.asked = replace(self.asked, seconds=seconds)
-        return [Passing(self.asked, passed or (), now)]
+            elapsed = now - self.pending.sent + REPLY_TIMEOUT + self.extra_time
+            self.pending = replace(self.pending, timeout=max(self.pending.timeout, elapsed))
+        return [PartialReply(self.pending, arrived or (), now)]
 
-    def _look_at_the_clock(self, now: float) -> list[News]:
-        asked = self.asked
-        if asked is None:
+    def _check_timeouts(self, now: float) -> list[CommandEvent]:
+        command = self.pending
+        if command is None:
             return []
-        if self._free_by is not None and now >= self._free_by:
-            if self.waits_for is None:
-                return [self._lose(self._why_lost(), now, free=False)]
-            # The end of the line may be lost, and with it the answer to what was asked then.
-            self._free_by = None
-            self._ask_whether_free(now + ASK_AGAIN)
-        if self._is_late or now < asked.sent + asked.seconds:
+        if self._query_deadline is not None and now >= self._query_deadline:
+            if self.awaited_motor is None:
+                return [self._lose(now, robot_free=False)]
+            # The end of the line may be lost, and with it the reply to the `.q`.
+            self._query_deadline = None
+            self._send_query_behind(now + QUERY_RETRY)
+        if self._is_late or now < command.sent + command.timeout:
             return []
-        if asked.letter != "c":
-            return [self._lose(self._why_lost(), now, free=False)]
+        if command.letter != "c":
+            return [self._lose(now, robot_free=False)]
         self._is_late = True
-        self._ask_whether_free(now + ANSWER + self.slack)
-        return [LateReply(asked, self.waits_for, now)]
+        self._send_query_behind(now + REPLY_TIMEOUT + self.extra_time)
+        return [LateReply(command, self.awaited_motor, now)]
 
-    def _ask_whether_free(self, by: float) -> None:
-        if self._free_by is None:
-            self._free_by = by
-            self.transport.write(lines.QUERY)
-            self.counters = replace(self.counters, requests=self.counters.requests + 1)
+    def _send_query_behind(self, deadline: float) -> None:
+        if self._query_deadline is None:
+            self._query_deadline = deadline
+            self.transport.write(commands.QUERY)
+            self._count(requests=1)
 
-    def _why_lost(self) -> StudioError:
-        if self._strange:
-            return BadReply(f"What came back is no answer to this: {shown(self._strange)}.")
-        return NoReply("The robot has not answered in time.")
-
-    def _lose(self, error: StudioError, now: float, *, free: bool) -> Lost:
-        assert self.asked is not None  # noqa: S101 - for the type checker
-        lost, self.asked = self.asked, None
-        if free or self._strange:  # the robot is there, or something came
-            self.counters = replace(self.counters, damaged=self.counters.damaged + 1)
+    def _lose(self, now: float, *, robot_free: bool) -> ReplyLost:
+        assert self.pending is not None  # noqa: S101 - for the type checker
+        lost, self.pending = self.pending, None
+        if robot_free or self._unrecognized:
+            self._count(corrupted=1)
         else:
-            self.counters = replace(self.counters, silences=self.counters.silences + 1)
-        return Lost(lost, error, free, now)
+            self._count(timeouts=1)
+        error: RobotError = RobotNoReplyError(ErrorCode.TIMEOUT)
+        if self._unrecognized:
+            error = RobotBadReplyError(ErrorCode.UNEXPECTED_REPLY, printable(self._unrecognized))
+        return ReplyLost(lost, error, robot_free, now)
 
-    def close(self) -> None:
-        """Give the port back; never raises."""
-        self.transport.close()
+    # --- Statistics ---------------------------------------------------------------------
 
+    def _count(self, **counts: int) -> None:
+        sums = {name: getattr(self.stats, name) + count for name, count in counts.items()}
+        self.stats = replace(self.stats, **sums)
 
-def shown(data: bytes) -> str:
-    """Return bytes as a person can read them: text where it is, else hexadecimal."""
-    data = data.strip(b"\r\n")
-    if data and all(0x20 <= byte < 0x7F for byte in data):
-        return data.decode("ascii")
-    return data[:12].hex(" ").upper() + (" …" if len(data) > 12 else "")
+    def _count_reply(self, command: SentCommand, now: float) -> None:
+        if not self.stats.replies:  # failures before the first reply do not count
+            self.stats = LineStats(requests=1, replies=1)
+            return
+        self._count(replies=1)
+        if command.letter != "c":
+            slowest = max(self.stats.slowest, now - command.sent)
+            self.stats = replace(self.stats, slowest=slowest)

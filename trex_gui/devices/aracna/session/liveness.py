@@ -1,109 +1,99 @@
-"""When to ask whether the robot is there, and what is to be told once it is. Pure."""
+"""When to query the robot, and when to report that it does not respond. Pure."""
 
 from enum import Enum, auto
 
-from trex_gui.devices.aracna.protocol.replies import Version
-from trex_gui.devices.aracna.protocol.units import MOTORS
+KEEPALIVE_INTERVAL = 2.0
+"""Seconds without a reply after which an idle robot is queried."""
 
-LOOK = 2.0
-"""Seconds after which a robot that nothing was asked of is asked whether it is still there."""
+QUERY_INTERVAL = 0.5
+"""Seconds between two queries while a reply is awaited."""
 
-RETRY = 0.5
-"""Seconds between two questions while an answer is awaited."""
+RECONNECT_INTERVAL = 1.0
+"""Seconds between two queries to a robot that is not responding."""
 
-SEARCH = 1.0
-"""Seconds between two questions to a robot that has been called silent."""
-
-BOOT = 1.1
+BOOT_TIME = 1.1
 """Seconds after `.h` in which the firmware reads nothing: one of blinking, and a margin."""
 
-PATIENCE = 6.0
-"""Seconds until a robot is called silent that was reset: a boot loader may delay its start."""
+BOOT_TIMEOUT = 6.0
+"""Seconds allowed for a restart: a boot loader may delay it."""
 
-OPENING = 15.0
-"""Seconds until one that is connected to, and only says that it starts, is given up."""
-
-_MOTORS = {0: 2}
-"""Motors that a firmware was made for whose answer to `.q` does not tell, by its version."""
-
-
-def motors_of(version: Version) -> int:
-    """Return how many motors a firmware moves; early ones do not tell, but are known."""
-    return version.motors or _MOTORS.get(version.version, MOTORS)
+CONNECT_TIMEOUT = 15.0
+"""Seconds after which a robot that only reports its start is given up when connecting."""
 
 
 class QueryReason(Enum):
-    """Why an answer to `.q` is awaited before anything else is sent."""
+    """Why the reply to `.q` is awaited before anything else is sent."""
 
-    OPENING = auto()
+    CONNECTING = auto()
     RESTARTED = auto()
-    UNSURE = auto()
-    SILENT = auto()
+    UNCERTAIN = auto()
+    NOT_RESPONDING = auto()
 
 
 class LivenessMonitor:
-    """What is known of the robot's being there.
+    """Decides when to send `.q`.
 
     Attributes:
-        why: why it is being asked; `None` while it is there.
-        was_restarted: whether it has said `.h` since it answered last.
+        reason: why a reply to `.q` is awaited; `None` while the robot responds.
+        was_restarted: whether it has reported a start since its last `.q` reply.
     """
 
     def __init__(self, now: float) -> None:
-        self.why: QueryReason | None = QueryReason.OPENING
+        self.reason: QueryReason | None = QueryReason.CONNECTING
         self.was_restarted = False
-        self._ask_at = now
-        self._until = now + PATIENCE
-        self._given_up_at = now + OPENING
-        self._look_at = now
+        self._query_at = now
+        self._deadline = now + BOOT_TIMEOUT
+        self._connect_deadline = now + CONNECT_TIMEOUT
+        self._keepalive_at = now
 
-    def doubt(self, now: float) -> None:
-        """It has not answered something; ask before anything else is sent."""
-        if self.why is None:
-            self.why = QueryReason.UNSURE
-            self._ask_at = now
-            self._until = now + RETRY
+    @property
+    def is_responding(self) -> bool:
+        """Whether requests are accepted."""
+        return self.reason in {None, QueryReason.UNCERTAIN}
 
-    def restart(self, now: float) -> None:
-        """It has said `.h`, and is deaf for a second."""
+    def on_missing_reply(self, now: float) -> None:
+        """Query before anything else is sent."""
+        if self.reason is None:
+            self.reason = QueryReason.UNCERTAIN
+            self._query_at = now
+            self._deadline = now + QUERY_INTERVAL
+
+    def on_restart(self, now: float) -> None:
+        """Wait for the firmware to boot after `.h`."""
         self.was_restarted = True
-        self._ask_at = now + BOOT
-        self._until = now + PATIENCE
-        if self.why is QueryReason.OPENING:
-            self._until = min(self._until, self._given_up_at)
+        self._query_at = now + BOOT_TIME
+        self._deadline = now + BOOT_TIMEOUT
+        if self.reason is QueryReason.CONNECTING:
+            self._deadline = min(self._deadline, self._connect_deadline)
         else:
-            self.why = QueryReason.RESTARTED
+            self.reason = QueryReason.RESTARTED
 
-    def fall_silent(self, now: float) -> None:
-        """It is called silent from here on."""
-        self.why = QueryReason.SILENT
-        self._ask_at = now + SEARCH
+    def set_not_responding(self, now: float) -> None:
+        """Query at long intervals from now on."""
+        self.reason = QueryReason.NOT_RESPONDING
+        self._query_at = now + RECONNECT_INTERVAL
 
-    def note_answer(self, now: float) -> None:
-        """It has answered something."""
-        self._look_at = now + LOOK
+    def on_reply(self, now: float) -> None:
+        """Postpone the next keep-alive query."""
+        self._keepalive_at = now + KEEPALIVE_INTERVAL
 
-    def be_there(self, now: float) -> QueryReason | None:
-        """It has answered `.q`; return why that was awaited."""
-        why, self.why = self.why, None
+    def on_version(self, now: float) -> QueryReason | None:
+        """Accept a reply to `.q`; return why it was awaited."""
+        reason, self.reason = self.reason, None
         self.was_restarted = False
-        self.note_answer(now)
-        return why
+        self.on_reply(now)
+        return reason
 
-    def retry(self, now: float) -> None:
-        """An answer to `.q` has not come."""
-        self._ask_at = max(self._ask_at, now)
-        if self.why is QueryReason.SILENT:
-            self._ask_at = now + SEARCH - RETRY
+    def on_query_timeout(self, now: float) -> None:
+        """Schedule the next query after one without a reply."""
+        self._query_at = max(self._query_at, now)
+        if self.reason is QueryReason.NOT_RESPONDING:
+            self._query_at = now + RECONNECT_INTERVAL - QUERY_INTERVAL
 
-    def is_due(self, now: float) -> bool:
-        """Whether to ask now, the line being free."""
-        return now >= (self._look_at if self.why is None else self._ask_at)
+    def seconds_to_query(self, now: float) -> float:
+        """Return how long until a query is due, if the line is free; 0 if it is."""
+        return max(0.0, (self._keepalive_at if self.reason is None else self._query_at) - now)
 
-    def is_over(self, now: float) -> bool:
-        """Whether it has been asked in vain for long enough to say so."""
-        return self.why not in {None, QueryReason.SILENT} and now >= self._until
-
-    def seconds_to_next(self, now: float) -> float:
-        """Return how long nothing has to be asked."""
-        return max(0.0, (self._look_at if self.why is None else self._ask_at) - now)
+    def timed_out(self, now: float) -> bool:
+        """Whether to report now that the robot does not respond."""
+        return self.reason not in {None, QueryReason.NOT_RESPONDING} and now >= self._deadline

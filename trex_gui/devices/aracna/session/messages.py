@@ -1,7 +1,7 @@
-"""What the window asks of an Aracna session, and what it is told: small frozen values, picklable.
+"""Requests to an Aracna session and its reports: small frozen values that pickle.
 
-Positions and speeds are tuples of one value a motor, motor 0 first: positions 0-1023 in the
-servo's units, speeds 0-1023 (0: as fast as it can). Times are seconds of the session's clock.
+Positions and speeds are tuples with one value for each motor, motor 0 first: positions 0-1023 in
+the servo's units, speeds 0-1023 (0: unlimited). Times are seconds on the session's clock.
 """
 
 from dataclasses import dataclass
@@ -16,9 +16,9 @@ from trex_gui.core.transport.settings import PortSettings
 
 @dataclass(frozen=True, slots=True)
 class SetSpeeds:
-    """Give every servo a speed; `Outcome` follows, its value the `SpeedsHeld`.
+    """Set every servo's speed; the value of its `Outcome` is the `SpeedsHeld`.
 
-    One that waits is replaced by a newer one, and motions that wait with speeds get the newer.
+    It replaces a queued one, and queued motions with speeds take the new ones.
     """
 
     id: int
@@ -27,10 +27,10 @@ class SetSpeeds:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Send every motor to a goal; `Outcome` follows when the robot has answered: `Moved`.
+    """Move every motor to a goal; the value of its `Outcome` is the `Moved`.
 
-    With `speeds` it goes at those or not at all: they are set before where the servos are not
-    known to hold them, and where one does not take them its outcome is an error.
+    With `speeds` it runs at these or not at all: they are sent first unless the servos are known to
+    hold them, and its outcome is an error if a servo does not take its speed.
     """
 
     id: int
@@ -40,9 +40,9 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class Drag:
-    """Send every motor to a goal while somebody drags: the newest that waits replaces it.
+    """Move every motor to a goal; the newest queued one replaces the others. No `Outcome`.
 
-    `speeds` are those of a `Move`; where they are not taken, `DragDropped` follows.
+    `speeds` as in `Move`; if they are not taken, `DragDropped` follows.
     """
 
     goals: tuple[int, ...]
@@ -51,18 +51,14 @@ class Drag:
 
 @dataclass(frozen=True, slots=True)
 class SetLimits:
-    """Send no motor beyond its lowest and highest position (0-1023) from now on.
-
-    They count for all that is sent later, asked for before or not; nothing is kept within any
-    before the first.
-    """
+    """Crop all goals sent from now on to a lowest and a highest position for each motor."""
 
     limits: tuple[tuple[int, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class SetLed:
-    """Switch the board's debug LED; `Outcome` follows, its value whether it is on."""
+    """Switch the board's debug LED; the value of its `Outcome` is the new state."""
 
     id: int
     on: bool
@@ -70,7 +66,7 @@ class SetLed:
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One step of a sequence: reach `goals` in `seconds`, at speeds that make it so."""
+    """One step of a sequence: reach `goals` in `seconds`, at suitable speeds."""
 
     goals: tuple[int, ...]
     seconds: float
@@ -79,12 +75,12 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Play:
-    """Run steps one after the other; `PlayEnded` follows when it is over.
+    """Play steps one after the other; `PlayEnded` follows.
 
     Attributes:
-        blend_in: run once, before the steps.
-        steps: run `rounds` times; 0 for ever.
-        blend_out: run once, after the steps, where nothing broke them off.
+        blend_in: played once, before the steps.
+        steps: played `rounds` times; 0 is endless.
+        blend_out: played once, after the steps, unless they were aborted.
         time_scale: factor on every step's seconds: 2 is half as fast.
     """
 
@@ -98,21 +94,21 @@ class Play:
 
 @dataclass(frozen=True, slots=True)
 class SetTimeScale:
-    """Run what is played so much slower from its next step on."""
+    """Change the time scale of the playing sequence from its next step on."""
 
     time_scale: float
 
 
 @dataclass(frozen=True, slots=True)
 class EndPlay:
-    """End what is played after the current step, with its blend-out."""
+    """End the playing sequence after the current step, with its blend-out."""
 
 
 @dataclass(frozen=True, slots=True)
 class Halt:
-    """Send nothing more: what waits and what is played is dropped.
+    """Send nothing more: drop queued requests and the playing sequence.
 
-    A motion that is under way ends by itself; nothing on this link stops it.
+    A running motion continues to its goal; nothing on this link stops it.
     """
 
 
@@ -125,37 +121,41 @@ Request = (
 
 @dataclass(frozen=True, slots=True)
 class LineStats:
-    """What the line has seen since the robot has answered first.
+    """Counts since the robot's first reply.
 
     Attributes:
-        requests: commands that were sent, one on its way included.
-        answers: those that were answered.
-        silences: those that were not, in time.
-        damaged: those whose answer got lost or was none.
-        strange: lines that nobody understands.
-        restarts: how often the board has said that it starts.
-        slowest: the longest round trip in seconds; motions, which last as they may, left out.
+        requests: commands sent, including a pending one.
+        timeouts: commands without a reply.
+        corrupted: commands whose reply was lost or unusable.
+        unrecognized: lines that are no reply of an Aracna.
+        restarts: how often the board reported its start.
+        slowest: the longest round trip in seconds, motions excluded.
     """
 
     requests: int = 0
-    answers: int = 0
-    silences: int = 0
-    damaged: int = 0
-    strange: int = 0
+    replies: int = 0
+    timeouts: int = 0
+    corrupted: int = 0
+    unrecognized: int = 0
     restarts: int = 0
     slowest: float = 0.0
+
+    @property
+    def finished(self) -> tuple[int, ...]:
+        """The counts that a command on its way does not change."""
+        return self.replies, self.timeouts, self.corrupted, self.unrecognized, self.restarts
 
 
 @dataclass(frozen=True, slots=True)
 class LineStatsChanged:
-    """How the line does; at most one a second, and only where something is new."""
+    """The line's statistics; at most once a second, and only when they have changed."""
 
-    counters: LineStats
+    stats: LineStats
 
 
 @dataclass(frozen=True, slots=True)
 class Connected:
-    """The robot has answered `.q`; `motors` is what counts from now on."""
+    """The robot has answered `.q`; `motors` is valid from now on."""
 
     version: int
     motors: int
@@ -165,7 +165,7 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class Restarted:
-    """The board has said `.h` of itself: what was pending is void, servos keep what they do."""
+    """The board has restarted (`.h`): pending requests are void, servos continue."""
 
     time: float
     voided: bool
@@ -173,11 +173,11 @@ class Restarted:
 
 @dataclass(frozen=True, slots=True)
 class Moving:
-    """A `.c` went out at `time`.
+    """A `.c` was sent at `time`.
 
     Attributes:
-        expected: seconds until its answer is complete, from distance and speed.
-        starts: where each motor was; `None` where that is not known.
+        starts: where each motor was; `None` where unknown.
+        expected: seconds until its reply is complete, from distance and speed.
     """
 
     time: float
@@ -188,7 +188,7 @@ class Moving:
 
 @dataclass(frozen=True, slots=True)
 class Passed:
-    """The answer to a `.c` so far: `present` of the motors up to the one that is waited for."""
+    """The reply to a `.c` so far: `present` of the motors before the awaited one."""
 
     time: float
     present: tuple[int, ...]
@@ -196,9 +196,9 @@ class Passed:
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """The answer to a `.c`: where each motor is, -1 for one that could not be read.
+    """The reply to a `.c`: the position of each motor, -1 if it could not be read.
 
-    All are -1 where the answer was lost on its way; where it was a `Move`, its outcome says so.
+    All are -1 if the reply was lost.
     """
 
     time: float
@@ -209,10 +209,10 @@ class Moved:
 
 @dataclass(frozen=True, slots=True)
 class SpeedsHeld:
-    """The answer to a `.v`: what each servo holds; -1 for one that does not answer."""
+    """The reply to a `.v`: the speed that each servo holds, -1 if it does not answer."""
 
     time: float
-    wanted: tuple[int, ...]
+    requested: tuple[int, ...]
     held: tuple[int, ...]
 
 
@@ -227,11 +227,11 @@ class DragDropped:
 
 @dataclass(frozen=True, slots=True)
 class Stuck:
-    """The answer to a `.c` is late: the robot waits for `motor`; `None` where it is all silent.
+    """The reply to a `.c` is late: the robot waits for `motor`; `None` if nothing has arrived.
 
-    The firmware never gives up on a servo that is blocked or does not answer. Told once a
-    command; `Moved` may follow after all. What waits is dropped, and no motion is taken until the
-    robot has answered.
+    The firmware waits forever for a servo that is blocked or does not answer. Reported once for
+    each command; `Moved` may still follow. Queued requests are dropped, and motions are rejected
+    until the robot has answered.
     """
 
     time: float
@@ -240,16 +240,16 @@ class Stuck:
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The robot has stopped answering; it is asked again and again until `Connected`."""
+    """The robot has stopped answering; it is queried until `Connected`."""
 
-    reason: str
+    error: StudioError | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class StepBegun:
-    """A step of what is played begins: `index` of `Play.steps`, in round `round` from 0 on.
+    """A step begins: `index` within `part` (`in`, `steps` or `out`), in `round` from 0.
 
-    `index` counts within `part`, one of `in`, `steps`, `out`.
+    `late` is by how many seconds.
     """
 
     time: float
@@ -260,7 +260,7 @@ class StepBegun:
 
 
 class Ending(Enum):
-    """Why nothing is played any more.
+    """Why a sequence ended.
 
     `SPEEDS`: a servo did not take the speed of a step; `MISSED`: a motor was far from its goal.
     """
@@ -277,7 +277,7 @@ class Ending(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PlayEnded:
-    """What was played is over; its `Outcome` follows."""
+    """The sequence has ended; its `Outcome` follows."""
 
     time: float
     why: Ending

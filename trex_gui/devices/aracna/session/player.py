@@ -1,107 +1,231 @@
-"""Playing on the line: for each step the speeds, the goals, and the wait for both."""
+"""Playing a sequence: which step is due when, its speeds, its goals, and waiting for arrival.
+
+Steps run on a clock that does not drift. A step is due when the ones before it should have ended,
+not when they did: the time for `.v`, `.c` and their replies counts towards a step's seconds. If the
+robot cannot keep up, the next step starts late and is shortened, by half its seconds at most.
+"""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
-from trex_gui.core.errors import StudioError
+from trex_gui.core.errors import BadRequest, StudioError
 from trex_gui.core.session.messages import Outcome
-from trex_gui.devices.aracna.session.joint_limits import GoalLimits
-from trex_gui.devices.aracna.session.messages import Ending, Play, PlayEnded, Report, StepBegun
-from trex_gui.devices.aracna.session.servos import Servos
-from trex_gui.devices.aracna.session.step_clock import StepClock, check, check_scale
+from trex_gui.devices.aracna.protocol.units import HIGHEST
+from trex_gui.devices.aracna.session.messages import (
+    Ending,
+    Play,
+    PlayEnded,
+    Report,
+    Step,
+    StepBegun,
+)
+from trex_gui.devices.aracna.session.servo_estimates import ServoEstimates
+
+REPLY_TIME = 0.04
+"""Seconds that a `.c` takes without any motion: 33 to 37 ms on a wire."""
+
+_SHORTEST = 0.5
+"""Part of a step's seconds that is left for its motion, however late it starts."""
+
+_SCALES = (0.05, 20.0)
+
+
+@dataclass(frozen=True, slots=True)
+class ScheduledStep:
+    """A step and its place: `part` is `in`, `steps` or `out`."""
+
+    part: str
+    index: int
+    round: int
+    step: Step
+
+
+def check_play(play: Play, motors: int) -> None:
+    """Check a sequence before it is played.
+
+    Raises:
+        BadRequest: it has no steps, wrong numbers of positions, or values out of range.
+    """
+    if not (play.steps or play.blend_in or play.blend_out):
+        raise BadRequest("There is no step to play.")
+    if play.rounds < 0:
+        raise BadRequest(f"The number of rounds is 0 (endless) or more, not {play.rounds}.")
+    if not play.steps and play.rounds == 0:
+        raise BadRequest("Cannot play endlessly: there is no step.")
+    check_scale(play.time_scale)
+    for step in (*play.blend_in, *play.steps, *play.blend_out):
+        name = f" ({step.name})" if step.name else ""
+        if len(step.goals) != motors:
+            raise BadRequest(
+                f"A step{name} has {len(step.goals)} positions; the robot has {motors} motors."
+            )
+        if not all(0 <= goal <= HIGHEST for goal in step.goals):
+            raise BadRequest(f"The positions of a step{name} are 0 to {HIGHEST}: {step.goals}.")
+        if not (math.isfinite(step.seconds) and step.seconds > 0):
+            raise BadRequest(f"A step{name} takes more than 0 s, not {step.seconds:g} s.")
+
+
+def check_scale(scale: float) -> None:
+    """Check a time scale.
+
+    Raises:
+        BadRequest: it is not between 0.05 and 20.
+    """
+    low, high = _SCALES
+    if not low <= scale <= high:
+        raise BadRequest(f"The time scale is {low:g} to {high:g}, not {scale:g}.")
+
+
+class StepClock:
+    """Schedules the steps of a sequence.
+
+    Attributes:
+        time_scale: factor on the seconds of every step that starts from now on.
+        due: when the next step is to start, on the line's clock.
+        current: the running step; `None` before the first.
+        is_ending: whether only the blend-out follows the running step.
+    """
+
+    def __init__(self, play: Play, now: float) -> None:
+        self.play = play
+        self.time_scale = play.time_scale
+        self.due = now
+        self.current: ScheduledStep | None = None
+        self.is_ending = False
+
+    def next(self) -> ScheduledStep | None:
+        """Return the next step; `None` at the end."""
+        current, play = self.current, self.play
+        if current is not None and current.part == "out":
+            return self._blend_out(current.index + 1)
+        if self.is_ending:
+            return self._blend_out(0)
+        if current is None or current.part == "in":
+            index = 0 if current is None else current.index + 1
+            blend_in = self._step("in", play.blend_in, index)
+            return blend_in or self._first(0) or self._blend_out(0)
+        following = self._step("steps", play.steps, current.index + 1, current.round)
+        return following or self._first(current.round + 1) or self._blend_out(0)
+
+    def start(self, step: ScheduledStep, now: float) -> tuple[float, float]:
+        """Start a step; return by how much it is late, and the time for its motion, in seconds.
+
+        The time excludes what a `.c` takes by itself, but not a `.v`.
+        """
+        seconds = step.step.seconds * self.time_scale
+        if self.current is None:  # requests queued earlier have been sent by now
+            self.due = now
+        late = max(0.0, now - self.due)
+        if late > seconds:  # it could never catch up
+            self.due = now
+        self.current = step
+        self.due += seconds
+        return late, max(self.due - now - REPLY_TIME, seconds * _SHORTEST)
+
+    def _first(self, number: int) -> ScheduledStep | None:
+        if self.play.rounds and number >= self.play.rounds:
+            return None
+        return self._step("steps", self.play.steps, 0, number)
+
+    def _blend_out(self, index: int) -> ScheduledStep | None:
+        return self._step("out", self.play.blend_out, index)
+
+    def _step(
+        self, part: str, steps: Sequence[Step], index: int, number: int = 0
+    ) -> ScheduledStep | None:
+        return ScheduledStep(part, index, number, steps[index]) if index < len(steps) else None
 
 
 class SequencePlayer:
-    """What is played at the moment, and where its step is: speeds, then goals, then arrived."""
+    """The playing sequence and the state of its step: speeds, then goals, then arrival.
 
-    def __init__(self, tell: Callable[[Report], None], goal_limits: GoalLimits) -> None:
-        self._tell = tell
-        self._goal_limits = goal_limits
-        self._playing: StepClock | None = None
-        self._goals: tuple[int, ...] | None = None  # of the step that runs, not yet sent
-        self._waits = False  # for the answer to them
-        self._before: tuple[int, ...] | None = None  # speeds to give back in the end
+    `servos` are the estimates that it plans with.
+    """
+
+    def __init__(self, report: Callable[[Report], None], servos: ServoEstimates) -> None:
+        self._report = report
+        self.servos = servos
+        self._clock: StepClock | None = None
+        self._goals: tuple[int, ...] | None = None  # of the running step, not sent yet
+        self._is_moving = False
+        self._speeds_before: tuple[int, ...] | None = None  # to restore at the end
 
     @property
     def is_playing(self) -> bool:
-        """Whether anything is."""
-        return self._playing is not None
+        """Whether a sequence plays."""
+        return self._clock is not None
 
-    def start(self, play: Play, servos: Servos, now: float) -> None:
-        """Begin.
+    def start(self, play: Play, now: float) -> None:
+        """Start playing.
 
         Raises:
-            BadRequest: it cannot be played on so many motors.
+            BadRequest: it cannot be played on this robot.
         """
-        check(play, len(servos.speeds))
-        self._before = None
-        self._playing = StepClock(play, now)
-        self._goals, self._waits = None, False
+        check_play(play, len(self.servos.speeds))
+        self._speeds_before = None
+        self._clock = StepClock(play, now)
+        self._goals, self._is_moving = None, False
 
     def end(self) -> None:
-        """End after the step that runs, with the blend-out."""
-        if self._playing is not None:
-            self._playing.end()
+        """End after the running step, with the blend-out."""
+        if self._clock is not None:
+            self._clock.is_ending = True
 
-    def scale(self, time_scale: float) -> None:
-        """Take another time scale from the next step on; one that makes no sense is not taken.
+    def set_time_scale(self, time_scale: float) -> None:
+        """Change the time scale from the next step on.
 
         Raises:
             BadRequest: it is out of range.
         """
         check_scale(time_scale)
-        if self._playing is not None:
-            self._playing.time_scale = time_scale
+        if self._clock is not None:
+            self._clock.time_scale = time_scale
 
     def stop(self, now: float, why: Ending, error: StudioError | None = None) -> None:
-        """Play nothing any more, and tell it."""
-        playing, self._playing = self._playing, None
-        self._goals, self._waits = None, False
-        if playing is not None:
-            self._tell(PlayEnded(now, why))
-            self._tell(Outcome(playing.play.id, None if error else why, error))
+        """Stop playing, and report it."""
+        clock, self._clock = self._clock, None
+        self._goals, self._is_moving = None, False
+        if clock is not None:
+            self._report(PlayEnded(now, why))
+            self._report(Outcome(clock.play.id, None if error else why, error))
 
-    # --- The line is free ---------------------------------------------------------------
+    # --- While the line is free ---------------------------------------------------------
 
     def seconds_to_next(self, now: float) -> float:
-        """Return how long there is nothing to send; infinity while nothing is played."""
-        if self._playing is None or self._waits:
+        """Return how long until something is to be sent; infinity while nothing plays."""
+        if self._clock is None or self._is_moving:
             return math.inf
-        return 0.0 if self._goals is not None else max(0.0, self._playing.due - now)
+        return 0.0 if self._goals is not None else max(0.0, self._clock.due - now)
 
-    def is_due(self, now: float) -> bool:
-        """Whether there is something to send, or it is over."""
-        return self.seconds_to_next(now) <= 0
+    def next_speeds(self, now: float) -> tuple[int, ...] | None:
+        """Start the due step; return the speeds it needs if they are to be set.
 
-    def take_speeds(self, now: float, servos: Servos) -> tuple[int, ...] | None:
-        """Begin the step that is due; return the speeds it needs where others are set.
-
-        `None` where they are right, where a step has begun already, or where it is all over. In
-        the end the servos get the speeds back that they had before: a person's next move must not
-        take minutes because a motor had next to nothing to do in the last step.
+        At the end these are the speeds from before: otherwise the next move could take minutes,
+        because a motor hardly had to move in the last step.
         """
-        if self._playing is None or self._goals is not None:
+        if self._clock is None or self._goals is not None:
             return None
-        if (turn := self._playing.next()) is None:
-            before, self._before = self._before, None
-            if before not in {None, servos.speeds}:
+        if (step := self._clock.next()) is None:
+            before, self._speeds_before = self._speeds_before, None
+            if before not in {None, self.servos.speeds}:
                 return before
-            self.stop(now, Ending.ENDED if self._playing.was_ended else Ending.DONE)
+            self.stop(now, Ending.ENDED if self._clock.is_ending else Ending.DONE)
             return None
-        if self._playing.turn is None:  # speeds that were asked for before are set by now
-            speeds = tuple(speed for speed in servos.speeds if speed is not None)
-            self._before = speeds if len(speeds) == len(servos.speeds) else None
-        late, seconds = self._playing.begin(turn, now)
-        self._goals = self._goal_limits.crop(turn.step.goals)
-        self._tell(StepBegun(now, turn.part, turn.index, turn.round, late))
-        return servos.speeds_to(self._goals, seconds)
+        if self._clock.current is None:  # queued speeds have been set by now
+            speeds = tuple(speed for speed in self.servos.speeds if speed is not None)
+            self._speeds_before = speeds if len(speeds) == len(self.servos.speeds) else None
+        late, seconds = self._clock.start(step, now)
+        self._goals = self.servos.crop(step.step.goals)
+        self._report(StepBegun(now, step.part, step.index, step.round, late))
+        return self.servos.speeds_to(self._goals, seconds)
 
-    def take_goals(self) -> tuple[int, ...] | None:
-        """Return where the step goes, its speeds being set; `None` where nothing is to be sent."""
+    def next_goals(self) -> tuple[int, ...] | None:
+        """Return the goals of the step once its speeds are set; `None`: nothing to send."""
         goals, self._goals = self._goals, None
-        self._waits = goals is not None
+        self._is_moving = goals is not None
         return goals
 
-    def arrive(self) -> None:
-        """The answer to the goals is there."""
-        self._waits = False
+    def on_arrival(self) -> None:
+        """Continue after the reply to the goals."""
+        self._is_moving = False

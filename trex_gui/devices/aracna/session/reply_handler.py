@@ -1,21 +1,28 @@
-"""What the robot's answers mean for what waits, for what is played and for what is known of it."""
+"""What command events mean for queued requests, the playing sequence and the servo estimates."""
 
 from collections.abc import Callable
 
-from trex_gui.core.errors import NoReply, StudioError
-from trex_gui.devices.aracna.protocol.replies import Led, Positions, Speeds, Version
-from trex_gui.devices.aracna.session.client import AracnaClient
-from trex_gui.devices.aracna.session.command_events import (
+from trex_gui.core.errors import StudioError
+from trex_gui.devices.aracna.protocol.replies import UNREADABLE, Led, Positions, Speeds, Version
+from trex_gui.devices.aracna.session.client import (
     Answered,
+    AracnaClient,
+    CommandEvent,
     LateReply,
-    Lost,
-    News,
-    Passing,
-    Sent,
+    PartialReply,
+    ReplyLost,
+    SentCommand,
     Voided,
 )
-from trex_gui.devices.aracna.session.diagnosis import diagnose, why_stuck
-from trex_gui.devices.aracna.session.liveness import LivenessMonitor, QueryReason, motors_of
+from trex_gui.devices.aracna.session.errors import (
+    ErrorCode,
+    RobotError,
+    RobotNoReplyError,
+    diagnose,
+    rejected_speeds,
+)
+from trex_gui.devices.aracna.session.job_queue import JobQueue
+from trex_gui.devices.aracna.session.liveness import LivenessMonitor, QueryReason
 from trex_gui.devices.aracna.session.messages import (
     Connected,
     Ending,
@@ -28,167 +35,162 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 from trex_gui.devices.aracna.session.player import SequencePlayer
-from trex_gui.devices.aracna.session.rejections import (
-    STUCK,
-    why_missed,
-    why_not_confirmed,
-    why_not_taken,
-)
-from trex_gui.devices.aracna.session.request_queue import RequestQueue
-from trex_gui.devices.aracna.session.servos import Servos, missed
-
-UNREAD = -1
-"""Stands for a position that is not known, as in the robot's own answers."""
+from trex_gui.devices.aracna.session.servo_estimates import missed
 
 
 class ReplyHandler:
-    """Hears what comes of what a session has sent, and tells it.
+    """Handles and reports the events of a session's commands.
 
     Attributes:
-        servos: what is known of them.
-        is_stuck: the answer to a motion is late and still waited for.
+        is_stuck: whether a late reply to a motion is still awaited.
     """
 
     def __init__(
         self,
         client: AracnaClient,
-        presence: LivenessMonitor,
-        waiting: RequestQueue,
+        liveness: LivenessMonitor,
+        jobs: JobQueue,
         player: SequencePlayer,
-        tell: Callable[[Report], None],
+        report: Callable[[Report], None],
     ) -> None:
-        self.servos = Servos(0)
         self.is_stuck = False
         self._client = client
-        self._presence = presence
-        self._waiting = waiting
+        self._liveness = liveness
+        self._servos = player.servos
+        self._jobs = jobs
         self._player = player
-        self._tell = tell
+        self._report = report
 
     def drop(self, now: float, why: Ending, reason: StudioError) -> None:
-        """Let nothing of what waits be sent; what is on its way goes on where it can."""
-        if why is not Ending.HALTED:
-            self._waiting.answer(error=reason)
-        self._player.stop(now, why, None if why is Ending.HALTED else reason)
-        self._waiting.drop(reason)
+        """Drop all queued requests; after a halt the one in flight continues."""
+        is_halt = why is Ending.HALTED
+        if not is_halt:
+            self._jobs.finish(error=reason)
+        self._player.stop(now, why, None if is_halt else reason)
+        self._jobs.drop(reason)
 
-    def hear(self, news: list[News]) -> None:
-        """Take what has come of what was sent."""
-        for one in news:
-            match one:
-                case Answered():
-                    self._presence.note_answer(one.time)
-                    self._note_answer(one)
-                case Passing(present=present, time=time):
-                    self._presence.note_answer(time)
-                    self._tell(Passed(time, present))
+    def handle(self, events: list[CommandEvent]) -> None:
+        """Handle the events of the command in flight, in order."""
+        for event in events:
+            match event:
+                case Answered(time=time):
+                    self._liveness.on_reply(time)
+                    self._on_answered(event)
+                case PartialReply(present=present, time=time):
+                    self._liveness.on_reply(time)
+                    self._report(Passed(time, present))
                 case LateReply(motor=motor, time=time):
-                    self._note_late(motor, time)
-                case Lost():
-                    self._note_loss(one)
-                case Voided(asked=asked, time=time):
-                    self._note_restart(asked, time)
+                    self._on_late_reply(motor, time)
+                case ReplyLost():
+                    self._on_reply_lost(event)
+                case Voided(command=command, time=time):
+                    self._on_restart(command, time)
 
-    def _note_late(self, motor: int | None, now: float) -> None:
-        """What waits is not to begin by itself when a servo comes back, perhaps in an hour."""
+    def _on_late_reply(self, motor: int | None, now: float) -> None:
+        """Drop what is queued: it must not start when a servo recovers, perhaps in an hour."""
         self.is_stuck = True
-        self.servos.forget_speeds()  # a servo without power forgets its own
-        self._tell(Stuck(now, motor))
-        self._player.stop(now, Ending.STUCK, why_stuck(motor))
-        self._waiting.drop(NoReply(STUCK))
+        self._servos.forget_speeds()  # a servo without power loses its speed
+        self._report(Stuck(now, motor))
+        code, fields = (
+            (ErrorCode.TIMEOUT, ()) if motor is None else (ErrorCode.MOTOR_STUCK, (motor,))
+        )
+        self._player.stop(now, Ending.STUCK, RobotNoReplyError(code, *fields))
+        self._jobs.drop(RobotNoReplyError(ErrorCode.STUCK))
 
-    def _note_answer(self, answer: Answered) -> None:
-        asked, now = answer.asked, answer.time
+    def _on_answered(self, answer: Answered) -> None:
+        command, now = answer.command, answer.time
         self.is_stuck = False
         match answer.reply:
             case Version():
-                self._note_version(answer.reply, now)
+                self._on_version(answer.reply, now)
             case Speeds(values=held):
-                self.servos.hold(held, now)
-                report = SpeedsHeld(now, asked.values, held)
-                self._tell(report)
-                self._go_on_at(report)
+                self._servos.on_speeds(held, now)
+                speeds = SpeedsHeld(now, command.values, held)
+                self._report(speeds)
+                self._on_speeds(speeds)
             case Positions(values=present):
-                self.servos.arrive(asked.values, present, now)
-                moved = Moved(now, asked.values, present, now - asked.sent)
-                self._tell(moved)
-                self._player.arrive()
-                if off := missed(asked.values, present):
-                    self._player.stop(now, Ending.MISSED, why_missed(off))
-                self._waiting.answer(moved)
+                self._servos.on_positions(command.values, present, now)
+                moved = Moved(now, command.values, present, now - command.sent)
+                self._report(moved)
+                self._player.on_arrival()
+                if off := tuple(missed(command.values, present).items()):
+                    self._player.stop(
+                        now, Ending.MISSED, RobotNoReplyError(ErrorCode.GOALS_MISSED, off)
+                    )
+                self._jobs.finish(moved)
             case Led(on=on):
-                self._waiting.answer(on)
+                self._jobs.finish(on)
 
-    def _go_on_at(self, report: SpeedsHeld) -> None:
-        """Let a motion begin only where every servo has taken its speed."""
-        error = why_not_taken(report.wanted, report.held)
-        if self._waiting.is_preparing:
+    def _on_speeds(self, speeds: SpeedsHeld) -> None:
+        """Start a motion only if every servo has taken its speed."""
+        error = rejected_speeds(speeds.requested, speeds.held)
+        if self._jobs.is_setting_speeds:
             if error is None:
-                self._waiting.go_on()
+                self._jobs.on_speeds_set()
             else:
-                self._waiting.answer(error=error)
-        elif not self._waiting.answer(report) and error is not None:
-            self._player.stop(report.time, Ending.SPEEDS, error)
+                self._jobs.finish(error=error)
+        elif not self._jobs.finish(speeds) and error is not None:
+            self._player.stop(speeds.time, Ending.SPEEDS, error)
 
-    def _note_version(self, reply: Version, now: float) -> None:
-        motors = motors_of(reply)
-        was_restarted = self._presence.was_restarted
-        why = self._presence.be_there(now)
+    def _on_version(self, reply: Version, now: float) -> None:
+        motors = reply.motor_count
+        was_restarted, was_responding = self._liveness.was_restarted, self._liveness.is_responding
+        reason = self._liveness.on_version(now)
         if motors != self._client.motors:
             self._client.motors = motors
-            self.servos = Servos(motors)
-            if why in {None, QueryReason.UNSURE}:  # another robot: what was wished fits it no more
-                self.drop(now, Ending.LOST, NoReply("Another robot answers now."))
-                why = QueryReason.SILENT
-        if why not in {None, QueryReason.UNSURE}:
-            restarted = was_restarted and why is not QueryReason.OPENING
-            self._tell(Connected(reply.version, motors, self._client.settings, restarted))
+            self._servos.reset(motors)
+            if was_responding:  # queued requests were meant for another robot
+                self.drop(now, Ending.LOST, RobotNoReplyError(ErrorCode.OTHER_ROBOT))
+                reason, was_responding = QueryReason.NOT_RESPONDING, False
+        if not was_responding:
+            restarted = was_restarted and reason is not QueryReason.CONNECTING
+            self._report(Connected(reply.version, motors, self._client.settings, restarted))
 
-    def _note_loss(self, loss: Lost) -> None:
-        if loss.asked.letter == "q":
-            self._presence.retry(loss.time)
-            self._presence.doubt(loss.time)
-            if self._presence.is_over(loss.time):
-                self.fall_silent(loss.error)
+    def _on_reply_lost(self, loss: ReplyLost) -> None:
+        if loss.command.letter == "q":
+            self._liveness.on_query_timeout(loss.time)
+            self._liveness.on_missing_reply(loss.time)
+            if self._liveness.timed_out(loss.time):
+                self.set_not_responding(loss.error)
             return
-        if loss.asked.letter == "c":  # nobody is to wait for its end any more
+        if loss.command.letter == "c":
             self.is_stuck = False
-            goals = loss.asked.values
-            nowhere = (UNREAD,) * len(goals)
-            self._tell(Moved(loss.time, goals, nowhere, loss.time - loss.asked.sent))
-        if loss.asked.letter in {"c", "v"}:
-            self.servos.forget_speeds()
-        is_preparing = self._waiting.is_preparing
-        self._waiting.answer(error=why_not_confirmed(loss.error) if is_preparing else loss.error)
+            goals = loss.command.values
+            unknown = (UNREADABLE,) * len(goals)
+            self._report(Moved(loss.time, goals, unknown, loss.time - loss.command.sent))
+        if loss.command.letter in {"c", "v"}:
+            self._servos.forget_speeds()
+        error: StudioError = loss.error
+        if self._jobs.is_setting_speeds:
+            error = RobotNoReplyError(ErrorCode.SPEEDS_UNCONFIRMED, loss.error)
+        self._jobs.finish(error=error)
         self._player.stop(loss.time, Ending.LOST, loss.error)
-        if not loss.free:
-            self._presence.doubt(loss.time)
+        if not loss.robot_free:
+            self._liveness.on_missing_reply(loss.time)
 
-    def _note_restart(self, asked: Sent | None, now: float) -> None:
-        is_opening = self._presence.why is QueryReason.OPENING
+    def _on_restart(self, command: SentCommand | None, now: float) -> None:
+        was_connecting = self._liveness.reason is QueryReason.CONNECTING
         self.is_stuck = False
-        self._presence.restart(now)
-        if is_opening:
+        self._liveness.on_restart(now)
+        if was_connecting:
             return
-        voided = self._player.is_playing or bool(self._waiting)
-        voided |= asked is not None and asked.letter != "q"
-        # The servos keep position and speed over a reset, but not over a power cut, and `.h` is
-        # all that is seen of either.
-        self.servos.forget()
-        self._tell(Restarted(now, voided))
-        self.drop(now, Ending.RESTARTED, StudioError("The robot's board has restarted."))
+        voided = self._player.is_playing or bool(self._jobs)
+        voided |= command is not None and command.letter != "q"
+        # Servos keep position and speed over a reset but not over a power cut; `.h` reports both.
+        self._servos.forget()
+        self._report(Restarted(now, voided))
+        self.drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))
 
-    def fall_silent(self, error: StudioError) -> None:
-        """Call the robot silent; one that has never answered is none.
+    def set_not_responding(self, error: StudioError) -> None:
+        """Report that the robot does not respond.
 
         Raises:
-            NoReply, BadReply: it has never answered; says what to look at.
+            NoReply, BadReply: no robot has ever answered; says what to check.
         """
-        if self._presence.why is QueryReason.OPENING:
+        if self._liveness.reason is QueryReason.CONNECTING:
             raise diagnose(self._client.settings, self._client.received)
-        self._presence.fall_silent(self._client.transport.clock())
-        self.servos.forget()
-        self._tell(NotResponding(str(error)))
-        self.drop(
-            self._client.transport.clock(), Ending.LOST, NoReply("The robot has stopped answering.")
-        )
+        now = self._client.transport.clock()
+        self._liveness.set_not_responding(now)
+        self._servos.forget()
+        self._report(NotResponding(error))
+        self.drop(now, Ending.LOST, RobotNoReplyError(ErrorCode.NOT_RESPONDING))

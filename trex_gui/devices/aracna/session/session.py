@@ -1,9 +1,9 @@
-"""The loop that owns a line to the robot: messages in, reports out, one command in flight.
+"""The loop that owns a line to the robot: requests in, reports out, one command in flight.
 
-It knows neither threads nor Qt. Nothing is sent unasked but `.q`: the one line that is harmless to
-a TReX at any settings as well, which may be what is on the port. (With a newline before it, one at
-38400 baud with odd parity may take both for an order.) There is no stop on this link: what `Halt`
-can do is to send nothing more.
+It uses neither threads nor Qt. Unprompted it sends only `.q`, the one line that is also harmless to
+a TReX at any settings, which may be on the port. (With a newline before it, a TReX at 38400 baud
+with odd parity may take both for a command.) This link has no stop: `Halt` can only send nothing
+more.
 """
 
 import logging
@@ -14,15 +14,23 @@ from trex_gui.core.errors import BadRequest, NoReply, StudioError
 from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings
-from trex_gui.devices.aracna.protocol import lines
+from trex_gui.devices.aracna.protocol import commands
 from trex_gui.devices.aracna.session.client import LINE, AracnaClient
-from trex_gui.devices.aracna.session.joint_limits import GoalLimits
-from trex_gui.devices.aracna.session.liveness import RETRY, LivenessMonitor, QueryReason
+from trex_gui.devices.aracna.session.errors import (
+    ErrorCode,
+    RobotBusyError,
+    RobotError,
+    RobotNoReplyError,
+)
+from trex_gui.devices.aracna.session.job_queue import Job, JobQueue
+from trex_gui.devices.aracna.session.liveness import QUERY_INTERVAL, LivenessMonitor
 from trex_gui.devices.aracna.session.messages import (
     Drag,
     Ending,
     EndPlay,
     Halt,
+    LineStats,
+    LineStatsChanged,
     Move,
     Moving,
     Play,
@@ -34,227 +42,213 @@ from trex_gui.devices.aracna.session.messages import (
     SetTimeScale,
 )
 from trex_gui.devices.aracna.session.player import SequencePlayer
-from trex_gui.devices.aracna.session.rejections import STUCK
 from trex_gui.devices.aracna.session.reply_handler import ReplyHandler
-from trex_gui.devices.aracna.session.request_queue import Job, RequestQueue
-from trex_gui.devices.aracna.session.servos import FRESH, TRUST, deadline
-from trex_gui.devices.aracna.session.stats import StatsReporter
+from trex_gui.devices.aracna.session.servo_estimates import (
+    TRUST,
+    TRUST_BEFORE_MOVE,
+    ServoEstimates,
+    move_timeout,
+)
 
 log = logging.getLogger(__name__)
 
-_SLICE = 0.02
-"""Seconds that an answer is waited for before requests are looked at."""
+STATS_INTERVAL = 1.0
+"""Seconds between two reports of the line's statistics."""
 
-_REST = 0.05
-"""Seconds that requests are waited for before the line is looked at: a `.h` may come."""
+_SLICE = 0.02
+"""Seconds to wait for reply bytes before checking for requests."""
+
+_IDLE = 0.05
+"""Seconds to wait for requests before checking the line: a `.h` may arrive."""
 
 _TICK = 1e-5
 
 
 class Inbox(Protocol):
-    """Where requests come from."""
+    """The source of requests."""
 
     def get(self, seconds: float) -> Request | None:
         """Return the next request, waiting up to `seconds` for one; else `None`."""
         ...
 
 
-class _Closing(Exception):  # noqa: N818 - no error: the session was asked to end
+class _Closing(Exception):  # noqa: N818 - not an error: a `Close` has arrived
     pass
 
 
 class AracnaSession:
-    """Serves one line from opening it to giving it back.
-
-    `tell` is called with every report, from wherever `run` runs.
-    """
+    """Serves one line from opening to closing it."""
 
     def __init__(
         self,
         settings: PortSettings,
         inbox: Inbox,
-        tell: Callable[[Report], None],
+        report: Callable[[Report], None],
         open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     ) -> None:
         self._settings = settings.at(LINE)
         self._inbox = inbox
-        self._tell = tell
+        self._report = report
         self._open_transport = open_transport
-        self._goal_limits = GoalLimits()
-        self._waiting = RequestQueue(tell, self._now)
-        self._player = SequencePlayer(tell, self._goal_limits)
+        self._servos = ServoEstimates()
+        self._jobs = JobQueue(report, self._now)
+        self._player = SequencePlayer(report, self._servos)
+        self._reported_stats = LineStats()
 
     def run(self) -> None:
-        """Serve the line until it is lost or `Close` comes; then report `Closed`.
+        """Serve the line until it is lost or `Close` arrives, then report `Closed`.
 
-        Never raises: whatever happens, the port is given back and every request gets its
-        outcome.
+        Never raises. The port is always closed, and every request gets its outcome.
         """
         error: StudioError | None = None
         client: AracnaClient | None = None
         try:
-            client = self._client = AracnaClient(
-                self._open_transport(self._settings), self._settings
+            transport = self._open_transport(self._settings)
+            client = self._client = AracnaClient(transport, self._settings)
+            self._next_stats = self._now()
+            self._liveness = LivenessMonitor(self._now())
+            self._handler = ReplyHandler(
+                client, self._liveness, self._jobs, self._player, self._report
             )
-            presence = self._presence = LivenessMonitor(self._now())
-            self._hearing = ReplyHandler(client, presence, self._waiting, self._player, self._tell)
-            counting = StatsReporter(client, self._tell)
             while True:
                 self._step()
-                counting.look(self._now())
+                self._report_stats()
         except _Closing:
             pass
         except StudioError as reason:
             error = reason
-        except BaseException as reason:  # whatever ends this thread, the port is given back
-            log.exception("the line session failed")
-            error = StudioError(f"The program made a mistake on this line: {reason!r}")
+        except BaseException as reason:  # whatever ends this thread, the port is closed
+            log.exception("the session failed")
+            error = RobotError(ErrorCode.INTERNAL, repr(reason))
         if client is not None:
-            client.close()
+            client.transport.close()
         self._finish(error, client)
 
     def _finish(self, error: StudioError | None, client: AracnaClient | None) -> None:
-        reason = error or StudioError("The line was closed before this was done.")
+        reason = error or RobotError(ErrorCode.CLOSED)
         while (request := self._inbox.get(0.0)) is not None:
-            self._waiting.refuse(request, reason)
+            self._jobs.reject(request, reason)
         if client is not None:
-            self._hearing.drop(client.transport.clock(), Ending.LOST, reason)
-        self._tell(Closed(error))
+            self._handler.drop(self._now(), Ending.LOST, reason)
+        self._report(Closed(error))
 
     def _now(self) -> float:
         return self._client.transport.clock()
 
+    def _report_stats(self) -> None:
+        stats, now = self._client.stats, self._now()
+        if now >= self._next_stats and stats.finished != self._reported_stats.finished:
+            self._reported_stats, self._next_stats = stats, now + STATS_INTERVAL
+            self._report(LineStatsChanged(stats))
+
     # --- The loop -----------------------------------------------------------------------
 
     def _step(self) -> None:
-        if self._client.asked is not None:
-            self._collect(0.0)
-            self._hearing.hear(self._client.listen(_SLICE))
+        if self._client.pending is not None:
+            self._take_requests(0.0)
+            self._handler.handle(self._client.listen(_SLICE))
             return
-        self._collect(max(_TICK, min(self._seconds_to_wait(), _REST)))
-        self._hearing.hear(self._client.listen())
-        if self._client.asked is None:
-            self._serve()
+        self._take_requests(max(_TICK, min(self._seconds_to_wait(), _IDLE)))
+        self._handler.handle(self._client.listen())
+        if self._client.pending is None:
+            self._send_next()
 
     def _seconds_to_wait(self) -> float:
         now = self._now()
-        seconds = self._presence.seconds_to_next(now)
-        if self._presence.why is None:
-            if self._waiting.has_more:
-                return 0.0
-            seconds = min(seconds, self._player.seconds_to_next(now))
-        return seconds
+        seconds = self._liveness.seconds_to_query(now)
+        if self._liveness.reason is not None:
+            return seconds
+        return 0.0 if self._jobs.has_queued else min(seconds, self._player.seconds_to_next(now))
 
-    def _serve(self) -> None:
-        """Send what is to be sent next."""
-        now = self._now()
-        presence = self._presence
-        if presence.is_over(now):
-            self._hearing.fall_silent(NoReply("The robot does not answer."))
-        elif presence.why is not None:
-            if presence.is_due(now):
-                self._client.query(RETRY)
-        elif self._waiting.has_jobs:  # asked for before what is played, so sent before it
-            self._waiting.send(self._send)
-        elif self._player.is_due(now):
+    def _send_next(self) -> None:
+        now, liveness = self._now(), self._liveness
+        query_due = liveness.seconds_to_query(now) <= 0
+        if liveness.timed_out(now):
+            self._handler.set_not_responding(RobotNoReplyError(ErrorCode.TIMEOUT))
+        elif liveness.reason is not None:
+            if query_due:
+                self._client.query(QUERY_INTERVAL)
+        elif self._jobs.has_jobs:  # queued before the sequence, so sent before it
+            self._jobs.send_next(self._send)
+        elif self._player.seconds_to_next(now) <= 0:
             self._play(now)
-        elif self._waiting.drag is not None:
-            self._waiting.send_drag(self._send)
-        elif presence.is_due(now):
+        elif self._jobs.drag is not None:
+            self._jobs.send_next(self._send)
+        elif query_due:
             self._client.query()
 
     # --- Requests -----------------------------------------------------------------------
 
-    def _collect(self, seconds: float) -> None:
+    def _take_requests(self, seconds: float) -> None:
         request = self._inbox.get(seconds)
         while request is not None:
             if isinstance(request, Close):
                 raise _Closing
-            self._take(request)
+            try:
+                self._take(request)
+            except (BadRequest, NoReply) as error:
+                self._jobs.reject(request, error)
             request = self._inbox.get(0.0)
 
     def _take(self, request: Request) -> None:
-        try:
-            match request:
-                case Halt():
-                    self._hearing.drop(
-                        self._now(), Ending.HALTED, StudioError("Halted before it was sent.")
-                    )
-                case Drag():
-                    self._take_drag(request)
-                case SetLimits(limits=limits):
-                    self._goal_limits.set(limits)
-                case EndPlay():
-                    self._player.end()
-                case SetTimeScale(time_scale=scale):
-                    self._player.scale(scale)
-                case Play():
-                    self._check_presence()
-                    self._refuse_while_playing()
-                    self._refuse_while_stuck()
-                    self._waiting.drop_drag()
-                    self._player.start(request, self._hearing.servos, self._now())
-                case Move():
-                    self._check_presence()
-                    self._refuse_while_playing()
-                    self._refuse_while_stuck()
-                    self._waiting.add(request)
-                case SetSpeeds():
-                    self._check_presence()
-                    self._refuse_while_playing()
-                    self._refuse_while_stuck()
-                    self._waiting.add(request)
-                case SetLed():
-                    self._check_presence()
-                    self._waiting.add(request)
-                case _:
-                    pass
-        except (BadRequest, NoReply) as error:
-            self._waiting.refuse(request, error)
+        match request:
+            case Halt():
+                self._handler.drop(self._now(), Ending.HALTED, RobotError(ErrorCode.HALTED))
+            case Drag():
+                self._take_drag(request)
+            case SetLimits(limits=limits):
+                self._servos.set_limits(limits)
+            case EndPlay():
+                self._player.end()
+            case SetTimeScale(time_scale=scale):
+                self._player.set_time_scale(scale)
+            case Play():
+                self._check_ready()
+                self._jobs.drop_drag()
+                self._player.start(request, self._now())
+            case Move() | SetSpeeds():
+                self._check_ready()
+                self._jobs.add(request)
+            case SetLed():
+                self._check_responding()
+                self._jobs.add(request)
+            case _:
+                pass
 
     def _take_drag(self, drag: Drag) -> None:
-        if not self._is_there or self._player.is_playing:
+        if not self._liveness.is_responding or self._player.is_playing:
             return
-        if self._hearing.is_stuck:
-            self._waiting.refuse_drag(drag, NoReply(STUCK))
+        if self._handler.is_stuck:
+            self._jobs.reject_drag(drag, RobotNoReplyError(ErrorCode.STUCK))
         else:
-            self._waiting.drag = drag
+            self._jobs.drag = drag
 
-    @property
-    def _is_there(self) -> bool:
-        return self._presence.why in {None, QueryReason.UNSURE}
+    def _check_responding(self) -> None:
+        if not self._liveness.is_responding:
+            raise RobotNoReplyError(ErrorCode.NOT_READY)
 
-    def _check_presence(self) -> None:
-        if not self._is_there:
-            raise NoReply("The robot does not answer yet; it is being asked.")
-
-    def _refuse_while_playing(self) -> None:
+    def _check_ready(self) -> None:
+        self._check_responding()
         if self._player.is_playing:
-            raise BadRequest("A sequence is being played: end it first.")
-
-    def _refuse_while_stuck(self) -> None:
-        if self._hearing.is_stuck:
-            raise NoReply(STUCK)
+            raise RobotBusyError(ErrorCode.PLAYING)
+        if self._handler.is_stuck:
+            raise RobotNoReplyError(ErrorCode.STUCK)
 
     # --- Sending ------------------------------------------------------------------------
 
     def _send(self, job: Job | Drag) -> bool:
-        """Send a job, or the speeds of a motion that the servos are not known to hold.
-
-        Returns whether it was those, so that the motion is still to be sent.
+        """Send a job, or first the speeds of a motion; return whether it was only those.
 
         Raises:
-            BadRequest: it has not one value of 0-1023 for each motor.
+            BadRequest: not one value of 0-1023 for each motor.
             PortUnavailable: the line is gone.
         """
         match job:
             case Move(goals=goals, speeds=speeds) | Drag(goals=goals, speeds=speeds):
-                trust = FRESH if isinstance(job, Move) else TRUST
-                self._hearing.servos.doubt(self._now(), trust)
-                if speeds is not None and speeds != self._hearing.servos.speeds:
-                    lines.positions(
-                        self._goal_limits.crop(goals), self._client.motors
-                    )  # refused first
+                trust = TRUST_BEFORE_MOVE if isinstance(job, Move) else TRUST
+                self._servos.expire_speeds(self._now(), trust)
+                if speeds is not None and speeds != self._servos.speeds:
+                    commands.positions(self._servos.crop(goals), self._client.motors)  # checks them
                     self._client.set_speeds(speeds)
                     return True
                 self._move(goals)
@@ -265,24 +259,18 @@ class AracnaSession:
         return False
 
     def _move(self, goals: tuple[int, ...]) -> None:
-        """Send every motor to a goal.
-
-        Raises:
-            BadRequest: not one of 0-1023 for each.
-            PortUnavailable: the line is gone.
-        """
-        goals = self._goal_limits.crop(goals)
+        goals = self._servos.crop(goals)
         fits = len(goals) == self._client.motors
-        expected = self._hearing.servos.seconds_to(goals) if fits else 0.0
-        self._client.move(goals, deadline(expected))
-        starts = self._hearing.servos.present
-        self._hearing.servos.forget_positions()
-        self._tell(Moving(self._now(), goals, starts, expected))
+        expected = self._servos.seconds_to(goals) if fits else 0.0
+        self._client.move(goals, move_timeout(expected))
+        starts = self._servos.present
+        self._servos.forget_positions()
+        self._report(Moving(self._now(), goals, starts, expected))
 
     def _play(self, now: float) -> None:
-        """Send what the step that is due needs next."""
-        self._hearing.servos.doubt(now)
-        if (speeds := self._player.take_speeds(now, self._hearing.servos)) is not None:
+        """Send what the due step needs next."""
+        self._servos.expire_speeds(now)
+        if (speeds := self._player.next_speeds(now)) is not None:
             self._client.set_speeds(speeds)
-        elif (goals := self._player.take_goals()) is not None:
+        elif (goals := self._player.next_goals()) is not None:
             self._move(goals)

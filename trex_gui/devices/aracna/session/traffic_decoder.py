@@ -1,40 +1,45 @@
-"""What the lines between a host and an Aracna mean, for a transcript."""
+"""Decodes the lines between a host and an Aracna for the traffic log."""
 
 from trex_gui.core.transport.transactions import Decoded, Decoder, Transaction
 from trex_gui.devices.aracna.protocol.replies import (
+    UNREADABLE,
     Hello,
     Led,
     Positions,
     Reply,
     Speeds,
-    Strange,
+    Unrecognized,
     Version,
-    read_line,
+    read_lines,
 )
 
-_ASKED = {
-    b".q": "ask for version and motors",
+_COMMANDS = {
+    b".q": "query version and motors",
     b".l1": "switch the debug LED on",
     b".l0": "switch the debug LED off",
-    b"": "end what may stand in the robot's line buffer",
+    b"": "end an unfinished line in the robot's buffer",
 }
-_UNREAD = -1
-_ANSWERED_LATE = frozenset({b".c", b".v", b".l"})
+_REPLY_KINDS: dict[bytes, type[Reply]] = {
+    b".q": Version,
+    b".c": Positions,
+    b".v": Speeds,
+    b".l": Led,
+}
 
 
 class AracnaDecoder(Decoder):
-    """Words for what `protocol.lines` sends and what `protocol.replies` reads."""
+    """Describes commands and replies in English."""
 
     def shown(self, data: bytes) -> str:
-        r"""Text; line ends as `\r` and `\n`, and what is no text as `\x00`."""
-        return _shown(data)
+        r"""Text; line ends as `\r` and `\n`, other bytes as `\x00`."""
+        return data.decode("latin-1").encode("unicode_escape").decode("ascii")
 
     def is_routine(self, sent: bytes) -> bool:
-        """The question by which the session sees that the robot is there."""
+        """Whether it is the keep-alive query."""
         return sent == b".q\n"
 
     def is_whole(self, exchange: Transaction) -> bool:
-        """Whether a line of the command's own has come, or the robot has started anew."""
+        """Whether a reply to the last command, or a restart, has arrived."""
         lines = exchange.received.split(b"\n")[:-1]
         if not exchange.sent:
             return bool(lines)
@@ -42,64 +47,63 @@ class AracnaDecoder(Decoder):
         return any(line.startswith((last, b".h")) for line in lines)
 
     def goes_with(self, exchange: Transaction, sent: bytes) -> bool:
-        """Whether it asks if the robot is free again, behind a command that it has not answered.
-
-        A late answer to that command comes before the one to the question.
-        """
-        is_late = exchange.sent[:2] in _ANSWERED_LATE and not self.is_whole(exchange)
+        """Whether it is a query behind a command that has no reply yet."""
+        is_late = exchange.sent[:2] in {b".c", b".v", b".l"} and not self.is_whole(exchange)
         return sent == b".q\n" and is_late
 
     def read(self, exchange: Transaction) -> Decoded:
-        """Say the command, and each line that came."""
+        """Describe the command, and each line that came."""
         *lines, rest = exchange.received.split(b"\n")
-        replies = [reply for line in lines for reply in _replies(line.removesuffix(b"\r"))]
+        replies = [reply for line in lines for reply in read_lines(line.removesuffix(b"\r"))]
         is_fault = any(map(_is_fault, replies))
-        said = [_said(reply) for reply in replies]
+        texts = [self._reply(reply) for reply in replies]
         if not exchange.sent:
-            said += [f"a line that broke off: {self.shown(rest)}"] if rest else []
-            return Decoded("unasked: " + "; ".join(said), is_fault or bool(rest))
-        asked = _asked(exchange.sent)
+            texts += [f"incomplete line: {self.shown(rest)}"] if rest else []
+            return Decoded("unsolicited: " + "; ".join(texts), is_fault or bool(rest))
+        command = _command(exchange.sent)
         if not self.is_whole(exchange) and exchange.sent.strip():
             if not exchange.is_over:
-                return Decoded(" → ".join([asked, *said]))
-            said.append("the answer broke off" if rest else "no answer")
+                return Decoded(" → ".join([command, *texts]))
+            texts.append("incomplete reply" if rest else "no reply")
             is_fault = True
-        elif exchange.sent.strip() and not any(_is_of(one, exchange.sent[:2]) for one in replies):
-            said.append("no answer to the command itself")
+        elif exchange.sent.strip() and not any(_answers(one, exchange.sent) for one in replies):
+            texts.append("no reply to the command itself")
             is_fault = True
         elif rest:
-            said.append(f"and behind it {self.shown(rest)}")
+            texts.append(f"followed by {self.shown(rest)}")
             is_fault = True
         is_fault |= exchange.sent[:2] != b".q" and Hello() in replies
-        return Decoded(f"{asked} → {'; '.join(said)}" if said else asked, is_fault)
+        return Decoded(f"{command} → {'; '.join(texts)}" if texts else command, is_fault)
+
+    def _reply(self, reply: Reply) -> str:
+        match reply:
+            case Hello():
+                return "the robot has started, busy for a second"
+            case Version(version=version, motors=None):
+                return f"firmware {version}"
+            case Version(version=version, motors=motors):
+                return f"firmware {version}, {motors} motors"
+            case Speeds(values=values):
+                return f"speeds {_values(values)}"
+            case Positions(values=values):
+                return f"at {_values(values)}"
+            case Led(on=on):
+                return f"the LED is {'on' if on else 'off'}"
+            case Unrecognized(line=line):
+                return f"not a reply of an Aracna: {self.shown(line)}"
 
 
-def _replies(line: bytes) -> list[Reply]:
-    """Read a line; a restart leaves the line before it without an end."""
-    if not line:
-        return []
-    reply = read_line(line)
-    if isinstance(reply, Strange) and line.endswith(b".h"):
-        return [Strange(line[:-2]), Hello()]
-    return [reply]
-
-
-def _shown(data: bytes) -> str:
-    return data.decode("latin-1").encode("unicode_escape").decode("ascii")
-
-
-def _is_of(reply: Reply, letter: bytes) -> bool:
-    """Whether a reply is one to a command of this letter, or voids it; an empty line has none."""
-    kinds: dict[bytes, type[Reply]] = {b".q": Version, b".c": Positions, b".v": Speeds, b".l": Led}
-    kind = kinds.get(letter)
+def _answers(reply: Reply, sent: bytes) -> bool:
+    """Whether it is the reply to this command, or voids it; an empty line has none."""
+    kind = _REPLY_KINDS.get(sent[:2])
     return kind is None or isinstance(reply, kind | Hello)
 
 
-def _asked(sent: bytes) -> str:
+def _command(sent: bytes) -> str:
     line, _, behind = sent.partition(b"\n")
     if behind:
-        return f"{_asked(line)}, then ask whether it is free"
-    if (text := _ASKED.get(line)) is not None:
+        return f"{_command(line)}, then query whether it is free"
+    if (text := _COMMANDS.get(line)) is not None:
         return text
     values = line[2:].decode("latin-1").replace(",", ", ")
     match line[:2]:
@@ -107,37 +111,17 @@ def _asked(sent: bytes) -> str:
             return f"go to {values}"
         case b".v":
             return f"set speeds {values}"
-    return "no command of an Aracna"
+    return "not a command of an Aracna"
 
 
 def _is_fault(reply: Reply) -> bool:
     match reply:
-        case Strange():
+        case Unrecognized():
             return True
         case Positions(values=values) | Speeds(values=values):
-            return _UNREAD in values
+            return UNREADABLE in values
     return False
 
 
-def _said(reply: Reply) -> str:
-    match reply:
-        case Hello():
-            return "the robot has started, and is deaf for a second"
-        case Version(version=version, motors=None):
-            return f"firmware {version}"
-        case Version(version=version, motors=motors):
-            return f"firmware {version}, {motors} motors"
-        case Speeds(values=values):
-            return f"speeds {_values(values)}"
-        case Positions(values=values):
-            return f"at {_values(values)}"
-        case Led(on=on):
-            return f"the LED is {'on' if on else 'off'}"
-        case Strange(line=line):
-            return (
-                f"no reply of an Aracna: {line.decode('latin-1').encode('unicode_escape').decode()}"
-            )
-
-
 def _values(values: tuple[int, ...]) -> str:
-    return ", ".join("no answer" if value == _UNREAD else str(value) for value in values)
+    return ", ".join("no reply" if value == UNREADABLE else str(value) for value in values)

@@ -6,7 +6,7 @@ from html import escape
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QKeySequence
 
-from trex_gui.devices.aracna.protocol.lines import BAUD
+from trex_gui.devices.aracna.protocol.commands import BAUD
 from trex_gui.ui.frame.actions import ActionInfo
 from trex_gui.ui.frame.actions import menus as frame_menus
 

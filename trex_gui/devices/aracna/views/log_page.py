@@ -79,10 +79,10 @@ class LogPage(QWidget):
             self._traffic.setText(self.tr("N/A"))
             self._quality.setText(self.tr("N/A"))
             return
-        over = counters.answers + counters.silences + counters.damaged
+        over = counters.replies + counters.timeouts + counters.corrupted
         self._traffic.setText(
             self.tr("{0} of {1} answered ({2:.2f} %)").format(
-                counters.answers, over, 100 * counters.answers / max(over, 1)
+                counters.replies, over, 100 * counters.replies / max(over, 1)
             )
         )
         self._quality.setText(
@@ -90,9 +90,9 @@ class LogPage(QWidget):
                 "{0} silent, {1} damaged, {2} strange lines, {3} restarts; slowest answer "
                 "{4:.0f}\u00a0ms (motions left out)"
             ).format(
-                counters.silences,
-                counters.damaged,
-                counters.strange,
+                counters.timeouts,
+                counters.corrupted,
+                counters.unrecognized,
                 counters.restarts,
                 1000 * counters.slowest,
             )

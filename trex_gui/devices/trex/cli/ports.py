@@ -68,7 +68,7 @@ def list_command(as_json: bool, **options: Any) -> None:
                 row |= {"product": answer.model.name, "firmware": answer.firmware}
             elif seen is not None and seen.found:
                 row |= scan.listed(seen.found[0])
-            elif seen is not None and (diagnosis := seen.judged()).telling > Evidence.ECHO:
+            elif seen is not None and (diagnosis := seen.diagnosis()).telling > Evidence.ECHO:
                 row["answer"] += f"; {diagnosis.text}"
         rows.append(row)
         if not as_json:

@@ -9,29 +9,37 @@ from trex_gui.core.transport.traffic_log import TrafficDirection, TrafficEvent
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 
 ARACNA: list[tuple[Said, str, bool]] = [
-    ((b".q\n", b".q1,8\r\n"), "ask for version and motors → firmware 1, 8 motors", False),
-    ((b".q\n", b".q1\n"), "ask for version and motors → firmware 1", False),
-    ((b".q\n", b""), "ask for version and motors → no answer", True),
+    ((b".q\n", b".q1,8\r\n"), "query version and motors → firmware 1, 8 motors", False),
+    ((b".q\n", b".q1\n"), "query version and motors → firmware 1", False),
+    ((b".q\n", b""), "query version and motors → no reply", True),
     (
         (b".q\n", b".h\r\n"),
-        "ask for version and motors → the robot has started, and is deaf for a second",
+        "query version and motors → the robot has started, busy for a second",
         False,
     ),
     ((b".l1\n", b".l1\r\n"), "switch the debug LED on → the LED is on", False),
     ((b".v1,2\n", b".v1,2\r\n"), "set speeds 1, 2 → speeds 1, 2", False),
-    ((b".v1,2\n", b".v1,-1\r\n"), "set speeds 1, 2 → speeds 1, no answer", True),
+    ((b".v1,2\n", b".v1,-1\r\n"), "set speeds 1, 2 → speeds 1, no reply", True),
     ((b".c5,6\n", b".c5,6\r\n"), "go to 5, 6 → at 5, 6", False),
-    ((b".c5,6\n", b".c5,"), "go to 5, 6 → the answer broke off", True),
+    ((b".c5,6\n", b".c5,"), "go to 5, 6 → incomplete reply", True),
     (
         (b".c5,6\n", b".c5,.h\r\n"),
-        "go to 5, 6 → no reply of an Aracna: .c5,; the robot has started, and is deaf for a second",
+        "go to 5, 6 → not a reply of an Aracna: .c5,; the robot has started, busy for a second",
         True,
     ),
-    ((b".c5,6\n", b".h\r\n"), "go to 5, 6 → the robot has started, and is deaf for a second", True),
-    ((b".c5,6\n", b"%!\r\n.c5,6\r\n"), "go to 5, 6 → no reply of an Aracna: %!; at 5, 6", True),
-    ((b"\n", b""), "end what may stand in the robot's line buffer", False),
-    ((b"", b".h\r\n"), "unasked: the robot has started, and is deaf for a second", False),
-    ((b"", b".h"), "unasked: a line that broke off: .h", True),
+    (
+        (b".c5,6\n", b".h\r\n"),
+        "go to 5, 6 → the robot has started, busy for a second",
+        True,
+    ),
+    ((b".c5,6\n", b"%!\r\n.c5,6\r\n"), "go to 5, 6 → not a reply of an Aracna: %!; at 5, 6", True),
+    ((b"\n", b""), "end an unfinished line in the robot's buffer", False),
+    (
+        (b"", b".h\r\n"),
+        "unsolicited: the robot has started, busy for a second",
+        False,
+    ),
+    ((b"", b".h"), "unsolicited: incomplete line: .h", True),
 ]
 
 
@@ -73,10 +81,10 @@ def test_late_reply_is_shown_with_its_command() -> None:
     ]
     first, second = told(wording, pieces)
     assert first == (
-        "go to 5, 6, then ask whether it is free → at 5, 6; firmware 1, 2 motors",
+        "go to 5, 6, then query whether it is free → at 5, 6; firmware 1, 2 motors",
         False,
     )
-    assert second[0].startswith("ask for version")
+    assert second[0].startswith("query version")
 
 
 def test_command_ended_only_by_next_query_is_a_fault() -> None:
@@ -88,4 +96,4 @@ def test_command_ended_only_by_next_query_is_a_fault() -> None:
     ]
     ((text, is_fault),) = told(AracnaDecoder(), pieces)
     assert is_fault
-    assert text.endswith("firmware 1, 2 motors; no answer to the command itself")
+    assert text.endswith("firmware 1, 2 motors; no reply to the command itself")

@@ -12,7 +12,7 @@ from trex_gui.core.discovery.prober import ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
-from trex_gui.devices.aracna.discovery.prober import ARACNA_PROBER, QUESTION
+from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery.prober import TREX_PROBER, attempts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -37,7 +37,7 @@ def test_trex_at_likely_rate_is_found_before_aracna_probe(baud: int) -> None:
     wire = Wire(SimulatedLine([a_board(settings=LineSettings(baud).to_wire())]))
     result = search(wire)
     assert (result.device, result.found[0].name) == ("trex", "TReX 1.2")
-    assert QUESTION not in bytes(wire.sent)
+    assert PROBE not in bytes(wire.sent)
     assert wire.line.now < 2.0
 
 
@@ -128,7 +128,7 @@ def test_aracna_hello_is_reported_before_missing_trex() -> None:
     stage.do("power off")
     stage.line.inject(b".h\r\n")
     aracna, trex = search(stage.transport).lines
-    assert "has said that it starts, but does not answer" in aracna
+    assert "reports that it starts, but does not answer" in aracna
     assert "2E 68 0D 0A came at 38400 baud" in trex
 
 
@@ -144,7 +144,7 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
         def writes(data: bytes) -> None:
             nonlocal sent
             write(data)
-            if data == QUESTION:
+            if data == PROBE:
                 sent += 1
                 stage.line.inject(b"ERR 7\r\n")
 
@@ -164,7 +164,7 @@ def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
     stage.transport.reconfigure = lambda line: None  # type: ignore[method-assign]
     trex, aracna = search(stage.transport).lines
     assert "set at the other end" in trex
-    assert "No Aracna was asked for" in aracna
+    assert "No probe for an Aracna was sent" in aracna
     assert search(stage.transport, "aracna").device == "aracna"
 
 
@@ -206,7 +206,7 @@ def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
         questions: list[tuple[bytes, SerialFormat]] = [
             (each.question, each.line) for each in attempts() if each.line != own
         ]
-        questions.append((QUESTION, LINE))
+        questions.append((PROBE, LINE))
         begun: set[State] = {()}
         waiting = deque(begun)
         while waiting:

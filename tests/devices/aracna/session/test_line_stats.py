@@ -10,26 +10,26 @@ from trex_gui.devices.aracna.session.messages import (
     Move,
     SetSpeeds,
 )
-from trex_gui.devices.aracna.session.stats import INTERVAL
+from trex_gui.devices.aracna.session.session import STATS_INTERVAL
 
 THERE = (520,) * 8
 
 
 def last(session: ScriptedSession) -> LineStats:
-    return session.of(LineStatsChanged)[-1].counters
+    return session.of(LineStatsChanged)[-1].stats
 
 
 def test_counters_are_reported_soon_after_connecting() -> None:
     session = ScriptedSession().until(0.5)
     session.run()
-    assert last(session).answers == last(session).requests == 1
+    assert last(session).replies == last(session).requests == 1
     assert session.when(LineStatsChanged)[0] - session.when(Connected)[0] < 0.1
 
 
 def test_unanswered_queries_during_boot_are_not_counted() -> None:
     session = ScriptedSession(booted=False).until(4.0)
     session.run()
-    assert last(session).silences == last(session).restarts == 0
+    assert last(session).timeouts == last(session).restarts == 0
     assert last(session).slowest < 0.1
 
 
@@ -41,8 +41,8 @@ def test_counters_are_reported_at_most_once_a_second() -> None:
     session.run()
     times = session.when(LineStatsChanged)
     assert 4 <= len(times) <= 7
-    assert all(later - earlier >= INTERVAL for earlier, later in pairwise(times))
-    assert last(session).answers >= 40
+    assert all(later - earlier >= STATS_INTERVAL for earlier, later in pairwise(times))
+    assert last(session).replies >= 40
 
 
 def test_unchanged_counters_are_not_reported_again() -> None:
@@ -56,7 +56,7 @@ def test_slowest_reply_time_excludes_motions() -> None:
     session.at(0.5, Move(1, THERE, (100,) * 8)).until(12.0)
     session.run()
     counters = last(session)
-    assert counters.answers >= 3
+    assert counters.replies >= 3
     assert 0.02 < counters.slowest < 0.2
 
 
@@ -64,8 +64,8 @@ def test_unanswered_queries_are_counted_as_silence() -> None:
     session = ScriptedSession()
     session.at(1.0, lambda: session.stage.do("line mute on")).until(12.0)
     session.run()
-    assert last(session).silences >= 3
-    assert last(session).damaged == 0
+    assert last(session).timeouts >= 3
+    assert last(session).corrupted == 0
 
 
 def test_invalid_reply_is_counted_as_damaged_and_strange() -> None:
@@ -77,8 +77,8 @@ def test_invalid_reply_is_counted_as_damaged_and_strange() -> None:
 
     session.at(1.0, SetSpeeds(1, (100,) * 8)).at(1.001, garble).until(4.0)
     session.run()
-    assert last(session).damaged == 1
-    assert last(session).strange >= 1
+    assert last(session).corrupted == 1
+    assert last(session).unrecognized >= 1
 
 
 def test_restart_is_counted() -> None:

@@ -1,1 +1,0 @@
-"""Finding an Aracna on a port, without moving it."""

@@ -1,0 +1,48 @@
+"""Command lines to the robot, strictly formed, because the firmware does not reject malformed ones.
+
+Too few values restart it, an empty field counts as 10, and letters are computed with. So every
+line carries one value of one to four digits for each motor.
+"""
+
+from collections.abc import Sequence
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.aracna.protocol.units import HIGHEST
+
+BAUD = 38_400
+"""Its UART runs at 38400 8N1, without flow control."""
+
+QUERY = b".q\n"
+"""Three bytes: as many as the chip keeps while the firmware is busy."""
+
+EMPTY = b"\n"
+"""Ends an unfinished line in the firmware's buffer; has no other effect."""
+
+LED = {True: b".l1\n", False: b".l0\n"}
+
+
+def speeds(values: Sequence[int], motors: int) -> bytes:
+    """Return the command that sets every servo's speed, 0-1023 (0: unlimited).
+
+    Raises:
+        BadRequest: wrong number of values, or one out of range.
+    """
+    return _line("v", "speed", values, motors)
+
+
+def positions(values: Sequence[int], motors: int) -> bytes:
+    """Return the command that moves every servo to a goal, 0-1023.
+
+    Raises:
+        BadRequest: wrong number of values, or one out of range.
+    """
+    return _line("c", "position", values, motors)
+
+
+def _line(letter: str, quantity: str, values: Sequence[int], motors: int) -> bytes:
+    if len(values) != motors:
+        raise BadRequest(f"{motors} motors need {motors} values, not {len(values)}")
+    for motor, value in enumerate(values):
+        if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= HIGHEST:
+            raise BadRequest(f"the {quantity} of motor {motor} is 0 to {HIGHEST}, not {value!r}")
+    return f".{letter}{','.join(map(str, values))}\n".encode("ascii")

@@ -1,0 +1,163 @@
+"""Estimates of each servo's position and speed, and of how long a motion takes.
+
+Neither can be queried: they are known only from the replies to `.c` and `.v`.
+"""
+
+from collections.abc import Sequence
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.aracna.protocol.joints import Limits, crop
+from trex_gui.devices.aracna.protocol.units import HIGHEST, speed_for, travel_seconds
+
+ASSUMED_SPEED = 100
+"""Assumed while a speed is unknown: slow, so that no reply is considered late too early."""
+
+SET_SPEEDS_TIME = 0.055
+"""Seconds that a `.v` takes at most: a pause of 25 ms, and reading back each servo's register."""
+
+TRUST = 2.0
+"""Seconds for which the speeds in a `.v` reply count as known while dragging or playing.
+
+A servo that lost power is unlimited afterwards, and only the reply to a `.v` shows it. So speeds
+are sent again this often, which takes `SET_SPEEDS_TIME`.
+"""
+
+TRUST_BEFORE_MOVE = 0.5
+"""The same before a single `Move`."""
+
+DOUBTFUL = 12
+"""Units off its goal beyond which a motor may have lost power on its way."""
+
+FAR = 50
+"""Units off its goal at which a motor has failed, as in the authors' self-test: it is blocked, or
+servo power was off."""
+
+_TOO_FAST = 1.05
+"""A speed may exceed the needed one by this factor before it is set again."""
+
+_ARRIVED = 5
+"""Units off its goal at which a motor needs no motion."""
+
+MARGIN, ALLOWANCE = 1.25, 1.0
+"""A motion may take a quarter and a second longer than without load."""
+
+
+class ServoEstimates:
+    """Last known positions and speeds, and the joint limits in force.
+
+    Attributes:
+        present: positions, 0-1023; `None` where unknown.
+        speeds: speed settings, 0-1023 (0: unlimited); `None` where unknown.
+        limits: of each motor; goals are cropped to them. None before the first `set_limits`.
+    """
+
+    def __init__(self, motors: int = 0) -> None:
+        self.limits: tuple[Limits, ...] = ()
+        self.reset(motors)
+
+    def reset(self, motors: int) -> None:
+        """Forget everything but the limits: another robot answers."""
+        self.present: tuple[int | None, ...] = (None,) * motors
+        self.speeds: tuple[int | None, ...] = (None,) * motors
+        self._speeds_reported_at = 0.0
+
+    def set_limits(self, limits: Sequence[tuple[int, int]]) -> None:
+        """Take new limits, lowest and highest position of each motor.
+
+        Raises:
+            BadRequest: not in order, or outside 0-1023; the old ones stay.
+        """
+        try:
+            self.limits = tuple(Limits(low, high) for low, high in limits)
+        except ValueError as error:
+            raise BadRequest(str(error)) from error
+
+    def crop(self, goals: Sequence[int]) -> tuple[int, ...]:
+        """Return the nearest allowed goals."""
+        return crop(goals, self.limits)
+
+    def forget_positions(self) -> None:
+        """A motion has begun."""
+        self.present = (None,) * len(self.present)
+
+    def forget_speeds(self) -> None:
+        """A servo may have lost power, or a new speed is unconfirmed."""
+        self.speeds = (None,) * len(self.speeds)
+
+    def forget(self) -> None:
+        """All servos may have lost power."""
+        self.forget_positions()
+        self.forget_speeds()
+
+    def expire_speeds(self, now: float, trust: float = TRUST) -> None:
+        """Forget speeds that were reported more than `trust` seconds ago."""
+        if now - self._speeds_reported_at > trust:
+            self.forget_speeds()
+
+    def on_positions(self, goals: Sequence[int], present: Sequence[int], now: float) -> None:
+        """Take the reply to a `.c`.
+
+        A motor that cannot be read, or is off its goal, makes all speeds doubtful: it may have
+        lost power on its way. So does a long motion.
+        """
+        self.expire_speeds(now)
+        if any(value < 0 for value in present) or missed(goals, present, DOUBTFUL):
+            self.forget_speeds()
+        self.present = tuple(None if value < 0 else value for value in present)
+
+    def on_speeds(self, speeds: Sequence[int], now: float) -> None:
+        """Take the reply to a `.v`."""
+        self._speeds_reported_at = now
+        self.speeds = tuple(None if value < 0 else value for value in speeds)
+
+    def seconds_to(self, goals: Sequence[int]) -> float:
+        """Return the time of the slowest motor, without load.
+
+        From an unknown position the longest distance counts; an unknown speed counts as the
+        slowest known one, `ASSUMED_SPEED` at most.
+        """
+        slowest = min([ASSUMED_SPEED, *(speed for speed in self.speeds if speed)])
+        return max(
+            travel_seconds(_distance(start, goal), slowest if speed is None else speed)
+            for start, speed, goal in zip(self.present, self.speeds, goals, strict=True)
+        )
+
+    def speeds_to(self, goals: Sequence[int], seconds: float) -> tuple[int, ...] | None:
+        """Return speeds at which every motor arrives in time; `None`: the present ones fit.
+
+        Includes the time for setting them. A motor that has arrived keeps its speed. One whose
+        position is unknown gets `ASSUMED_SPEED` at most.
+        """
+        remaining = max(seconds - SET_SPEEDS_TIME, seconds / 2)
+        speeds: list[int] = []
+        fits = True
+        for start, speed, goal in zip(self.present, self.speeds, goals, strict=True):
+            if start is not None and abs(goal - start) <= _ARRIVED and speed is not None:
+                speeds.append(speed)
+                continue
+            highest = ASSUMED_SPEED if start is None else HIGHEST
+            distance = _distance(start, goal)
+            best = min(speed_for(distance, remaining), highest)
+            speeds.append(best)
+            lowest = min(speed_for(distance, seconds), highest)
+            fits &= bool(speed) and lowest <= (speed or 0) <= best * _TOO_FAST + 2
+        return None if fits else tuple(speeds)
+
+
+def missed(goals: Sequence[int], present: Sequence[int], tolerance: int = FAR) -> dict[int, int]:
+    """Return the distance from its goal of each motor that is further away than `tolerance`."""
+    return {
+        motor: position - goal
+        for motor, (goal, position) in enumerate(zip(goals, present, strict=True))
+        if position >= 0 and abs(position - goal) > tolerance
+    }
+
+
+def move_timeout(expected: float) -> float:
+    """Return after how many seconds the reply to a motion is late."""
+    return expected * MARGIN + ALLOWANCE
+
+
+def _distance(start: int | None, goal: int) -> int:
+    """Return the distance, or the longest possible one."""
+    return max(goal, HIGHEST - goal) if start is None else abs(goal - start)
