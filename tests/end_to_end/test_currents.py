@@ -45,7 +45,7 @@ def test_currents_are_shown_and_exported(
     page.wait_for_cell(0, 1, "6.00 A")
     page.wait_for_cell(1, 1, "3.00 A")
 
-    with page.qtbot.waitSignal(page.panel.export.told, timeout=20_000):
+    with page.qtbot.waitSignal(page.panel.notifier.info, timeout=20_000):
         page.panel.export.save_table(tmp_path / "all.csv", float("-inf"), float("inf"))
     with (tmp_path / "all.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))

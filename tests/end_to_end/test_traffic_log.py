@@ -194,7 +194,7 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     path = tmp_path / "line"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
     assert isinstance(page.root, TrafficPage)
-    with window.qtbot.waitSignal(page.root.told):
+    with window.qtbot.waitSignal(window.device.notifier.info):
         page.click("transcriptSaveButton")
     text = path.with_suffix(".txt").read_text(encoding="utf-8")
     assert "get Serial Timeout → off (0)" in text

@@ -68,6 +68,7 @@ class TracePanelDriver(WidgetDriver):
         self._panel = panel
         self.plot = panel.plot
         self.export = panel.export
+        self.notifier = panel.notifier
 
     @property
     def table(self) -> QTableView:
@@ -450,7 +451,7 @@ def test_shown_span_is_exported_with_units_and_events(
 ) -> None:
     source.events.append(Event(12.0, EventKind.APPLY, "Apply: Motor 1 Acceleration"))
     plot.show_span(10, 20)
-    with qtbot.waitSignal(panel.export.told) as reported:
+    with qtbot.waitSignal(panel.notifier.info) as reported:
         panel.export.save_table(tmp_path / "shown.csv", plot.span.start, plot.span.end)
     assert "801 samples" in str(reported.args)
     with (tmp_path / "shown.csv").open(newline="") as file:
@@ -465,16 +466,16 @@ def test_whole_history_can_be_exported(
     panel: TracePanelDriver, plot: TracePlot, qtbot: QtBot, tmp_path: Path
 ) -> None:
     plot.show_span(10, 20)
-    with qtbot.waitSignal(panel.export.told):
+    with qtbot.waitSignal(panel.notifier.info):
         panel.export.save_table(tmp_path / "all.csv", -math.inf, math.inf)
     assert len((tmp_path / "all.csv").read_text().splitlines()) == 60 * RATE + 1
 
 
 def test_unwritable_file_is_reported(panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path) -> None:
-    with qtbot.waitSignal(panel.export.refused) as refused:
+    with qtbot.waitSignal(panel.notifier.error) as refused:
         panel.export.save_table(tmp_path / "none" / "all.csv", -math.inf, math.inf)
     assert "was not written" in str(refused.args)
-    with qtbot.waitSignal(panel.export.refused):
+    with qtbot.waitSignal(panel.notifier.error):
         panel.export.save_picture(tmp_path / "none" / "picture.png")
     assert "could not be written" in panel.text("currentsNote")
 

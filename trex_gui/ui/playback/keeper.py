@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, QSettings, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.recording.errors import RecordingError
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.formats import size_text
 from trex_gui.ui.playback.indicator import RecordIndicator
 from trex_gui.ui.workers.record_thread import RecordThread
@@ -45,8 +46,6 @@ class RecordingManager(QObject, Generic[RecorderT, WindowT]):
     One for each device derives from it and makes the windows.
 
     Signals:
-        told: what was done, for people.
-        refused: why something cannot be recorded or opened, for people.
         changed: whether something is recorded, or can be.
 
     Attributes:
@@ -55,14 +54,13 @@ class RecordingManager(QObject, Generic[RecorderT, WindowT]):
         windows: the recordings that are open.
     """
 
-    told = Signal(str)
-    refused = Signal(str)
     changed = Signal()
 
     def __init__(
         self,
         recorder: RecorderT,
         words: RecordingWords,
+        notifier: Notifier,
         window: QWidget,
         *,
         store: str,
@@ -75,6 +73,7 @@ class RecordingManager(QObject, Generic[RecorderT, WindowT]):
         """
         super().__init__(window)
         self._words = words
+        self._notifier = notifier
         self._window = window
         self._store = QSettings(self)
         self._folder_key, self._suffix_key = f"{store}/folder", f"{store}/suffix"
@@ -86,8 +85,8 @@ class RecordingManager(QObject, Generic[RecorderT, WindowT]):
 
         recorder.changed.connect(self._on_changed)
         recorder.ended.connect(self._on_ended)
-        recorder.told.connect(self.told)
-        recorder.failed.connect(self.refused)
+        recorder.ended_early.connect(self._notifier.info)
+        recorder.failed.connect(self._notifier.error)
 
     def open_window(self, path: Path) -> WindowT:
         """Return a new window that reads and shows a recording.
@@ -127,11 +126,11 @@ class RecordingManager(QObject, Generic[RecorderT, WindowT]):
         """Record into a file."""
         if any(window.player.path == path for window in self.windows):
             text = self.tr("{0} is open; close its window before recording over it.")
-            self.refused.emit(text.format(path.name))
+            self._notifier.error.emit(text.format(path.name))
         elif self.recorder.start(path):
             self._remember(path)
         else:
-            self.refused.emit(self._words.nothing)
+            self._notifier.error.emit(self._words.nothing)
 
     # --- Open recordings ----------------------------------------------------------------
 
@@ -158,7 +157,7 @@ class RecordingManager(QObject, Generic[RecorderT, WindowT]):
         try:
             window = self.open_window(path)
         except RecordingError as error:
-            self.refused.emit(str(error))
+            self._notifier.error.emit(str(error))
             return
         self._remember(path)
         self.windows.append(window)
@@ -197,7 +196,7 @@ class RecordingManager(QObject, Generic[RecorderT, WindowT]):
     def _on_ended(self, path: Path) -> None:
         self.changed.emit()
         size = size_text(self.recorder.size)
-        self.told.emit(
+        self._notifier.info.emit(
             self.tr("Recorded in {0} ({1}). {2} shows it.").format(path, size, self._words.shown_by)
         )
 

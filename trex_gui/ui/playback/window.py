@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.events import RecordedEvents
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.picture_button import PictureButton
@@ -74,7 +75,8 @@ class RecordingWindow(QMainWindow):
         self._drawing.setSingleShot(True)
         self._drawing.setInterval(_DRAW_MS)
 
-        self.banner = Banner(self)
+        self.notifier = Notifier(self)
+        self.banner = Banner(self, self.notifier)
         self._heading = QLabel(self)
         self._heading.setObjectName("recordingHeading")
         self._heading.setWordWrap(True)
@@ -85,7 +87,7 @@ class RecordingWindow(QMainWindow):
         self._work = WorkRow(self)
         self.plot = TracePlot(parent=self, name=plot_name)
         self.plot.set_source(playback.traces)
-        self._picture = PictureButton(self.plot, playback.path.stem, self)
+        self._picture = PictureButton(self.plot, playback.path.stem, self.notifier, self)
         self._events = EventModel(self.plot, self)
         self._list = RecordedEvents(self._events, playback, self)
         self._transport = TransportBar(playback, self)
@@ -94,8 +96,6 @@ class RecordingWindow(QMainWindow):
         self._drawing.timeout.connect(self.plot.draw)
         self._whole.clicked.connect(self.show_all)
         self._work.cancelled.connect(self._on_cancelled)
-        self._picture.told.connect(self.banner.show_news)
-        self._picture.refused.connect(self.banner.show_problem)
         self.plot.view_changed.connect(self.show_figures)
         self.plot.cursor_changed.connect(self._on_cursor_changed)
         self.plot.event_chosen.connect(self._on_event_chosen)

@@ -3,9 +3,10 @@
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.data.table_saver import TableSaver
 from trex_gui.ui.plotting.picture import Picture
 from trex_gui.ui.plotting.plot import TracePlot
@@ -18,29 +19,29 @@ _LIGHT = "export/light_background"
 class TraceExport(QObject):
     """Asks for a file and writes what a plot has.
 
-    Signals:
-        told: what was done, for people.
-        refused: why nothing was done, for people.
-
     Attributes:
         menu: the choices.
     """
 
-    told = Signal(str)
-    refused = Signal(str)
-
     def __init__(
-        self, plot: TracePlot, window: QWidget, *, name: str = "currents", tables: bool = True
+        self,
+        plot: TracePlot,
+        notifier: Notifier,
+        window: QWidget,
+        *,
+        name: str = "currents",
+        tables: bool = True,
     ) -> None:
         """Export what `plot` has; files are proposed as `name`, tables only with `tables`."""
         super().__init__(window)
         self._name = name
         self._plot = plot
+        self._notifier = notifier
         self._window = window
         self._store = QSettings(self)
         self._tables = TableSaver(self)
         self._tables.saved.connect(self._on_saved)
-        self._tables.failed.connect(self.refused)
+        self._tables.failed.connect(self._notifier.error)
         self.menu = QMenu(window)
         as_tables = (
             ("exportShownAction", self.tr("&Visible range as CSV…"), self._ask_shown),
@@ -93,10 +94,10 @@ class TraceExport(QObject):
             self.save_picture(path)
 
     def save_table(self, path: Path, start: float, end: float) -> None:
-        """Write every curve from `start` to `end`; `told` or `refused` says how it went."""
+        """Write every curve from `start` to `end`."""
         source = self._plot.source
         if source is None or source.span is None:
-            self.refused.emit(self.tr("There is nothing to export yet."))
+            self._notifier.error.emit(self.tr("There is nothing to export yet."))
             return
         origin = self._plot.origin
         if origin is None:  # nothing was drawn yet
@@ -105,22 +106,24 @@ class TraceExport(QObject):
 
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
-        self.told.emit(self.tr("{0} samples were written to {1}.").format(f"{count:,}", path))
+        self._notifier.info.emit(
+            self.tr("{0} samples were written to {1}.").format(f"{count:,}", path)
+        )
 
     def save_picture(self, path: Path) -> None:
         """Write a picture of what is shown; the kind follows the name."""
         source = self._plot.source
         if source is None or source.span is None:
-            self.refused.emit(self.tr("There is nothing to export yet."))
+            self._notifier.error.emit(self.tr("There is nothing to export yet."))
             return
         scheme = "light" if self._light.isChecked() else theme().scheme
         span = self._plot.span.start, self._plot.span.end
         origin = self._plot.origin or 0.0
         picture = Picture(source, span, self._plot.shown, read_colours(scheme), origin)
         if picture.write(path):
-            self.told.emit(self.tr("The picture was written to {0}.").format(path))
+            self._notifier.info.emit(self.tr("The picture was written to {0}.").format(path))
         else:
-            self.refused.emit(self.tr("{0} could not be written.").format(path))
+            self._notifier.error.emit(self.tr("{0} could not be written.").format(path))
 
     def finish(self) -> None:
         """Give up a table that is being written; a disk that hangs is not waited for."""

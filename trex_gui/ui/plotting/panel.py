@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.below import Below
 from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.plotting.event_list import EventList, EventModel
@@ -60,7 +61,8 @@ class TracePanel(QWidget):
             self.tr("Keep the greatest value of each curve from now on, as a line and a figure")
         )
         self.plot = TracePlot(window, self)
-        self.export = TraceExport(self.plot, self)
+        self.notifier = Notifier(self)
+        self.export = TraceExport(self.plot, self.notifier, self)
         self._export_button = QToolButton(self)
         self._export_button.setObjectName("exportButton")
         self._export_button.setText(self.tr("E&xport"))
@@ -101,8 +103,8 @@ class TracePanel(QWidget):
         self.plot.cursor_changed.connect(self._on_cursor_changed)
         self.plot.event_chosen.connect(self._list.choose)
         self._list.chosen.connect(self._on_event_chosen)
-        self.export.told.connect(self.set_note)
-        self.export.refused.connect(self.set_note)
+        self.notifier.info.connect(self.set_note)
+        self.notifier.error.connect(self.set_note)
         theme().changed.connect(self._table.recolour)
         self._show_state()
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QModelIndex, QSettings, Qt, Signal, Slot
+from PySide6.QtCore import QModelIndex, QSettings, Qt, Slot
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.traffic.model import TrafficModel
@@ -29,23 +30,21 @@ _TYPING_MS = 200
 
 
 class TrafficPage(QWidget):
-    """A table of what was sent and received, what of it is shown, and the chosen row in full.
-
-    Signals:
-        told: what was done, for people.
-        refused: why nothing was done, for people.
-    """
-
-    told = Signal(str)
-    refused = Signal(str)
+    """A table of what was sent and received, what of it is shown, and the chosen row in full."""
 
     def __init__(
-        self, traffic: TrafficModel, key: str, who: str, parent: QWidget | None = None
+        self,
+        traffic: TrafficModel,
+        key: str,
+        who: str,
+        notifier: Notifier,
+        parent: QWidget | None = None,
     ) -> None:
         """Show a transcript; `key` names the page and its settings, `who` the device."""
         super().__init__(parent)
         self.setObjectName(f"{key}Page")
         self._traffic = traffic
+        self._notifier = notifier
         self._key = key
         self._who = who
         self._store = QSettings(self)
@@ -114,7 +113,7 @@ class TrafficPage(QWidget):
         self._view.selectionModel().currentRowChanged.connect(self._on_current_changed)
         self._table.modelReset.connect(self._on_reset)
         self._saver.saved.connect(self._on_saved)
-        self._saver.failed.connect(self.refused)
+        self._saver.failed.connect(self._notifier.error)
         traffic.changed.connect(self._refresh)
         traffic.cleared.connect(self._refresh)
         self._polling.setChecked(self._store.value(f"{key}/polling", False, bool) is True)
@@ -223,16 +222,16 @@ class TrafficPage(QWidget):
         rows = self._table.rows
         wanted = [rows[row] for row in chosen] if chosen else rows
         if not wanted:
-            self.refused.emit(self.tr("There is nothing to copy."))
+            self._notifier.error.emit(self.tr("There is nothing to copy."))
             return
         lines = [row_of(self._traffic, row).text() for row in wanted]
         QGuiApplication.clipboard().setText("\n".join(lines) + "\n")
-        self.told.emit(self.tr("Copied rows: {0}.").format(f"{len(lines):,}"))
+        self._notifier.info.emit(self.tr("Copied rows: {0}.").format(f"{len(lines):,}"))
 
     @Slot()
     def _ask_and_save(self) -> None:
         if not self._table.rows:
-            self.refused.emit(self.tr("There is nothing to save."))
+            self._notifier.error.emit(self.tr("There is nothing to save."))
             return
         suggested = file_questions.last_folder(self._store) / "transcript.txt"
         chosen, _ = QFileDialog.getSaveFileName(
@@ -249,4 +248,6 @@ class TrafficPage(QWidget):
 
     @Slot(int, object)
     def _on_saved(self, count: int, path: Path) -> None:
-        self.told.emit(self.tr("{0} rows were written to {1}.").format(f"{count:,}", path))
+        self._notifier.info.emit(
+            self.tr("{0} rows were written to {1}.").format(f"{count:,}", path)
+        )

@@ -26,13 +26,13 @@ class RecordThread(QObject, Generic[RecordT]):
     Signals:
         changed: whether something is recorded, its size.
         ended: a recording is complete; its `Path`.
-        told: why a recording has ended though nobody ended it, for people.
+        ended_early: why a recording has ended although the user did not end it, as a sentence.
         failed: why it cannot be written, for people.
     """
 
     changed = Signal()
     ended = Signal(object)
-    told = Signal(str)
+    ended_early = Signal(str)
     failed = Signal(str)
 
     def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
@@ -136,7 +136,7 @@ class RecordThread(QObject, Generic[RecordT]):
     def end_because(self, words: str) -> None:
         """End the recording and tell why; `{0}` in the words is its file."""
         self.stop()
-        self.told.emit(words.format(self._path))
+        self.ended_early.emit(words.format(self._path))
 
     def shut_down(self) -> bool:
         """End the recording and wait for it a little; for the end of the program.

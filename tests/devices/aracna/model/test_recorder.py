@@ -80,7 +80,7 @@ def test_disconnect_ends_recording_with_message(
     robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
     recorder.start(tmp_path / "cut.csv")
-    with qtbot.waitSignals([recorder.told, recorder.ended], timeout=15_000):
+    with qtbot.waitSignals([recorder.ended_early, recorder.ended], timeout=15_000):
         robot.disconnect_line()
     assert not recorder.recording
     assert rows(tmp_path / "cut.csv")[0]["record"] == "header"

@@ -10,6 +10,7 @@ from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.session.messages import Play
 from trex_gui.devices.aracna.views.poses.name_list import NameList
 from trex_gui.devices.aracna.views.poses.panel import PosesPanel
+from trex_gui.ui.notifier import Notifier
 
 EIGHT = (100, 200, 101, 201, 102, 202, 103, 203)
 
@@ -25,15 +26,17 @@ class PosesPanelDriver(WidgetDriver):
 
     def __init__(self, qtbot: QtBot) -> None:
         self.library = Library()
-        self.panel = PosesPanel(self.library)
+        notifier = Notifier()
+        self.panel = PosesPanel(self.library, notifier)
+        notifier.setParent(self.panel)
         super().__init__(self.panel, qtbot)
         self.plays: list[Play] = []
         self.messages: list[str] = []
         self.requested_goals: list[tuple[int, ...]] = []
         self.panel.play_requested.connect(self.plays.append)
         self.panel.go_to_requested.connect(self.requested_goals.append)
-        self.panel.told.connect(self.messages.append)
-        self.panel.refused.connect(self.messages.append)
+        notifier.info.connect(self.messages.append)
+        notifier.error.connect(self.messages.append)
         self.panel.resize(640, 600)
         self.panel.show()
         qtbot.waitExposed(self.panel)

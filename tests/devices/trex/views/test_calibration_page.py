@@ -330,22 +330,22 @@ def test_calibrations_are_saved_to_a_file_and_loaded(page: CalibrationPage, tmp_
     edited = page.shown()
     files.save_file(path)
     page.device.discard_edits()
-    with page.qtbot.waitSignal(page.widget.told) as told:
+    with page.qtbot.waitSignal(page.device.notifier.info) as notice:
         files.load_file(path)
-    assert told.args[0].startswith("1 calibration of mine.txt is an edit now.")
+    assert notice.args[0].startswith("1 calibration of mine.txt is an edit now.")
     assert page.shown() == edited
 
     page.type_into("minimumEdit", "1150")
     page.action("copyToAll").trigger()
     files.save_file(path)
     page.device.discard_edits()
-    with page.qtbot.waitSignal(page.widget.told) as told:
+    with page.qtbot.waitSignal(page.device.notifier.info) as notice:
         files.load_file(path)
-    assert told.args[0].startswith("5 calibrations of mine.txt are edits now.")
+    assert notice.args[0].startswith("5 calibrations of mine.txt are edits now.")
     assert page.shown(5).minimum == 2875
-    with page.qtbot.waitSignal(page.widget.refused) as refused:
+    with page.qtbot.waitSignal(page.device.notifier.error) as notice:
         files.load_file(tmp_path / "none.txt")
-    assert "none.txt was not taken" in refused.args[0]
+    assert "none.txt was not taken" in notice.args[0]
 
 
 # --- Sources and modes ------------------------------------------------------------------

@@ -18,7 +18,7 @@ class PosesPage(QWidget):
         super().__init__(parent)
         self.setObjectName("aracnaPosesPage")
         self._robot = robot
-        self.panel = PosesPanel(library, self)
+        self.panel = PosesPanel(library, robot.notifier, self)
         drawing = RobotDrawing(robot, self)
         drawing.setObjectName("aracnaPosesDrawing")
         footnote = QLabel(f"* {assumed_text()}", self)

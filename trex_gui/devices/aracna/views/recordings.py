@@ -22,7 +22,12 @@ class AracnaRecordings(RecordingManager[AracnaRecorder, "RobotPlaybackWindow"]):
 
     def __init__(self, robot: Robot, window: QWidget) -> None:
         super().__init__(
-            AracnaRecorder(robot), _words(), window, store="aracna/recording", prefix="aracna_"
+            AracnaRecorder(robot),
+            _words(),
+            robot.notifier,
+            window,
+            store="aracna/recording",
+            prefix="aracna_",
         )
         self._robot = robot
 

@@ -48,7 +48,9 @@ class AracnaWorkspace(Workspace):
         tabs.setAccessibleName(self.tr("Pages"))
         self._page = RobotPage(robot, self)
         self._poses = PosesPage(robot, library, self)
-        traffic = TrafficPage(robot.traffic, "aracnaTranscript", self.tr("a robot"), self)
+        traffic = TrafficPage(
+            robot.traffic, "aracnaTranscript", self.tr("a robot"), self.notifier, self
+        )
         pages = {
             self.tr("Robot"): self._page,
             self.tr("Poses"): self._poses,
@@ -69,15 +71,6 @@ class AracnaWorkspace(Workspace):
         layout.addWidget(self.recordings.indicator)
         layout.addWidget(bar)
 
-        panel = self._poses.panel
-        for told in (panel.told, self.recordings.told, traffic.told):
-            told.connect(self.notifier.info)
-        for refused in (
-            panel.refused,
-            self.recordings.refused,
-            traffic.refused,
-        ):
-            refused.connect(self.notifier.error)
         way.failed.connect(self.notifier.error)
         way.demo_robot.refused.connect(self.notifier.error)
         way.changed.connect(self._on_changed)

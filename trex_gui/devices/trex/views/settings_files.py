@@ -29,21 +29,18 @@ class SettingsFiles(QObject):
     """Asks for a file, shows what is in it, and says what became of it.
 
     Signals:
-        told: what was done, for people.
-        refused: why a file was not opened or saved, for people.
         staged: the settings of a file became edits of the board's.
 
     Attributes:
         editors: the windows that are open, each with one file.
     """
 
-    told = Signal(str)
-    refused = Signal(str)
     staged = Signal()
 
     def __init__(self, device: Device, window: QWidget) -> None:
         super().__init__(window)
         self._device = device
+        self._notifier = device.notifier
         self._window = window
         self._store = QSettings(self)
         self._loading: LoadDialog | None = None
@@ -179,7 +176,7 @@ class SettingsFiles(QObject):
             self._loading.close()
         dialog = LoadDialog(self._device, file, self._window)
         dialog.staged.connect(self._on_staged)
-        dialog.ended.connect(self.refused)
+        dialog.ended.connect(self._notifier.error)
         dialog.finished.connect(self._on_offer_finished)
         self._loading = dialog
         dialog.show()
@@ -193,13 +190,13 @@ class SettingsFiles(QObject):
 
     @Slot(str)
     def _on_staged(self, words: str) -> None:
-        self.told.emit(words)
+        self._notifier.info.emit(words)
         self._window.activateWindow()
         self.staged.emit()
 
     def _refuse(self, path: Path, error: SettingsError) -> None:
         reasons = "; ".join(str(finding) for finding in error.findings)
-        self.refused.emit(self.tr("{0} was not opened: {1}.").format(path.name, reasons))
+        self._notifier.error.emit(self.tr("{0} was not opened: {1}.").format(path.name, reasons))
 
     # --- Closing ------------------------------------------------------------------------
 
@@ -222,11 +219,11 @@ class SettingsFiles(QObject):
         try:
             save(path, export_code(settings, link, language))
         except (SettingsError, BadRequest) as error:
-            self.refused.emit(self.tr("{0} was not written: {1}").format(path.name, error))
+            self._notifier.error.emit(self.tr("{0} was not written: {1}").format(path.name, error))
             return
         file_questions.remember_folder(self._store, path)
         text = self.tr("{0} applies and checks the settings shown; read its first lines.")
-        self.told.emit(text.format(path))
+        self._notifier.info.emit(text.format(path))
 
     def save_file(self, path: Path) -> bool:
         """Write the settings shown, edits included; return whether they are saved.
@@ -245,11 +242,11 @@ class SettingsFiles(QObject):
                 return False
             save(path, text)
         except (SettingsError, BadRequest) as error:
-            self.refused.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
+            self._notifier.error.emit(self.tr("{0} was not saved: {1}").format(path.name, error))
             return False
         file_questions.remember_folder(self._store, path)
         words = self.tr("The settings shown were saved in {0}.").format(path)
-        self.told.emit(f"{words} {kept}".rstrip())
+        self._notifier.info.emit(f"{words} {kept}".rstrip())
         return True
 
     def _text_for(self, path: Path, settings: Settings) -> tuple[str | None, str]:
@@ -292,7 +289,7 @@ class SettingsFiles(QObject):
         try:
             dialog = PrintedSettings(settings, name).preview(self._window)
         except SettingsError as error:
-            self.refused.emit(str(error))
+            self._notifier.error.emit(str(error))
             return None
         dialog.show()
         return dialog

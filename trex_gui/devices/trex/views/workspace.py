@@ -62,7 +62,9 @@ class TrexWorkspace(Workspace):
         parameters_page = ParametersPage(device, self)
         calibration_page = CalibrationPage(device, self)
         motors_page = MotorsPage(device, self)
-        transcript_page = TrafficPage(device.traffic, "transcript", self.tr("a board"), self)
+        transcript_page = TrafficPage(
+            device.traffic, "transcript", self.tr("a board"), self.notifier, self
+        )
         pages = {
             self.tr("Status"): StatusPage(device, self),
             self.tr("Channels"): ChannelsPage(device, self),
@@ -94,12 +96,8 @@ class TrexWorkspace(Workspace):
         self._learn = LearnDialog(learning, frame)
         self._bench = BenchOpener(device, frame)
 
-        self._files.told.connect(self.notifier.info)
-        self._files.refused.connect(self.notifier.error)
         self._files.staged.connect(lambda: tabs.setCurrentIndex(parameters_index))
         FileDrop(frame, SUFFIXES).dropped.connect(self._recordings.open_file)
-        self._recordings.told.connect(self.notifier.info)
-        self._recordings.refused.connect(self.notifier.error)
         self._recordings.settings_wanted.connect(self._files.open_editor)
         self._recordings.changed.connect(self._on_recording_changed)
         self._bar.apply_requested.connect(self._review.review)
@@ -114,10 +112,6 @@ class TrexWorkspace(Workspace):
         learning.taken.connect(self._review.review)
         motors_page.parameter_wanted.connect(parameters_page.show_parameter)
         motors_page.parameter_wanted.connect(lambda: tabs.setCurrentIndex(parameters_index))
-        calibration_page.told.connect(self.notifier.info)
-        calibration_page.refused.connect(self.notifier.error)
-        transcript_page.told.connect(self.notifier.info)
-        transcript_page.refused.connect(self.notifier.error)
         connector.failed.connect(self.notifier.error)
         connector.demo_changed.connect(self._on_demo_changed)
         connector.demo_board.refused.connect(self.notifier.error)

@@ -129,7 +129,7 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
 def test_disconnecting_ends_the_recording_intact(session: RecorderSetup, tmp_path: Path) -> None:
     session.recorder.start(tmp_path / "a.trexrec")
     session.wait(lambda: len(session.samples) > 50)
-    with session.qtbot.waitSignals([session.recorder.told, session.recorder.ended]):
+    with session.qtbot.waitSignals([session.recorder.ended_early, session.recorder.ended]):
         session.device.disconnect_line()
     assert not session.recorder.recording
     assert everything(tmp_path / "a.trexrec")

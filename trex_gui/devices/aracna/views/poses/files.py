@@ -2,13 +2,14 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, QStandardPaths, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, QStandardPaths, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.files.errors import SettingsError, Severity
 from trex_gui.devices.aracna.model.library import Library
 from trex_gui.devices.aracna.poses.ppr import SUFFIX
 from trex_gui.devices.aracna.views.typed import take_typed
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import file_questions
 
 _FOLDER = "aracna/folder"
@@ -18,19 +19,12 @@ _MOST_FINDINGS = 8
 
 
 class PoseFiles(QObject):
-    """Asks for a file, opens or writes it, and says what became of it.
+    """Asks for a file, opens or writes it, and says what became of it."""
 
-    Signals:
-        told: what was done, for people.
-        refused: why nothing was done, for people.
-    """
-
-    told = Signal(str)
-    refused = Signal(str)
-
-    def __init__(self, library: Library, window: QWidget) -> None:
+    def __init__(self, library: Library, notifier: Notifier, window: QWidget) -> None:
         super().__init__(window)
         self._library = library
+        self._notifier = notifier
         self._window = window
         self._store = QSettings(self)
 
@@ -56,7 +50,7 @@ class PoseFiles(QObject):
         try:
             findings = self._library.open(path)
         except SettingsError as error:
-            self.refused.emit(self.tr("Not opened. {0}.").format(str(error).rstrip(". ")))
+            self._notifier.error.emit(self.tr("Not opened. {0}.").format(str(error).rstrip(". ")))
             return False
         self._remember(path)
         words = [self.tr("{0} was opened.").format(path.name)]
@@ -64,7 +58,7 @@ class PoseFiles(QObject):
         if (more := len(findings) - _MOST_FINDINGS) > 0:
             words.append(self.tr("And {0} more.").format(more))
         bad = any(finding.severity is Severity.ERROR for finding in findings)
-        (self.refused if bad else self.told).emit("\n".join(words))
+        (self._notifier.error if bad else self._notifier.info).emit("\n".join(words))
         return True
 
     @Slot()
@@ -103,10 +97,10 @@ class PoseFiles(QObject):
         try:
             self._library.save(path)
         except SettingsError as error:
-            self.refused.emit(self.tr("Not saved. {0}.").format(str(error).rstrip(". ")))
+            self._notifier.error.emit(self.tr("Not saved. {0}.").format(str(error).rstrip(". ")))
             return False
         self._remember(path)
-        self.told.emit(self.tr("Saved in {0}.").format(path))
+        self._notifier.info.emit(self.tr("Saved in {0}.").format(path))
         return True
 
     def may_close(self) -> bool:

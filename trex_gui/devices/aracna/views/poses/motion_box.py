@@ -12,6 +12,7 @@ from trex_gui.devices.aracna.views.poses.name_list import NameList
 from trex_gui.devices.aracna.views.poses.parts import arrow_button, follow, tool_button
 from trex_gui.devices.aracna.views.poses.step_view import StepView
 from trex_gui.devices.aracna.views.typed import take_typed
+from trex_gui.ui.notifier import Notifier
 
 
 class MotionBox(QGroupBox):
@@ -19,20 +20,19 @@ class MotionBox(QGroupBox):
 
     Signals:
         shown: another motion is chosen, or its steps are others.
-        refused: why something was not done, for people.
 
     Attributes:
         table: the steps of what is chosen.
     """
 
     shown = Signal()
-    refused = Signal(str)
 
-    def __init__(self, library: Library, parent: QWidget | None = None) -> None:
+    def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaMotionBox")
         self.setTitle(self.tr("Sequences and gaits"))
         self._library = library
+        self._notifier = notifier
         self._next_pose = ""
         self.table = StepTable(library, self)
 
@@ -88,7 +88,7 @@ class MotionBox(QGroupBox):
         follow(self._delete, self._list.delete_action)
         follow(self._up, self._list.up_action)
         follow(self._down, self._list.down_action)
-        names.refused.connect(self.refused)
+        names.refused.connect(self._notifier.error)
         self._list.chosen.connect(self._on_chosen)
         self._list.delete_requested.connect(self._on_delete_requested)
         self._list.duplicate_requested.connect(self._on_duplicate_requested)

@@ -16,6 +16,7 @@ from trex_gui.devices.aracna.views.poses.play_bar import PlayBar
 from trex_gui.devices.aracna.views.poses.pose_box import PoseBox
 from trex_gui.devices.aracna.views.poses.preview import Preview, preview
 from trex_gui.devices.aracna.views.typed import take_typed
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.widgets.elided_label import ElidedLabel
 
@@ -29,8 +30,6 @@ class PosesPanel(QWidget):
         go_to_requested: positions are to be reached, a tuple as the pose has them, not cropped.
         play_requested: a `Play` whose goals are within the limits; its `id` is 0.
         scale_changed: the factor on the seconds of each step, also while something is played.
-        told: what was done, for people.
-        refused: why something was not done, for people.
 
     Attributes:
         files: opening and saving; `files.may_close()` asks before edits are lost.
@@ -39,10 +38,8 @@ class PosesPanel(QWidget):
     go_to_requested = Signal(object)
     play_requested = Signal(object)
     scale_changed = Signal(float)
-    told = Signal(str)
-    refused = Signal(str)
 
-    def __init__(self, library: Library, parent: QWidget | None = None) -> None:
+    def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaPosesPanel")
         self._library = library
@@ -53,7 +50,7 @@ class PosesPanel(QWidget):
         self._playing: PlayState | None = None
         self._played: Motion | None = None
         self._preview = Preview()
-        self.files = PoseFiles(library, self)
+        self.files = PoseFiles(library, notifier, self)
 
         self._name = ElidedLabel("poses.ppr", self)
         self._name.setObjectName("aracnaPoseFile")
@@ -64,8 +61,8 @@ class PosesPanel(QWidget):
         self._menu_button.setMenu(self._menu())
         self._undo_button = tool_button(self, "aracnaUndo", "", self.tr("Undo"), "undo")
         self._redo_button = tool_button(self, "aracnaRedo", "", self.tr("Redo"), "redo")
-        self._poses = PoseBox(library, self)
-        self._motions = MotionBox(library, self)
+        self._poses = PoseBox(library, notifier, self)
+        self._motions = MotionBox(library, notifier, self)
         self._bar = PlayBar(self)
 
         head = QHBoxLayout()
@@ -82,10 +79,6 @@ class PosesPanel(QWidget):
         layout.addLayout(boxes, 1)
         layout.addWidget(self._bar)
 
-        self.files.told.connect(self.told)
-        self.files.refused.connect(self.refused)
-        self._poses.refused.connect(self.refused)
-        self._motions.refused.connect(self.refused)
         self._poses.go_to_requested.connect(self.go_to_requested)
         self._poses.pose_chosen.connect(self._motions.show_pose)
         self._motions.shown.connect(self._renew)

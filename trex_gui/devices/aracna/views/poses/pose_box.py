@@ -13,6 +13,7 @@ from trex_gui.devices.aracna.views.poses.name_list import NameList
 from trex_gui.devices.aracna.views.poses.parts import arrow_button, follow, tool_button
 from trex_gui.devices.aracna.views.poses.position_fields import PositionFields
 from trex_gui.devices.aracna.views.typed import take_typed
+from trex_gui.ui.notifier import Notifier
 
 
 class PoseBox(QGroupBox):
@@ -21,18 +22,17 @@ class PoseBox(QGroupBox):
     Signals:
         go_to_requested: the positions of a pose are to be reached, a tuple; not cropped.
         pose_chosen: the name of the pose that is chosen; empty for none.
-        refused: why something was not done, for people.
     """
 
     go_to_requested = Signal(object)
     pose_chosen = Signal(str)
-    refused = Signal(str)
 
-    def __init__(self, library: Library, parent: QWidget | None = None) -> None:
+    def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaPoseBox")
         self.setTitle(self.tr("Poses"))
         self._library = library
+        self._notifier = notifier
         self._present: tuple[int | None, ...] = ()
         self._up = False
         self._why_not = self.tr("There is no robot that could move now.")
@@ -82,7 +82,7 @@ class PoseBox(QGroupBox):
         follow(self._delete, self._list.delete_action)
         follow(self._up_button, self._list.up_action)
         follow(self._down_button, self._list.down_action)
-        names.refused.connect(self.refused)
+        names.refused.connect(self._notifier.error)
         self._list.chosen.connect(self._on_chosen)
         self._list.delete_requested.connect(self._on_delete_requested)
         self._list.duplicate_requested.connect(self._on_duplicate_requested)
@@ -144,7 +144,7 @@ class PoseBox(QGroupBox):
         try:
             name = self._library.capture(self._present)
         except BadRequest as error:
-            self.refused.emit(self.tr("Not captured: {0}.").format(error))
+            self._notifier.error.emit(self.tr("Not captured: {0}.").format(error))
             return
         self._list.choose(Motion(name))
         self._list.setFocus()

@@ -28,6 +28,7 @@ from trex_gui.devices.trex.views.bench.hold_button import HoldButton
 from trex_gui.devices.trex.views.bench.plan_form import PlanForm
 from trex_gui.devices.trex.views.bench.tuning import Tuning
 from trex_gui.devices.trex.views.stop_button import StopButton
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import tint
@@ -62,7 +63,8 @@ class BenchDialog(QDialog):
         self._bench = bench
         self._said = ""
         self._plot: BenchPlot | None = None
-        self._files = BenchFiles(bench, self, self._picture)
+        self._notifier = Notifier(self)
+        self._files = BenchFiles(bench, self._notifier, self, self._picture)
         self._timer = runtime().timer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_FRAME_MS)
@@ -149,8 +151,8 @@ class BenchDialog(QDialog):
         self._save.clicked.connect(self._on_save_clicked)
         self._open.clicked.connect(self._files.ask_and_open)
         self._leave.clicked.connect(self.close)
-        self._files.told.connect(self._on_told)
-        self._files.refused.connect(self._on_told)
+        self._notifier.info.connect(self._on_notified)
+        self._notifier.error.connect(self._on_notified)
         self._tuning.apply_requested.connect(self.apply_requested)
         self._compare.currentIndexChanged.connect(self._on_compare_changed)
         self._band.valueChanged.connect(self._show_figures)
@@ -258,7 +260,7 @@ class BenchDialog(QDialog):
                 return self.tr("The test is complete.")
 
     @Slot(str)
-    def _on_told(self, text: str) -> None:
+    def _on_notified(self, text: str) -> None:
         self._said = text
         self._on_telemetry_updated()
 

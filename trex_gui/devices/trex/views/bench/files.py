@@ -3,13 +3,14 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, Signal
+from PySide6.QtCore import QObject, QSettings
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
 from trex_gui.devices.trex.bench.run import Run
 from trex_gui.devices.trex.model.bench.bench import Bench
+from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.file_questions import last_folder, remember_folder
 
 _MOST_LETTERS = 10_000_000
@@ -17,20 +18,15 @@ _MOST_LETTERS = 10_000_000
 
 
 class BenchFiles(QObject):
-    """Asks for a file and says what became of it; `picture` gives the plot as it is shown.
+    """Asks for a file and says what became of it; `picture` gives the plot as it is shown."""
 
-    Signals:
-        told: what was done, for people.
-        refused: why a file was not opened or saved, for people.
-    """
-
-    told = Signal(str)
-    refused = Signal(str)
-
-    def __init__(self, bench: Bench, window: QWidget, picture: Callable[[], QPixmap]) -> None:
+    def __init__(
+        self, bench: Bench, notifier: Notifier, window: QWidget, picture: Callable[[], QPixmap]
+    ) -> None:
         super().__init__(window)
         self._picture = picture
         self._bench = bench
+        self._notifier = notifier
         self._window = window
         self._store = QSettings(self)
 
@@ -60,12 +56,12 @@ class BenchFiles(QObject):
             else:
                 path.write_text(to_csv(run), encoding="utf-8", newline="")
         except OSError as error:
-            self.refused.emit(
+            self._notifier.error.emit(
                 self.tr("{0} was not saved. {1}").format(path.name, error.strerror or error)
             )
             return
         remember_folder(self._store, path)
-        self.told.emit(self.tr("Saved as {0}.").format(path.name))
+        self._notifier.info.emit(self.tr("Saved as {0}.").format(path.name))
 
     def _save_picture(self, path: Path) -> None:
         path.touch()  # which says why when it cannot be; Qt does not
@@ -85,10 +81,10 @@ class BenchFiles(QObject):
         else:
             remember_folder(self._store, path)
             self._bench.keep(run)
-            self.told.emit(self.tr("{0}: {1}.").format(path.name, run.title))
+            self._notifier.info.emit(self.tr("{0}: {1}.").format(path.name, run.title))
 
     def _refuse(self, path: Path, why: str) -> None:
-        self.refused.emit(self.tr("{0} was not opened: {1}.").format(path.name, why))
+        self._notifier.error.emit(self.tr("{0} was not opened: {1}.").format(path.name, why))
 
     @property
     def _folder(self) -> Path:

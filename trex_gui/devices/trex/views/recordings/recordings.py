@@ -28,7 +28,7 @@ class Recordings(RecordingManager[Recorder, "PlaybackWindow"]):
     settings_wanted = Signal(object)
 
     def __init__(self, device: Device, window: QWidget) -> None:
-        super().__init__(Recorder(device), _words(), window, store="recording")
+        super().__init__(Recorder(device), _words(), device.notifier, window, store="recording")
         self._device = device
 
     def open_window(self, path: Path) -> "PlaybackWindow":

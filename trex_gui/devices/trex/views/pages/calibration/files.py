@@ -3,7 +3,7 @@
 from datetime import datetime
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, Signal, Slot
+from PySide6.QtCore import QObject, QSettings, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from trex_gui.core.errors import BadRequest
@@ -14,19 +14,12 @@ from trex_gui.ui.widgets import file_questions
 
 
 class CalibrationFiles(QObject):
-    """Asks for a file and takes or writes the calibrations of it.
-
-    Signals:
-        told: what was done, for people.
-        refused: why nothing was done, for people.
-    """
-
-    told = Signal(str)
-    refused = Signal(str)
+    """Asks for a file and takes or writes the calibrations of it."""
 
     def __init__(self, device: Device, window: QWidget) -> None:
         super().__init__(window)
         self._device = device
+        self._notifier = device.notifier
         self._window = window
         self._store = QSettings(self)
 
@@ -63,7 +56,9 @@ class CalibrationFiles(QObject):
                 self._device.draft, path, self.tr("Calibrations of {0}").format(path.name)
             )
         except (SettingsError, BadRequest) as error:
-            self.refused.emit(self.tr("{0} was not taken: {1}.").format(path.name, _plain(error)))
+            self._notifier.error.emit(
+                self.tr("{0} was not taken: {1}.").format(path.name, _plain(error))
+            )
             return
         file_questions.remember_folder(self._store, path)
         words = [self.tr("{0} has the same calibrations.").format(path.name)]
@@ -71,7 +66,7 @@ class CalibrationFiles(QObject):
             one = self.tr("{0} calibration of {1} is an edit now.")
             several = self.tr("{0} calibrations of {1} are edits now.")
             words = [(one if count == 1 else several).format(count, path.name)]
-        self.told.emit(" ".join([*words, *left_out]))
+        self._notifier.info.emit(" ".join([*words, *left_out]))
 
     def save_file(self, path: Path) -> None:
         """Write the calibrations shown."""
@@ -83,10 +78,12 @@ class CalibrationFiles(QObject):
         try:
             put_calibrations(shown, path, title)
         except (SettingsError, BadRequest, UnicodeDecodeError) as error:
-            self.refused.emit(self.tr("{0} was not saved: {1}.").format(path.name, _plain(error)))
+            self._notifier.error.emit(
+                self.tr("{0} was not saved: {1}.").format(path.name, _plain(error))
+            )
             return
         file_questions.remember_folder(self._store, path)
-        self.told.emit(self.tr("The calibrations shown were saved in {0}.").format(path))
+        self._notifier.info.emit(self.tr("The calibrations shown were saved in {0}.").format(path))
 
 
 def _plain(error: Exception) -> str:

@@ -46,14 +46,10 @@ class CalibrationPage(QWidget):
     Signals:
         learn_requested: the channels, 1 to 5, to be learnt from what a person does.
         power_cycle_requested: lead through the one that the other input source waits for.
-        told: what became of a file, for people.
-        refused: why a file was not taken or saved, for people.
     """
 
     learn_requested = Signal(object)
     power_cycle_requested = Signal()
-    told = Signal(str)
-    refused = Signal(str)
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -131,8 +127,6 @@ class CalibrationPage(QWidget):
         self._menu.load_requested.connect(self._files.ask_and_load)
         self._menu.save_requested.connect(self._files.ask_and_save)
         self._discard.clicked.connect(self._on_discard_clicked)
-        self._files.told.connect(self.told)
-        self._files.refused.connect(self.refused)
         self._live.mixing_seen.connect(self._on_mixing_seen)
         device.link_changed.connect(self._on_device_changed)
         device.state_changed.connect(self._on_state_changed)
