@@ -29,8 +29,9 @@ from tests.support.virtual import Stage
 from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot, VirtualRuntime
 from tests.support.window import WindowDriver
-from trex_gui.composition import Program, build
+from trex_gui.composition import build
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import use_runtime
 from trex_gui.ui.theme.theme import theme

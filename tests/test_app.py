@@ -13,8 +13,8 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
 from trex_gui import __version__
 from trex_gui.app import main
-from trex_gui.composition import Program
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.program import Program
 from trex_gui.tour import Tour
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
 
-from trex_gui.composition import Program
+from trex_gui.program import Program
 from trex_gui.system.exceptions import ExceptionWatch
 from trex_gui.system.signals import SignalWatch
 from trex_gui.system.stopper import StopBroadcaster

@@ -9,9 +9,9 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
-from trex_gui.composition import Program
 from trex_gui.devices.aracna.session.messages import Play, Step
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.theme.theme import Scheme, theme

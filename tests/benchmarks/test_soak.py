@@ -10,7 +10,7 @@ import time
 import pytest
 from pytestqt.qtbot import QtBot
 
-from trex_gui.composition import Program
+from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 _FRAMES = 20_000

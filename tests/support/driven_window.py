@@ -17,9 +17,9 @@ from PySide6.QtGui import QAction
 
 from tests.support.patient import PATIENT
 from trex_gui import app, composition
-from trex_gui.composition import Program
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.session import session
+from trex_gui.program import Program
 from trex_gui.system.wake import SuspendDetector
 from trex_gui.ui.devices.connection_state import ConnectionState
 

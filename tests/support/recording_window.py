@@ -14,8 +14,8 @@ from PySide6.QtCore import QObject, QTimer
 
 from tests.support.patient import PATIENT
 from trex_gui import app, composition
-from trex_gui.composition import Program
 from trex_gui.core.timing import Timeouts
+from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 ENOUGH = 100  # samples

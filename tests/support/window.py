@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
-from trex_gui.composition import Program
+from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 ObjectT = TypeVar("ObjectT", bound=QObject)

@@ -1,64 +1,30 @@
-"""The program: its commands in one table, each loaded when it is called."""
+"""trexcmd: the commands of every device in one table, each loaded when it is called."""
 
-import importlib
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING
 
 import click
 
 from trex_gui import __version__
+from trex_gui.composition import PLUGINS
+from trex_gui.core.plugin import CommandInfo, Lazy
 
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
 
-class Entry(NamedTuple):
-    """Where a command is, and what the list of commands says of it.
-
-    `module` lies in `trex_gui.devices`, or in this package.
-    """
-
-    module: str
-    name: str
-    help: str
-
-
-COMMANDS: Mapping[str, Entry] = {
-    "list": Entry("trex.cli.ports", "list_command", "List the ports and what answers on them."),
-    "find": Entry(
-        "trex.cli.ports", "find_command", "Find a board whose serial settings are unknown."
+COMMANDS: Mapping[str, CommandInfo] = {
+    "list": CommandInfo(
+        Lazy("trex_gui.cli.ports:list_command"), "List the ports and what answers on them."
     ),
-    "status": Entry(
-        "trex.cli.status", "status", "Show what the board is, how it is set, what it measures."
+    "find": CommandInfo(
+        Lazy("trex_gui.cli.ports:find_command"), "Find a board whose serial settings are unknown."
     ),
-    "stream": Entry(
-        "trex.cli.stream", "stream", "Write what the board measures as CSV, until Ctrl-C."
+    **{name: info for plugin in PLUGINS for name, info in plugin.commands.items()},
+    "completion": CommandInfo(
+        Lazy("trex_gui.cli.completion:completion"), "Print the completion script of a shell."
     ),
-    "get": Entry("trex.cli.parameters", "get_command", "Show one parameter."),
-    "set": Entry("trex.cli.set_parameter", "set_command", "Store one parameter and read it back."),
-    "get-settings": Entry("trex.cli.files", "get_settings", "Save the board's settings to a file."),
-    "set-settings": Entry(
-        "trex.cli.files", "set_settings", "Give the board the settings of a file."
-    ),
-    "check-settings": Entry(
-        "trex.cli.files", "check_settings", "Check a settings file without a board."
-    ),
-    "diff": Entry("trex.cli.files", "diff", "Compare settings files, or a file with the board."),
-    "history": Entry("trex.cli.history", "history", "List what boards stored before each change."),
-    "calibration": Entry(
-        "trex.cli.calibration", "calibration", "Show or store channel calibrations."
-    ),
-    "export": Entry(
-        "trex.cli.export", "export", "Write the settings as C, Python or an Arduino sketch."
-    ),
-    "restore-defaults": Entry(
-        "trex.cli.defaults", "restore_defaults", "Go back to factory parameters."
-    ),
-    "motor": Entry("trex.cli.motor", "motor", "Run a motor until Ctrl-C, or for some seconds."),
-    "stop": Entry("trex.cli.motor", "stop", "Stop every motor and prove it."),
-    "aracna": Entry("aracna.cli.commands", "aracna", "Ask an Aracna, move it, play its poses."),
-    "raw": Entry("trex.cli.packets", "raw", "Send bytes and show what comes back."),
-    "decode": Entry("trex.cli.packets", "decode", "Say what packets some bytes are."),
-    "completion": Entry("completion", "completion", "Print the completion script of a shell."),
 }
-"""Every command, in the order in which a person meets them."""
+"""Every command, in the order of the help text."""
 
 
 class _Program(click.Group):
@@ -70,13 +36,7 @@ class _Program(click.Group):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         del ctx
-        if (entry := COMMANDS.get(cmd_name)) is None:
-            return None
-        package = "trex_gui.devices" if "." in entry.module else "trex_gui.cli"
-        module = importlib.import_module(f".{entry.module}", package)
-        command = getattr(module, entry.name)
-        assert isinstance(command, click.Command)  # noqa: S101 - for the type checker
-        return command
+        return COMMANDS[cmd_name].command.load() if cmd_name in COMMANDS else None
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -84,7 +44,7 @@ class _Program(click.Group):
         try:
             return super().resolve_command(ctx, args)
         except click.UsageError as error:
-            import difflib  # noqa: PLC0415 - only a slip needs it
+            import difflib  # noqa: PLC0415 - only a misspelled command needs it
 
             if not (close := difflib.get_close_matches(args[0], COMMANDS, n=1)):
                 raise
@@ -94,15 +54,15 @@ class _Program(click.Group):
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         del ctx
         with formatter.section("Commands"):
-            formatter.write_dl([(name, entry.help) for name, entry in COMMANDS.items()])
+            formatter.write_dl([(name, info.help) for name, info in COMMANDS.items()])
 
-    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[Any]:
-        from click.shell_completion import CompletionItem  # noqa: PLC0415
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> "list[CompletionItem]":
+        from click.shell_completion import CompletionItem  # noqa: PLC0415 - only for a shell
 
         return [
             *(
-                CompletionItem(name, help=entry.help)
-                for name, entry in COMMANDS.items()
+                CompletionItem(name, help=info.help)
+                for name, info in COMMANDS.items()
                 if name.startswith(incomplete)
             ),
             *click.Command.shell_complete(self, ctx, incomplete),
@@ -115,7 +75,7 @@ class _Program(click.Group):
 )
 @click.version_option(__version__, prog_name="trexcmd")
 def main() -> None:
-    """Look at, set up and drive a Pololu TReX or TReX Jr motor controller.
+    """Inspect, set up and drive a Pololu TReX or TReX Jr motor controller.
 
     Data goes to standard output, messages go to standard error. Exit codes: 0 done, 1 the
     device or a file refused, 2 wrong usage.

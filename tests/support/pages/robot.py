@@ -21,8 +21,8 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import LEFT, WidgetDriver, WindowDriver
-from trex_gui.composition import Program
 from trex_gui.devices.aracna.session.messages import Moving, SpeedsHeld
+from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 ROBOT_PAGE, POSES_PAGE, LOG_PAGE = range(3)

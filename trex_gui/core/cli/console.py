@@ -1,11 +1,15 @@
 """How the program talks to a person: messages, refusals, progress, being interrupted."""
 
+import contextlib
 import signal
 import sys
+from collections.abc import Iterator
 from types import FrameType
 from typing import Any, NoReturn, Self
 
 import click
+
+from trex_gui.core.errors import StudioError
 
 _ENDING = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT", "SIGBREAK")
 _SUSPENDING = ("SIGTSTP",)
@@ -34,6 +38,15 @@ def say(message: object) -> None:
 def refuse(message: object) -> NoReturn:
     """End with exit code 1."""
     raise CommandFailed(message)
+
+
+@contextlib.contextmanager
+def refusals() -> Iterator[None]:
+    """End the program with the message of an error on the line or in a file."""
+    try:
+        yield
+    except StudioError as error:
+        raise CommandFailed(error) from error
 
 
 class ProgressLine:

@@ -75,7 +75,7 @@ def test_interrupted_search_ends_within_a_second(
     _, errors = command.communicate(timeout=1)
     assert command.returncode == 1
     assert errors.startswith("Searching")
-    assert "broken off" in errors
+    assert "Search cancelled" in errors
 
 
 def test_find_without_board_prints_hints(

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import WindowDriver
-from trex_gui.composition import Program, build
+from trex_gui.composition import build
 from trex_gui.devices.trex.model.demo.snapshot import (
     DemoJumpers,
     DemoLeds,
@@ -34,6 +34,7 @@ from trex_gui.devices.trex.views.demo.words import (
     motor_text,
     state_text,
 )
+from trex_gui.program import Program
 from trex_gui.ui.devices.ports import Port, PortKind
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.leds import Leds, is_lit

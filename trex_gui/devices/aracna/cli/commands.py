@@ -4,13 +4,13 @@ import json
 
 import click
 
-from trex_gui.core.cli.console import Interruption, UsageError, say
+from trex_gui.core.cli.console import Interruption, UsageError, refusals, say
+from trex_gui.core.cli.options import json_option, port_option, timeout_option
 from trex_gui.devices.aracna.cli import files, motion
 from trex_gui.devices.aracna.cli.format import listed
 from trex_gui.devices.aracna.cli.session import Talk, settings_of
 from trex_gui.devices.aracna.poses.playing import blend_in, steps_of
 from trex_gui.devices.aracna.session.messages import Play, Report, SpeedsHeld
-from trex_gui.devices.trex.cli.common import json_option, port_option, refusals, timeout_option
 
 _POSITION = click.IntRange(0, 1023)
 _SCALES = click.FloatRange(0.05, 20)

@@ -3,13 +3,12 @@
 from collections.abc import Sequence as Many
 from pathlib import Path
 
-from trex_gui.core.cli.console import CommandFailed, UsageError, say
+from trex_gui.core.cli.console import CommandFailed, UsageError, refusals, say
 from trex_gui.devices.aracna.poses.named_poses import KNOWN_POSES
 from trex_gui.devices.aracna.poses.pose import Pose
 from trex_gui.devices.aracna.poses.project import Project
 from trex_gui.devices.aracna.poses.sequence import Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
-from trex_gui.devices.trex.cli.common import refusals
 
 
 def read_project(file: str) -> Project:

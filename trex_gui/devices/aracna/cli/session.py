@@ -5,8 +5,9 @@ from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Self
 
-from trex_gui.core.cli.console import CommandFailed, UsageError
+from trex_gui.core.cli.console import CommandFailed
 from trex_gui.core.cli.host import host
+from trex_gui.core.cli.options import required_port
 from trex_gui.core.errors import StudioError
 from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.core.session.request_queue import RequestQueue
@@ -32,9 +33,7 @@ def settings_of(port: str | None, patience: float) -> PortSettings:
     Raises:
         Usage: no port is given.
     """
-    if not port:
-        raise UsageError("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
-    return PortSettings(port, LINE, timeouts=Timeouts(extra=patience))
+    return PortSettings(required_port(port), LINE, timeouts=Timeouts(extra=patience))
 
 
 class Talk:

@@ -1,15 +1,21 @@
 """What several commands share: the options that say how to reach a board, and the open line."""
 
 import contextlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, TypeVar
 
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli.console import CommandFailed, UsageError
+from trex_gui.core.cli.console import UsageError, refusals
 from trex_gui.core.cli.host import host
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.core.cli.options import (
+    hexadecimal,
+    port_option,
+    required_port,
+    timeout_option,
+)
+from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.client.client import TrexClient
@@ -24,27 +30,6 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 
 # --- Options ----------------------------------------------------------------------------
-
-
-def hexadecimal(text: str) -> int:
-    """Read a hexadecimal number.
-
-    Raises:
-        Usage: it is none.
-    """
-    try:
-        return int(text, 16)
-    except ValueError:
-        raise UsageError(f"{text!r} is not a hexadecimal number such as 89.") from None
-
-
-def complete_port(ctx: click.Context, param: click.Parameter, incomplete: str) -> list[str]:
-    """Offer the ports of this computer."""
-    del ctx, param
-    from serial.tools import list_ports  # noqa: PLC0415 - takes as long as the rest together
-
-    ports = sorted(port.device for port in list_ports.comports())
-    return [port for port in ports if port.startswith(incomplete)]
 
 
 def complete_parameter(
@@ -65,14 +50,6 @@ def _complete_baud(ctx: click.Context, param: click.Parameter, incomplete: str) 
     return [rate for rate in map(str, baud_rates()) if rate.startswith(incomplete)]
 
 
-port_option = click.option(
-    "--port",
-    envvar="TREX_PORT",
-    metavar="URL",
-    shell_complete=complete_port,
-    help="Port of the board, such as /dev/ttyUSB0, COM3, socket://host:port or "
-    "rfc2217://host:port. TREX_PORT in the environment stands for it.",
-)
 crc_option = click.option("--crc", is_flag=True, help="Every packet ends in a CRC-7.")
 polynomial_option = click.option(
     "--polynomial",
@@ -81,16 +58,6 @@ polynomial_option = click.option(
     show_default=True,
     help="CRC-7 polynomial, 80 to FF.",
 )
-timeout_option = click.option(
-    "--timeout",
-    "patience",
-    type=click.FloatRange(0),
-    default=0.0,
-    metavar="S",
-    help="Seconds to wait longer than wire and board need.",
-)
-json_option = click.option("--json", "as_json", is_flag=True, help="JSON instead of text.")
-
 _LINK_OPTIONS = (
     port_option,
     click.option(
@@ -135,15 +102,13 @@ def link_options(function: FunctionT) -> FunctionT:
     return function
 
 
-def link_settings(options: dict[str, Any], url: str | None = None) -> ConnectionSettings:
+def link_settings(options: Mapping[str, Any], url: str | None = None) -> ConnectionSettings:
     """Make link settings of the common options.
 
     Raises:
         Usage: they contradict each other, or there is no port.
     """
-    url = url or options["port"]
-    if not url:
-        raise UsageError("Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them.")
+    url = url or required_port(options["port"])
     if options["crc"] and options["parity"] != "none":
         raise UsageError("A TReX has either CRC or parity, not both.")
     detection = {"none": Detection.NONE, "even": Detection.EVEN, "odd": Detection.ODD}
@@ -187,15 +152,6 @@ def as_options(settings: ConnectionSettings) -> str:
 
 
 # --- The line ---------------------------------------------------------------------------
-
-
-@contextlib.contextmanager
-def refusals() -> Iterator[None]:
-    """Let whatever goes wrong on a line or in a file end the program with a sentence."""
-    try:
-        yield
-    except StudioError as error:
-        raise CommandFailed(error) from error
 
 
 @contextlib.contextmanager

@@ -7,7 +7,8 @@ from typing import Any
 import click
 
 from trex_gui import __version__
-from trex_gui.core.cli.console import Interruption, ProgressLine, UsageError, refuse, say
+from trex_gui.core.cli.console import Interruption, ProgressLine, UsageError, refusals, refuse, say
+from trex_gui.core.cli.options import json_option
 from trex_gui.core.files.errors import Finding, SettingsError, Severity
 from trex_gui.devices.trex.cli.changes import (
     read_board,
@@ -18,12 +19,10 @@ from trex_gui.devices.trex.cli.changes import (
 )
 from trex_gui.devices.trex.cli.common import (
     identify,
-    json_option,
     link_options,
     link_settings,
     open_line,
     open_line_to_change,
-    refusals,
 )
 from trex_gui.devices.trex.cli.settings_io import FILE, content_of, name_of, read_file, save_file
 from trex_gui.devices.trex.cli.snapshots import keep

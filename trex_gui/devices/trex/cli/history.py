@@ -7,8 +7,9 @@ from typing import Any
 import click
 from click.shell_completion import CompletionItem
 
-from trex_gui.core.cli.console import UsageError, refuse, say
-from trex_gui.devices.trex.cli.common import json_option, link_options, refusals
+from trex_gui.core.cli.console import UsageError, refusals, refuse, say
+from trex_gui.core.cli.options import json_option
+from trex_gui.devices.trex.cli.common import link_options
 from trex_gui.devices.trex.cli.settings_io import read_file
 from trex_gui.devices.trex.settings.document import CALIBRATION_FIELDS, CALIBRATION_KEYS
 from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot

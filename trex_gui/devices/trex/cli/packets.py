@@ -6,10 +6,10 @@ from typing import Any
 import click
 
 from trex_gui.core.cli.console import CommandFailed, UsageError
+from trex_gui.core.cli.options import hexadecimal
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     crc_option,
-    hexadecimal,
     link_options,
     link_settings,
     open_line,

@@ -5,11 +5,11 @@ from typing import Any
 
 import click
 
+from trex_gui.core.cli.options import json_option
 from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.cli.common import (
     complete_parameter,
     identify,
-    json_option,
     link_options,
     link_settings,
     open_line,

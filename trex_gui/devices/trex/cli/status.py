@@ -5,13 +5,8 @@ from typing import Any
 
 import click
 
-from trex_gui.devices.trex.cli.common import (
-    identify,
-    json_option,
-    link_options,
-    link_settings,
-    open_line,
-)
+from trex_gui.core.cli.options import json_option
+from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.explanations import MODE_TEXT, who_controls
 from trex_gui.devices.trex.client.reading import DeviceState, ask, read_everything

@@ -4,11 +4,11 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import StartSimulator
-from trex_gui.composition import Program
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.model.driving.board_stop import why_the_board_stopped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 NO_STATUS = Status(0)

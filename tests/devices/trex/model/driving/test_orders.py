@@ -8,7 +8,6 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
-from trex_gui.composition import Program
 from trex_gui.core.errors import StudioError
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
@@ -18,6 +17,7 @@ from trex_gui.devices.trex.model.driving.drive_controller import DriveController
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import Heartbeat, MotorsStopped, Request
+from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now, runtime

@@ -1,0 +1,122 @@
+"""list, find: which ports there are, what answers on them, how a lost board is set."""
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import click
+from serial.tools import list_ports
+
+from trex_gui.composition import PLUGINS
+from trex_gui.core.cli.console import CommandFailed, Interruption, ProgressLine, say
+from trex_gui.core.cli.host import host
+from trex_gui.core.cli.options import json_option, port_option, timeout_option
+from trex_gui.core.discovery.prober import ScanProgress
+from trex_gui.core.discovery.scan import scan_port
+from trex_gui.core.errors import PortUnavailable
+from trex_gui.core.timing import Timeouts
+from trex_gui.core.transport.settings import PortSettings
+from trex_gui.devices.trex.cli.common import link_options
+
+
+def _ports(chosen: str | None) -> list[str]:
+    if chosen:
+        return [chosen]
+    ports = sorted(port.device for port in list_ports.comports())
+    if not ports:
+        say("This computer has no serial ports; give --port for another kind.")
+    return ports
+
+
+@click.command("list")
+@link_options
+@json_option
+def list_command(as_json: bool, **options: Any) -> None:
+    """List the ports of this computer and what answers on them.
+
+    Never moves a motor. With --port, looks at that port alone. A board that is not set to these
+    line settings is found by `trexcmd find`. An Aracna has only one setting.
+    """
+    rows: list[dict[str, Any]] = []
+    unreachable = False
+    for url in _ports(options["port"]):
+        row: dict[str, Any] = {"port": url, "product": None, "firmware": None}
+        try:
+            row |= _identify(url, options)
+        except PortUnavailable as error:
+            row["answer"], unreachable = str(error), True
+        rows.append(row)
+        if not as_json:
+            click.echo(f"{url}\t{row['answer']}")
+    if as_json:
+        click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
+    if unreachable and options["port"]:
+        raise CommandFailed(f"{options['port']} could not be opened.")
+
+
+def _identify(url: str, options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what a row says of the first device that answers, else what each kind reports."""
+    texts = []
+    for plugin in PLUGINS:
+        answer = plugin.port_reports.load().identify(url, options)
+        if answer.product is not None:
+            return {
+                "answer": answer.text,
+                "product": answer.product,
+                "firmware": answer.firmware,
+            }
+        texts.append(answer.text)
+    return {"answer": "; ".join(filter(None, texts))}
+
+
+@click.command("find")
+@port_option
+@click.option(
+    "--full",
+    is_flag=True,
+    help="Try every CRC polynomial too (some minutes), and every device number where "
+    "something answers. All boards on the line must run at the same rate.",
+)
+@timeout_option
+@json_option
+def find_command(port: str | None, full: bool, patience: float, as_json: bool) -> None:
+    """Find a board whose serial settings are unknown.
+
+    Looks for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
+    rate with every parity and with CRC-7, on one port or on all; prints the options that reach
+    the board. Never moves a motor, and changes nothing; a TReX that receives bytes at a wrong rate
+    latches UART errors, and stops its motors if it is set to do so.
+    """
+    probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
+    reports = {plugin.key: plugin.port_reports.load() for plugin in PLUGINS}
+    rows: list[dict[str, Any]] = []
+    with Interruption() as interrupted:
+        for url in _ports(port):
+            if interrupted:
+                break
+            say(f"Searching {url} ...")
+            with ProgressLine(f"Searching {url}") as line:
+
+                def show(step: ScanProgress, line: ProgressLine = line) -> None:
+                    line(step.done, step.total, f"{step.kind} at {step.line.text()}")
+
+                search = scan_port(
+                    PortSettings(url, timeouts=Timeouts(extra=patience)),
+                    probers,
+                    full=full,
+                    progress=show,
+                    cancelled=interrupted.__bool__,
+                    open_wire=host().open_transport,
+                )
+            for found in search.found:
+                say(reports[search.device].describe(found))
+                rows.append(reports[search.device].row(found))
+                if not as_json:
+                    click.echo(rows[-1]["options"])
+            if not search.found and not search.cancelled:
+                for text in search.lines:
+                    say(text)
+    if as_json:
+        click.echo(json.dumps(rows, indent=2, ensure_ascii=False))
+    if not rows:
+        raise CommandFailed("Search cancelled." if interrupted else "No board was found.")

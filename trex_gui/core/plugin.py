@@ -1,0 +1,82 @@
+"""What the program needs to know about a kind of device to support it."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+
+if TYPE_CHECKING:  # trexcmd --help needs none of this
+    import click
+
+    from trex_gui.core.discovery.prober import ProberInfo
+
+T_co = TypeVar("T_co", covariant=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Lazy(Generic[T_co]):
+    """An object that is imported when it is first needed; `target` is `package.module:name`."""
+
+    target: str
+
+    def load(self) -> T_co:
+        """Import the object."""
+        module, _, name = self.target.partition(":")
+        return cast("T_co", getattr(import_module(module), name))
+
+
+@dataclass(frozen=True, slots=True)
+class CommandInfo:
+    """A command of trexcmd and its line in the list of commands."""
+
+    command: "Lazy[click.Command]"
+    help: str
+
+
+@dataclass(frozen=True, slots=True)
+class PortAnswer:
+    """What one kind of device is known to be, or not, on a port.
+
+    Attributes:
+        text: for `trexcmd list`; empty if there is nothing worth reporting.
+        product: name of the device; `None` if it is none of this kind.
+    """
+
+    text: str
+    product: str | None = None
+    firmware: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PortReports:
+    """How `trexcmd list` and `trexcmd find` identify a device and report it.
+
+    Attributes:
+        identify: looks on a port (URL, options of the command) without moving anything. Raises
+            PortUnavailable.
+        describe: returns the sentences that report a found device to the user.
+        row: returns what `find --json` prints for a found device.
+    """
+
+    identify: Callable[[str, Mapping[str, Any]], PortAnswer]
+    describe: Callable[[Any], str]
+    row: Callable[[Any], dict[str, Any]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DevicePlugin:
+    """One kind of device.
+
+    Attributes:
+        key: identifies the kind in settings and on the command line.
+        name: what users call it.
+        prober: how to look for one on a port; its probes move no device of any kind.
+        port_reports: how the command line reports one.
+        commands: its commands of trexcmd by name.
+    """
+
+    key: str
+    name: str
+    prober: "Lazy[ProberInfo]"
+    port_reports: Lazy[PortReports]
+    commands: Mapping[str, CommandInfo]

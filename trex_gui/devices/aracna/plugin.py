@@ -1,0 +1,17 @@
+"""The Aracna robot as a device of the program."""
+
+from trex_gui.core.plugin import CommandInfo, DevicePlugin, Lazy
+
+_HERE = "trex_gui.devices.aracna"
+
+ARACNA = DevicePlugin(
+    key="aracna",
+    name="Aracna",
+    prober=Lazy(f"{_HERE}.discovery:ARACNA_PROBER"),
+    port_reports=Lazy(f"{_HERE}.cli.scan:PORT_REPORTS"),
+    commands={
+        "aracna": CommandInfo(
+            Lazy(f"{_HERE}.cli.commands:aracna"), "Query an Aracna, move it, play its poses."
+        ),
+    },
+)

@@ -1,0 +1,41 @@
+"""The Pololu TReX and TReX Jr as a device of the program."""
+
+from trex_gui.core.plugin import CommandInfo, DevicePlugin, Lazy
+
+_HERE = "trex_gui.devices.trex"
+
+
+def _command(target: str, text: str) -> CommandInfo:
+    return CommandInfo(Lazy(f"{_HERE}.cli.{target}"), text)
+
+
+TREX = DevicePlugin(
+    key="trex",
+    name="TReX",
+    prober=Lazy(f"{_HERE}.discovery.prober:TREX_PROBER"),
+    port_reports=Lazy(f"{_HERE}.cli.scan:PORT_REPORTS"),
+    commands={
+        "status": _command(
+            "status:status", "Show what the board is, how it is set, what it measures."
+        ),
+        "stream": _command("stream:stream", "Write what the board measures as CSV, until Ctrl-C."),
+        "get": _command("parameters:get_command", "Show one parameter."),
+        "set": _command("set_parameter:set_command", "Store one parameter and read it back."),
+        "get-settings": _command("files:get_settings", "Save the board's settings to a file."),
+        "set-settings": _command("files:set_settings", "Give the board the settings of a file."),
+        "check-settings": _command(
+            "files:check_settings", "Check a settings file without a board."
+        ),
+        "diff": _command("files:diff", "Compare settings files, or a file with the board."),
+        "history": _command("history:history", "List what boards stored before each change."),
+        "calibration": _command("calibration:calibration", "Show or store channel calibrations."),
+        "export": _command(
+            "export:export", "Write the settings as C, Python or an Arduino sketch."
+        ),
+        "restore-defaults": _command("defaults:restore_defaults", "Go back to factory parameters."),
+        "motor": _command("motor:motor", "Run a motor until Ctrl-C, or for some seconds."),
+        "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
+        "raw": _command("packets:raw", "Send bytes and show what comes back."),
+        "decode": _command("packets:decode", "Say what packets some bytes are."),
+    },
+)
