@@ -10,12 +10,13 @@ from trex_gui.devices.trex.cli.common import identify, link_options, link_settin
 from trex_gui.devices.trex.cli.reconnect_hint import say_how_to_reach
 from trex_gui.devices.trex.cli.snapshots import keep
 from trex_gui.devices.trex.client.writing import write_parameter
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.factory import factory_settings
 from trex_gui.devices.trex.settings.from_board import settings_of
 
-_HOW_TO_REACH = ("uart_settings", "device_number")
+_HOW_TO_REACH = (ParameterKey.UART_SETTINGS, ParameterKey.DEVICE_NUMBER)
 
 
 @click.command("restore-defaults")
@@ -33,7 +34,7 @@ def restore_defaults(yes: bool, **options: Any) -> None:
         state = read_board(client)
         require_serial_mode(state, "Restoring the defaults")
         specs = state.specs
-        spec = specs["factory_reset"]
+        spec = specs[ParameterKey.FACTORY_RESET]
         there = settings_of(state)
         factory = factory_settings(signature.model, signature.firmware)
         _announce(compare(there, factory), specs)

@@ -28,6 +28,7 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import parameter_number, parameters_of
 
 _LOOK = 0.1
@@ -142,7 +143,7 @@ def _order(which: str, speed: int, *, accelerate: bool, brake: bool) -> Command[
 def _check_control(client: TrexClient, which: str) -> None:
     """Refuse where the motors would not obey, and an order would only wait in the board."""
     mode = ask(client.request, GetMode())
-    joint = ask(client.request, GetParameter(parameter_number("motor_mode"))) == 1
+    joint = ask(client.request, GetParameter(parameter_number(ParameterKey.MOTOR_MODE))) == 1
     if not ask(client.request, GetSerialControl()):
         raise CommandFailed(who_controls(mode, by_serial=False, joint=joint))
     if joint and which == "2":
@@ -151,7 +152,7 @@ def _check_control(client: TrexClient, which: str) -> None:
 
 def _timeout(client: TrexClient, signature: Signature) -> float:
     """Return the board's serial timeout in seconds, 0 for none; warn where there is none."""
-    spec = parameters_of(signature.model.key, signature.firmware)["serial_timeout"]
+    spec = parameters_of(signature.model.key, signature.firmware)[ParameterKey.SERIAL_TIMEOUT]
     wire = ask(client.request, GetParameter(spec.number))
     if not wire:
         say(

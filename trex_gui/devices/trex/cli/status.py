@@ -19,6 +19,7 @@ from trex_gui.devices.trex.protocol.flags import (
     Status,
     UartError,
 )
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
 
 @click.command()
@@ -69,7 +70,9 @@ def _report(client: TrexClient, state: DeviceState, news: LatchedStatus | None) 
         "firmware": state.signature.firmware,
         "mode": MODE_TEXT[state.mode],
         "in_control": who_controls(
-            state.mode, state.serial_controls, joint=state.parameters.get("motor_mode") == 1
+            state.mode,
+            state.serial_controls,
+            joint=state.parameters.get(ParameterKey.MOTOR_MODE) == 1,
         ),
         "serial_controls": state.serial_controls,
         "motor_1_current": f"{currents[0] * unit:.2f} A",

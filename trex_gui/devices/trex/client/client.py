@@ -20,6 +20,7 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.framing import Framing
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import parameter_number
 from trex_gui.devices.trex.protocol.parser import Malformed, NeedData, Reply, ReplyParser
 
@@ -263,7 +264,7 @@ class TrexClient:
         """Return the number that a command gives to a board which is addressed by number."""
         if (
             isinstance(command, SetParameter)
-            and command.number == parameter_number("device_number")
+            and command.number == parameter_number(ParameterKey.DEVICE_NUMBER)
             and self._settings.device_number is not None
         ):
             return command.value
@@ -279,7 +280,7 @@ class TrexClient:
         before = self._settings.device_number
         self._address(number)
         try:
-            self._transact(GetParameter(parameter_number("device_number")))
+            self._transact(GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER)))
         except (NoReply, BadReply):
             if before is not None:
                 self._address(before)

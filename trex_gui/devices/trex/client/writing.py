@@ -21,11 +21,12 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec
 
 _FAILURES = (BadRequest, Rejected, BadReply, NoReply, PortUnavailable)
 
-_LINE, _POLYNOMIAL = "uart_settings", "crc7_polynomial"
+_LINE, _POLYNOMIAL = ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL
 
 
 class Skipped(StudioError):  # noqa: N818 - nothing went wrong

@@ -35,6 +35,7 @@ from trex_gui.devices.trex.protocol.commands import GetParameter, GetSignature, 
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import parameter_number
 
 __all__ = [
@@ -182,8 +183,12 @@ class TrexProber:
             client = TrexClient(wire, settings, echo=self.search.echo)
             try:
                 signature = ask(client.request, GetSignature())
-                number = ask(client.request, GetParameter(parameter_number("device_number")))
-                stored = ask(client.request, GetParameter(parameter_number("uart_settings")))
+                number = ask(
+                    client.request, GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
+                )
+                stored = ask(
+                    client.request, GetParameter(parameter_number(ParameterKey.UART_SETTINGS))
+                )
             except (NoReply, BadReply):
                 continue
             note = _note(attempt.line, signature, stored)

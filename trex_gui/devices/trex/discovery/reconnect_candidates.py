@@ -7,9 +7,10 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.crc7 import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 
-REACH = ("device_number", "crc7_polynomial", "uart_settings")
+REACH = (ParameterKey.DEVICE_NUMBER, ParameterKey.CRC7_POLYNOMIAL, ParameterKey.UART_SETTINGS)
 """The parameters that decide where a board is."""
 
 POLYNOMIAL_BIT = 0x80
@@ -59,14 +60,14 @@ def after_power_cycle(
     """
     line, polynomial = link.line, link.polynomial
     try:
-        if "uart_settings" in stored:
-            kept = LineSettings.from_wire(stored["uart_settings"])
+        if ParameterKey.UART_SETTINGS in stored:
+            kept = LineSettings.from_wire(stored[ParameterKey.UART_SETTINGS])
             line = replace(kept, baud=kept.real_baud(firmware))
-        if "crc7_polynomial" in stored:
-            polynomial = check_polynomial(stored["crc7_polynomial"] | POLYNOMIAL_BIT)
+        if ParameterKey.CRC7_POLYNOMIAL in stored:
+            polynomial = check_polynomial(stored[ParameterKey.CRC7_POLYNOMIAL] | POLYNOMIAL_BIT)
     except BadRequest:
         return None
     number = link.device_number
     if number is not None:
-        number = stored.get("device_number", number)
+        number = stored.get(ParameterKey.DEVICE_NUMBER, number)
     return replace(link, line=line, polynomial=polynomial, device_number=number)

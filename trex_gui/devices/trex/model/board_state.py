@@ -8,6 +8,7 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource, channel_mask, channels_in
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
 
 def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceState:
@@ -35,9 +36,9 @@ def in_force(state: DeviceState, link: ConnectionSettings | None) -> dict[str, i
     """
     shown: dict[str, int] = {}
     if link is not None:
-        shown["uart_settings"] = link.line.to_wire()
+        shown[ParameterKey.UART_SETTINGS] = link.line.to_wire()
         if link.framing.polynomial is not None:
-            shown["crc7_polynomial"] = link.polynomial & 0x7F
+            shown[ParameterKey.CRC7_POLYNOMIAL] = link.polynomial & 0x7F
     if state.mode.is_serial:
-        shown["channel_input_source"] = int(state.source is InputSource.ANALOG)
+        shown[ParameterKey.CHANNEL_INPUT_SOURCE] = int(state.source is InputSource.ANALOG)
     return shown

@@ -10,6 +10,7 @@ from trex_gui.core.session.messages import Closed, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.model.line import Line
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -170,7 +171,7 @@ class Connection(QObject):
         The line session has done so.
         """
         if self._settings is not None and self._settings.device_number is not None:
-            number = parameters.get("device_number", self._settings.device_number)
+            number = parameters.get(ParameterKey.DEVICE_NUMBER, self._settings.device_number)
             self._settings = replace(self._settings, device_number=number)
 
     # --- Reports from the line ----------------------------------------------------------

@@ -27,6 +27,7 @@ from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
 from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.model.telemetry import Telemetry
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
@@ -43,7 +44,7 @@ from trex_gui.ui.devices.event_log import EventLog
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.traffic.model import TrafficModel
 
-_TIMEOUT = "serial_timeout"
+_TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 __all__ = ["AfterStop", "Device"]
 
@@ -172,7 +173,7 @@ class Device(QObject):
     @property
     def is_joint(self) -> bool:
         """Whether both drivers work as one motor now, whatever is stored for the next start."""
-        return self.parameters.active_of("motor_mode") == 1
+        return self.parameters.active_of(ParameterKey.MOTOR_MODE) == 1
 
     @property
     def control_text(self) -> str:

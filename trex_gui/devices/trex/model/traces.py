@@ -4,6 +4,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Slot
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter
 from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 
 _CHANNEL_COLORS = {1: "good", 2: "warning", 3: "dirty", 4: "muted", 5: "plot_text"}
@@ -35,7 +36,7 @@ def board_traces() -> list[TraceInfo]:
 
 def current_limit(device: Device, motor: int) -> float | None:
     """Return the current limit in A that the board stores; `None` when off or not known."""
-    key = f"motor{motor}_current_limit"
+    key = MotorParameter.CURRENT_LIMIT.of(motor)
     wire = device.parameters.stored_of(key)
     return wire * device.parameters.spec_of(key).scale if wire else None
 

@@ -6,6 +6,7 @@ from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.schedule import Schedule, Topic, rates
 from trex_gui.devices.trex.driving.keepalive import CHEAPEST, longest_pause, too_slow
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
 
 class Polling:
@@ -24,11 +25,11 @@ class Polling:
         """Ask what a board with such inputs renews."""
         self._schedule.start(rates(state.source), now)
         self._asked_at = now
-        self.take(state.parameters.get("serial_timeout", 0), state)
+        self.take(state.parameters.get(ParameterKey.SERIAL_TIMEOUT, 0), state)
 
     def take(self, wire: int, state: DeviceState) -> None:
         """Follow the serial timeout that the board stores: it is in force at once."""
-        self.timeout = wire * state.specs["serial_timeout"].scale
+        self.timeout = wire * state.specs[ParameterKey.SERIAL_TIMEOUT].scale
 
     def next(
         self, now: float, line: LineSettings, *, armed: bool, careful: bool = False

@@ -24,6 +24,7 @@ from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet
 from trex_gui.devices.trex.session.liveness import LivenessMonitor
 from trex_gui.devices.trex.session.messages import (
@@ -333,7 +334,7 @@ class TrexSession:
             cancelled=is_closing,
         )
         for written in results:
-            if written.what == "serial_timeout" and isinstance(written.stored, int):
+            if written.what == ParameterKey.SERIAL_TIMEOUT and isinstance(written.stored, int):
                 self._polling.take(written.stored, self._known_state)
         return results
 
@@ -386,7 +387,7 @@ class TrexSession:
             news,
             self._now(),
             is_whole=not self._status.uart_due,
-            stops_on_error=bool(values.get("uart_error_shutdown")),
+            stops_on_error=bool(values.get(ParameterKey.UART_ERROR_SHUTDOWN)),
         )
 
     def _note_failure(self, error: StudioError) -> None:

@@ -17,6 +17,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.crc7 import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameter_number
 from trex_gui.devices.trex.settings.document import (
     CALIBRATION_FIELDS,
@@ -87,7 +88,7 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
     link.line.to_wire()  # raises for an unknown baud rate
     tables = _Tables.of(settings)
     product, device, line = settings.product, link.framing.device_number, link.line
-    new_device = tables.wire("device_number")
+    new_device = tables.wire(ParameterKey.DEVICE_NUMBER)
     renumbers = None not in {new_device, device} and new_device != device
     firmware = "" if settings.firmware is None else f" with firmware {settings.firmware}"
     return _render(
@@ -114,7 +115,7 @@ def export_code(settings: Settings, link: ConnectionSettings, language: Language
         new_device=new_device,
         renumbers=renumbers,
         device_name=_device_name(language, renumbers=renumbers),
-        device_parameter=_hexadecimal(parameter_number("device_number")),
+        device_parameter=_hexadecimal(parameter_number(ParameterKey.DEVICE_NUMBER)),
         crc=link.framing.polynomial is not None,
         polynomial=_hexadecimal(link.polynomial),
         # Board and settings
@@ -266,7 +267,7 @@ def _device_name(language: Language, *, renumbers: bool) -> str:
 
 def _new_line(link: ConnectionSettings, tables: _Tables) -> str:
     """Return the line settings after the next power cycle; empty if they do not change."""
-    wire, bits = tables.wire("uart_settings"), tables.wire("crc7_polynomial")
+    wire, bits = tables.wire(ParameterKey.UART_SETTINGS), tables.wire(ParameterKey.CRC7_POLYNOMIAL)
     line = link.line if wire is None else LineSettings.from_wire(wire)
     if line.detection is not Detection.CRC7:
         return "" if line == link.line else line.text()
@@ -280,7 +281,9 @@ def _new_line(link: ConnectionSettings, tables: _Tables) -> str:
 
 def _warning(tables: _Tables) -> str:
     """Return what the motors do when the program ends."""
-    timeout = next((pair for pair in tables.parameters if pair[0].key == "serial_timeout"), None)
+    timeout = next(
+        (pair for pair in tables.parameters if pair[0].key == ParameterKey.SERIAL_TIMEOUT), None
+    )
     goes_on = "Motors keep running when the program that started them ends or crashes"
     if timeout is None:
         return f"{goes_on}, unless Serial Timeout is set on the board."

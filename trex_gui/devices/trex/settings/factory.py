@@ -1,9 +1,15 @@
 """What a board comes with, as far as it is known."""
 
 from trex_gui.devices.trex.protocol.device_table import Model
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 
-REACH = ("device_number", "uart_response_delay", "crc7_polynomial", "uart_settings")
+REACH = (
+    ParameterKey.DEVICE_NUMBER,
+    ParameterKey.UART_RESPONSE_DELAY,
+    ParameterKey.CRC7_POLYNOMIAL,
+    ParameterKey.UART_SETTINGS,
+)
 """What decides how a board is reached; the serial timeout and the like are left alone."""
 
 
@@ -20,5 +26,5 @@ def factory_settings(product: Model, firmware: str | None) -> Settings:
 def serial_defaults(product: Model, firmware: str | None) -> Settings:
     """Return only the parameters that decide how a new board is reached."""
     every = factory_settings(product, firmware)
-    reach = {key: every.parameters[key] for key in REACH if key in every.parameters}
+    reach: dict[str, int] = {key: every.parameters[key] for key in REACH if key in every.parameters}
     return Settings(product, firmware, reach)

@@ -17,6 +17,7 @@ import platformdirs
 from trex_gui.core.files.errors import Finding, SettingsError
 from trex_gui.core.files.text_files import load, save, save_new
 from trex_gui.devices.trex.protocol.device_table import device_table
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -122,7 +123,7 @@ class SettingsHistory:
         taken = (now or datetime.now(UTC)).astimezone(UTC).replace(microsecond=0)
         self._make_folder()
         firmware = settings.firmware or settings.product.firmware[-1]
-        number = settings.parameters.get("device_number")
+        number = settings.parameters.get(ParameterKey.DEVICE_NUMBER)
         notes = {
             "taken": taken.isoformat(),
             "device number": "" if number is None else str(number),

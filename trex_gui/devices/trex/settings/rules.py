@@ -13,6 +13,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
 from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings
 
 _MOTORS = (1, 2)
@@ -118,12 +119,12 @@ class _Case:
 
     @property
     def is_joint(self) -> bool:
-        return self.wires.get("motor_mode") == _JOINT
+        return self.wires.get(ParameterKey.MOTOR_MODE) == _JOINT
 
     @property
     def line(self) -> LineSettings | None:
         """The line as the settings have it."""
-        wire = self.wires.get("uart_settings")
+        wire = self.wires.get(ParameterKey.UART_SETTINGS)
         return None if wire is None else LineSettings.from_wire(wire)
 
     def real(self, baud: int) -> int:
@@ -166,9 +167,9 @@ def _channels(mask: int) -> str:
 
 
 def _no_timeout(case: _Case) -> Iterator[_Match]:
-    key = "serial_timeout"
+    key = ParameterKey.SERIAL_TIMEOUT
     if case.context.drives_from_computer and case.wires.get(key) == 0:
-        change = {key: case.settings.specs[key].wire(_TIMEOUT)}
+        change: dict[str, int] = {key: case.settings.specs[key].wire(_TIMEOUT)}
         yield _Match(
             f"{case.name(key)} is off while a computer drives the motors: when the cable or the "
             "computer fails, the motors go on as they were told last.",
@@ -178,21 +179,22 @@ def _no_timeout(case: _Case) -> Iterator[_Match]:
 
 
 def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
-    keys = [f"motor{motor}_current_limit" for motor in _MOTORS]
+    keys = [MotorParameter.CURRENT_LIMIT.of(motor) for motor in _MOTORS]
     if set_keys := [key for key in keys if case.is_joint and case.wires.get(key)]:
         limits = _joined([f"{case.name(key)} ({case.text(key)})" for key in set_keys])
         verb = "does" if len(set_keys) == 1 else "do"
         yield _Match(
             f"{limits} {verb} nothing in joint mode, for the board measures no current then. "
             "The motor is not protected by it.",
-            ("motor_mode", *set_keys),
+            (ParameterKey.MOTOR_MODE, *set_keys),
             dict.fromkeys(set_keys, 0),
         )
 
 
 def _limit_without_gain(case: _Case) -> Iterator[_Match]:
     for motor in () if case.is_joint else _MOTORS:
-        limit, gain = f"motor{motor}_current_limit", f"motor{motor}_current_limit_p"
+        limit = MotorParameter.CURRENT_LIMIT.of(motor)
+        gain = MotorParameter.CURRENT_LIMIT_P.of(motor)
         if case.wires.get(limit) and case.wires.get(gain) == 0:
             yield _Match(
                 f"{case.name(limit)} is {case.text(limit)}, but its proportionality constant P, "
@@ -205,7 +207,7 @@ def _limit_without_gain(case: _Case) -> Iterator[_Match]:
 
 def _limit_without_ramp(case: _Case) -> Iterator[_Match]:
     for motor in () if case.is_joint else _MOTORS:
-        limit, ramp = f"motor{motor}_current_limit", f"motor{motor}_acceleration"
+        limit, ramp = MotorParameter.CURRENT_LIMIT.of(motor), MotorParameter.ACCELERATION.of(motor)
         if case.wires.get(limit) and case.wires.get(ramp) == 0:
             yield _Match(
                 f"{case.name(limit)} is {case.text(limit)} and {case.name(ramp)} is 0, which "
@@ -219,7 +221,8 @@ def _limit_without_ramp(case: _Case) -> Iterator[_Match]:
 def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
     pwm, highest = device_table().pwm, case.settings.product.highest_pwm
     for motor in _MOTORS:
-        prescaler, top = f"motor{motor}_pwm_prescaler", f"motor{motor}_pwm_maximum"
+        prescaler = MotorParameter.PWM_PRESCALER.of(motor)
+        top = MotorParameter.PWM_MAXIMUM.of(motor)
         if highest is None or not {prescaler, top} <= case.wires.keys():
             continue
         frequencies = [pwm.frequency(n, case.wires[top]) for n in range(len(pwm.divisors))]
@@ -243,7 +246,8 @@ def _kilohertz(hertz: float) -> str:
 
 
 def _required_but_ignored(case: _Case) -> Iterator[_Match]:
-    required, ignored = case.wires.get("required_channels"), case.wires.get("ignored_channels")
+    required = case.wires.get(ParameterKey.REQUIRED_CHANNELS)
+    ignored = case.wires.get(ParameterKey.IGNORED_CHANNELS)
     if required is None or ignored is None or not (both := required & ignored):
         return
     is_one = len(channels_in(both)) == 1
@@ -251,8 +255,8 @@ def _required_but_ignored(case: _Case) -> Iterator[_Match]:
         f"{_channels(both)} {'is' if is_one else 'are'} required and ignored at once: "
         f"{'its signal moves' if is_one else 'their signals move'} nothing, but without "
         f"{'it' if is_one else 'them'} the motors may not run in RC mode (inferred).",
-        ("required_channels", "ignored_channels"),
-        {"required_channels": required & ~ignored},
+        (ParameterKey.REQUIRED_CHANNELS, ParameterKey.IGNORED_CHANNELS),
+        {ParameterKey.REQUIRED_CHANNELS: required & ~ignored},
     )
 
 
@@ -297,7 +301,7 @@ def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
 
 
 def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
-    key, line = "crc7_polynomial", case.line
+    key, line = ParameterKey.CRC7_POLYNOMIAL, case.line
     if key not in case.wires or line is None or line.detection is Detection.CRC7:
         return
     if case.wires[key] != case.default(key):
@@ -305,19 +309,19 @@ def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
             f"{case.name(key)} is {case.text(key)} instead of the factory's "
             f"{case.text(key, case.default(key))}, but CRC-7 is not switched on: no packet is "
             "checked with it.",
-            (key, "uart_settings"),
+            (key, ParameterKey.UART_SETTINGS),
             {key: case.default(key)},
         )
 
 
 def _crc_that_checks_nothing(case: _Case) -> Iterator[_Match]:
-    key, line = "crc7_polynomial", case.line
+    key, line = ParameterKey.CRC7_POLYNOMIAL, case.line
     if case.wires.get(key) == 0 and line is not None and line.detection is Detection.CRC7:
         # Divided by x^7, the seven zero bits behind any packet leave no remainder.
         yield _Match(
             f"With {case.text(key)} as {case.name(key)} the checksum of every packet is 0, so "
             "CRC-7 finds no damage at all.",
-            (key, "uart_settings"),
+            (key, ParameterKey.UART_SETTINGS),
             {key: case.default(key)},
         )
 
@@ -326,11 +330,13 @@ def _half_rate(case: _Case) -> Iterator[_Match]:
     line = case.line
     if line is None or (real := case.real(line.baud)) == line.baud:
         return
-    honest = {"uart_settings": replace(line, baud=real).to_wire()} if real in baud_rates() else {}
+    honest: dict[str, int] = {}
+    if real in baud_rates():
+        honest[ParameterKey.UART_SETTINGS] = replace(line, baud=real).to_wire()
     yield _Match(
         f"A {case.board} set to {line.baud} baud really runs at {real} baud; this was mended in "
         f"firmware {device_table().half_rate_fixed_in}. Programs have to use {real} baud.",
-        ("uart_settings",),
+        (ParameterKey.UART_SETTINGS,),
         honest,
     )
 
@@ -347,11 +353,14 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
     best = slower[-1] if slower else known[0] if known else None
     if used is not None and used.baud in baud_rates() and case.real(used.baud) == used.baud:
         best = used.baud
+    change: dict[str, int] = {}
+    if best is not None:
+        change[ParameterKey.UART_SETTINGS] = replace(line, baud=best).to_wire()
     yield _Match(
         f"This computer's serial port cannot do {wanted} baud: after the next power cycle it "
         "would not reach the board any more.",
-        ("uart_settings",),
-        {} if best is None else {"uart_settings": replace(line, baud=best).to_wire()},
+        (ParameterKey.UART_SETTINGS,),
+        change,
     )
 
 
@@ -364,7 +373,7 @@ def _line_will_change(case: _Case) -> Iterator[_Match]:
         yield _Match(
             f"After the next power cycle the board talks at {real.text()}; now it is "
             f"{used.text()}. Programs that talk to it have to be changed then.",
-            ("uart_settings",),
+            (ParameterKey.UART_SETTINGS,),
             {},
         )
 

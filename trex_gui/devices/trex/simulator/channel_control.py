@@ -6,6 +6,7 @@ Ref: Pololu TReX User's Guide 4.a-4.c; TReX Jr User's Guide 4.e (safe-start).
 from collections.abc import Sequence
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, channels_in
+from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.mapping import ChannelSetup, motor_values
 from trex_gui.devices.trex.simulator.memory import Memory
@@ -36,9 +37,9 @@ class ChannelControl:
         active = self._memory.active
         return ChannelSetup(
             tuple(self._memory.calibration(self._mode.source, channel) for channel in CHANNELS),
-            ignored=active["ignored_channels"],
-            reversed_=active["reversed_channels"],
-            parabolic=active["parabolic_channels"],
+            ignored=active[ParameterKey.IGNORED_CHANNELS],
+            reversed_=active[ParameterKey.REVERSED_CHANNELS],
+            parabolic=active[ParameterKey.PARABOLIC_CHANNELS],
         )
 
     def remapped(self, *, mix: bool) -> tuple[int, ...]:
@@ -73,7 +74,7 @@ class ChannelControl:
                 direction = MotorDirection.FORWARD if value > 0 else MotorDirection.REVERSE
                 motor.accelerate(direction, abs(value))
             else:
-                brake = self._memory.active[f"motor{number}_deadband_brake_pwm"]
+                brake = self._memory.active[MotorParameter.DEADBAND_BRAKE_PWM.of(number)]
                 motor.accelerate(MotorDirection.BRAKE, brake)
         aux.accelerate(abs(remapped[2]))  # inferred: it has one way, the sign is no matter
 
@@ -85,7 +86,7 @@ class ChannelControl:
 
     @property
     def _required(self) -> tuple[int, ...]:
-        return channels_in(self._memory.active["required_channels"])
+        return channels_in(self._memory.active[ParameterKey.REQUIRED_CHANNELS])
 
     def _may_leave_safe_start(self) -> bool:
         raw = self._channels.raw

@@ -9,6 +9,7 @@ from typing import Any
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
+from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
 from trex_gui.devices.trex.simulator.channel_control import ChannelControl
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
@@ -221,20 +222,22 @@ class Board:
                 self.special = None
             return
         self._watch()
-        self.serial.watch_silence(self.now, self.memory.active["serial_timeout"])
+        self.serial.watch_silence(self.now, self.memory.active[ParameterKey.SERIAL_TIMEOUT])
         self._latch_faults()
         for index, (motor, physics) in enumerate(zip(self.motors, self.physics, strict=True)):
             if motor.update(self._motor_settings(index + 1), physics.reading):
                 self.serial.status |= _OVER_LIMIT[index]
-        self.aux.update(self.memory.active["aux_acceleration"])
+        self.aux.update(self.memory.active[ParameterKey.AUX_ACCELERATION])
 
     def _motor_settings(self, number: int) -> MotorSettings:
         active = self.memory.active
         return MotorSettings(
-            acceleration=active[f"motor{number}_acceleration"],
-            brake_duration=active[f"motor{number}_brake_duration"],
-            current_limit=0 if self.memory.is_joint else active[f"motor{number}_current_limit"],
-            limit_gain=active[f"motor{number}_current_limit_p"],
+            acceleration=active[MotorParameter.ACCELERATION.of(number)],
+            brake_duration=active[MotorParameter.BRAKE_DURATION.of(number)],
+            current_limit=0
+            if self.memory.is_joint
+            else active[MotorParameter.CURRENT_LIMIT.of(number)],
+            limit_gain=active[MotorParameter.CURRENT_LIMIT_P.of(number)],
         )
 
     def _measure_currents(self) -> None:
@@ -267,7 +270,7 @@ class Board:
 
     def _watch(self) -> None:
         """Decide who controls the motors, and let the channels drive when it is they."""
-        timeout = self.memory.active["serial_timeout"]
+        timeout = self.memory.active[ParameterKey.SERIAL_TIMEOUT]
         self.serial.hand_over(self.now, timeout, in_control=self.sticks.watch())
         if self.serial.in_control:
             return
@@ -285,7 +288,7 @@ class Board:
 
     def report_error(self, error: UartError) -> None:
         """Latch an error of the serial line; the motors may stop for it."""
-        shut_down = bool(self.memory.active["uart_error_shutdown"])
+        shut_down = bool(self.memory.active[ParameterKey.UART_ERROR_SHUTDOWN])
         self.serial.report(error, shut_down=shut_down)
 
     def set_parameter(self, number: int, value: int) -> ResultCode:

@@ -14,6 +14,7 @@ from itertools import count
 
 from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.shared_wire import Frame, SharedWire
 from trex_gui.devices.trex.simulator.station import BoardOnWire
@@ -51,7 +52,7 @@ class SimulatedLine:
             raise ValueError("a line needs a board")
         self.boards = tuple(boards)
         self.now = 0.0
-        self.numbers = tuple(board.eeprom["device_number"] for board in boards)
+        self.numbers = tuple(board.eeprom[ParameterKey.DEVICE_NUMBER] for board in boards)
         self.echo = echo
         self.paced = paced
         self.host: SerialFormat | None = None

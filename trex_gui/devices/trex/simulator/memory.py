@@ -10,6 +10,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter, ParameterKey
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.simulator.eeprom import CALIBRATION_FIELDS, Eeprom
 
@@ -62,7 +63,7 @@ class Memory:
         self.lose_write()
         self._eeprom.reset_if_pending()
         self.active = self.stored()
-        self.line_settings = LineSettings.from_wire(self.active["uart_settings"])
+        self.line_settings = LineSettings.from_wire(self.active[ParameterKey.UART_SETTINGS])
 
     def stored(self) -> dict[str, int]:
         """Return what the EEPROM holds of the parameters that this firmware knows."""
@@ -71,12 +72,12 @@ class Memory:
     @property
     def is_joint(self) -> bool:
         """Whether both drivers are one for motor 1."""
-        return self.active["motor_mode"] == 1
+        return self.active[ParameterKey.MOTOR_MODE] == 1
 
     @property
     def serial_source(self) -> Mode:
         """The mode that a board in serial mode is in."""
-        analog = self.active["channel_input_source"] == 1
+        analog = self.active[ParameterKey.CHANNEL_INPUT_SOURCE] == 1
         return Mode.SERIAL_ANALOG if analog else Mode.SERIAL_RC
 
     @property
@@ -89,18 +90,18 @@ class Memory:
         """The polynomial (0x80-0xFF), `None` when packets carry no CRC."""
         if self.line_settings.detection is not Detection.CRC7:
             return None
-        return 0x80 | self.active["crc7_polynomial"]
+        return 0x80 | self.active[ParameterKey.CRC7_POLYNOMIAL]
 
     def pwm_frequency(self, number: int) -> float:
         """Return the PWM frequency in Hz of motor 1 or 2."""
-        prescaler = self.active[f"motor{number}_pwm_prescaler"]
-        maximum = self.active[f"motor{number}_pwm_maximum"]
+        prescaler = self.active[MotorParameter.PWM_PRESCALER.of(number)]
+        maximum = self.active[MotorParameter.PWM_MAXIMUM.of(number)]
         return device_table().pwm.frequency(prescaler, maximum)
 
     @property
     def response_delay(self) -> float:
         """Seconds that each answer waits: 1 ms when the parameter says so (firmware 1.2+)."""
-        return 0.001 if self.active.get("uart_response_delay") else 0.0
+        return 0.001 if self.active.get(ParameterKey.UART_RESPONSE_DELAY) else 0.0
 
     def get(self, number: int) -> int | None:
         """Return the stored value of a parameter; `None` when this firmware has none such."""
@@ -161,7 +162,7 @@ class Memory:
 
     def restore_line_settings(self) -> None:
         """Begin to write the factory's serial settings, as the recovery by jumpers does."""
-        for key in ("uart_settings", "crc7_polynomial"):
+        for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
             store = partial(self._store, key, self.parameters[key].default, at_once=False)
             lose = partial(self._eeprom.lose, key)
             self._steps.append(_Step(PARAMETER_WRITE, store, lose))

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from trex_gui.devices.trex.protocol.calibration import INVALID_RAW, Calibration
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import UartError
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
@@ -178,7 +179,7 @@ class SerialPort:
             self._obey(known, command, packet[head : head + known.size])
 
     def _device_number(self) -> int:
-        return self.board.memory.active["device_number"]
+        return self.board.memory.active[ParameterKey.DEVICE_NUMBER]
 
     def _obey(self, known: "_Known", command: int, data: bytes) -> None:
         try:

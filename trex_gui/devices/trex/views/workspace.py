@@ -12,6 +12,7 @@ from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.learning import Learning
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.views.action_bar import ActionBar
 from trex_gui.devices.trex.views.bench.opener import BenchOpener
 from trex_gui.devices.trex.views.demo.panel import DemoPanel
@@ -270,7 +271,7 @@ class TrexWorkspace(Workspace):
         failed = [result for result in results if result.error is not None]
         if not failed:
             self.notifier.cleared.emit()
-            if any(result.what == "factory_reset" for result in results):
+            if any(result.what == ParameterKey.FACTORY_RESET for result in results):
                 self._on_power_cycle_wanted()
             elif not self._review.isVisible():
                 text = self.tr("{0} settings are stored and read back equal.")

@@ -4,8 +4,9 @@ from PySide6.QtCore import QCoreApplication
 
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.protocol.flags import UART_MEANING, UartError
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
-SHUTDOWN = "uart_error_shutdown"
+SHUTDOWN = ParameterKey.UART_ERROR_SHUTDOWN
 """The parameter that lets any serial error stop the motors (0x08)."""
 
 

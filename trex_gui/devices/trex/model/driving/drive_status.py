@@ -7,6 +7,7 @@ from math import ceil
 
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError, channels_in
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState
 
 _NO_ERROR = UartError(0)
@@ -111,8 +112,8 @@ def situation_of(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
         if isinstance(bit, UartError):
             uart |= bit
     stored = device.parameters.stored_of
-    wire = stored("serial_timeout")
-    required = stored("required_channels") or 0
+    wire = stored(ParameterKey.SERIAL_TIMEOUT)
+    required = stored(ParameterKey.REQUIRED_CHANNELS) or 0
     missing: tuple[int, ...] = ()
     if telemetry.raw is not None and state is not None and state.mode is Mode.RC:
         missing = tuple(
@@ -133,8 +134,8 @@ def situation_of(device: Device, *, perhaps_held: bool = False) -> DriveInputs:
         faults=_motors_with(bits, {1: Status.MOTOR1_FAULT, 2: Status.MOTOR2_FAULT}),
         over_limit=_motors_with(bits, {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}),
         uart=uart,
-        error_shutdown=bool(stored("uart_error_shutdown")),
-        timeout=device.parameters.spec_of("serial_timeout").text(wire) if wire else "",
+        error_shutdown=bool(stored(ParameterKey.UART_ERROR_SHUTDOWN)),
+        timeout=device.parameters.spec_of(ParameterKey.SERIAL_TIMEOUT).text(wire) if wire else "",
         locked_for=motors.locked_for,
         can_arm=motors.can_arm,
         armed=motors.armed,

@@ -5,6 +5,7 @@ from PySide6.QtCore import QObject, Slot
 from trex_gui.devices.trex.calibration.proof import NEARLY_NEUTRAL
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import Mode, channels_in
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
 _NOISE_COUNTS = 1
 """Counts that may be noise while nothing flows."""
@@ -58,7 +59,7 @@ class SafeStartWatch(QObject):
 
     def _has_lost_a_channel(self) -> bool:
         state, telemetry = self._device.state, self._device.telemetry
-        required = self._device.parameters.stored_of("required_channels") or 0
+        required = self._device.parameters.stored_of(ParameterKey.REQUIRED_CHANNELS) or 0
         return (
             state is not None
             and state.mode is Mode.RC

@@ -9,6 +9,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.model.learning.measured_inputs import Counts
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
 
 class LearnedChannels:
@@ -106,20 +107,20 @@ def _channel(device: Device, number: int, source: InputSource) -> LearnedChannel
     def has(mask: int | None) -> bool:
         return number in channels_in(mask or 0)
 
-    is_reversed = has(parameters.stored_of("reversed_channels"))
+    is_reversed = has(parameters.stored_of(ParameterKey.REVERSED_CHANNELS))
     before = None
     if stored is not None:
         before = ChannelCurve(
             stored,
             is_reversed,
-            has(parameters.stored_of("parabolic_channels")),
-            has(parameters.stored_of("ignored_channels")),
+            has(parameters.stored_of(ParameterKey.PARABOLIC_CHANNELS)),
+            has(parameters.stored_of(ParameterKey.IGNORED_CHANNELS)),
         )
     return LearnedChannel(
         number,
         source,
         before,
         reversed_now=is_reversed,
-        parabolic=has(parameters.value_of("parabolic_channels")),
-        ignored=has(parameters.value_of("ignored_channels")),
+        parabolic=has(parameters.value_of(ParameterKey.PARABOLIC_CHANNELS)),
+        ignored=has(parameters.value_of(ParameterKey.IGNORED_CHANNELS)),
     )

@@ -5,8 +5,9 @@ from collections.abc import Sequence
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.protocol.flags import channel_mask, channels_in
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
-_REVERSED = "reversed_channels"
+_REVERSED = ParameterKey.REVERSED_CHANNELS
 
 
 def edit_what_is_chosen(device: Device, channels: Sequence[LearnedChannel], name: str) -> None:

@@ -10,9 +10,10 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.learning.channel import LearnedChannel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import channels_in
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState
 
-_REVERSED = "reversed_channels"
+_REVERSED = ParameterKey.REVERSED_CHANNELS
 
 
 @dataclass(frozen=True, slots=True)

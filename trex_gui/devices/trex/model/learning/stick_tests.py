@@ -12,6 +12,7 @@ from trex_gui.devices.trex.calibration.samples import LIMITS
 from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels_in
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
 
 class StickTests:
@@ -100,10 +101,10 @@ class StickTests:
             return ()
         return what_keeps_safe_start(
             self._outputs,
-            self._device.parameters.stored_of("required_channels") or 0,
+            self._device.parameters.stored_of(ParameterKey.REQUIRED_CHANNELS) or 0,
             rc=self._is_rc,
             override=self._override,
-            joint=self._device.parameters.stored_of("motor_mode") == 1,
+            joint=self._device.parameters.stored_of(ParameterKey.MOTOR_MODE) == 1,
         )
 
     @property
@@ -130,9 +131,9 @@ class StickTests:
             return None
         return ChannelCurve(
             calibration,
-            reversed_=self._has("reversed_channels", channel),
-            parabolic=self._has("parabolic_channels", channel),
-            ignored=self._has("ignored_channels", channel),
+            reversed_=self._has(ParameterKey.REVERSED_CHANNELS, channel),
+            parabolic=self._has(ParameterKey.PARABOLIC_CHANNELS, channel),
+            ignored=self._has(ParameterKey.IGNORED_CHANNELS, channel),
         )
 
     def _has(self, key: str, channel: int) -> bool:

@@ -11,6 +11,7 @@ from trex_gui.core.recording.block_replay import BlockReplay
 from trex_gui.devices.trex.model.recordings.recorded import MOST_ROWS, gather
 from trex_gui.devices.trex.model.telemetry import Series
 from trex_gui.devices.trex.model.traces import board_traces
+from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter
 from trex_gui.devices.trex.recording.files import open_recording
 from trex_gui.devices.trex.recording.recording import Header, Record, RecordingFile
 from trex_gui.devices.trex.recording.replay import Latest, export_span
@@ -130,7 +131,7 @@ def limits_in(text: str) -> Mapping[str, float]:
         return {}
     limits = {}
     for motor in (1, 2):
-        key = f"motor{motor}_current_limit"
+        key = MotorParameter.CURRENT_LIMIT.of(motor)
         if wire := settings.parameters.get(key):
             limits[f"motor{motor}_current"] = wire * settings.specs[key].scale
     return limits

@@ -13,6 +13,7 @@ from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import Write
 from trex_gui.devices.trex.settings.document import calibration_key
 from trex_gui.devices.trex.settings.from_board import settings_of
@@ -96,7 +97,7 @@ class Apply(QObject):
         Its answer is the only proof until then: the order cannot be read back. Return whether
         the order is on its way.
         """
-        order = state.specs["factory_reset"]
+        order = state.specs[ParameterKey.FACTORY_RESET]
         reason = self.tr("Reset to the factory's parameters")
         return self._write(state, link, reason, ((order.key, order.maximum),), ())
 

@@ -12,6 +12,7 @@ from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.device_table import Model
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.settings.comparison import ComparisonRow
 from trex_gui.devices.trex.settings.document import CALIBRATION_KEYS, Settings, specs_for
 
@@ -165,4 +166,4 @@ class SettingsDraft(QObject):
 
 def _is_analog(settings: Settings) -> bool:
     """Whether a board with these settings reads voltages, as far as they tell."""
-    return settings.parameters.get("channel_input_source") == 1
+    return settings.parameters.get(ParameterKey.CHANNEL_INPUT_SOURCE) == 1

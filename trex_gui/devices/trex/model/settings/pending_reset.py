@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
 
 class PendingReset:
@@ -18,7 +19,9 @@ class PendingReset:
 
     def note_written(self, results: Sequence[WriteResult], stored: Mapping[str, int]) -> None:
         """Look for the order among what was written to a board that stores these parameters."""
-        if any(result.what == "factory_reset" and result.error is None for result in results):
+        if any(
+            result.what == ParameterKey.FACTORY_RESET and result.error is None for result in results
+        ):
             self._given_at = dict(stored)
 
     def note_read(self, stored: Mapping[str, int], *, power_cycled: bool) -> None:

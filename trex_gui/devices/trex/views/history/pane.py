@@ -8,6 +8,7 @@ from trex_gui.core.files.errors import SettingsError
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.diff import diff_against_draft
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotTable
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import Snapshot
@@ -235,7 +236,7 @@ class SnapshotPane(QWidget):
         text = self.tr("{0} would become {1}; nothing is written before Apply.").format(
             self._settings(ticked), edits
         )
-        here = self._device.parameters.stored_of("device_number")
+        here = self._device.parameters.stored_of(ParameterKey.DEVICE_NUMBER)
         number = snapshot.device_number
         if number is not None and here is not None and number != here:
             text += " " + self.tr(

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from trex_gui.devices.trex.client.explanations import MODE_TEXT
 from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
@@ -169,9 +170,9 @@ class StatusPage(QWidget):
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None:
             return ""
-        wire = state.parameters.get("uart_settings")
+        wire = state.parameters.get(ParameterKey.UART_SETTINGS)
         specs = parameters_of(state.signature.model.key, state.signature.firmware)
-        if wire is None or wire not in specs["uart_settings"].valid:
+        if wire is None or wire not in specs[ParameterKey.UART_SETTINGS].valid:
             return ""
         if settings.line.real_baud(state.signature.firmware) == settings.line.baud:
             return ""

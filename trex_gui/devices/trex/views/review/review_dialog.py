@@ -19,6 +19,7 @@ from trex_gui.core.errors import NoReply, PortUnavailable, StudioError, sentence
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.power_cycle import PowerCycle
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
 from trex_gui.devices.trex.views.review.power_cycle_panel import PowerCyclePanel
@@ -282,7 +283,7 @@ class ReviewDialog(QDialog):
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None:
             return ""
-        number = state.parameters.get("device_number")
+        number = state.parameters.get(ParameterKey.DEVICE_NUMBER)
         port = settings.name or settings.url
         if number is None:
             return f"{state.signature} ({port})"

@@ -9,6 +9,7 @@ from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 
 
 class ChannelOptions(QWidget):
@@ -27,22 +28,22 @@ class ChannelOptions(QWidget):
         layout.setSpacing(18)
         for key, title, help_text in (
             (
-                "reversed_channels",
+                ParameterKey.REVERSED_CHANNELS,
                 self.tr("Re&versed"),
                 self.tr("The output changes its sign: forward and reverse change places"),
             ),
             (
-                "parabolic_channels",
+                ParameterKey.PARABOLIC_CHANNELS,
                 self.tr("&Parabolic"),
                 self.tr("Gentle near neutral, steep near the ends"),
             ),
             (
-                "ignored_channels",
+                ParameterKey.IGNORED_CHANNELS,
                 self.tr("I&gnored"),
                 self.tr("Held at neutral, whatever comes in; for channels without a cable"),
             ),
             (
-                "required_channels",
+                ParameterKey.REQUIRED_CHANNELS,
                 self.tr("Re&quired in RC mode"),
                 self.tr("The motors stop when its pulses are missing for half a second"),
             ),
@@ -69,7 +70,7 @@ class ChannelOptions(QWidget):
         """
         self._channel, self._editable = channel, editable and not why_not
         self._why_not = why_not
-        self._boxes["required_channels"].setVisible(source is InputSource.RC)
+        self._boxes[ParameterKey.REQUIRED_CHANNELS].setVisible(source is InputSource.RC)
         self.renew()
 
     def curve(
@@ -80,7 +81,11 @@ class ChannelOptions(QWidget):
             return None
         bits = [
             self.is_set(key, channel, stored=stored)
-            for key in ("reversed_channels", "parabolic_channels", "ignored_channels")
+            for key in (
+                ParameterKey.REVERSED_CHANNELS,
+                ParameterKey.PARABOLIC_CHANNELS,
+                ParameterKey.IGNORED_CHANNELS,
+            )
         ]
         return ChannelCurve(calibration, *bits)
 

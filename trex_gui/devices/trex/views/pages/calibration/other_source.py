@@ -6,10 +6,11 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.channel_text import SOURCE_NAMES, way_to
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
 
-_KEY = "channel_input_source"
+_KEY = ParameterKey.CHANNEL_INPUT_SOURCE
 
 
 class OtherSource(QWidget):

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.ui.theme.theme import theme
 
 _OF_A_MOTOR = ("acceleration", "brake_duration", "current_limit")
@@ -59,7 +60,7 @@ class Facts(QLabel):
                 name = self.tr("Motor (joint)")
             if facts:
                 parts.append(f"<b>{name}</b> \u2013 {', '.join(facts)}.")
-        if timeout := self._link("serial_timeout"):
+        if timeout := self._link(ParameterKey.SERIAL_TIMEOUT):
             parts.append(f"<b>{self.tr('Serial timeout')}</b> \u2013 {timeout}.")
         text = " ".join(parts)
         if text != self.text():

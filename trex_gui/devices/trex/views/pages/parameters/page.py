@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWi
 from trex_gui.devices.trex.client.writing import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.linter import BoardAdviser
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.views.pages.parameters.table import ParameterTable
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.theme.icons import set_icon
@@ -114,7 +115,7 @@ class ParametersPage(QWidget):
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         failed = [result for result in results if result.error is not None]
-        if any(result.what == "factory_reset" for result in results):
+        if any(result.what == ParameterKey.FACTORY_RESET for result in results):
             text = self.tr("Not taken by the board: {0}").format(failed[0].error) if failed else ""
             self._notice.setText(
                 text or self.tr("The factory's values stand here after the next power cycle.")
