@@ -72,7 +72,7 @@ def test_stop_apply_fault_and_timeout_become_events(
     page.wait_for_event(EventKind.FAULT, "Motor 1 fault")
     quick_simulator.do("fault 1 off")
     page.wait(lambda: page.parts.find(QListView, "eventList").model().rowCount() >= 3)
-    page.wait(lambda: len(page.panel.plot._strip.marks) >= 3)
+    page.wait(lambda: len(page.panel.plot._marks.marks) >= 3)
     newest = page.device.telemetry.latest
     for event in page.device.events.all:
         assert newest - 60 < event.time < newest + 5, "not on the clock of the samples"

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.ui.plotting.axis_ticks import AutoRange, round_up, spread, ticks
+from trex_gui.ui.plotting.axes import AutoRange, round_up, spread, ticks
 
 
 @pytest.mark.parametrize(
@@ -50,23 +50,24 @@ def test_labels_never_overlap(centres: list[float], width: float) -> None:
 
 def test_range_grows_at_once() -> None:
     scale = AutoRange()
-    assert scale.include(0, 7.2)
+    scale.include(0, 7.2)
     assert (scale.low, scale.high) == (0, 10)
 
 
 def test_range_shrinks_only_when_data_fits_with_margin() -> None:
     scale = AutoRange()
     scale.include(0, 7.2)
-    assert not scale.include(0, 4.6)
-    assert scale.include(0, 3.9)
+    scale.include(0, 4.6)
+    assert scale.high == 10
+    scale.include(0, 3.9)
     assert scale.high == 5
 
 
 def test_range_does_not_oscillate_at_a_step() -> None:
     scale = AutoRange()
-    scale.include(0, 5.01)
-    changes = [scale.include(0, high) for high in (4.99, 5.01, 4.9, 5.0, 5.02)]
-    assert not any(changes)
+    for high in (5.01, 4.99, 5.01, 4.9, 5.0, 5.02):
+        scale.include(0, high)
+        assert (scale.low, scale.high) == (0, 10)
 
 
 def test_range_goes_below_zero_only_for_negative_values() -> None:
@@ -80,7 +81,4 @@ def test_range_goes_below_zero_only_for_negative_values() -> None:
 def test_range_never_collapses() -> None:
     scale = AutoRange()
     scale.include(0, 0)
-    assert (scale.low, scale.high) == (0, 1)
-    scale.include(0, 300)
-    scale.reset()
     assert (scale.low, scale.high) == (0, 1)

@@ -132,7 +132,8 @@ def mouse(
     """Let the mouse do something where the plot shows a time."""
     at = QPointF(x_of(plot, time), 60)
     view = plot._canvas.viewport
-    event = QMouseEvent(kind, at, QPointF(view.mapToGlobal(at)), button, button, modifiers)
+    held = Qt.MouseButton.NoButton if kind == QEvent.Type.MouseButtonRelease else button
+    event = QMouseEvent(kind, at, QPointF(view.mapToGlobal(at)), button, held, modifiers)
     QApplication.sendEvent(view, event)
 
 
@@ -175,7 +176,7 @@ def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> N
         plot.set_window(length)
         assert 0 < plot.points_drawn <= 2 * 1100, length
         for name in plot.shown:
-            assert len(plot._layers.curves[name]._item.getData()[0]) <= 1100
+            assert len(plot._curves[name]._item.getData()[0]) <= 1100
 
 
 def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: TracePlot) -> None:
@@ -185,7 +186,7 @@ def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: 
     assert view.model().setData(index, Qt.CheckState.Checked, checked)
     assert "wish1" in plot.shown
     assert count(plot, "good") > 50  # dotted
-    axis = plot._canvas.plot.getAxis("right")
+    axis = plot._canvas._axes["right"]
     assert axis.isVisible()
     (shown,) = axis._tickLevels
     assert [text for _, text in shown] == ["−127", "−64", "0", "64", "127"]
@@ -430,7 +431,7 @@ def test_events_are_marked_listed_and_navigable(
     ]
     panel.refresh()
     assert count(plot, "danger") > before + 50
-    assert [one.text for _, one in plot._strip.marks] == ["Stop: the window was closed"]
+    assert [one.text for _, one in plot._marks.marks] == ["Stop: the window was closed"]
     listed = panel.events
     texts = [str(listed.model().index(row, 0).data()) for row in range(2)]
     assert texts == [

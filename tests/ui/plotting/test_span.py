@@ -4,28 +4,34 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.ui.plotting.axes import ValueAxis, ago_labels, clock_text, since_labels
-from trex_gui.ui.plotting.span import LEAST, Span
+from trex_gui.ui.plotting.axes import (
+    MIN_SPAN,
+    Span,
+    ValueAxis,
+    ago_labels,
+    clock_text,
+    since_labels,
+)
 
 
 @pytest.fixture
 def span() -> Span:
     span = Span(30)
-    span.take(0, 100)
+    span.set_available(0, 100)
     return span
 
 
 def test_live_span_ends_at_the_newest_sample(span: Span) -> None:
     assert (span.start, span.end) == (70, 100)
-    span.take(0, 101)
+    span.set_available(0, 101)
     assert (span.start, span.end) == (71, 101)
 
 
 def test_held_span_stays_while_samples_arrive(span: Span) -> None:
     span.hold()
-    span.take(0, 200)
+    span.set_available(0, 200)
     assert (span.start, span.end) == (70, 100)
-    span.go_live()
+    span.live = True
     assert span.end == 200
 
 
@@ -49,7 +55,7 @@ def test_span_can_be_selected_from_right_to_left(span: Span) -> None:
 
 def test_empty_span_is_widened(span: Span) -> None:
     span.show(50, 50)
-    assert span.length == LEAST
+    assert span.length == MIN_SPAN
     assert (span.start + span.end) / 2 == pytest.approx(50)
 
 
@@ -61,7 +67,7 @@ def test_zero_length_is_rejected(span: Span) -> None:
 @given(moves=st.lists(st.floats(-1000, 1000), max_size=20))
 def test_panning_never_leaves_the_recorded_time(moves: list[float]) -> None:
     span = Span(30)
-    span.take(0, 100)
+    span.set_available(0, 100)
     for move in moves:
         span.pan(move)
         assert span.end > 0

@@ -4,7 +4,7 @@ import csv
 import io
 import math
 
-from trex_gui.ui.plotting.trace_csv import write_trace_csv
+from trex_gui.ui.plotting.csv_table import write_trace_csv
 
 COLUMNS = [("motor1_current", "A"), ("channel1", "")]
 

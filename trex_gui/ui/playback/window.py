@@ -19,11 +19,11 @@ from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.playback.events import RecordedEvents
 from trex_gui.ui.playback.formats import time_text
-from trex_gui.ui.playback.picture_button import PictureButton
 from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.playback.transport import TransportBar
 from trex_gui.ui.playback.work_row import WorkRow
 from trex_gui.ui.plotting.event_list import EventModel
+from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.theme.icons import application_icon
@@ -87,7 +87,9 @@ class RecordingWindow(QMainWindow):
         self._work = WorkRow(self)
         self.plot = TracePlot(parent=self, name=plot_name)
         self.plot.set_source(playback.traces)
-        self._picture = PictureButton(self.plot, playback.path.stem, self.notifier, self)
+        self._picture = ExportButton(
+            self.plot, self.notifier, self, name=playback.path.stem, tables=False
+        )
         self._events = EventModel(self.plot, self)
         self._list = RecordedEvents(self._events, playback, self)
         self._transport = TransportBar(playback, self)

@@ -1,81 +1,170 @@
-"""The axes of curves over time: what stands at them, and which values they reach."""
+"""Axes: round steps, ranges that do not jump, labels, and which part of the time is shown."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import QCoreApplication
 
-from trex_gui.ui.plotting.axis_ticks import AutoRange, round_up, ticks
 from trex_gui.ui.widgets.bar import MINUS
 
 Labels = list[tuple[float, str]]
+"""Values of an axis and their texts."""
 
 _TIME_STEPS = (
     *(0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0),
     *(60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0),
 )
-_MOST_TIME_TICKS = 7
+_MAX_TIME_LABELS = 7
 
-_FULL = 127.0
-"""The greatest speed and the greatest remapped channel: plain counts seldom go further."""
+FULL_COUNTS = 127.0
+"""The highest speed and the highest remapped channel; plain counts seldom exceed it."""
+
+MIN_SPAN = 0.05
+"""Seconds shown at least: four samples of currents."""
+
+MAX_SPAN = 4 * 3600.0
+"""Seconds shown at most; a full history is shorter."""
+
+
+def round_up(value: float) -> float:
+    """Return the smallest of ... 0.5, 1, 2, 5, 10, 20 ... that is not below `value` (> 0)."""
+    decade = 10.0 ** math.floor(math.log10(value))
+    # The margin keeps 0.3 - 0.1 from counting as more than 0.2.
+    return next((s * decade for s in (1, 2, 5) if value <= s * decade * (1 + 1e-9)), 10 * decade)
+
+
+def ticks(low: float, high: float, step: float) -> list[float]:
+    """Return the multiples of `step` from `low` to `high`, both included."""
+    first = math.ceil(low / step - 1e-9)
+    last = math.floor(high / step + 1e-9)
+    return [n * step for n in range(first, last + 1)]
+
+
+def spread(
+    centres: Sequence[float], widths: Sequence[float], low: float, high: float, gap: float
+) -> list[float] | None:
+    """Move labels as little as needed so that none covers its neighbour.
+
+    `centres` rise. Returns the new centres, within `low` to `high`; `None` without room for all.
+    """
+    if sum(widths) + gap * max(0, len(widths) - 1) > high - low:
+        return None
+    # Labels that touch form a group, which lies where its members would be on average. Of each
+    # group: its left end, its width, and where each member would put the left end.
+    groups: list[tuple[float, float, list[float]]] = []
+    for centre, width in zip(centres, widths, strict=True):
+        size, targets = width, [centre - width / 2]
+        left = max(low, min(targets[0], high - size))
+        while groups and groups[-1][0] + groups[-1][1] + gap > left:
+            _, before, earlier = groups.pop()
+            targets = [*earlier, *(target - before - gap for target in targets)]
+            size += before + gap
+            left = max(low, min(sum(targets) / len(targets), high - size))
+        groups.append((left, size, targets))
+    moved: list[float] = []
+    for left, _, targets in groups:
+        edge = left
+        for _ in targets:
+            width = widths[len(moved)]
+            moved.append(edge + width / 2)
+            edge += width + gap
+    return moved
+
+
+class AutoRange:
+    """A range in steps of 1, 2 and 5 that grows at once and shrinks only well below a step.
+
+    It contains 0: currents and speeds mean little without it.
+    """
+
+    SHRINK_BELOW = 0.8
+    """The share of the next smaller range that the data must fit in before that is taken."""
+
+    def __init__(self, smallest: float = 1.0) -> None:
+        self._smallest = smallest
+        self.low = 0.0
+        self.high = smallest
+
+    def include(self, low: float, high: float) -> None:
+        """Fit the lowest and the highest value that are shown."""
+        self.high = self._end(self.high, high)
+        self.low = -self._end(-self.low, -low)
+        if self.high == self.low == 0:
+            self.high = self._smallest
+
+    def _end(self, current: float, needed: float) -> float:
+        if needed <= 0:
+            return 0.0
+        if needed > current:
+            return max(self._smallest, round_up(needed))
+        return min(current, max(self._smallest, round_up(needed / self.SHRINK_BELOW)))
 
 
 class ValueAxis:
-    """An axis for one unit; plain counts have one of -127 to 127 that holds still."""
+    """An axis for one unit; plain counts have a fixed one of -127 to 127 while they fit."""
 
     def __init__(self, unit: str) -> None:
         self.unit = unit
         self._range = AutoRange()
 
     def fit(self, extremes: Iterable[tuple[float, float]]) -> None:
-        """Reach over these lowest and highest values; without any it stays as it is."""
+        """Fit these lowest and highest values; without any the axis stays as it is."""
         known = list(extremes)
         if known:
             self._range.include(min(low for low, _ in known), max(high for _, high in known))
 
     @property
-    def _counts(self) -> bool:
+    def _is_fixed(self) -> bool:
         return not self.unit and max(self._range.high, -self._range.low) <= 200
 
     @property
     def ends(self) -> tuple[float, float]:
         """The values at the bottom and the top, without the margin."""
-        return (-_FULL, _FULL) if self._counts else (self._range.low, self._range.high)
+        return (
+            (-FULL_COUNTS, FULL_COUNTS) if self._is_fixed else (self._range.low, self._range.high)
+        )
 
     @property
     def reach(self) -> tuple[float, float]:
-        """The values at the edges of the picture: a margin keeps lines at the ends visible."""
+        """The values at the edges of the plot: a margin keeps lines at the ends visible."""
         low, high = self.ends
         margin = (high - low) * 0.012
         return low - margin, high + margin
 
     def labels(self) -> Labels:
-        """Return the values to be marked and their texts; the highest has the unit."""
+        """Return the labels of round values; the highest has the unit."""
+        if self._is_fixed:
+            return count_labels()
         low, high = self.ends
-        if self._counts:
-            marked = [-_FULL, -64.0, 0.0, 64.0, _FULL]
-        else:
-            marked = ticks(low, high, round_up((high - low) / 5.5))
-        texts = [f"{value:g}".replace("-", MINUS) for value in marked]
-        texts[-1] = f"{texts[-1]} {self.unit}".strip()
-        return list(zip(marked, texts, strict=True))
+        return value_labels(ticks(low, high, round_up((high - low) / 5.5)), self.unit)
 
     def onto(self, other: "ValueAxis", value: float) -> float:
-        """Return where a value of ours lies, in the values of another axis of the same height."""
+        """Return the value of another axis of the same height beside a value of this one."""
         (low, high), (bottom, top) = self.reach, other.reach
         return bottom + (value - low) / (high - low) * (top - bottom)
 
 
+def count_labels() -> Labels:
+    """Return the labels of speeds and remapped channels, -127 to 127."""
+    return value_labels([-FULL_COUNTS, -64.0, 0.0, 64.0, FULL_COUNTS], "")
+
+
+def value_labels(values: Sequence[float], unit: str) -> Labels:
+    """Return labels of these values; the last has the unit."""
+    texts = [f"{value:g}".replace("-", MINUS) for value in values]
+    if texts:
+        texts[-1] = f"{texts[-1]} {unit}".strip()
+    return list(zip(values, texts, strict=True))
+
+
 def time_step(length: float) -> float:
-    """Return the seconds between two marks of a time axis of this length."""
-    for step in _TIME_STEPS:
-        if length / step <= _MOST_TIME_TICKS:
-            return step
-    return round_up(length / _MOST_TIME_TICKS)
+    """Return the seconds between two labels of a time axis of this length."""
+    steps = (step for step in _TIME_STEPS if length / step <= _MAX_TIME_LABELS)
+    return next(steps, round_up(length / _MAX_TIME_LABELS))
 
 
 def ago_labels(length: float) -> Labels:
-    """Return marks for the last seconds, counted from the right edge: `30 s` ... `now`."""
+    """Return labels for the last seconds, counted from the right edge: `30 s` ... `now`."""
     tr = QCoreApplication.translate
     labels = []
     for x in ticks(-length, 0, time_step(length)):
@@ -92,13 +181,13 @@ def ago_labels(length: float) -> Labels:
 
 
 def since_labels(start: float, end: float) -> Labels:
-    """Return marks for times counted from the beginning of it all: `1:30`; x from `end`."""
+    """Return labels for times counted from the origin, `1:30`; their x counts from `end`."""
     step = time_step(end - start)
     return [(time - end, clock_text(time, step)) for time in ticks(start, end, step)]
 
 
 def clock_text(seconds: float, step: float = 0.001) -> str:
-    """Seconds since the beginning as `1:02:03.4`, as exactly as the step between times wants."""
+    """Return seconds since the origin as `1:02:03.4`, with the decimals that `step` needs."""
     digits = 0 if step >= 1 else max(0, math.ceil(-math.log10(step) - 1e-9))
     sign = MINUS if seconds < 0 else ""
     whole, part = divmod(round(abs(seconds) * 10**digits), 10**digits)
@@ -106,3 +195,72 @@ def clock_text(seconds: float, step: float = 0.001) -> str:
     hours, minutes = divmod(minutes, 60)
     text = f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
     return sign + text + (f".{part:0{digits}}" if digits else "")
+
+
+class Span:
+    """A part of the time axis, in seconds; while `live` it follows the newest sample."""
+
+    def __init__(self, length: float = 30.0) -> None:
+        self.length = length
+        self._end = 0.0
+        self._oldest = 0.0
+        self._newest = 0.0
+        self.live = True
+
+    @property
+    def start(self) -> float:
+        """The time at the left edge."""
+        return self.end - self.length
+
+    @property
+    def end(self) -> float:
+        """The time at the right edge."""
+        return self._newest if self.live else self._end
+
+    def set_available(self, oldest: float, newest: float) -> None:
+        """Take the times of the oldest and of the newest sample."""
+        self._oldest, self._newest = oldest, newest
+
+    def set_length(self, seconds: float) -> None:
+        """Show that many seconds; the right edge stays where it is.
+
+        Raises:
+            ValueError: it is not more than 0.
+        """
+        if seconds <= 0:
+            raise ValueError(f"a window of {seconds} s shows nothing")
+        self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
+
+    def hold(self) -> None:
+        """Stay where it is from now on."""
+        self._end = self.end
+        self.live = False
+
+    def show(self, start: float, end: float) -> None:
+        """Show from one time to another, in either order, and stay there."""
+        middle = (start + end) / 2
+        self.set_length(max(abs(end - start), MIN_SPAN))
+        self._end = middle + self.length / 2
+        self.live = False
+
+    def zoom(self, factor: float, around: float) -> None:
+        """Show `factor` times as much; `around` keeps its place on the screen.
+
+        While live the right edge remains the newest sample.
+        """
+        share = (self.end - around) / self.length
+        self.set_length(self.length * factor)
+        if not self.live:
+            self._end = around + share * self.length
+            self._keep_in_reach()
+
+    def pan(self, seconds: float) -> None:
+        """Show what is that much later (earlier below 0), and stay there."""
+        self.hold()
+        self._end += seconds
+        self._keep_in_reach()
+
+    def _keep_in_reach(self) -> None:
+        """Leave a tenth of the plot to the samples."""
+        part = self.length / 10
+        self._end = max(self._oldest + part, min(self._end, self._newest + self.length - part))

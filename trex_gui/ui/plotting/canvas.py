@@ -1,241 +1,336 @@
-"""A plain plot in the theme's colours: frame, grid, ticks; what is drawn on it is others' matter.
+"""A plot in the theme's colours: axes, grid, curves, straight lines, bands, and the mouse.
 
-The one file that knows pyqtgraph. Importing it takes as long as all of Qt: do so when a plot is
-to be shown.
+The only module that imports pyqtgraph, which takes as long as importing all of Qt: import it
+when a plot is to be shown.
 """
 
-from collections.abc import Sequence
+from typing import Any, TypeVar
 
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal, Slot
-from PySide6.QtGui import QFont, QFontMetrics, QPainterPath, QPen
-from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QVBoxLayout, QWidget
+from PySide6.QtGui import QBrush, QFont, QFontMetrics, QPainterPath, QPen
+from PySide6.QtWidgets import QGraphicsItem, QGraphicsPathItem, QWidget
 
+from trex_gui.ui.plotting.axes import Labels
 from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.theme.theme import theme
-from trex_gui.ui.widgets.bar import MINUS
+from trex_gui.ui.widgets.builders import column
 
-Ticks = Sequence[tuple[float, str]]
+_LABEL_MARGIN = 60
+"""Pixels that a label may extend beyond the end of its axis."""
+
+_ZOOM = 0.8
+"""How much less is shown after one notch of the wheel."""
 
 
-class Curve:
-    """A line through points, in a named colour of the theme."""
+pg.setConfigOption("mouseRateLimit", -1)  # or fast moves of the mouse are dropped
 
-    def __init__(self, canvas: "PlotCanvas", color: str, pen: QPen, *, smooth: bool) -> None:
+
+class _Shape:
+    """An item of the plot in a named colour of the theme."""
+
+    def __init__(self, item: Any, color: str, pen: QPen) -> None:  # pyqtgraph has no types
+        self._item = item
         self._color = color
         self._pen = pen
-        self._pen.setCosmetic(True)
-        self._item = pg.PlotCurveItem(antialias=smooth, skipFiniteCheck=True)
-        canvas.box.addItem(self._item, ignoreBounds=True)
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide it."""
+        self._item.setVisible(visible)
+
+    def recolor(self) -> None:
+        """Take the color from the theme in use."""
+        self._pen.setColor(theme().color(self._color))
+        self._item.setPen(self._pen)
+
+
+class Curve(_Shape):
+    """A line through points."""
 
     def set_points(self, x: Floats, y: Floats, *, gaps: bool = False) -> None:
-        """Draw through these points; with `gaps`, those that are no number interrupt the line."""
+        """Draw through these points; with `gaps`, NaN interrupts the line."""
         self._item.setData(x, y, connect="finite" if gaps else "all", skipFiniteCheck=not gaps)
 
     def clear(self) -> None:
         """Draw nothing."""
         self._item.setData([], [])
 
-    def set_visible(self, visible: bool) -> None:
-        """Show or hide the line."""
-        self._item.setVisible(visible)
 
-    def set_height(self, z: float) -> None:
-        """Draw it above what is lower."""
-        self._item.setZValue(z)
+class Line(_Shape):
+    """A straight line across the plot, at a value of one axis."""
 
-    def renew(self) -> None:
-        """Take the colour of the theme as it is now."""
-        self._pen.setColor(theme().color(self._color))
-        self._item.setPen(self._pen)
+    def set_value(self, value: float | None) -> None:
+        """Move it there; `None` hides it."""
+        self._item.setVisible(value is not None)
+        if value is not None:
+            self._item.setValue(value)
+
+
+class Band(_Shape):
+    """A filled range of the x axis."""
+
+    def set_range(self, ends: tuple[float, float] | None) -> None:
+        """Fill from one x to another; `None` hides it."""
+        self._item.setVisible(ends is not None)
+        if ends is not None:
+            self._item.setRegion(ends)
+
+    def recolor(self) -> None:
+        self._item.setBrush(QBrush(theme().color(self._color)))
+
+
+ShapeT = TypeVar("ShapeT", bound=_Shape)
+
+
+class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
+    """Reports the mouse to its canvas instead of moving the axes."""
+
+    canvas: "PlotCanvas"
+
+    def hoverEvent(self, event: Any) -> None:
+        if event.isExit():
+            self.canvas.unhovered.emit()
+        else:
+            self.canvas.hovered.emit(event.scenePos().x())
+
+    def mouseClickEvent(self, event: Any) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.canvas.clicked.emit(event.scenePos().x())
+
+    def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:  # noqa: ARG002 - base
+        if not self.canvas.is_navigable:
+            return
+        event.accept()
+        with_shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        here, button = event.scenePos(), event.button()
+        if button != Qt.MouseButton.LeftButton or with_shift:
+            if not event.isFinish():
+                self.canvas.panned.emit(here.x() - event.lastScenePos().x())
+            return
+        pressed = event.buttonDownScenePos()
+        if event.isFinish():
+            self.rbScaleBox.hide()
+            self.canvas.selected.emit(pressed.x(), here.x())
+        else:
+            left, right = self.mapFromScene(pressed).x(), self.mapFromScene(here).x()
+            self.updateScaleBox(QPointF(left, 0), QPointF(right, self.height()))
+
+    def wheelEvent(self, event: Any, axis: int | None = None) -> None:  # noqa: ARG002 - base
+        event.accept()
+        if event.orientation() == Qt.Orientation.Horizontal:
+            self.canvas.panned.emit(event.delta() / 2)
+        else:
+            self.canvas.zoomed.emit(_ZOOM ** (event.delta() / 120), event.scenePos().x())
 
 
 class PlotCanvas(QWidget):
-    """The plot; counts along, any value up. It cannot be moved or zoomed by accident.
+    """A plot with fixed axes; x and pixel positions are those of its `viewport`.
 
-    A screen reader says its `name`.
+    A screen reader reads its `name`.
 
     Signals:
-        arranged: the plot has another size, or its axes are others.
+        arranged: the plot has another size, or its axes another range.
+        hovered: the mouse is over the plot at this pixel from the left.
+        unhovered: the mouse has left the plot.
+        clicked: at this pixel, with the left button.
+        selected: a span was dragged, from one pixel to another.
+        zoomed: show this many times as much, around this pixel.
+        panned: the content was dragged this many pixels to the right.
     """
 
     arranged = Signal()
+    hovered = Signal(float)
+    unhovered = Signal()
+    clicked = Signal(float)
+    selected = Signal(float, float)
+    zoomed = Signal(float, float)
+    panned = Signal(float)
 
-    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, name: str, parent: QWidget | None = None, *, is_navigable: bool = False
+    ) -> None:
+        """Drags are reported, with a rubber band, where the plot `is_navigable`."""
         super().__init__(parent)
-        self.plot = pg.PlotWidget(self, background=None)
-        for part in (self.plot, self.plot.viewport()):
+        self.is_navigable = is_navigable
+        self._box = _MouseBox(enableMouse=False, enableMenu=False, defaultPadding=0)
+        self._box.canvas = self
+        self._box.disableAutoRange()
+        self._plot = pg.PlotWidget(self, background=None, viewBox=self._box)
+        self.viewport: QWidget = self._plot.viewport()
+        for part in (self._plot, self.viewport):
             part.setAccessibleName(name)
-        self.plot.setMenuEnabled(False)
-        self.plot.setMouseEnabled(x=False, y=False)
-        self.plot.hideButtons()
-        self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.plot.setFrameShape(self.plot.Shape.NoFrame)
+        self._plot.setMenuEnabled(False)
+        self._plot.hideButtons()
+        self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._plot.setFrameShape(self._plot.Shape.NoFrame)
         # A background that is kept may be that of the scheme before.
-        self.plot.setCacheMode(self.plot.CacheModeFlag.CacheNone)
-        self.plot.setMinimumSize(120, 40)
-        self.box = self.plot.getViewBox()
-        self.box.disableAutoRange()
-        self.box.setDefaultPadding(0)
+        self._plot.setCacheMode(self._plot.CacheModeFlag.CacheNone)
+        self._plot.setMinimumSize(120, 40)
+        self._axes = {side: self._plot.getAxis(side) for side in ("left", "bottom", "right")}
+        # As one path the grid costs a hundredth of pyqtgraph's own.
         self._grid = QGraphicsPathItem()
         self._grid.setZValue(-10)
-        self.box.addItem(self._grid, ignoreBounds=True)
-        self._curves: list[Curve] = []
-        self._ranges = (0.0, 1.0), (0.0, 1.0)
-        self._margins = (0, 0, 0)
-        self._has_x_axis = True
+        self.add_item(self._grid)
+        self._shapes: list[_Shape] = []
+        self._x_range = 0.0, 1.0
         self._has_right_axis = False
-
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.plot)
+        column(self._plot, into=self, margins=0)
 
         theme().changed.connect(self._on_theme_changed)
-        self.box.sigResized.connect(self._on_resized)
+        self._box.sigResized.connect(self.arranged)
         self._on_theme_changed()
         self._show_fonts()
 
     @property
-    def viewport(self) -> QWidget:
-        """What receives the mouse; its pixels are those of the scene."""
-        viewport: QWidget = self.plot.viewport()
-        return viewport
-
-    @property
     def frame(self) -> QRectF:
-        """The inside of the plot, in pixels of the viewport."""
-        return QRectF(self.box.sceneBoundingRect())
+        """The inside of the plot in pixels."""
+        return QRectF(self._box.sceneBoundingRect())
 
     def add_curve(
         self,
         color: str,
         width: float = 1,
         style: Qt.PenStyle = Qt.PenStyle.SolidLine,
-        *,
-        smooth: bool = False,
     ) -> Curve:
-        """Draw a line; without smoothing it costs least."""
-        # A pen that keeps its width when the axes change counts in the screen's own pixels.
-        pen = QPen(Qt.GlobalColor.black, width * self.devicePixelRatioF(), style)
-        curve = Curve(self, color, pen, smooth=smooth)
-        curve.renew()
-        self._curves.append(curve)
-        return curve
+        """Draw a line through points; with a width of 1 it is not smoothed and costs least."""
+        item = pg.PlotCurveItem(antialias=width > 1, skipFiniteCheck=True)
+        item.setSegmentedLineMode("off")  # which would break dashes
+        return self._add(Curve(item, color, self._pen(width, style)), item)
+
+    def add_line(
+        self, color: str, style: Qt.PenStyle = Qt.PenStyle.SolidLine, *, vertical: bool = False
+    ) -> Line:
+        """Draw a straight line across the plot; it is hidden until it has a value."""
+        item = pg.InfiniteLine(angle=90 if vertical else 0)
+        item.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
+        item.hide()
+        return self._add(Line(item, color, self._pen(1, style)), item)
+
+    def add_band(self, color: str) -> Band:
+        """Fill a range of the x axis below everything else; it is hidden until it has one."""
+        item = pg.LinearRegionItem(movable=False, pen=QPen(Qt.PenStyle.NoPen))
+        item.setZValue(-20)
+        item.hide()
+        return self._add(Band(item, color, QPen()), item)
 
     def add_item(self, item: QGraphicsItem) -> None:
-        """Draw an item that counts in the units of the axes."""
-        self.box.addItem(item, ignoreBounds=True)
+        """Draw an item in the units of the axes."""
+        self._box.addItem(item, ignoreBounds=True)
 
     def add_overlay(self, item: QGraphicsItem) -> None:
-        """Draw an item that counts in pixels of the viewport."""
-        self.plot.scene().addItem(item)
+        """Draw an item in pixels."""
+        self._plot.scene().addItem(item)
+
+    def _pen(self, width: float, style: Qt.PenStyle) -> QPen:
+        # A pen that keeps its width when the axes change counts in the pixels of the screen.
+        pen = QPen(Qt.GlobalColor.black, width * self.devicePixelRatioF(), style)
+        pen.setCosmetic(True)
+        return pen
+
+    def _add(self, shape: ShapeT, item: Any) -> ShapeT:
+        self._box.addItem(item, ignoreBounds=True)
+        shape.recolor()
+        self._shapes.append(shape)
+        return shape
 
     def set_axes(
-        self, x: tuple[float, float], y: tuple[float, float], x_ticks: Ticks, y_ticks: Ticks
+        self, x: tuple[float, float], y: tuple[float, float], x_labels: Labels, y_labels: Labels
     ) -> None:
-        """Show these ranges; an upper end below the lower one turns the axis round."""
-        self._ranges = x, y
-        self.box.invertY(y[1] < y[0])
-        self.box.setRange(xRange=x, yRange=(min(y), max(y)), padding=0)
-        self.plot.getAxis("bottom").setTicks([list(x_ticks)])
-        self.plot.getAxis("left").setTicks([list(y_ticks)])
+        """Show these ranges; an upper end below the lower one inverts the y axis."""
+        self._x_range = x
+        self._box.invertY(y[1] < y[0])
+        self._box.setRange(xRange=x, yRange=(min(y), max(y)), padding=0)
+        self._axes["bottom"].setTicks([x_labels])
+        self._axes["left"].setTicks([y_labels])
         path = QPainterPath()
-        for at, _ in x_ticks:
+        for at, _ in x_labels:
             path.moveTo(at, y[0])
             path.lineTo(at, y[1])
-        for at, _ in y_ticks:
+        for at, _ in y_labels:
             path.moveTo(x[0], at)
             path.lineTo(x[1], at)
         self._grid.setPath(path)
         self.arranged.emit()
 
-    def set_right_axis(self, marks: Ticks, widest: str) -> None:
-        """Mark heights, in values of the left axis, at the right too; no marks, no axis."""
-        axis = self.plot.getAxis("right")
-        if bool(marks) != self._has_right_axis:
-            self._has_right_axis = bool(marks)
-            self.plot.showAxis("right", self._has_right_axis)
+    def set_right_axis(self, labels: Labels) -> None:
+        """Label values of the left axis at the right too; without labels there is no axis."""
+        axis = self._axes["right"]
+        if bool(labels) != self._has_right_axis:
+            self._has_right_axis = bool(labels)
+            self._plot.showAxis("right", self._has_right_axis)
             self._show_fonts()
             self._on_theme_changed()
-        if marks:
+        if labels:
             metrics = QFontMetrics(self.small_font())
-            axis.setWidth(metrics.horizontalAdvance(widest) + 10)
-            axis.setTicks([list(marks)])
+            axis.setWidth(max(metrics.horizontalAdvance(text) for _, text in labels) + 10)
+            axis.setTicks([labels])
 
     @property
     def right_edge(self) -> float:
-        """Where the right axis ends, or the plot where there is none; in pixels."""
-        if not self._has_right_axis:
-            return self.frame.right()
-        return self.frame.right() + float(self.plot.getAxis("right").width())
+        """The pixel where the right axis ends, or the plot where there is none."""
+        width = float(self._axes["right"].width()) if self._has_right_axis else 0.0
+        return self.frame.right() + width
 
     def set_margins(self, *, left: str, top: int, right: int, x_axis: bool) -> None:
         """Leave room beside the plot: for the widest text at the left, for pixels elsewhere."""
-        self._has_x_axis = x_axis
         metrics = QFontMetrics(self.small_font())
-        self.plot.getAxis("left").setWidth(metrics.horizontalAdvance(left) + 10)
-        bottom = self.plot.getAxis("bottom")
+        self._axes["left"].setWidth(metrics.horizontalAdvance(left) + 10)
+        bottom = self._axes["bottom"]
         bottom.setHeight(metrics.height() + 8 if x_axis else 0)
         bottom.setVisible(x_axis)
         below = 1 if x_axis else metrics.height() // 2
-        self.plot.getPlotItem().layout.setContentsMargins(1, top, right, below)
+        self._plot.getPlotItem().layout.setContentsMargins(1, top, right, below)
 
-    def x_of(self, count: float) -> float:
-        """Return where a count lies, in pixels from the left of the viewport."""
-        return float(self.box.mapViewToScene(QPointF(count, 0)).x())
+    def x_of(self, x: float) -> float:
+        """Return the pixel from the left of a value of the x axis."""
+        return float(self._box.mapViewToScene(QPointF(x, 0)).x())
 
-    def y_of(self, value: float) -> float:
-        """Return where a value lies, in pixels from the top of the viewport."""
-        return float(self.box.mapViewToScene(QPointF(0, value)).y())
+    def y_of(self, y: float) -> float:
+        """Return the pixel from the top of a value of the y axis."""
+        return float(self._box.mapViewToScene(QPointF(0, y)).y())
 
-    def count_at(self, x: float) -> float:
-        """Return the count under a pixel of the viewport."""
-        frame, (low, high) = self.frame, self._ranges[0]
-        return low + (x - frame.left()) / max(frame.width(), 1.0) * (high - low)
+    def x_at(self, pixel: float) -> float:
+        """Return the value of the x axis at a pixel from the left."""
+        frame, (low, high) = self.frame, self._x_range
+        return low + (pixel - frame.left()) / max(frame.width(), 1.0) * (high - low)
 
     def small_font(self) -> QFont:
-        """The font of the ticks."""
+        """Return the font of the axes."""
         font = QFont(self.font())
         if font.pointSizeF() > 0:
             font.setPointSizeF(font.pointSizeF() * 0.9)
         return font
 
     def _show_fonts(self) -> None:
-        for side in ("left", "bottom", "right"):
-            self.plot.getAxis(side).setStyle(
+        for axis in self._axes.values():
+            axis.setStyle(
                 tickFont=self.small_font(),
                 tickLength=0,
                 tickTextOffset=6,
-                hideOverlappingLabels=False,
+                hideOverlappingLabels=_LABEL_MARGIN,
             )
-
-    @Slot()
-    def _on_resized(self) -> None:
-        self.arranged.emit()
 
     @Slot()
     def _on_theme_changed(self) -> None:
         color = theme().color
-        self.plot.setBackground(None)
-        self.box.setBackgroundColor(color("plot_background"))
-        self.box.setBorder(QPen(color("plot_frame"), 1))
+        self._plot.setBackground(None)
+        self._box.setBackgroundColor(color("plot_background"))
+        self._box.setBorder(QPen(color("plot_frame"), 1))
+        selection = color("highlight")
+        self._box.rbScaleBox.setPen(QPen(selection, 0))
+        selection.setAlphaF(0.2)
+        self._box.rbScaleBox.setBrush(selection)
         grid = QPen(color("grid"), 1)
         grid.setCosmetic(True)
         self._grid.setPen(grid)
-        for side in ("left", "bottom", "right"):
-            axis = self.plot.getAxis(side)
-            axis.setPen(QPen(Qt.PenStyle.NoPen))  # the frame is the box's border
+        for axis in self._axes.values():
+            axis.setPen(QPen(Qt.PenStyle.NoPen))  # the frame is the border of the box
             axis.setTickPen(QPen(color("plot_frame"), 1))
             axis.setTextPen(QPen(color("plot_text"), 1))
-        for curve in self._curves:
-            curve.renew()
+        for shape in self._shapes:
+            shape.recolor()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange and hasattr(self, "_grid"):
             self._show_fonts()
-
-
-def signed(value: float) -> str:
-    """A number as it stands at an axis."""
-    return f"{value:g}".replace("-", MINUS)

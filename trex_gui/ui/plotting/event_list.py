@@ -1,4 +1,4 @@
-"""The events of a source of traces, newest at the bottom; choosing one shows its place."""
+"""The events of a plot's source, newest at the bottom; choosing one shows it in the plot."""
 
 from collections.abc import Sequence
 
@@ -12,22 +12,22 @@ from PySide6.QtCore import (
     Signal,
     Slot,
 )
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPixmap
+from PySide6.QtGui import QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QListView, QWidget
 
 from trex_gui.ui.devices.event_log import Event
-from trex_gui.ui.plotting.marks import COLOURS
+from trex_gui.ui.plotting.marks import EVENT_COLORS
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.theme.theme import theme
 
-MOST_LISTED = 1000
-"""Events listed at most; the newest."""
+MAX_LISTED = 1000
+"""Events listed: the newest."""
 
 Index = QModelIndex | QPersistentModelIndex
 
 
 class EventModel(QAbstractListModel):
-    """What happened, a line each: when, counted from the beginning, and what."""
+    """A line for each event: its time since the origin, and its text."""
 
     def __init__(self, plot: TracePlot, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -37,11 +37,10 @@ class EventModel(QAbstractListModel):
 
     def refresh(self) -> None:
         """Take the events that there are now."""
-        source = self._plot.source
         events: Sequence[Event] = ()
-        if source is not None:
-            events = source.events_between(float("-inf"), float("inf"))[-MOST_LISTED:]
-        if events != self._events or self._origin != self._plot.origin:
+        if self._plot.source is not None:
+            events = self._plot.source.events_between(float("-inf"), float("inf"))[-MAX_LISTED:]
+        if tuple(events) != self._events or self._origin != self._plot.origin:
             self.beginResetModel()
             self._events = tuple(events)
             self._origin = self._plot.origin
@@ -52,7 +51,7 @@ class EventModel(QAbstractListModel):
         return self._events[index.row()]
 
     def row_of(self, event: Event) -> int:
-        """Return where an event stands; -1 when it does not."""
+        """Return the row of an event; -1 when it is not listed."""
         return self._events.index(event) if event in self._events else -1
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as Qt has it
@@ -68,18 +67,14 @@ class EventModel(QAbstractListModel):
             case Qt.ItemDataRole.ToolTipRole:
                 return event.text
             case Qt.ItemDataRole.DecorationRole:
-                return _dot(theme().color(COLOURS[event.kind]))
+                dot = QPixmap(8, 8)
+                dot.fill(theme().color(EVENT_COLORS[event.kind]))
+                return dot
         return None
 
 
-def _dot(color: QColor) -> QPixmap:
-    picture = QPixmap(8, 8)
-    picture.fill(color)
-    return picture
-
-
 class EventList(QListView):
-    """The list beside the figures.
+    """The list of events.
 
     Signals:
         chosen: the `Event` to show.
@@ -108,7 +103,7 @@ class EventList(QListView):
 
     @property
     def empty_text(self) -> str:
-        """What is said in place of events; empty when there are some."""
+        """What is shown instead of events; empty when there are some."""
         if self._events.rowCount():
             return ""
         return self.tr("No events yet. Stops, Apply, faults and limits will be listed here.")
@@ -126,12 +121,12 @@ class EventList(QListView):
 
     @Slot()
     def _describe(self) -> None:
-        """Say what is seen to who does not see it."""
+        """Set the description that a screen reader reads."""
         shown = self.tr("Choosing one shows its place in the plot.")
         self.setAccessibleDescription(self.empty_text or shown)
 
     def choose(self, event: Event) -> None:
-        """Select an event, as if a person had."""
+        """Select an event, as the user does."""
         row = self._events.row_of(event)
         if row >= 0:
             self.setCurrentIndex(self._events.index(row, 0))

@@ -1,97 +1,109 @@
-"""Curves to files: a table of what is shown or of everything, a picture of what is shown."""
+"""The button that exports a plot: as a table of what is shown or of everything, as a picture.
+
+Importing it loads pyqtgraph: do so when a plot is to be shown.
+"""
 
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, Slot
-from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
+from PySide6.QtCore import QCoreApplication, QPoint, QRectF, QSettings, QSize, Qt, Slot
+from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter, QPalette, QPen, QRegion
+from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton, QWidget
 
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.plotting.data.table_saver import TableSaver
-from trex_gui.ui.plotting.picture import Picture
+from trex_gui.ui.plotting.csv_table import TableSaver
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
+from trex_gui.ui.plotting.marks import charge_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
-from trex_gui.ui.theme.theme import read_colours, theme
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import file_questions
+from trex_gui.ui.widgets.builders import action
 
 _LIGHT = "export/light_background"
 
+SIZE = QSize(1200, 700)
+_SCALE = 2
+"""Pixels of a PNG for each unit of `SIZE`: sharp on paper and on fine screens."""
 
-class TraceExport(QObject):
-    """Asks for a file and writes what a plot has.
+_LEFT = 70
+_FONT_PIXELS = 15
+_LINE_WIDTH = 1.3
 
-    Attributes:
-        menu: the choices.
-    """
+
+class ExportButton(QToolButton):
+    """Opens a menu of the formats, asks for a file and writes what a plot shows."""
 
     def __init__(
         self,
         plot: TracePlot,
         notifier: Notifier,
-        window: QWidget,
+        parent: QWidget,
         *,
         name: str = "currents",
         tables: bool = True,
     ) -> None:
-        """Export what `plot` has; files are proposed as `name`, tables only with `tables`."""
-        super().__init__(window)
+        """Propose files called `name`; without `tables`, offer pictures only."""
+        super().__init__(parent)
+        self.setObjectName("exportButton" if tables else "pictureButton")
+        self.setText(self.tr("E&xport") if tables else self.tr("&Picture"))
+        self.setAccessibleName(self.text().replace("&", ""))
+        self.setToolTip("" if tables else self.tr("Save what the plot shows as PNG or SVG"))
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setMenu(QMenu(parent))
+        set_icon(self, "save")
         self._name = name
         self._plot = plot
         self._notifier = notifier
-        self._window = window
         self._store = QSettings(self)
         self._tables = TableSaver(self)
         self._tables.saved.connect(self._on_saved)
         self._tables.failed.connect(self._notifier.error)
-        self.menu = QMenu(window)
-        as_tables = (
-            ("exportShownAction", self.tr("&Visible range as CSV…"), self._ask_shown),
-            ("exportAllAction", self.tr("&Everything as CSV…"), self._ask_all),
+        if tables:
+            self._add("exportShownAction", self.tr("&Visible range as CSV…"), "csv", False)
+            self._add("exportAllAction", self.tr("&Everything as CSV…"), "csv", True)
+        self._add("exportPngAction", self.tr("Picture as &PNG…"), "png")
+        self._add("exportSvgAction", self.tr("Picture as &SVG…"), "svg")
+        self.menu().addSeparator()
+        self._light = action(
+            self,
+            "exportLightAction",
+            self.tr("Pictures on a &light background"),
+            checkable=True,
         )
-        as_pictures = (
-            ("exportPngAction", self.tr("Picture as &PNG…"), partial(self._ask_picture, "png")),
-            ("exportSvgAction", self.tr("Picture as &SVG…"), partial(self._ask_picture, "svg")),
-        )
-        for key, text, slot in (*(as_tables if tables else ()), *as_pictures):
-            action = self.menu.addAction(text)
-            action.setObjectName(key)
-            action.triggered.connect(lambda _checked=False, slot=slot: slot())
-        self.menu.addSeparator()
-        self._light = self.menu.addAction(self.tr("Pictures on a &light background"))
-        self._light.setObjectName("exportLightAction")
-        self._light.setCheckable(True)
         self._light.setChecked(self._store.value(_LIGHT, "true") == "true")
         self._light.toggled.connect(self._on_light_toggled)
+        self.menu().addAction(self._light)
+
+    def _add(self, name: str, text: str, kind: str, whole: bool = False) -> None:
+        self.menu().addAction(action(self, name, text, on_trigger=partial(self._ask, kind, whole)))
 
     @Slot(bool)
     def _on_light_toggled(self, light: bool) -> None:
         self._store.setValue(_LIGHT, "true" if light else "false")
 
-    def _ask(self, name: str, kinds: str) -> Path | None:
-        suggested = file_questions.last_folder(self._store) / name
+    def _ask(self, kind: str, whole: bool, _checked: bool = False) -> None:
+        kinds = self.tr("Tables (*.csv)") if kind == "csv" else self.tr("Pictures (*.{0})")
+        folder = file_questions.last_folder(self._store)
         chosen, _ = QFileDialog.getSaveFileName(
-            self._window, self.tr("Export"), str(suggested), kinds
+            self.window(),
+            self.tr("Export"),
+            str(folder / f"{self._name}.{kind}"),
+            kinds.format(kind),
         )
         if not chosen:
-            return None
+            return
         path = Path(chosen)
-        path = path if path.suffix else path.with_suffix(Path(name).suffix)
+        path = path if path.suffix else path.with_suffix(f".{kind}")
         file_questions.remember_folder(self._store, path)
-        return path
-
-    def _ask_shown(self) -> None:
-        path = self._ask(f"{self._name}.csv", self.tr("Tables (*.csv)"))
-        if path is not None:
-            self.save_table(path, self._plot.span.start, self._plot.span.end)
-
-    def _ask_all(self) -> None:
-        path = self._ask(f"{self._name}.csv", self.tr("Tables (*.csv)"))
-        if path is not None:
-            self.save_table(path, float("-inf"), float("inf"))
-
-    def _ask_picture(self, kind: str) -> None:
-        path = self._ask(f"{self._name}.{kind}", self.tr("Pictures (*.{0})").format(kind))
-        if path is not None:
+        if kind != "csv":
             self.save_picture(path)
+        elif whole:
+            self.save_table(path, float("-inf"), float("inf"))
+        else:
+            self.save_table(path, self._plot.span.start, self._plot.span.end)
 
     def save_table(self, path: Path, start: float, end: float) -> None:
         """Write every curve from `start` to `end`."""
@@ -99,9 +111,7 @@ class TraceExport(QObject):
         if source is None or source.span is None:
             self._notifier.error.emit(self.tr("There is nothing to export yet."))
             return
-        origin = self._plot.origin
-        if origin is None:  # nothing was drawn yet
-            origin = source.span[0]
+        origin = self._plot.origin if self._plot.origin is not None else source.span[0]
         self._tables.save(path, source, (start, end), origin)
 
     @Slot(int, object)
@@ -115,16 +125,90 @@ class TraceExport(QObject):
         source = self._plot.source
         if source is None or source.span is None:
             self._notifier.error.emit(self.tr("There is nothing to export yet."))
-            return
-        scheme = "light" if self._light.isChecked() else theme().scheme
-        span = self._plot.span.start, self._plot.span.end
-        origin = self._plot.origin or 0.0
-        picture = Picture(source, span, self._plot.shown, read_colours(scheme), origin)
-        if picture.write(path):
+        elif write_picture(
+            self._plot, path, "light" if self._light.isChecked() else theme().scheme
+        ):
             self._notifier.info.emit(self.tr("The picture was written to {0}.").format(path))
         else:
             self._notifier.error.emit(self.tr("{0} could not be written.").format(path))
 
     def finish(self) -> None:
-        """Give up a table that is being written; a disk that hangs is not waited for."""
+        """Cancel a table that is being written, without waiting for a disk that hangs."""
         self._tables.finish()
+
+
+def write_picture(plot: TracePlot, path: Path, scheme: str) -> bool:
+    """Write what a plot shows as SVG or PNG, as the name ends; return whether that succeeded."""
+    with theme().painted_as(scheme):
+        if path.suffix.lower() != ".svg":
+            image = QImage(SIZE * _SCALE, QImage.Format.Format_RGB32)
+            image.setDevicePixelRatio(_SCALE)
+            with QPainter(image) as painter:
+                _paint(painter, plot, _LINE_WIDTH * _SCALE)
+            return image.save(str(path))
+        generator = QSvgGenerator()
+        generator.setFileName(str(path))
+        generator.setSize(SIZE)
+        generator.setViewBox(QRectF(0, 0, SIZE.width(), SIZE.height()))
+        generator.setTitle(
+            QCoreApplication.translate("Picture", "Curves, time in minutes and seconds")
+        )
+        painter = QPainter()
+        if not painter.begin(generator):
+            return False
+        _paint(painter, plot, _LINE_WIDTH)
+        return painter.end()
+
+
+def _paint(painter: QPainter, plot: TracePlot, line_width: float) -> None:
+    source = plot.source
+    if source is None:
+        return
+    font = QFont(painter.font())
+    font.setPixelSize(_FONT_PIXELS)
+    painter.setFont(font)
+    painter.fillRect(QRectF(0, 0, SIZE.width(), SIZE.height()), theme().color("base"))
+    traces = [trace for trace in source.traces if trace.name in plot.shown]
+    line = QFontMetricsF(font).height()
+    top = SIZE.height() - (len(traces) + 0.5) * line
+    copy = TracePlot(line_width=line_width)
+    copy.setFont(font)
+    palette = copy.palette()
+    palette.setColor(QPalette.ColorRole.Window, theme().color("base"))
+    copy.setPalette(palette)
+    copy.resize(SIZE.width() - 20, int(top - 0.5 * line))
+    copy.set_source(source)
+    copy.shown = set(plot.shown)
+    copy.origin = plot.origin
+    copy.peaks_since = plot.peaks_since
+    copy.grab()  # lays it out
+    copy.show_span(plot.span.start, plot.span.end)
+    copy.render(painter, QPoint(10, 0), QRegion(), QWidget.RenderFlag.DrawChildren)
+    copy.deleteLater()
+    for row, trace in enumerate(traces):
+        y = top + row * line
+        style = Qt.PenStyle.SolidLine if trace.unit == source.left_unit else Qt.PenStyle.DotLine
+        painter.setPen(QPen(theme().color(trace.color), 2, style))
+        painter.drawLine(_LEFT, int(y + line / 2), _LEFT + 30, int(y + line / 2))
+        painter.setPen(theme().color("text"))
+        place = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(QRectF(_LEFT + 40, y, 180, line), place, trace.label)
+        figures = _figures(source, trace, plot.span.start, plot.span.end)
+        painter.drawText(QRectF(_LEFT + 220, y, 900, line), place, figures)
+
+
+def _figures(source: Traces, trace: TraceInfo, start: float, end: float) -> str:
+    found, unit, tr = source.statistics(trace.name, start, end), trace.unit, QCoreApplication
+    if not found.seconds:
+        return ""
+    parts = [
+        tr.translate("Picture", "low {0}").format(value_text(found.low, unit)),
+        tr.translate("Picture", "peak {0}").format(value_text(found.high, unit)),
+        tr.translate("Picture", "mean {0}").format(value_text(found.mean, unit)),
+        tr.translate("Picture", "RMS {0}").format(value_text(found.rms, unit)),
+    ]
+    if unit == "A":
+        parts.append(tr.translate("Picture", "charge {0}").format(charge_text(found)))
+        if (limit := source.limits.get(trace.name)) is not None:
+            parts.append(tr.translate("Picture", "limit {0}").format(value_text(limit, unit)))
+    return ", ".join(parts)

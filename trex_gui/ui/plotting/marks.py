@@ -1,16 +1,20 @@
-"""Events in a plot: a line through it, and a word above the line."""
+"""What surrounds a plot: events above it, tags of the curves beside it, values at the cursor."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Collection, Sequence
 
-from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QHelpEvent, QMouseEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtCore import QCoreApplication, QEvent, QRectF, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPalette
+from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 
 from trex_gui.ui.devices.event_log import Event, EventKind
-from trex_gui.ui.plotting.axis_ticks import spread
+from trex_gui.ui.plotting.axes import clock_text, spread
+from trex_gui.ui.plotting.data.history import Statistics
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.bar import MINUS, NO_VALUE
 
-COLOURS: dict[EventKind, str] = {
+EVENT_COLORS: dict[EventKind, str] = {
     EventKind.APPLY: "dirty",
     EventKind.STOP: "danger",
     EventKind.FAULT: "danger",
@@ -19,46 +23,47 @@ COLOURS: dict[EventKind, str] = {
     EventKind.LINK: "info",
     EventKind.NOTE: "muted",
 }
-"""The theme's colours of the kinds; a word stands beside each, so colour tells nothing alone."""
+"""Names of the theme; a word is beside each, so that no state is shown by colour alone."""
 
-MOST_MARKS = 200
-"""Events marked in one picture; more would be a wall, and the list has them all."""
+MAX_MARKS = 200
+"""Events marked in one plot: the newest."""
 
 _NEAR = 6
-"""Pixels from a line at which its tool tip still shows."""
-
+"""Pixels from an event in which the mouse still finds it."""
 
 _FAR = 60
-"""Pixels that a word may stand beside its line to make room for others."""
+"""Pixels that a word may be moved from its line to make room for others."""
+
+_BESIDE = 8
+"""Pixels between the cursor and its values."""
 
 
-def word_of(kind: EventKind) -> str:
-    """Return what stands above the line of an event of this kind."""
-    tr = QCoreApplication.translate
-    return {
-        EventKind.APPLY: tr("marks", "Apply"),
-        EventKind.STOP: tr("marks", "Stop"),
-        EventKind.FAULT: tr("marks", "Fault"),
-        EventKind.OVER_LIMIT: tr("marks", "Limit"),
-        EventKind.TIMEOUT: tr("marks", "Timeout"),
-        EventKind.LINK: tr("marks", "Line"),
-        EventKind.NOTE: tr("marks", "Note"),
-    }[kind]
+def value_text(value: float, unit: str) -> str:
+    """Return a value with two decimals and its unit; plain counts whole, with a sign."""
+    if not math.isfinite(value):
+        return NO_VALUE
+    text = f"{value:.2f} {unit}" if unit else f"{value:+.0f}" if round(value) else "0"
+    return text.replace("-", MINUS)
 
 
-def places(centres: Sequence[float], widths: Sequence[float], room: float) -> list[float]:
-    """Return where words begin that stand at rising places; only the last ones that fit."""
-    for first in range(len(centres)):
-        moved = spread(centres[first:], widths[first:], 0, room, 4)
-        if moved is not None and all(
-            abs(new - old) <= _FAR for new, old in zip(moved, centres[first:], strict=True)
-        ):
-            return [new - wide / 2 for new, wide in zip(moved, widths[first:], strict=True)]
-    return []
+def mean_text(value: float, unit: str) -> str:
+    """Return a value that is known better than a single sample."""
+    if not math.isfinite(value):
+        return NO_VALUE
+    return (f"{value:.3f} {unit}" if unit else f"{value:.1f}").replace("-", MINUS)
 
 
-class MarkStrip(QWidget):
-    """The strip above the plot with the words; point at one to read the whole event.
+def charge_text(found: Statistics) -> str:
+    """Return a current's charge in Ah, below 1 Ah in mAh."""
+    if not found.seconds:
+        return NO_VALUE
+    charge = found.per_hour
+    text = f"{charge:.3f} Ah" if abs(charge) >= 1 else f"{charge * 1000:.2f} mAh"
+    return text.replace("-", MINUS)
+
+
+class EventMarks(QWidget):
+    """The strip above the plot with a word for each event; its tool tip is the whole event.
 
     Signals:
         chosen: an `Event` was clicked.
@@ -68,54 +73,49 @@ class MarkStrip(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._marks: list[tuple[float, Event]] = []
-        self._words = {kind: word_of(kind) for kind in EventKind}
+        tr = QCoreApplication.translate
+        self._words = {
+            EventKind.APPLY: tr("marks", "Apply"),
+            EventKind.STOP: tr("marks", "Stop"),
+            EventKind.FAULT: tr("marks", "Fault"),
+            EventKind.OVER_LIMIT: tr("marks", "Limit"),
+            EventKind.TIMEOUT: tr("marks", "Timeout"),
+            EventKind.LINK: tr("marks", "Line"),
+            EventKind.NOTE: tr("marks", "Note"),
+        }
+        self.marks: list[tuple[float, Event]] = []
         self.setObjectName("eventMarks")
         self.setAccessibleName(self.tr("Events in the plot"))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         theme().changed.connect(self.update)
 
-    def set_marks(self, marks: Sequence[tuple[float, Event]]) -> None:
+    def set_marks(self, marks: list[tuple[float, Event]]) -> None:
         """Mark these events at these pixels from the left, which rise."""
-        if list(marks) != self._marks:
-            self._marks = list(marks)
+        if marks != self.marks:
+            self.marks = marks
             self.update()
-
-    @property
-    def marks(self) -> Sequence[tuple[float, Event]]:
-        """What is marked, and where."""
-        return self._marks
 
     def sizeHint(self) -> QSize:
         return QSize(100, self.fontMetrics().height() + 2)
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - it is small
         metrics = self.fontMetrics()
+        words = [self._words[event.kind] for _, event in self.marks]
+        widths = [metrics.horizontalAdvance(word) + 4.0 for word in words]
+        lefts = _left_ends([x for x, _ in self.marks], widths, self.width())
+        hidden = len(words) - len(lefts)
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            for x, left, word, kind in self._places():
-                painter.setPen(theme().color(COLOURS[kind]))
-                box = QRectF(left, 0, metrics.horizontalAdvance(word) + 4, metrics.height())
-                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
+            for row, left in enumerate(lefts, hidden):
+                x, marked = self.marks[row]
+                painter.setPen(theme().color(EVENT_COLORS[marked.kind]))
+                box = QRectF(left, 0, widths[row], metrics.height())
+                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words[row])
                 painter.drawLine(int(x), self.height() - 2, int(x), self.height())
 
     def _near(self, x: float) -> list[Event]:
-        words = [(abs(at - x), one) for at, one in self._marks]
         reach = max(_NEAR, self.fontMetrics().averageCharWidth() * 2)
-        return [one for distance, one in words if distance <= reach]
-
-    def _places(self) -> list[tuple[float, float, str, EventKind]]:
-        """Return each mark's pixel, where its word begins, and the word; the newest that fit."""
-        marks = [(x, self._words[one.kind]) for x, one in self._marks]
-        widths = [self.fontMetrics().horizontalAdvance(word) + 4.0 for _, word in marks]
-        lefts = places([x for x, _ in marks], widths, self.width())
-        hidden = len(marks) - len(lefts)
-        return [
-            (x, left, word, one.kind)
-            for (x, word), (_, one), left in zip(
-                marks[hidden:], self._marks[hidden:], lefts, strict=True
-            )
-        ]
+        return [event for at, event in self.marks if abs(at - x) <= reach]
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
@@ -128,3 +128,120 @@ class MarkStrip(QWidget):
         near = self._near(event.position().x())
         if near:
             self.chosen.emit(near[-1])
+
+
+def _left_ends(centres: Sequence[float], widths: Sequence[float], room: float) -> list[float]:
+    """Return where the words at these places begin; of the last ones, as many as fit."""
+    for first in range(len(centres)):
+        moved = spread(centres[first:], widths[first:], 0, room, 4)
+        if moved is not None and all(
+            abs(new - old) <= _FAR for new, old in zip(moved, centres[first:], strict=True)
+        ):
+            return [new - wide / 2 for new, wide in zip(moved, widths[first:], strict=True)]
+    return []
+
+
+class CurveTags(QWidget):
+    """The strip right of the plot with the tag of each curve at its newest value."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._traces: dict[str, TraceInfo] = {}
+        self._heights: dict[str, float] = {}
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        theme().changed.connect(self.update)
+
+    def set_traces(self, traces: Sequence[TraceInfo]) -> None:
+        """Take the curves."""
+        self._traces = {trace.name: trace for trace in traces if trace.tag}
+
+    def set_heights(self, heights: dict[str, float]) -> None:
+        """Point at these heights, in pixels from the top."""
+        if heights != self._heights:
+            self._heights = heights
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        metrics = self.fontMetrics()
+        widths = [metrics.horizontalAdvance(trace.tag) for trace in self._traces.values()]
+        return QSize(max(widths) + metrics.averageCharWidth() + 4 if widths else 0, 0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - it is small
+        ends = sorted((y, name) for name, y in self._heights.items() if name in self._traces)
+        height = self.fontMetrics().height() + 1.0
+        centres = spread([y for y, _ in ends], [height] * len(ends), 0, self.height(), 2)
+        if centres is None:
+            return
+        color = theme().color
+        with QPainter(self) as painter:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            for (_, name), centre in zip(ends, centres, strict=True):
+                box = QRectF(1, centre - height / 2, self.width() - 2, height)
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(color(self._traces[name].color))
+                painter.drawRoundedRect(box, 3, 3)
+                painter.setPen(color("plot_background"))
+                painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._traces[name].tag)
+
+
+class OverlayLabel(QLabel):
+    """A text over a plot that lets the mouse through."""
+
+    def __init__(self, name: str, parent: QWidget, text: str, background: str = "") -> None:
+        """With the theme's colours `<background>_base` and `<background>_text`, if it is given."""
+        super().__init__(text, parent)
+        self._background = background
+        self.setObjectName(name)
+        self.setAutoFillBackground(bool(background))
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        theme().changed.connect(self._on_theme_changed)
+        self._on_theme_changed()
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        palette, name = QPalette(), self._background
+        if name:
+            palette.setColor(QPalette.ColorRole.Window, theme().color(f"{name}_base"))
+        text = theme().color(f"{name}_text" if name else "muted")
+        palette.setColor(QPalette.ColorRole.WindowText, text)
+        self.setPalette(palette)
+
+
+class Readout(OverlayLabel):
+    """The box beside the cursor: the time and the values there."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__("cursorReadout", parent, "", "tool_tip")
+        self.setMargin(3)
+        self.hide()
+
+    def show_values(
+        self,
+        source: Traces,
+        time: float,
+        mark: float | None,
+        origin: float,
+        shown: Collection[str],
+    ) -> None:
+        """Show the values of a source at a time, which is counted from `origin`."""
+        lines = [clock_text(time - origin)]
+        if mark is not None:
+            since = f"{time - mark:+.3f} s".replace("-", MINUS)
+            lines[0] += self.tr(" ({0} from the mark)").format(since)
+        for trace in source.traces:
+            value = source.value_at(trace.name, time)
+            if trace.name in shown and math.isfinite(value):
+                lines.append(f"{trace.label}: {value_text(value, trace.unit)}")
+        text = "\n".join(lines)
+        if text != self.text():
+            self.setText(text)
+            self.adjustSize()
+
+    def show_beside(self, x: float, frame: QRectF) -> None:
+        """Lie right of a pixel, or left of it where there is no room, within the frame."""
+        left = x + _BESIDE
+        if left + self.width() > frame.right():
+            left = x - _BESIDE - self.width()
+        self.move(int(max(left, frame.left())), int(frame.top()) + 4)
+        self.show()

@@ -1,46 +1,69 @@
 """A plot of a source of traces: it follows the newest sample or shows a part of the past.
 
-Importing it loads the plotting library, which takes as long as all of Qt: do so when a plot is
-to be shown, not at the start.
+Importing it loads pyqtgraph: do so when a plot is to be shown.
 """
 
 import math
+from collections.abc import Sequence
+from typing import TypeVar
 
+import numpy as np
 from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
-from PySide6.QtGui import QFontMetrics, QKeyEvent, QPalette
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtGui import QFontMetrics, QKeyEvent
+from PySide6.QtWidgets import QWidget
 
-from trex_gui.ui.plotting.axes import clock_text
-from trex_gui.ui.plotting.canvas import PlotCanvas
-from trex_gui.ui.plotting.data.traces import Traces
-from trex_gui.ui.plotting.layers import Layers
-from trex_gui.ui.plotting.legend_tags import CurveStyle, Tags
-from trex_gui.ui.plotting.marks import MOST_MARKS, MarkStrip
-from trex_gui.ui.plotting.number_format import keys_text
-from trex_gui.ui.plotting.pointer import Pointer
-from trex_gui.ui.plotting.readout import Readout
-from trex_gui.ui.plotting.span import Span
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.plotting.axes import Span, ValueAxis, ago_labels, clock_text, since_labels
+from trex_gui.ui.plotting.canvas import Curve, Line, PlotCanvas
+from trex_gui.ui.plotting.data.history import Points
+from trex_gui.ui.plotting.data.pyramid import Floats
+from trex_gui.ui.plotting.data.traces import TraceInfo, Traces
+from trex_gui.ui.plotting.marks import (
+    EVENT_COLORS,
+    MAX_MARKS,
+    CurveTags,
+    EventMarks,
+    OverlayLabel,
+    Readout,
+)
 from trex_gui.ui.widgets.bar import MINUS
+from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.focus_frame import FocusFramed
+
+BINS = 500
+"""Parts of the width that get two points each."""
 
 _PAN = 0.25
 _ZOOM = 0.7
 _FINE, _COARSE = 0.002, 0.05
+_NEAR_MARK = 6  # pixels
+
+FloatsT = TypeVar("FloatsT", float, Floats)
 
 
 class TracePlot(FocusFramed):
-    """Curves on up to two axes, limits, events and two cursors.
+    """Curves on up to two axes, limits, events, a cursor and a mark.
 
-    Curves of the source's first unit are on the left axis, all others on the right one. The
-    mouse: wheel zooms, a drag chooses a span, Shift and drag moves, a click sets the mark that
-    differences count from. The keys: arrows move the cursor, with Ctrl the picture; + and -
-    zoom, M sets or takes away the mark, L goes back to live.
+    Curves of the source's first unit are on the left axis, all others on the right one. They
+    are drawn in values of the left axis: a second view box would cost as much as a second
+    plot. x is seconds from the right edge, so that nothing but the curves moves while live.
+
+    The mouse: wheel zooms, a drag selects a span, Shift and drag pans, a click sets the mark
+    that differences count from. The keys: arrows move the cursor, with Ctrl the plot; + and -
+    zoom, M sets or removes the mark, L goes back to live.
 
     Signals:
         view_changed: another span is shown, or it is live again or no longer.
         cursor_changed: `cursor_time` or `mark_time`.
         event_chosen: an `Event` was clicked.
+
+    Attributes:
+        source: the curves; see `set_source`.
+        shown: the names of the curves that are drawn; see `set_shown`.
+        origin: the time of the first sample, which times are counted from.
+        peaks_since: the time from which peaks are held; `None` while they are not.
+        cursor_time, mark_time: `None` while there is none.
+        points_drawn: the points of all curves in the last frame.
     """
 
     view_changed = Signal()
@@ -48,116 +71,106 @@ class TracePlot(FocusFramed):
     event_chosen = Signal(object)
 
     def __init__(
-        self, window: float = 30.0, parent: QWidget | None = None, *, name: str = ""
+        self,
+        window: float = 30.0,
+        parent: QWidget | None = None,
+        *,
+        name: str = "",
+        line_width: float = 1,
     ) -> None:
-        """Show so many seconds; a screen reader says `name`, where it is no plot of currents."""
+        """Show that many seconds; a screen reader reads `name`."""
         super().__init__(parent)
+        self._line_width = line_width
         self.span = Span(window)
+        self.source: Traces | None = None
+        self.shown: set[str] = set()
         self.origin: float | None = None
         self.peaks_since: float | None = None
-        self._source: Traces | None = None
-        self._shown: set[str] = set()
-        self._cursor: float | None = None
-        self._hovered: float | None = None  # pixels: under a mouse that rests the time moves on
-        self._mark: float | None = None
+        self.cursor_time: float | None = None
+        self.mark_time: float | None = None
+        self.points_drawn = 0
+        self._left, self._right = ValueAxis(""), ValueAxis("")
+        self._curves: dict[str, Curve] = {}
+        self._limits: dict[str, Line] = {}
+        self._peaks: dict[str, Line] = {}
+        self._hovered: float | None = None  # pixels: under a mouse at rest the time moves on
         self.setObjectName("tracePlot")
         self.setAccessibleName(name or self.tr("Plot of currents and speeds against time"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
-        self._strip = MarkStrip(self)
-        self._canvas = PlotCanvas(self.accessibleName(), self)
+        self._marks = EventMarks(self)
+        self._canvas = PlotCanvas(self.accessibleName(), self, is_navigable=True)
         self._canvas.setMinimumSize(160, 90)
-        self._layers = Layers(self._canvas)
-        self._tags: Tags | None = None
-        self._empty = QLabel(self.tr("No data yet"), self._canvas)
-        self._empty.setObjectName("emptyLabel")
+        self._canvas.viewport.setFocusProxy(self)
+        self._events = {
+            kind: self._canvas.add_curve(color, 1, Qt.PenStyle.DotLine)
+            for kind, color in EVENT_COLORS.items()
+        }
+        self._cursor_line = self._canvas.add_line("pointer", vertical=True)
+        self._mark_line = self._canvas.add_line("pointer", Qt.PenStyle.DashDotLine, vertical=True)
+        self._tags = CurveTags(self._canvas)
+        self._empty = OverlayLabel("emptyLabel", self._canvas, self.tr("No data yet"))
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
-        self._empty.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._readout = Readout(self._canvas)
-        pointer = Pointer(self._canvas.viewport)
+        column(self._marks, (self._canvas, 1), into=self, margins=1, spacing=0)  # for the focus
 
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(1, 1, 1, 1)  # for the frame of the focus
-        layout.setSpacing(0)
-        layout.addWidget(self._strip)
-        layout.addWidget(self._canvas, 1)
-
-        pointer.hovered.connect(self._on_hovered)
-        pointer.left.connect(self._on_left)
-        pointer.clicked.connect(self._on_clicked)
-        pointer.chosen.connect(self._on_chosen)
-        pointer.zoomed.connect(self._on_zoomed)
-        pointer.panned.connect(self._on_panned)
-        self._strip.chosen.connect(self.event_chosen)
+        self._canvas.hovered.connect(self._on_hovered)
+        self._canvas.unhovered.connect(self._on_unhovered)
+        self._canvas.clicked.connect(self._on_clicked)
+        self._canvas.selected.connect(self._on_selected)
+        self._canvas.zoomed.connect(self._on_zoomed)
+        self._canvas.panned.connect(self._on_panned)
         self._canvas.arranged.connect(self._on_arranged)
-        theme().changed.connect(self._on_theme_changed)
-        self._canvas.viewport.setFocusProxy(self)
-        self._on_theme_changed()
+        self._marks.chosen.connect(self.event_chosen)
 
     # --- What is shown ------------------------------------------------------------------
 
-    @property
-    def source(self) -> Traces | None:
-        """Where the curves come from."""
-        return self._source
-
     def set_source(self, source: Traces) -> None:
-        """Show these curves from now on; those that are there at the beginning, once."""
-        self._source = source
+        """Show these curves from now on; those with `shown`, at first."""
+        for shape in (*self._curves.values(), *self._limits.values(), *self._peaks.values()):
+            shape.set_visible(False)
+        self.source = source
         self.origin = None
-        self._layers.set_source(source)
-        self._shown = {trace.name for trace in source.traces if trace.shown}
-        if self._tags is not None:
-            self._tags.deleteLater()
-        styles = [CurveStyle(t.name, t.label, t.color, t.tag) for t in source.traces]
-        self._tags = Tags(styles, self._canvas)
-        self._tags.show()
+        self.shown = {trace.name for trace in source.traces if trace.shown}
+        self._left, self._right = ValueAxis(source.left_unit), ValueAxis(source.right_unit)
+        canvas, pens = self._canvas, Qt.PenStyle
+        for trace in source.traces:
+            style = pens.DotLine if self._is_right(trace) else pens.SolidLine
+            self._curves[trace.name] = canvas.add_curve(trace.color, self._line_width, style)
+            self._limits[trace.name] = canvas.add_line(trace.color, pens.DashLine)
+            self._peaks[trace.name] = canvas.add_line(trace.color, pens.DashDotDotLine)
+        self._tags.set_traces(source.traces)
         self._show_margins()
         self.draw()
 
-    @property
-    def shown(self) -> frozenset[str]:
-        """The names of the curves that are drawn."""
-        return frozenset(self._shown)
-
     def set_empty_text(self, text: str) -> None:
-        """Say this while there is nothing to draw: why, and what to do."""
+        """Show this while there is nothing to draw: why, and what to do."""
         if text != self._empty.text():
             self._empty.setText(text)
             self._show_readout()
 
     def set_shown(self, name: str, shown: bool) -> None:
         """Draw a curve, or no longer."""
-        (self._shown.add if shown else self._shown.discard)(name)
+        (self.shown.add if shown else self.shown.discard)(name)
         self.draw()
 
-    @property
-    def cursor_time(self) -> float | None:
-        """The time under the cursor; `None` while there is none."""
-        return self._cursor
-
-    @property
-    def mark_time(self) -> float | None:
-        """The time that differences count from; `None` while there is none."""
-        return self._mark
-
     def set_cursor(self, time: float | None) -> None:
-        """Put the cursor there, or take it away."""
+        """Put the cursor there, or remove it."""
         if time is None:
             self._hovered = None
-        self._cursor = time
+        self.cursor_time = time
         self._show_cursors()
         self.cursor_changed.emit()
 
     def set_mark(self, time: float | None) -> None:
         """Count differences from there, or from nowhere."""
-        self._mark = time
+        self.mark_time = time
         self._show_cursors()
         self.cursor_changed.emit()
 
     def set_window(self, seconds: float) -> None:
-        """Show so many seconds."""
+        """Show that many seconds."""
         self.span.set_length(seconds)
         self._on_view_changed()
 
@@ -173,7 +186,7 @@ class TracePlot(FocusFramed):
 
     def go_live(self) -> None:
         """Follow the newest sample."""
-        self.span.go_live()
+        self.span.live = True
         self._on_view_changed()
 
     def _on_view_changed(self) -> None:
@@ -181,89 +194,156 @@ class TracePlot(FocusFramed):
         self.view_changed.emit()
 
     def text_of_time(self, time: float) -> str:
-        """A time as a person reads it, counted from the beginning of the data."""
+        """Return a time as text, counted from the origin."""
         return clock_text(time - (self.origin or 0.0))
 
     # --- Drawing ------------------------------------------------------------------------
 
     def draw(self) -> None:
-        """Draw a frame; it costs the same however much there is."""
-        source = self._source
-        if source is None or self._tags is None:
+        """Draw a frame; its cost does not depend on the number of samples."""
+        source, span = self.source, self.span
+        if source is None:
             return
-        there = source.span
-        if there is None:
+        available = source.span
+        if available is None:
             self.origin = None
         else:
-            self.span.take(*there)
-            # A full history loses its beginning; times still count from where it all began.
-            if self.origin is None or there[0] < self.origin:
-                self.origin = there[0]
-        heights = self._layers.draw(self.span, self.origin or 0.0, self._shown)
-        self._layers.draw_levels(self.span, self._shown, self.peak_of)
-        events = source.events_between(self.span.start, self.span.end)[-MOST_MARKS:]
-        self._strip.set_marks(self._layers.draw_events(self.span, events))
+            span.set_available(*available)
+            # A full history loses its beginning; times still count from the first sample.
+            if self.origin is None or available[0] < self.origin:
+                self.origin = available[0]
+        lines = self._fit_axes(source)
+        heights = self._draw_curves(source, lines)
+        for trace in source.traces:
+            shown = trace.name in self.shown
+            for levels, level in (
+                (self._limits, source.limits.get(trace.name) if shown else None),
+                (self._peaks, self.peak_of(trace.name) if shown else None),
+            ):
+                levels[trace.name].set_value(None if level is None else self._height(trace, level))
+        self._draw_events(source.events_between(span.start, span.end)[-MAX_MARKS:])
+        self._empty.setVisible(not lines)
         self._show_cursors()
         self._tags.set_heights(heights)
-        self._empty.setVisible(self._layers.is_empty)
 
-    @property
-    def points_drawn(self) -> int:
-        """How many points the curves of the last frame have together."""
-        return self._layers.points_drawn
+    def _fit_axes(self, source: Traces) -> dict[str, Points]:
+        """Fit the axes to what is shown; return the points of the curves that have any."""
+        span, lines = self.span, {}
+        extremes: dict[bool, list[tuple[float, float]]] = {False: [], True: []}
+        for trace in source.traces:
+            if trace.name not in self.shown:
+                continue
+            times, values = source.points(trace.name, span.start, span.end, BINS)
+            if np.isfinite(values).any():
+                lines[trace.name] = times - span.end, values
+                ends = float(np.nanmin(values)), float(np.nanmax(values))
+                extremes[self._is_right(trace)].append(ends)
+        self._left.fit(extremes[False])
+        self._right.fit(extremes[True])
+        # First the axis that takes room from the plot.
+        labels = self._right.labels() if extremes[True] else []
+        onto = self._right.onto
+        self._canvas.set_right_axis([(onto(self._left, value), text) for value, text in labels])
+        origin = self.origin or 0.0
+        since = since_labels(span.start - origin, span.end - origin)
+        x_labels = ago_labels(span.length) if span.live else since
+        x = -span.length, 0.0
+        self._canvas.set_axes(x, self._left.reach, x_labels, self._left.labels())
+        return lines
+
+    def _draw_curves(self, source: Traces, lines: dict[str, Points]) -> dict[str, float]:
+        """Draw the curves; return the pixel from the top at which each ends."""
+        heights = {}
+        for trace in source.traces:
+            curve, line = self._curves[trace.name], lines.get(trace.name)
+            curve.set_visible(line is not None)
+            if line is not None:
+                y = self._height(trace, line[1])
+                curve.set_points(line[0], y, gaps=not np.isfinite(y).all())
+                if math.isfinite(y[-1]):
+                    heights[trace.name] = self._canvas.y_of(float(y[-1]))
+        self.points_drawn = sum(len(x) for x, _ in lines.values())
+        return heights
+
+    def _draw_events(self, events: Sequence[Event]) -> None:
+        low, high = self._left.reach
+        end = self.span.end
+        for kind, line in self._events.items():
+            at = np.array([event.time - end for event in events if event.kind is kind])
+            line.set_visible(bool(len(at)))
+            if len(at):
+                y = np.tile([low, high, math.nan], len(at))
+                line.set_points(np.repeat(at, 3), y, gaps=True)
+        self._marks.set_marks([(self._canvas.x_of(event.time - end), event) for event in events])
+
+    def _is_right(self, trace: TraceInfo) -> bool:
+        return trace.unit != self._left.unit
+
+    def _height(self, trace: TraceInfo, value: FloatsT) -> FloatsT:
+        """Return values of a trace in the unit of the left axis."""
+        if not self._is_right(trace):
+            return value
+        at0, at1 = (self._right.onto(self._left, each) for each in (0.0, 1.0))
+        return at0 + value * (at1 - at0)
 
     def peak_of(self, name: str) -> float | None:
-        """Return the greatest value since peaks are held; `None` while they are not."""
-        if self._source is None or self.peaks_since is None:
+        """Return the highest value since peaks are held; `None` while they are not."""
+        if self.source is None or self.peaks_since is None:
             return None
-        high = self._source.statistics(name, self.peaks_since, math.inf).high
+        high = self.source.statistics(name, self.peaks_since, math.inf).high
         return high if math.isfinite(high) else None
 
     def _show_cursors(self) -> None:
         if self._hovered is not None:
-            self._cursor = self._time_at(self._hovered)
-        self._layers.draw_cursors(self.span, self._cursor, self._mark)
+            self.cursor_time = self._time_at(self._hovered)
+        end = self.span.end
+        for line, time in (
+            (self._cursor_line, self.cursor_time),
+            (self._mark_line, self.mark_time),
+        ):
+            line.set_value(None if time is None else time - end)
         self._show_readout()
 
     def _show_readout(self) -> None:
-        time, source = self._cursor, self._source
+        time, source = self.cursor_time, self.source
         if time is None or source is None or not self.span.start <= time <= self.span.end:
             self._readout.hide()
-            empty = self._layers.is_empty
-            self.setAccessibleDescription(self._empty.text() if empty else keys_text())
+            keys = self.tr(
+                "Left and Right move the cursor, with Shift in large steps; its values are read "
+                "out here. M sets a mark, plus and minus zoom, L goes back to live."
+            )
+            empty = self._empty.isVisibleTo(self)
+            self.setAccessibleDescription(self._empty.text() if empty else keys)
             return
-        text = self._readout.text_at(source, time, self._mark, self.origin or 0.0, self._shown)
-        if self._hovered is None:  # under a mouse it would be told anew with each frame
-            self.setAccessibleDescription(text)
+        self._readout.show_values(source, time, self.mark_time, self.origin or 0.0, self.shown)
+        if self._hovered is None:  # under a mouse it would be read out with each frame
+            self.setAccessibleDescription(self._readout.text())
         self._readout.show_beside(self._canvas.x_of(time - self.span.end), self._canvas.frame)
 
     # --- The mouse ----------------------------------------------------------------------
 
     def _time_at(self, x: float) -> float:
-        count = min(0.0, max(-self.span.length, self._canvas.count_at(x)))
-        return self.span.end + count
+        ago = min(0.0, max(-self.span.length, self._canvas.x_at(x)))
+        return self.span.end + ago
 
     @Slot(float)
     def _on_hovered(self, x: float) -> None:
-        frame = self._canvas.frame
-        inside = frame.left() <= x <= frame.right() and self._source is not None
-        self._hovered = x if inside else None
-        self.set_cursor(self._time_at(x) if inside else None)
+        if self.source is not None:
+            self._hovered = x
+            self.set_cursor(self._time_at(x))
 
     @Slot()
-    def _on_left(self) -> None:
-        self._hovered = None
+    def _on_unhovered(self) -> None:
         self.set_cursor(None)
 
     @Slot(float)
     def _on_clicked(self, x: float) -> None:
-        near = self._mark is not None and (
-            abs(self._canvas.x_of(self._mark - self.span.end) - x) < 6
-        )
+        mark = self.mark_time
+        near = mark is not None and abs(self._canvas.x_of(mark - self.span.end) - x) < _NEAR_MARK
         self.set_mark(None if near else self._time_at(x))
 
     @Slot(float, float)
-    def _on_chosen(self, x0: float, x1: float) -> None:
+    def _on_selected(self, x0: float, x1: float) -> None:
         self.show_span(self._time_at(x0), self._time_at(x1))
 
     @Slot(float, float)
@@ -280,41 +360,37 @@ class TracePlot(FocusFramed):
     # --- Keys ---------------------------------------------------------------------------
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        modifiers = event.modifiers()
-        with_control = bool(modifiers & Qt.KeyboardModifier.ControlModifier)
-        step = _COARSE if modifiers & Qt.KeyboardModifier.ShiftModifier else _FINE
-        middle = self._cursor if self._cursor is not None else self.span.end
+        span, modifiers = self.span, event.modifiers()
+        cursor = self.cursor_time if self.cursor_time is not None else span.end
         match event.key():
             case Qt.Key.Key_Left | Qt.Key.Key_Right as key:
                 sign = -1 if key == Qt.Key.Key_Left else 1
-                if with_control:
-                    self.span.pan(sign * _PAN * self.span.length)
+                if modifiers & Qt.KeyboardModifier.ControlModifier:
+                    span.pan(sign * _PAN * span.length)
                     self._on_view_changed()
                 else:
-                    self._move_cursor(sign * step * self.span.length)
+                    with_shift = modifiers & Qt.KeyboardModifier.ShiftModifier
+                    step = sign * (_COARSE if with_shift else _FINE) * span.length
+                    self._hovered = None
+                    self.set_cursor(min(span.end, max(span.start, cursor + step)))
             case Qt.Key.Key_Home:
-                self.set_cursor(self.span.start)
+                self.set_cursor(span.start)
             case Qt.Key.Key_End:
-                self.set_cursor(self.span.end)
+                self.set_cursor(span.end)
             case Qt.Key.Key_Plus | Qt.Key.Key_Equal:
-                self.span.zoom(_ZOOM, middle)
+                span.zoom(_ZOOM, cursor)
                 self._on_view_changed()
             case Qt.Key.Key_Minus:
-                self.span.zoom(1 / _ZOOM, middle)
+                span.zoom(1 / _ZOOM, cursor)
                 self._on_view_changed()
             case Qt.Key.Key_M:
-                self.set_mark(self._cursor if self._mark is None else None)
+                self.set_mark(self.cursor_time if self.mark_time is None else None)
             case Qt.Key.Key_L:
                 self.go_live()
             case _:
                 super().keyPressEvent(event)
 
-    def _move_cursor(self, seconds: float) -> None:
-        self._hovered = None
-        time = self._cursor if self._cursor is not None else self.span.end
-        self.set_cursor(min(self.span.end, max(self.span.start, time + seconds)))
-
-    # --- Room and colours ---------------------------------------------------------------
+    # --- Room ---------------------------------------------------------------------------
 
     def sizeHint(self) -> QSize:
         return QSize(self.fontMetrics().averageCharWidth() * 80, self.fontMetrics().height() * 16)
@@ -322,25 +398,18 @@ class TracePlot(FocusFramed):
     def _show_margins(self) -> None:
         metrics = QFontMetrics(self._canvas.small_font())
         now = metrics.horizontalAdvance(self.tr("now")) // 2
-        tags = self._tags.sizeHint().width() if self._tags is not None else 0
-        widest = f"{MINUS}0.005 {self._layers.unit}"
-        half = metrics.height() // 2 + 2
-        self._canvas.set_margins(left=widest, top=half, right=max(now, tags) + 2, x_axis=True)
-
-    @Slot()
-    def _on_theme_changed(self) -> None:
-        palette = QPalette()
-        palette.setColor(QPalette.ColorRole.WindowText, theme().color("muted"))
-        self._empty.setPalette(palette)
+        right = max(now, self._tags.sizeHint().width()) + 2
+        widest = f"{MINUS}0.005 {self._left.unit}"
+        self._canvas.set_margins(
+            left=widest, top=metrics.height() // 2 + 2, right=right, x_axis=True
+        )
 
     @Slot()
     def _on_arranged(self) -> None:
         box = self._canvas.frame.toRect()
         self._empty.setGeometry(box)
-        if self._tags is not None:
-            width = self._tags.sizeHint().width()
-            left = int(self._canvas.right_edge) + 1
-            self._tags.setGeometry(left, 0, width, box.bottom() + 6)
+        left = int(self._canvas.right_edge) + 1
+        self._tags.setGeometry(left, 0, self._tags.sizeHint().width(), box.bottom() + 6)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

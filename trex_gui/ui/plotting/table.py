@@ -1,4 +1,4 @@
-"""The legend as a table: which curves are drawn, their values and what they come to."""
+"""The legend as a table: which curves are drawn, their values and their statistics."""
 
 import math
 from enum import IntEnum, auto
@@ -10,22 +10,29 @@ from PySide6.QtCore import (
     QPersistentModelIndex,
     QSize,
     Qt,
+    Slot,
 )
 from PySide6.QtGui import QColor, QPixmap
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from trex_gui.ui.plotting.data.history import Statistics
 from trex_gui.ui.plotting.data.traces import TraceInfo
-from trex_gui.ui.plotting.number_format import charge_text, mean_text, value_text
+from trex_gui.ui.plotting.marks import charge_text, mean_text, value_text
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.header_names import name_headers
 
 Index = QModelIndex | QPersistentModelIndex
 
+_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+
+_PADDING = 8
+"""Pixels around the text of a cell, as the style paints it."""
+
 
 class TraceColumn(IntEnum):
-    """What stands where."""
+    """The columns, in order."""
 
     CURVE = 0
     NOW = auto()
@@ -41,9 +48,9 @@ class TraceColumn(IntEnum):
 
 
 class TraceTable(QAbstractTableModel):
-    """A row for each curve of a plot; ticking a row draws the curve.
+    """A row for each curve of a plot; checking a row draws the curve.
 
-    Low, peak, mean, RMS and charge are those of what the plot shows.
+    Low, peak, mean, RMS and charge are those of the span that the plot shows.
     """
 
     def __init__(self, plot: TracePlot, parent: QObject | None = None) -> None:
@@ -51,19 +58,48 @@ class TraceTable(QAbstractTableModel):
         self._plot = plot
         self._traces: tuple[TraceInfo, ...] = ()
         self._statistics: dict[str, Statistics] = {}
+        span = self.tr("of what the plot shows")
+        self._heads = {
+            TraceColumn.CURVE: (self.tr("Curve"), self.tr("Check what is to be drawn")),
+            TraceColumn.NOW: (self.tr("Now"), self.tr("The newest value")),
+            TraceColumn.PEAK: (self.tr("Peak"), self.tr("The highest value {0}").format(span)),
+            TraceColumn.MEAN: (self.tr("Mean"), self.tr("The mean over time {0}").format(span)),
+            TraceColumn.RMS: (
+                self.tr("RMS"),
+                self.tr("The root mean square {0}: what heats wires").format(span),
+            ),
+            TraceColumn.CHARGE: (
+                self.tr("Charge"),
+                self.tr("Ampere times time {0}; gaps count nothing").format(span),
+            ),
+            TraceColumn.LIMIT: (
+                self.tr("Limit"),
+                self.tr("The current limit that the board stores"),
+            ),
+            TraceColumn.CURSOR: (self.tr("Cursor"), self.tr("The value under the cursor")),
+            TraceColumn.DIFFERENCE: (
+                self.tr("To mark"),
+                self.tr("From the mark to the cursor; click into the plot or press M to set it"),
+            ),
+            TraceColumn.HELD: (
+                self.tr("Held"),
+                self.tr("The highest value since Hold peaks was switched on"),
+            ),
+            TraceColumn.LOW: (self.tr("Low"), self.tr("The lowest value {0}").format(span)),
+        }
+        theme().changed.connect(self._on_theme_changed)
         self.show_source()
 
     def show_source(self) -> None:
         """Take the curves of the plot's source."""
         self.beginResetModel()
-        source = self._plot.source
-        self._traces = tuple(source.traces) if source is not None else ()
+        self._traces = self._plot.source.traces if self._plot.source is not None else ()
         self._statistics = {}
         self.endResetModel()
         self.refresh()
 
     def refresh(self) -> None:
-        """Show the values of now; those of curves that are not drawn are left out."""
+        """Show the values of now, for the curves that are drawn."""
         source, span = self._plot.source, self._plot.span
         if source is None or not self._traces:
             return
@@ -72,26 +108,27 @@ class TraceTable(QAbstractTableModel):
             for trace in self._traces
             if trace.name in self._plot.shown
         }
-        last = self.index(len(self._traces) - 1, TraceColumn.LIMIT)
-        self.dataChanged.emit(self.index(0, 0), last, [Qt.ItemDataRole.DisplayRole])
+        self._emit_changed(TraceColumn.LIMIT, Qt.ItemDataRole.DisplayRole)
 
-    def is_of_use(self, column: TraceColumn) -> bool:
-        """Whether a column has anything to say: some wait for what a person does."""
-        source = self._plot.source
+    def _emit_changed(self, last: TraceColumn, role: Qt.ItemDataRole) -> None:
+        if self._traces:
+            end = self.index(len(self._traces) - 1, last)
+            self.dataChanged.emit(self.index(0, 0), end, [role])
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        self._emit_changed(TraceColumn.CURVE, Qt.ItemDataRole.DecorationRole)
+
+    def is_needed(self, column: TraceColumn) -> bool:
+        """Return whether a column has values: some depend on what the user has set."""
         match column:
             case TraceColumn.DIFFERENCE:
                 return self._plot.mark_time is not None
             case TraceColumn.HELD:
                 return self._plot.peaks_since is not None
-            case TraceColumn.LIMIT if source is not None:
-                return any(source.limits.get(trace.name) is not None for trace in self._traces)
+            case TraceColumn.LIMIT if self._plot.source is not None:
+                return bool(self._plot.source.limits)
         return True
-
-    def recolour(self) -> None:
-        """Take the colours of the theme as it is now."""
-        if self._traces:
-            last = self.index(len(self._traces) - 1, 0)
-            self.dataChanged.emit(self.index(0, 0), last, [Qt.ItemDataRole.DecorationRole])
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as Qt has it
         return 0 if parent.isValid() else len(self._traces)
@@ -105,44 +142,14 @@ class TraceTable(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         column = TraceColumn(section)
-        if role == Qt.ItemDataRole.DisplayRole:
-            return self._heads()[column][0]
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return self._heads()[column][1]
-        if role == Qt.ItemDataRole.TextAlignmentRole and column is not TraceColumn.CURVE:
-            return _RIGHT
+        match role:
+            case Qt.ItemDataRole.DisplayRole:
+                return self._heads[column][0]
+            case Qt.ItemDataRole.ToolTipRole:
+                return self._heads[column][1]
+            case Qt.ItemDataRole.TextAlignmentRole if column is not TraceColumn.CURVE:
+                return _RIGHT
         return None
-
-    def _heads(self) -> dict[TraceColumn, tuple[str, str]]:
-        shown = self.tr("of what the plot shows")
-        return {
-            TraceColumn.CURVE: (self.tr("Curve"), self.tr("Tick what is to be drawn")),
-            TraceColumn.NOW: (self.tr("Now"), self.tr("The newest value")),
-            TraceColumn.CURSOR: (self.tr("Cursor"), self.tr("The value under the cursor")),
-            TraceColumn.DIFFERENCE: (
-                self.tr("To mark"),
-                self.tr("From the mark to the cursor; click into the plot or press M to set it"),
-            ),
-            TraceColumn.LOW: (self.tr("Low"), self.tr("The smallest value {0}").format(shown)),
-            TraceColumn.PEAK: (self.tr("Peak"), self.tr("The greatest value {0}").format(shown)),
-            TraceColumn.MEAN: (self.tr("Mean"), self.tr("The mean over time {0}").format(shown)),
-            TraceColumn.RMS: (
-                self.tr("RMS"),
-                self.tr("The root of the mean square {0}: what heats wires").format(shown),
-            ),
-            TraceColumn.CHARGE: (
-                self.tr("Charge"),
-                self.tr("Ampere times time {0}; nothing is counted for gaps").format(shown),
-            ),
-            TraceColumn.HELD: (
-                self.tr("Held"),
-                self.tr("The greatest value since Hold peaks was switched on"),
-            ),
-            TraceColumn.LIMIT: (
-                self.tr("Limit"),
-                self.tr("The current limit that the board stores"),
-            ),
-        }
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         flags = super().flags(index)
@@ -154,20 +161,23 @@ class TraceTable(QAbstractTableModel):
         if not index.isValid():
             return None
         trace, column = self._traces[index.row()], TraceColumn(index.column())
+        if column is not TraceColumn.CURVE:
+            match role:
+                case Qt.ItemDataRole.DisplayRole:
+                    return self._text(trace, column)
+                case Qt.ItemDataRole.TextAlignmentRole:
+                    return _RIGHT
+                case Qt.ItemDataRole.AccessibleTextRole:
+                    return f"{trace.label}, {self._heads[column][0]}: {self._text(trace, column)}"
+            return None
         match role:
-            case Qt.ItemDataRole.DisplayRole:
-                return trace.label if column is TraceColumn.CURVE else self._text(trace, column)
-            case Qt.ItemDataRole.CheckStateRole if column is TraceColumn.CURVE:
+            case Qt.ItemDataRole.DisplayRole | Qt.ItemDataRole.AccessibleTextRole:
+                return trace.label
+            case Qt.ItemDataRole.CheckStateRole:
                 shown = trace.name in self._plot.shown
                 return Qt.CheckState.Checked if shown else Qt.CheckState.Unchecked
-            case Qt.ItemDataRole.DecorationRole if column is TraceColumn.CURVE:
+            case Qt.ItemDataRole.DecorationRole:
                 return _swatch(theme().color(trace.color))
-            case Qt.ItemDataRole.TextAlignmentRole if column is not TraceColumn.CURVE:
-                return _RIGHT
-            case Qt.ItemDataRole.AccessibleTextRole:
-                head = self._heads()[column][0]
-                text = trace.label if column is TraceColumn.CURVE else self._text(trace, column)
-                return f"{trace.label}, {head}: {text}" if column is not TraceColumn.CURVE else text
         return None
 
     def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
@@ -180,56 +190,35 @@ class TraceTable(QAbstractTableModel):
         return True
 
     def _text(self, trace: TraceInfo, column: TraceColumn) -> str:
-        source, name = self._plot.source, trace.name
-        if source is None or (name not in self._plot.shown and column is not TraceColumn.LIMIT):
+        plot, name, unit = self._plot, trace.name, trace.unit
+        source = plot.source
+        if source is None or (name not in plot.shown and column is not TraceColumn.LIMIT):
             return ""
         found = self._statistics.get(name, Statistics())
-        value = math.nan
+        cursor = math.nan
+        if plot.cursor_time is not None:
+            cursor = source.value_at(name, plot.cursor_time)
+        value: float | None = math.nan
         match column:
-            case TraceColumn.NOW:
-                span = source.span
-                value = source.value_at(name, span[1]) if span is not None else math.nan
+            case TraceColumn.NOW if source.span is not None:
+                value = source.value_at(name, source.span[1])
             case TraceColumn.CURSOR:
-                value = self._at_cursor(name)
+                value = cursor
             case TraceColumn.DIFFERENCE:
-                return self._difference(trace)
-            case TraceColumn.LOW:
-                value = found.low
-            case TraceColumn.PEAK:
-                value = found.high
-            case TraceColumn.MEAN:
-                return mean_text(found.mean, trace.unit)
-            case TraceColumn.RMS:
-                return mean_text(found.rms, trace.unit)
+                value = None
+                if plot.mark_time is not None and plot.cursor_time is not None:
+                    value = cursor - source.value_at(name, plot.mark_time)
+            case TraceColumn.LOW | TraceColumn.PEAK:
+                value = found.low if column is TraceColumn.LOW else found.high
+            case TraceColumn.MEAN | TraceColumn.RMS:
+                return mean_text(found.mean if column is TraceColumn.MEAN else found.rms, unit)
             case TraceColumn.CHARGE:
-                return charge_text(found) if trace.unit == "A" else ""
+                return charge_text(found) if unit == "A" else ""
             case TraceColumn.HELD:
-                held = self._plot.peak_of(name)
-                return "" if held is None else value_text(held, trace.unit)
+                value = plot.peak_of(name)
             case TraceColumn.LIMIT:
-                limit = source.limits.get(name)
-                return "" if limit is None else value_text(limit, trace.unit)
-        return value_text(value, trace.unit)
-
-    def _at_cursor(self, name: str) -> float:
-        source, cursor = self._plot.source, self._plot.cursor_time
-        if source is None or cursor is None:
-            return math.nan
-        return source.value_at(name, cursor)
-
-    def _difference(self, trace: TraceInfo) -> str:
-        source, mark = self._plot.source, self._plot.mark_time
-        if source is None or mark is None or self._plot.cursor_time is None:
-            return ""
-        return value_text(
-            self._at_cursor(trace.name) - source.value_at(trace.name, mark), trace.unit
-        )
-
-
-_PADDING = 8
-"""Pixels around the text of a cell, as the style paints it."""
-
-_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                value = source.limits.get(name)
+        return "" if value is None else value_text(value, unit)
 
 
 def _swatch(color: QColor) -> QPixmap:
@@ -239,10 +228,7 @@ def _swatch(color: QColor) -> QPixmap:
 
 
 class TraceTableView(QTableView):
-    """The table as it stands below a plot: as high as four curves, more by scrolling.
-
-    Columns that have nothing to say are not there, so that the others have room.
-    """
+    """The table below a plot: as high as four curves, more by scrolling."""
 
     def __init__(self, model: TraceTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -252,9 +238,9 @@ class TraceTableView(QTableView):
         name_headers(self)
         self.setModel(model)
         self.verticalHeader().hide()
-        row = self.fontMetrics().height() + 6
-        self.verticalHeader().setDefaultSectionSize(row)
-        self.verticalHeader().setMinimumSectionSize(row)
+        self._row = self.fontMetrics().height() + 6
+        self.verticalHeader().setDefaultSectionSize(self._row)
+        self.verticalHeader().setMinimumSectionSize(self._row)
         self.setShowGrid(False)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -263,32 +249,32 @@ class TraceTableView(QTableView):
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         for column in TraceColumn:
-            texts = ("000.00 mAh" if column is TraceColumn.CHARGE else "\N{MINUS SIGN}00.00 A", "")
+            widest = "000.00 mAh" if column is TraceColumn.CHARGE else f"{MINUS}00.00 A"
             head = str(model.headerData(column, Qt.Orientation.Horizontal))
-            widest = max(self.fontMetrics().horizontalAdvance(text) for text in (*texts, head))
-            header.resizeSection(column, widest + _PADDING)
+            width = max(self.fontMetrics().horizontalAdvance(text) for text in (widest, head))
+            header.resizeSection(column, width + _PADDING)
         header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(False)
-        self._row = row
-        self.show_what_is_there()
+        self.show_needed_columns()
 
-    def show_what_is_there(self) -> None:
-        """Hide the columns that have nothing to say now, and show the others."""
+    def show_needed_columns(self) -> None:
+        """Hide the columns without values, so that the others have room."""
         for column in TraceColumn:
-            if self.isColumnHidden(column) == self._table.is_of_use(column):
-                self.setColumnHidden(column, not self._table.is_of_use(column))
+            if self.isColumnHidden(column) == self._table.is_needed(column):
+                self.setColumnHidden(column, not self._table.is_needed(column))
 
-    def whole_width(self) -> int:
-        """Return the width at which every column that is there can be seen."""
+    def full_width(self) -> int:
+        """Return the width that shows every column."""
         bar = self.verticalScrollBar()
         beside = bar.sizeHint().width() if bar.isVisibleTo(self) else 0
         return self.horizontalHeader().length() + beside + 2 * self.frameWidth() + 2
 
+    def _height_of(self, rows: float) -> int:
+        return self.horizontalHeader().sizeHint().height() + round(rows * self._row)
+
     def sizeHint(self) -> QSize:
-        # Half a row tells that there are more.
-        height = self.horizontalHeader().sizeHint().height() + round(4.5 * self._row)
-        return QSize(self.horizontalHeader().length(), height)
+        # Half a row shows that there are more.
+        return QSize(self.horizontalHeader().length(), self._height_of(4.5))
 
     def minimumSizeHint(self) -> QSize:
-        height = self.horizontalHeader().sizeHint().height() + round(2.5 * self._row)
-        return QSize(self._row * 8, height)
+        return QSize(self._row * 8, self._height_of(2.5))

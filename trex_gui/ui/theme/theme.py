@@ -4,6 +4,8 @@ The colours are data: `resources/themes/*.toml`, one file a scheme, the same nam
 """
 
 import tomllib
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from typing import Literal
@@ -96,6 +98,15 @@ class Theme(QObject):
         if found is None:
             raise KeyError(f"the theme has no colour {name!r}")
         return QColor(found)
+
+    @contextmanager
+    def painted_as(self, scheme: str) -> Iterator[None]:
+        """Return the colours of a scheme inside, for a picture; nothing is repainted."""
+        before, self._colours = self._colours, read_colours(scheme)
+        try:
+            yield
+        finally:
+            self._colours = before
 
     def install(self, app: QApplication) -> None:
         """Give the application the Fusion style and our palette, and follow the system."""

@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 from trex_gui.devices.trex.bench.profile import Profile
 from trex_gui.devices.trex.bench.run import Run
 from trex_gui.devices.trex.views.bench.legend import LegendKey
-from trex_gui.ui.plotting.axis_ticks import round_up, ticks
-from trex_gui.ui.plotting.canvas import PlotCanvas, signed
+from trex_gui.ui.plotting.axes import count_labels, round_up, ticks, value_labels
+from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.data.pyramid import Floats
 
 _WIDEST = "−127"
@@ -153,17 +153,14 @@ class BenchPlot(QWidget):
         marks = [(at, f"{at:g} s") for at in ticks(0, end, round_up(end / _MOST_SECONDS_TICKS))]
         x = (0.0, end)
         reach = 134.0
-        self._speeds.set_axes(
-            x, (-reach, reach), [(at, "") for at, _ in marks], [(v, signed(v)) for v in _SPEEDS]
-        )
+        self._speeds.set_axes(x, (-reach, reach), [(at, "") for at, _ in marks], count_labels())
         amps = ticks(0, self._highest, step)
-        names = [signed(each) for each in amps]
-        names[-1] += self.tr(" A")
+        labels = value_labels(amps, self.tr("A"))
         self._currents.set_axes(
             x,
             (-0.02 * self._highest, 1.02 * self._highest),
             marks,
-            list(zip(amps, names, strict=True)),
+            labels,
         )
 
     def _show_end(self) -> None:
@@ -180,7 +177,7 @@ class BenchPlot(QWidget):
         """Show the values under the mouse, in both plots."""
         if event.type() == QEvent.Type.MouseMove and isinstance(event, QMouseEvent):
             canvas = next(each for each in self._canvases if each.viewport is watched)
-            self._show_cursor(canvas.count_at(event.position().x()))
+            self._show_cursor(canvas.x_at(event.position().x()))
         elif event.type() == QEvent.Type.Leave:
             self._show_cursor(None)
         return super().eventFilter(watched, event)

@@ -13,7 +13,6 @@ from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.window import RecordingWindow
 from trex_gui.ui.plotting.table import TraceColumn, TraceTable, TraceTableView
 from trex_gui.ui.theme.icons import set_icon
-from trex_gui.ui.theme.theme import theme
 
 
 class PlaybackWindow(RecordingWindow):
@@ -48,7 +47,6 @@ class PlaybackWindow(RecordingWindow):
         self._settings.clicked.connect(self._on_settings_clicked)
         self._export.clicked.connect(self._on_export_clicked)
         playback.exported.connect(self._on_exported)
-        theme().changed.connect(self._table.recolour)
         self.arrange(
             StopButton(device, "playbackStopButton", self),
             [self._settings, self._export],

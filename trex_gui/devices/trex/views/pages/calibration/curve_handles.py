@@ -7,7 +7,7 @@ from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from trex_gui.devices.trex.model.calibration.moves import Handle
-from trex_gui.ui.plotting.axis_ticks import spread
+from trex_gui.ui.plotting.axes import spread
 from trex_gui.ui.theme.theme import theme
 
 GRIP = 6.0

@@ -21,7 +21,8 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.views.pages.calibration.curve_handles import GRIP, HandleLayer, Threshold
 from trex_gui.devices.trex.views.pages.calibration.input_axis import axis_for, input_ticks
 from trex_gui.devices.trex.views.pages.calibration.input_trace import InputTrace
-from trex_gui.ui.plotting.canvas import PlotCanvas, signed
+from trex_gui.ui.plotting.axes import count_labels
+from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.theme.theme import theme
 
@@ -228,7 +229,7 @@ class CurvePlot(QWidget):
             (low - margin, high + margin),
             (-reach, reach),
             x_ticks,
-            [(value, signed(value)) for value in _OUTPUT_TICKS],
+            count_labels(),
         )
         self._trace.set_axis((low - margin, high + margin), [(at, "") for at, _ in x_ticks])
 
@@ -332,7 +333,7 @@ class CurvePlot(QWidget):
         if self._held is None or self._shown is None:
             return
         calibration = self._shown.calibration
-        wished = round(self._canvas.count_at(where.x() - self._grabbed_at))
+        wished = round(self._canvas.x_at(where.x() - self._grabbed_at))
         count, why = within_input(calibration, self._held, wished, self._source)
         move = moved(calibration, self._held, count)
         self._preview = _with(self._shown, move.calibration)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.ui.plotting.axis_ticks import ticks
+from trex_gui.ui.plotting.axes import ticks
 
 # Raw counts. Ref: Pololu TReX User's Guide 4.b: a pulse counts from 0.5 to 2.5 ms.
 _USUAL = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}

@@ -9,7 +9,8 @@ from PySide6.QtGui import QBrush, QPen
 from PySide6.QtWidgets import QGraphicsRectItem, QVBoxLayout, QWidget
 
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.ui.plotting.canvas import PlotCanvas, Ticks
+from trex_gui.ui.plotting.axes import Labels
+from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.plotting.data.pyramid import Floats
 from trex_gui.ui.theme.theme import theme
 
@@ -57,7 +58,7 @@ class InputTrace(QWidget):
         self._canvas.set_margins(left=left, top=top, right=right, x_axis=False)
         self._canvas.setMinimumHeight(_LEAST_LINES * line + top + line // 2)
 
-    def set_axis(self, axis: tuple[float, float], x_ticks: Ticks) -> None:
+    def set_axis(self, axis: tuple[float, float], x_ticks: Labels) -> None:
         """Show these counts."""
         y_ticks = [(0.0, self.tr("Now")), (SECONDS / 2, "5 s"), (SECONDS, "10 s")]
         self._canvas.set_axes(axis, (SECONDS, 0.0), x_ticks, y_ticks)

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.ui.plotting.axis_ticks import spread, ticks
+from trex_gui.ui.plotting.axes import spread, ticks
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.bar import Bar, BarState
 
