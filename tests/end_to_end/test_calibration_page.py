@@ -12,7 +12,7 @@ from trex_gui.devices.trex.model.calibration.moves import Handle
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.views.pages.calibration import page as widgets
-from trex_gui.devices.trex.views.pages.calibration.input_trace import InputTrace
+from trex_gui.devices.trex.views.pages.calibration.curve_plot import InputTrace
 
 FACTORY = DEFAULT_CALIBRATION[InputSource.RC]
 

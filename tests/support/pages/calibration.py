@@ -83,7 +83,7 @@ class CalibrationPage(WidgetDriver):
         """Drag a handle of the curve to a count."""
         self.widget.grab()  # lets the layout settle
         viewport = self.find(QWidget, "curveViewport")
-        start = self.plot.place_of(handle).toPoint()
+        start = self.plot.handle_position(handle).toPoint()
         end = QPoint(round(self.plot.x_of(count)), start.y())
         QTest.mousePress(viewport, LEFT, pos=start)
         for share in (0.5, 1.0):

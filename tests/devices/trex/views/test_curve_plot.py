@@ -14,8 +14,7 @@ from trex_gui.devices.trex.model.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration.moves import Handle
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot
-from trex_gui.devices.trex.views.pages.calibration.input_trace import InputTrace
+from trex_gui.devices.trex.views.pages.calibration.curve_plot import CurvePlot, InputTrace
 from trex_gui.ui.theme.theme import theme
 
 USUAL = ChannelCurve(Calibration(2500, 3750, 5000, 75))
@@ -46,7 +45,7 @@ class CurvePlotDriver(WidgetDriver):
         return self.find(QWidget, "curveViewport")
 
     def place(self, handle: Handle) -> QPoint:
-        return self.plot.place_of(handle).toPoint()
+        return self.plot.handle_position(handle).toPoint()
 
     def press(self, place: QPoint) -> None:
         QTest.mousePress(self.viewport, LEFT, pos=place)
@@ -88,7 +87,7 @@ def test_dragged_handle_changes_its_value_once_on_release(
 ) -> None:
     wished: list[Calibration] = []
     previewed: list[Calibration] = []
-    plot.wished.connect(wished.append)
+    plot.edited.connect(wished.append)
     plot.previewed.connect(previewed.append)
     driver.drag_handle(handle, target)
     assert len(wished) == 1
@@ -117,7 +116,7 @@ def test_handle_blocked_by_another_shows_the_reason(
     start = driver.place(Handle.MINIMUM)
     beyond = QPoint(round(plot.x_of(4200)), start.y())
     wished: list[Calibration] = []
-    plot.wished.connect(wished.append)
+    plot.edited.connect(wished.append)
     driver.press(start)
     driver.move(beyond)
     assert plot.message == "Minimum cannot pass neutral."
@@ -137,7 +136,7 @@ def test_handle_back_at_its_start_changes_nothing(
     driver.press(start)
     driver.move(end)
     assert plot.message == "Minimum cannot pass neutral."
-    with qtbot.assertNotEmitted(plot.wished), qtbot.waitSignal(plot.let_go):
+    with qtbot.assertNotEmitted(plot.edited), qtbot.waitSignal(plot.released):
         driver.release(end)
     assert plot.message == ""
 
@@ -187,7 +186,7 @@ def test_handle_at_the_axis_end_moves_in_small_steps(
 def test_rejected_value_is_explained_beside_its_handle(
     plot: CurvePlot, driver: CurvePlotDriver
 ) -> None:
-    plot.say_beside(Handle.MINIMUM, "Minimum cannot be there.")
+    plot.show_message(Handle.MINIMUM, "Minimum cannot be there.")
     assert (plot.message_at, plot.message) == (Handle.MINIMUM, "Minimum cannot be there.")
     driver.move(QPoint(1, 1))
     driver.move(driver.place(Handle.NEUTRAL))
@@ -201,7 +200,7 @@ def test_rejected_value_is_explained_beside_its_handle(
     driver.press(driver.place(Handle.MAXIMUM))
     assert plot.message == ""
     driver.release(driver.place(Handle.MAXIMUM))
-    plot.say_beside(Handle.MINIMUM, "Minimum cannot be there.")
+    plot.show_message(Handle.MINIMUM, "Minimum cannot be there.")
     plot.show_channel(2, InputSource.RC, USUAL, USUAL, editable=True)
     assert plot.message_at is None
 
@@ -227,7 +226,7 @@ def test_trace_is_tall_enough_and_its_labels_are_legible(
 
 
 def test_click_moves_no_handle(plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot) -> None:
-    with qtbot.assertNotEmitted(plot.wished):
+    with qtbot.assertNotEmitted(plot.edited):
         for handle in Handle:
             QTest.mouseClick(driver.viewport, LEFT, pos=driver.place(handle) + QPoint(3, 0))
 
@@ -247,7 +246,7 @@ def test_held_handle_is_released_when_editing_is_disabled(
     driver.press(start)
     driver.move(start + QPoint(20, 0))
     plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
-    with qtbot.assertNotEmitted(plot.wished):
+    with qtbot.assertNotEmitted(plot.edited):
         driver.release(start + QPoint(20, 0))
     assert plot.curve == USUAL
 
@@ -258,7 +257,7 @@ def test_nearby_handles_are_distinguished_by_height(
     narrow = ChannelCurve(Calibration(2500, 3750, 5000, 5))
     plot.show_channel(1, InputSource.RC, narrow, narrow, editable=True)
     wished: list[Calibration] = []
-    plot.wished.connect(wished.append)
+    plot.edited.connect(wished.append)
     driver.drag_handle(Handle.NEUTRAL, 3500)
     driver.drag_handle(Handle.DEADBAND_HIGH, 4000)
     assert wished[0].neutral < 3600

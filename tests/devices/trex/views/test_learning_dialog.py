@@ -335,7 +335,7 @@ def test_review_shows_the_curve_before_and_after(learning: LearningDialog) -> No
     maximum = learning.find(QSpinBox, "learnMaximumEdit2")
     maximum.setValue(4700)
     assert shown().calibration.maximum == 4700
-    plot.wished.emit(replace(shown().calibration, maximum=4600))
+    plot.edited.emit(replace(shown().calibration, maximum=4600))
     assert maximum.value() == 4600
     learning.button("learnReversed2").click()
     assert not shown().reversed_

@@ -63,7 +63,7 @@ class ReviewPage(QWidget):
 
         self._tabs.currentChanged.connect(self._on_tab_changed)
         self._tabs.setVisible(len(self._forms) > 1)
-        self._curve.wished.connect(self._on_wished)
+        self._curve.edited.connect(self._on_wished)
         learning.changed.connect(self._on_changed)
         theme().changed.connect(self._show_signs)
         self._on_changed()

@@ -208,7 +208,7 @@ class CalibrationPage(QWidget):
             self._other.show_source(self._source, seen=shown is not None)
         if self._plot is not None:
             self._plot.show_channel(channel, self._source, before, after, editable=editable)
-            self._plot.show_trace(self._in_force)
+            self._plot.set_trace_visible(self._in_force)
         self._show_marks()
         self._show_note()
         self._live.show_again(in_force=self._in_force)
@@ -316,8 +316,8 @@ class CalibrationPage(QWidget):
         plot = CurvePlot(self._body)
         plot.setObjectName("curvePlot")
         plot.previewed.connect(self._on_previewed)
-        plot.let_go.connect(self._on_let_go)
-        plot.wished.connect(self._on_wished)
+        plot.released.connect(self._on_released)
+        plot.edited.connect(self._on_wished)
         self._right.insertWidget(self._plot_row, plot, 1)
         return plot
 
@@ -346,7 +346,7 @@ class CalibrationPage(QWidget):
         self._show_note()
 
     @Slot()
-    def _on_let_go(self) -> None:
+    def _on_released(self) -> None:
         """Take back why the handle went no further: it could be read while it was held."""
         self._forget_refusal()
         self._show_channel()
@@ -365,13 +365,13 @@ class CalibrationPage(QWidget):
         self._forget_refusal()
         self._refusal = why
         if self._plot is not None and field in _HANDLES:
-            self._plot.say_beside(_HANDLES[field], why)
+            self._plot.show_message(_HANDLES[field], why)
         self._show_note()
 
     def _forget_refusal(self) -> None:
         self._refusal = ""
         if self._plot is not None:
-            self._plot.say_beside(Handle.NEUTRAL, "")
+            self._plot.show_message(Handle.NEUTRAL, "")
 
     @Slot()
     def _on_discard_clicked(self) -> None:
