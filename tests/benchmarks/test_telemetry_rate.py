@@ -12,12 +12,12 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.simulator import StartSimulator
 from tests.support.virtual import Stage
-from trex_gui.devices.trex.client.schedule import rates
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.session.messages import Batch, Report
+from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.program import Program

@@ -12,10 +12,10 @@ from tests.support.pages.motors import MotorsPage
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.virtual_time import VirtualRuntime
 from tests.support.window import LEFT, WindowDriver
-from trex_gui.devices.trex.driving.motors import DRIVE_INTERVAL
-from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
+from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL
+from trex_gui.devices.trex.driving.requests import SetMotor
+from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
-from trex_gui.devices.trex.session.messages import SetMotor
 from trex_gui.ui.runtime import now
 
 MOVES = 1000

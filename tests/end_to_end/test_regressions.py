@@ -6,15 +6,15 @@ import pytest
 from PySide6.QtCore import QSettings
 from pytestqt.qtbot import QtBot
 
-from tests.devices.trex.client.test_schedule import on_line, simulate
 from tests.devices.trex.session.helpers import among, moving, outcomes, run_for, samples
+from tests.devices.trex.session.test_schedule import on_line, simulate
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, PortUnavailable
 from trex_gui.core.session.messages import Closed
-from trex_gui.devices.trex.client.schedule import rates
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.client.writing import write_parameter
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.model.connector import Connector
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.driving.motors import Motors
@@ -25,16 +25,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.flags import InputSource, Status
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.session.messages import (
-    Connected,
-    Reload,
-    Request,
-    RunCommand,
-    SetAuxiliary,
-    SetMotor,
-    Stop,
-    Write,
-)
+from trex_gui.devices.trex.session.messages import Connected, Reload, Request, RunCommand, Write
+from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.motors import MotorDirection as EmulatedDirection
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.ports import Ports

@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.session.request_queue import RequestQueue
-from trex_gui.devices.trex.session.messages import Stop
+from trex_gui.devices.trex.driving.requests import Stop
 
 
 class WatchedCondition(threading.Condition):

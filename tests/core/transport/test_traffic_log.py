@@ -16,10 +16,11 @@ from trex_gui.core.transport.traffic_log import (
     TrafficLog,
     logged,
 )
+from trex_gui.devices.trex.driving.requests import SetMotor
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.session.messages import Connected, SetMotor
+from trex_gui.devices.trex.session.messages import Connected
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.devices.trex.simulator.firmware import Board
 

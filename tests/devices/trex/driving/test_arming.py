@@ -18,20 +18,18 @@ from tests.support.virtual import Stage
 from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL, ArmingWatchdog
-from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetMode
-from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import (
+from trex_gui.devices.trex.driving.requests import (
+    HEARTBEAT_INTERVAL,
     Arm,
     Heartbeat,
     MotorsStopped,
-    Reload,
-    Report,
-    RunCommand,
     SetAuxiliary,
     SetMotor,
     Stop,
 )
+from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetMode
+from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.session.messages import Reload, Report, RunCommand
 from trex_gui.devices.trex.session.session import TrexSession
 
 STOP_BYTES = bytes.fromhex("D0 7F 7F")
@@ -91,19 +89,7 @@ def test_requested_motor_commands_are_rejected_in_lockout(stage: Stage) -> None:
     assert DriveMotor(1, Drive.at(99)) not in moving(stage.transport.sent)
 
 
-def test_shorter_lockout_does_not_end_longer_one() -> None:
-    now = 0.0
-    guard = ArmingWatchdog(lambda: now)
-    guard.stop(3.0)
-    guard.stop(0.0)
-    guard.stop(1.0)
-    now = 2.9
-    assert guard.is_locked
-    now = 3.1
-    assert not guard.is_locked
-
-
-# --- Nobody there -----------------------------------------------------------------------
+# --- Missing heartbeat ------------------------------------------------------------------
 
 
 def test_armed_motors_stop_after_heartbeat_timeout(stage: Stage) -> None:

@@ -1,8 +1,9 @@
 """A board that was without power while somebody drove: it stands until it is armed anew."""
 
 from tests.devices.trex.session.helpers import among, is_stopped, moving, run_for, seen_at, staged
+from trex_gui.devices.trex.driving.requests import Arm, SetMotor
 from trex_gui.devices.trex.protocol.commands import Drive, DriveMotor
-from trex_gui.devices.trex.session.messages import Arm, Connected, ReadReason, SetMotor
+from trex_gui.devices.trex.session.messages import Connected, ReadReason
 
 
 def test_mode_change_stops_motors_and_drops_setpoints() -> None:

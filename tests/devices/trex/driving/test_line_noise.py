@@ -18,10 +18,11 @@ from tests.devices.trex.session.helpers import (
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply
 from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.driving.setpoint_retry import LONGEST_REPEATING
+from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetMotor, Stop
+from trex_gui.devices.trex.driving.setpoints import LONGEST_REPEATING
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, DriveMotor, GetRawChannels
 from trex_gui.devices.trex.protocol.flags import Status, UartError
-from trex_gui.devices.trex.session.messages import Arm, MotorsStopped, NotResponding, SetMotor, Stop
+from trex_gui.devices.trex.session.messages import NotResponding
 from trex_gui.devices.trex.simulator.eeprom import Eeprom
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection

@@ -6,46 +6,54 @@ from tests.devices.trex.session.helpers import moving, staged
 from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session.messages import Outcome
-from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
-from trex_gui.devices.trex.driving.motors import DRIVE_INTERVAL, MotorOutput
-from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
+from trex_gui.devices.trex.client.telemetry import StatusReader
+from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL, MotorDriver
+from trex_gui.devices.trex.driving.motor_output import Event, MotorOutput
+from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, SetAuxiliary, SetMotor, Stop
+from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.commands import Drive, DriveAuxiliary, DriveMotor
-from trex_gui.devices.trex.session.messages import MotorsStopped, SetAuxiliary, SetMotor, Stop
-from trex_gui.devices.trex.session.request_queues import RequestQueues
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 
 class MotorsHarness:
-    """`MotorOutput` connected to a simulated board, and what they report."""
+    """A `MotorDriver` connected to a simulated board, and what it reports."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.client = stage.client()
-        self.status = StatusReader(stage.transport.clock)
-        self.outcomes: list[Outcome | MotorsStopped] = []
-        self.news: list[LatchedStatus] = []
-        stage.script.at(3600.0, lambda: None)  # an empty script asks for the end
-        self.mail = RequestQueues(stage.script)
-        self.motors = MotorOutput(self.mail, self.outcomes.append, self.news.extend, may_move=False)
+        self.reports: list[Outcome | MotorsStopped] = []
+        self.motors = MotorOutput(self.reports.append)
+        self.driver = MotorDriver(self.motors, self.client, StatusReader(stage.transport.clock))
+
+    @property
+    def now(self) -> float:
+        return self.client.transport.clock()
+
+    def put(self, *setpoints: SetMotor | SetAuxiliary) -> None:
+        for setpoint in setpoints:
+            self.motors.take(setpoint, self.now)
 
     def stop(self) -> None:
-        self.mail.stops.append(Stop(1))
-        self.motors.stop(self.client, self.status)
+        self.motors.take(Stop(1), self.now)
+        self.driver.serve_stops()
+
+    def arm(self) -> None:
+        self.motors.take(Arm(), self.now)
 
     def drive(self, speed: int) -> None:
-        self.mail.drives.put(SetMotor(1, Drive.at(speed)))
-        self.motors.drive(self.client)
+        self.put(SetMotor(1, Drive.at(speed)))
+        self.advance(DRIVE_INTERVAL)
 
     def advance(self, seconds: float) -> None:
         """Let time pass and send whenever that is due, as a session does."""
-        end = self.client.transport.clock() + seconds
-        while (due := self.motors.seconds_to_drive(self.client)) is not None:
-            if self.client.transport.clock() + due > end:
+        end = self.now + seconds
+        while (due := self.driver.seconds_to_drive()) is not None:
+            if self.now + due > end:
                 break
             if due > 0:
                 self.client.transport.wait(max(due, 1e-5))
             else:
-                self.motors.drive(self.client)
+                self.driver.serve()
 
 
 @pytest.fixture
@@ -54,19 +62,19 @@ def harness() -> MotorsHarness:
 
 
 def test_seconds_to_drive_is_none_without_setpoint(harness: MotorsHarness) -> None:
-    assert harness.motors.seconds_to_drive(harness.client) is None
+    assert harness.driver.seconds_to_drive() is None
     assert not harness.motors.may_move
 
 
 def test_newest_setpoint_is_sent_and_next_one_waits(harness: MotorsHarness) -> None:
     harness.stage.line.advance(1.0)
-    harness.mail.drives.put(SetMotor(1, Drive.at(10)))
-    assert (harness.motors.seconds_to_drive(harness.client) or 0) <= 0
+    harness.put(SetMotor(1, Drive.at(10)))
+    assert (harness.driver.seconds_to_drive() or 0) <= 0
     harness.drive(20)
     assert moving(harness.stage.transport.sent) == [DriveMotor(1, Drive.at(20))]
     assert harness.motors.may_move
-    harness.mail.drives.put(SetMotor(1, Drive.at(30)))
-    seconds = harness.motors.seconds_to_drive(harness.client)
+    harness.put(SetMotor(1, Drive.at(30)))
+    seconds = harness.driver.seconds_to_drive()
     assert seconds is not None
     assert seconds >= DRIVE_INTERVAL
 
@@ -79,14 +87,14 @@ def test_lost_setpoint_is_resent(harness: MotorsHarness) -> None:
     sent = moving(harness.stage.transport.sent)
     assert sent == [DriveMotor(1, Drive.at(20))] * (1 + len(REPEATS))
     assert harness.stage.board.motors[0].target_speed == 20
-    assert harness.motors.seconds_to_drive(harness.client) is None
+    assert harness.driver.seconds_to_drive() is None
 
 
 def test_newer_setpoint_replaces_unconfirmed_one(harness: MotorsHarness) -> None:
     harness.drive(20)
     harness.advance(0.2)
-    harness.mail.drives.put(SetAuxiliary(9))
-    harness.mail.drives.put(SetMotor(1, Drive.at(30)))
+    harness.put(SetAuxiliary(9))
+    harness.put(SetMotor(1, Drive.at(30)))
     harness.advance(4.0)
     sent = moving(harness.stage.transport.sent)
     assert sent[:2] == [DriveMotor(1, Drive.at(20))] * 2
@@ -96,19 +104,18 @@ def test_newer_setpoint_replaces_unconfirmed_one(harness: MotorsHarness) -> None
 def test_no_setpoint_is_pending_after_stop(harness: MotorsHarness) -> None:
     harness.drive(20)
     harness.stop()
-    assert harness.motors.seconds_to_drive(harness.client) is None
+    assert harness.driver.seconds_to_drive() is None
+    harness.arm()
     harness.drive(20)
-    harness.motors.stop_without_reply(harness.client)
-    assert harness.motors.seconds_to_drive(harness.client) is None
-    harness.drive(20)
-    harness.motors.forget()
-    assert harness.motors.seconds_to_drive(harness.client) is None
+    assert harness.driver.seconds_to_drive() is not None
+    harness.motors.handle(Event.NOT_RESPONDING, harness.now)
+    assert harness.driver.seconds_to_drive() is None
 
 
 def test_confirmed_stop_is_reported_and_clears_may_move(harness: MotorsHarness) -> None:
     harness.drive(90)
     harness.stop()
-    assert harness.outcomes == [Outcome(1)]
+    assert harness.reports == [Outcome(1)]
     assert not harness.motors.may_move
     assert harness.stage.board.motors[0].direction is MotorDirection.BRAKE
 
@@ -117,7 +124,7 @@ def test_unconfirmed_stop_is_reported_and_keeps_may_move(harness: MotorsHarness)
     harness.drive(90)
     harness.stage.board.power_off()
     harness.stop()
-    (outcome,) = harness.outcomes
+    (outcome,) = harness.reports
     assert isinstance(outcome, Outcome)
     assert isinstance(outcome.error, NoReply)
     assert "cut its power" in str(outcome.error)
@@ -129,14 +136,14 @@ def test_stop_is_queued_again_when_port_is_lost(harness: MotorsHarness) -> None:
     harness.stage.transport.fail = PortUnavailable("gone")
     with pytest.raises(PortUnavailable):
         harness.stop()
-    assert harness.mail.stops == [Stop(1)]
-    assert not harness.outcomes
+    assert harness.motors.stops == [Stop(1)]
+    assert not harness.reports
     assert harness.motors.may_move
 
 
 def test_unresponsive_board_is_sent_stop_only_if_driven(harness: MotorsHarness) -> None:
-    harness.motors.stop_without_reply(harness.client)
+    harness.driver.stop_without_reply()
     assert not harness.stage.transport.sent
     harness.drive(90)
-    harness.motors.stop_without_reply(harness.client)
+    harness.driver.stop_without_reply()
     assert len(moving(harness.stage.transport.sent)) == 3

@@ -8,11 +8,10 @@ from tests.devices.trex.session.helpers import among, is_stopped, outcomes, stag
 from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session.messages import Close, Closed
-from trex_gui.core.timing import Timeouts
-from trex_gui.devices.trex.driving.arming import ArmingWatchdog
+from trex_gui.devices.trex.driving.requests import Stop
 from trex_gui.devices.trex.protocol.commands import DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.session.messages import Request, RunCommand, Stop
+from trex_gui.devices.trex.session.messages import Request, RunCommand
 from trex_gui.devices.trex.session.session import TrexSession
 
 Step = Callable[[], Request | None]
@@ -82,38 +81,3 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(
     assert found[7].error is not None
     assert found[8].error is not None
     assert isinstance(stage.reports[-1], Closed)
-
-
-# --- Life signs of a computer that stood still -------------------------------------------
-
-
-def test_late_heartbeat_does_not_hide_timeout() -> None:
-    now = 10.0
-    guard = ArmingWatchdog(lambda: now)
-    guard.arm()
-    now += Timeouts().heartbeat + 0.5
-    guard.heartbeat_received(now)  # the window goes on before the line has looked
-    guard.heartbeat_received()  # and so does what somebody drags
-    assert guard.is_abandoned
-
-
-def test_timestamped_heartbeats_prevent_false_timeout() -> None:
-    now = begun = 10.0
-    guard = ArmingWatchdog(lambda: now)
-    guard.arm()
-    now += 3 * Timeouts().heartbeat
-    for number in range(1, 12):
-        guard.heartbeat_received(begun + number * Timeouts().heartbeat / 4)
-        guard.heartbeat_received()
-    assert begun + 11 * Timeouts().heartbeat / 4 < now
-    assert not guard.is_abandoned
-
-
-def test_arming_again_clears_heartbeat_timeout() -> None:
-    now = 10.0
-    guard = ArmingWatchdog(lambda: now)
-    guard.arm()
-    now += 2 * Timeouts().heartbeat
-    assert guard.is_abandoned
-    guard.arm()
-    assert not guard.is_abandoned

@@ -6,8 +6,8 @@ import pytest
 
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.model.board_state import after_writing, in_force
+from trex_gui.devices.trex.client.writing import WriteResult, after_writing
+from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.settings.pending_reset import PendingReset
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.commands import Signature

@@ -11,10 +11,11 @@ import pytest
 from tests.devices.trex.recording.samples import HEADER, read
 from tests.devices.trex.recording.test_csv import assert_equal
 from tests.support.virtual import Stage
+from trex_gui.devices.trex.driving.requests import SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.recording.files import open_recording, writer_for
 from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord
-from trex_gui.devices.trex.session.messages import Batch, Report, SetMotor, Stop
+from trex_gui.devices.trex.session.messages import Batch, Report
 from trex_gui.devices.trex.simulator.firmware import Board
 
 

@@ -22,16 +22,10 @@ from tests.devices.trex.session.helpers import commands, moving, outcomes, timed
 from trex_gui.core.errors import NoReply
 from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.devices.trex.client.writing import Skipped, WriteResult
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetStatus
 from trex_gui.devices.trex.protocol.line_settings import Detection
-from trex_gui.devices.trex.session.messages import (
-    Connected,
-    Report,
-    SetAuxiliary,
-    SetMotor,
-    Stop,
-    Write,
-)
+from trex_gui.devices.trex.session.messages import Connected, Report, Write
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 PAIR = ("crc7_polynomial", "uart_settings")

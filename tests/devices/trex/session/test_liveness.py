@@ -4,7 +4,7 @@ from tests.devices.trex.session.helpers import staged
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.session.liveness import LivenessMonitor
+from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 ELSEWHERE = (ConnectionSettings("virtual", LineSettings(57600)),)
 

@@ -19,6 +19,15 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
 )
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.driving.requests import (
+    Arm,
+    Heartbeat,
+    MotorsStopped,
+    SetAuxiliary,
+    SetMotor,
+    SetMotors,
+    Stop,
+)
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     COMMANDS,
@@ -33,21 +42,15 @@ from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import (
-    Arm,
     Batch,
     Connected,
-    Heartbeat,
-    MotorsStopped,
     NotResponding,
     Reload,
     Report,
     Request,
     RunCommand,
-    SetAuxiliary,
-    SetMotor,
-    SetMotors,
     SetReconnectCandidates,
-    Stop,
+    StateUpdated,
     Write,
 )
 
@@ -153,7 +156,7 @@ def test_all_reports_of_session_survive_pickling(model: str) -> None:
     stage.script.at(1.5, Stop(2)).at(1.6, Reload(3)).at(2.2, stage.board.power_off)
     reports = run_for(stage, 3.0, settings)
     assert {type(report) for report in reports} == {
-        Progress, Connected, Batch, Outcome, NotResponding, Closed,
+        Progress, Connected, StateUpdated, Batch, Outcome, NotResponding, Closed,
     }  # fmt: skip
     for report in reports:
         assert there_and_back(report) == report

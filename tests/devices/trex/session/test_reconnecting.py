@@ -16,6 +16,7 @@ from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.transport.settings import SerialFormat
 from trex_gui.devices.trex.discovery.probe import is_board_at, reconnect_places
 from trex_gui.devices.trex.discovery.reconnect_candidates import after_power_cycle
+from trex_gui.devices.trex.driving.requests import SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode, GetSignature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.framing import Framing
@@ -28,9 +29,7 @@ from trex_gui.devices.trex.session.messages import (
     Reload,
     Report,
     RunCommand,
-    SetMotor,
     SetReconnectCandidates,
-    Stop,
     Write,
 )
 from trex_gui.devices.trex.simulator.firmware import Board

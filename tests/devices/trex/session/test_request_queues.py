@@ -6,8 +6,18 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
-from trex_gui.core.session.messages import Close
-from trex_gui.devices.trex.driving.setpoints import SetpointSlots, packets
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.session.messages import Close, Outcome
+from trex_gui.devices.trex.driving.motor_output import MotorOutput
+from trex_gui.devices.trex.driving.requests import (
+    Arm,
+    SetAuxiliary,
+    SetMotor,
+    SetMotors,
+    Stop,
+    packets,
+)
+from trex_gui.devices.trex.driving.setpoints import SetpointSlots
 from trex_gui.devices.trex.protocol.commands import (
     Drive,
     DriveAuxiliary,
@@ -17,18 +27,13 @@ from trex_gui.devices.trex.protocol.commands import (
 )
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.session.messages import (
-    Arm,
     Reload,
     Request,
     RunCommand,
-    SetAuxiliary,
-    SetMotor,
-    SetMotors,
     SetReconnectCandidates,
-    Stop,
     Write,
 )
-from trex_gui.devices.trex.session.request_queues import RequestQueues
+from trex_gui.devices.trex.session.request_queue import RequestQueue
 
 modest = examples(40)
 
@@ -45,10 +50,20 @@ class Bag:
         return self.requests.popleft() if self.requests else None
 
 
-def mailbox(*requests: Request) -> RequestQueues:
-    mail = RequestQueues(Bag(*requests))
-    mail.collect()
-    return mail
+class Queue(RequestQueue):
+    """A queue with the motor output behind it, at time 0."""
+
+    def __init__(self, *requests: Request) -> None:
+        self.bag = Bag(*requests)
+        self.outcomes: list[Outcome] = []
+        self.motors = MotorOutput(lambda _report: None)
+        super().__init__(self.bag, self.motors, self.outcomes.append, lambda: 0.0)
+
+
+def collected(*requests: Request) -> Queue:
+    queue = Queue(*requests)
+    queue.collect()
+    return queue
 
 
 # --- Slots ------------------------------------------------------------------------------
@@ -159,89 +174,100 @@ def test_packets_contain_newest_setpoint_of_each_motor(
     assert sent == newest
 
 
-# --- Mailbox ----------------------------------------------------------------------------
+# --- Queue ------------------------------------------------------------------------------
 
 
 def test_jobs_keep_their_order() -> None:
     jobs = (RunCommand(1, GetMode()), Write(2), Reload(3), RunCommand(4, GetMode()))
-    assert tuple(mailbox(*jobs).jobs) == jobs
+    assert tuple(collected(*jobs).jobs) == jobs
 
 
 def test_setpoints_of_one_message_share_one_packet() -> None:
     both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
-    assert packets(mailbox(both).drives.take()) == [DriveBoth(Drive.at(9), Drive.at(-9))]
+    setpoints = collected(both).motors.setpoints.take()
+    assert packets(setpoints) == [DriveBoth(Drive.at(9), Drive.at(-9))]
 
 
 def test_newest_setpoint_wins_with_two_motor_messages() -> None:
     both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
     older, newer = SetMotor(2, Drive.at(50)), SetMotor(1, Drive.at(7))
-    assert mailbox(older, both, newer).drives.take() == [newer, SetMotor(2, Drive.at(-9))]
-    assert not mailbox(both, Stop(1)).drives
+    setpoints = collected(older, both, newer).motors.setpoints.take()
+    assert setpoints == [
+        newer,
+        SetMotor(2, Drive.at(-9)),
+    ]
+    assert not collected(both, Stop(1)).motors.setpoints
 
 
 def test_stops_are_queued_separately_and_taken_once() -> None:
-    mail = mailbox(Reload(1), Stop(2), Stop(3))
-    assert mail.take_stops() == [Stop(2), Stop(3)]
-    assert mail.take_stops() == []
+    queue = collected(Reload(1), Stop(2), Stop(3))
+    assert queue.motors.take_stops() == [Stop(2), Stop(3)]
+    assert queue.motors.take_stops() == []
 
 
 def test_stop_discards_earlier_setpoints() -> None:
-    mail = mailbox(SetMotor(1, Drive.at(9)), SetAuxiliary(9), Stop(1))
-    assert not mail.drives
+    queue = collected(SetMotor(1, Drive.at(9)), SetAuxiliary(9), Stop(1))
+    assert not queue.motors.setpoints
 
 
 def test_stop_discards_later_setpoints_until_armed() -> None:
     wish = SetMotor(2, Drive.at(5))
-    assert not mailbox(SetMotor(1, Drive.at(9)), Stop(1), wish).drives
-    mail = mailbox(SetMotor(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), wish)
-    assert mail.drives.take() == [SetMotor(2, Drive.at(5))]
+    assert not collected(SetMotor(1, Drive.at(9)), Stop(1), wish).motors.setpoints
+    queue = collected(SetMotor(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), wish)
+    assert queue.motors.setpoints.take() == [SetMotor(2, Drive.at(5))]
 
 
 def test_stop_discards_setpoints_of_earlier_collect() -> None:
-    bag = Bag(SetMotor(1, Drive.at(9)))
-    mail = RequestQueues(bag)
-    mail.collect()
-    bag.requests.append(Stop(1))
-    mail.collect()
-    assert not mail.drives
+    queue = collected(SetMotor(1, Drive.at(9)))
+    queue.bag.requests.append(Stop(1))
+    queue.collect()
+    assert not queue.motors.setpoints
 
 
 def test_collect_waits_only_for_first_request() -> None:
-    bag = Bag(Reload(1), Reload(2))
-    RequestQueues(bag).collect(0.5)
-    assert bag.waits == [0.5, 0.0, 0.0]
+    queue = Queue(Reload(1), Reload(2))
+    queue.collect(0.5)
+    assert queue.bag.waits == [0.5, 0.0, 0.0]
 
 
 def test_negative_timeout_does_not_wait() -> None:
-    bag = Bag()
-    RequestQueues(bag).collect(-1.0)
-    assert bag.waits == [0.0]
+    queue = Queue()
+    queue.collect(-1.0)
+    assert queue.bag.waits == [0.0]
 
 
 def test_close_keeps_pending_jobs() -> None:
-    mail = mailbox(Reload(1), Close(), Reload(2))
-    assert mail.closing
-    assert mail.abandon() == [1, 2]
+    queue = collected(Reload(1), Close(), Reload(2))
+    assert queue.is_closing
+    assert queue.abandon() == [1, 2]
 
 
 def test_close_discards_earlier_and_later_setpoints() -> None:
     before, after = SetMotor(1, Drive.at(9)), SetAuxiliary(9)
-    assert not mailbox(before, Close(), after).drives
+    assert not collected(before, Close(), after).motors.setpoints
 
 
 def test_abandon_returns_each_request_once() -> None:
-    mail = mailbox(
+    queue = collected(
         RunCommand(1, GetMode()), Stop(2), SetMotor(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
     )
-    assert sorted(mail.abandon()) == [1, 2, 3, 4, 5]
-    assert mail.abandon() == []
-    assert not mail.drives
+    assert sorted(queue.abandon()) == [1, 2, 3, 4, 5]
+    assert queue.abandon() == []
+    assert not queue.motors.setpoints
+
+
+def test_motor_command_overtaken_by_stop_is_rejected() -> None:
+    queue = collected(RunCommand(1, GetMode()), RunCommand(2, DriveMotor(1, Drive.at(9))), Stop(3))
+    assert [job.id for job in queue.jobs] == [1]
+    (outcome,) = queue.outcomes
+    assert outcome.id == 2
+    assert isinstance(outcome.error, BadRequest)
 
 
 def test_last_reconnect_candidates_replace_earlier_ones() -> None:
     here, there = ConnectionSettings("here"), ConnectionSettings("there")
-    assert mailbox().expected == ()
-    assert mailbox(
+    assert collected().candidates == ()
+    assert collected(
         SetReconnectCandidates((here,)), Stop(1), SetReconnectCandidates((there, here))
-    ).expected == (there, here)
-    assert mailbox(SetReconnectCandidates((here,)), SetReconnectCandidates(())).expected == ()
+    ).candidates == (there, here)
+    assert collected(SetReconnectCandidates((here,)), SetReconnectCandidates(())).candidates == ()

@@ -7,6 +7,7 @@ from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.session.messages import Closed, Progress
 from trex_gui.core.transport.serial_port import Transport
+from trex_gui.devices.trex.driving.requests import SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import Drive, GetMode
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Mode
@@ -18,8 +19,6 @@ from trex_gui.devices.trex.session.messages import (
     Reload,
     Report,
     RunCommand,
-    SetMotor,
-    Stop,
     Write,
 )
 from trex_gui.devices.trex.session.session import TrexSession

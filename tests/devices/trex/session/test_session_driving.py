@@ -20,7 +20,8 @@ from tests.support.virtual import Stage
 from trex_gui.core.errors import NoReply
 from trex_gui.core.session.messages import Closed
 from trex_gui.devices.trex.client.telemetry import Control
-from trex_gui.devices.trex.driving.setpoint_retry import REPEATS
+from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
+from trex_gui.devices.trex.driving.setpoints import REPEATS
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
@@ -35,16 +36,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.line_settings import Detection
-from trex_gui.devices.trex.session.messages import (
-    Arm,
-    Connected,
-    Reload,
-    RunCommand,
-    SetAuxiliary,
-    SetMotor,
-    Stop,
-    Write,
-)
+from trex_gui.devices.trex.session.messages import Connected, Reload, RunCommand, Write
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 

@@ -20,6 +20,7 @@ from tests.support.virtual import Stage
 from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.session.messages import Close, Closed
 from trex_gui.core.transport.serial_port import latency_of
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.commands import (
     STOP,
@@ -35,12 +36,9 @@ from trex_gui.devices.trex.session.messages import (
     Reload,
     Request,
     RunCommand,
-    SetAuxiliary,
-    SetMotor,
-    Stop,
     Write,
 )
-from trex_gui.devices.trex.session.sample_batcher import SampleBatcher
+from trex_gui.devices.trex.session.session import SampleBatcher
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
@@ -216,7 +214,7 @@ def test_internal_error_ends_session_and_closes_port(
     closed = reports[-1]
     assert isinstance(closed, Closed)
     assert isinstance(closed.error, StudioError)
-    assert "made a mistake" in str(closed.error)
+    assert "Internal error" in str(closed.error)
     assert "a bug" in str(closed.error)
     assert stage.transport.closed
 

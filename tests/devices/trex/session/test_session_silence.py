@@ -18,18 +18,15 @@ from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session.messages import Close, Closed
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.driving.requests import Arm, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import STOP, Drive, GetMode
 from trex_gui.devices.trex.session.messages import (
-    Arm,
     Batch,
     Connected,
     NotResponding,
     ReadReason,
     Reload,
     RunCommand,
-    SetAuxiliary,
-    SetMotor,
-    Stop,
     Write,
 )
 

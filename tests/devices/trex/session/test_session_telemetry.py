@@ -15,7 +15,6 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.support.virtual import Stage
 from trex_gui.core.session.messages import Close
-from trex_gui.devices.trex.client.schedule import Topic, rates
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
@@ -24,10 +23,12 @@ from trex_gui.devices.trex.client.telemetry import (
     Raw,
     Remapped,
     Sample,
+    Topic,
 )
 from trex_gui.devices.trex.protocol.commands import GetMode, GetStatus
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode, Status, UartError
 from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason, RunCommand, Write
+from trex_gui.devices.trex.session.polling import rates
 from trex_gui.devices.trex.simulator.signals import Signal
 
 KINDS: dict[Topic, type[Sample]] = {

@@ -1,42 +1,52 @@
 """motor, stop: driving, and an end to it whatever happens."""
 
 import math
-from dataclasses import dataclass
+from collections import deque
 from typing import Any
 
 import click
 
 from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.core.cli.host import host
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable, StudioError
+from trex_gui.core.session.messages import Close, Closed, Outcome
 from trex_gui.core.transport.port_holder import holder_of
+from trex_gui.core.transport.serial_port import Transport
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.cli.status import names_of
-from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP, who_controls
-from trex_gui.devices.trex.client.reading import ask
-from trex_gui.devices.trex.client.telemetry import StatusReader
-from trex_gui.devices.trex.driving.stopping import stop_and_confirm
-from trex_gui.devices.trex.protocol.commands import (
-    Command,
-    Drive,
-    DriveAuxiliary,
-    DriveMotor,
-    GetMode,
-    GetParameter,
-    GetSerialControl,
-    Signature,
+from trex_gui.devices.trex.client.reading import DeviceState, ask
+from trex_gui.devices.trex.client.telemetry import Control, LatchedStatus, StatusReader
+from trex_gui.devices.trex.driving.motor_driver import MotorDriver
+from trex_gui.devices.trex.driving.motor_output import MotorOutput
+from trex_gui.devices.trex.driving.requests import (
+    HEARTBEAT_INTERVAL,
+    Arm,
+    Heartbeat,
+    MotorsStopped,
+    SetAuxiliary,
+    SetMotor,
+    Setpoint,
+    Stop,
+    packets,
 )
+from trex_gui.devices.trex.protocol.commands import Drive, GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import parameter_number, parameters_of
-
-_LOOK = 0.1
-"""Seconds between two looks at the board while a motor runs; each feeds its serial timeout."""
+from trex_gui.devices.trex.session.messages import (
+    Batch,
+    Connected,
+    NotResponding,
+    Report,
+    Request,
+)
+from trex_gui.devices.trex.session.session import TrexSession
 
 _SLICE = 0.02
-_FAILURES = 3
-_ENDS_A_RUN = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
+"""Longest wait in seconds without a look at signals."""
+
+_FAULTS = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
 
 
 @click.command(context_settings={"ignore_unknown_options": True})
@@ -65,28 +75,12 @@ def motor(
     Runs until Ctrl-C, or for --seconds. However it ends (a signal and an error too), all motors
     are stopped and the board is asked until it proves that.
     """
-    command = _order(which, speed, accelerate=accelerate, brake=brake)
-    with open_line(link_settings(options)) as client:
-        signature = identify(client)
-        _check_control(client, which)
-        timeout = _timeout(client, signature)
-        reader = StatusReader(client.transport.clock)
-        if old := names_of(reader.read(client.request)):
-            say(f"Noticed before: {', '.join(old)}.")
-        with Interruption(precious=True) as interrupted:
-            reason: str | None = None
-            try:
-                run = _Run(command, seconds, timeout)
-                reason = run.until_done(client, reader, interrupted)
-            except (NoReply, BadReply) as error:
-                reason = f"The board has stopped answering: {error}"
-            except PortUnavailable as error:
-                raise PortUnavailable(f"{error} {_what_now(timeout)}") from error
-            finally:
-                _stop(client, reader, timeout)
-    say("Stopped.")
-    if reason:
-        raise CommandFailed(reason)
+    setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
+    settings = link_settings(options)
+    with Interruption(precious=True) as interrupted:
+        run = _Run(setpoint, math.inf if seconds is None else seconds, interrupted)
+        TrexSession(settings, run, run.take, run.open).run()
+    run.conclude()
 
 
 @click.command()
@@ -109,9 +103,10 @@ def stop(**options: Any) -> None:
 
 def _stop_at(settings: ConnectionSettings) -> None:
     with open_line(settings) as client:
-        reader = StatusReader(client.transport.clock)
-        if not stop_and_confirm(client, reader, careful=True).confirmed:
-            identify(client)  # says why nothing answers
+        motors = MotorOutput(lambda _report: None)
+        driver = MotorDriver(motors, client, StatusReader(client.transport.clock))
+        if not driver.stop_and_confirm(careful=True):
+            identify(client)  # says why there is no reply
             raise NoReply(
                 "The stop was sent, but the board reports errors on the line each time. "
                 "If a motor still turns, cut its power."
@@ -120,112 +115,166 @@ def _stop_at(settings: ConnectionSettings) -> None:
             raise CommandFailed(BEYOND_A_STOP)
 
 
-def _order(which: str, speed: int, *, accelerate: bool, brake: bool) -> Command[None]:
-    """Return the command that was asked for.
+def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpoint:
+    """Return the setpoint that the arguments describe.
 
     Raises:
-        Usage: there is no such command.
+        UsageError: there is none.
     """
     try:
         if which == "aux":
             if brake:
                 raise UsageError("The auxiliary motor has no brake.")
-            order: Command[None] = DriveAuxiliary(speed, accelerate)
+            setpoint: Setpoint = SetAuxiliary(speed, accelerate)
         else:
             drive = Drive.brake(speed) if brake else Drive.at(speed)
-            order = DriveMotor(int(which), drive, accelerate)
-        order.data()
+            setpoint = SetMotor(int(which), drive, accelerate)
+        for command in packets([setpoint]):
+            command.data()
     except BadRequest as error:
         raise UsageError(str(error)) from error
-    return order
+    return setpoint
 
 
-def _check_control(client: TrexClient, which: str) -> None:
-    """Refuse where the motors would not obey, and an order would only wait in the board."""
-    mode = ask(client.request, GetMode())
-    joint = ask(client.request, GetParameter(parameter_number(ParameterKey.MOTOR_MODE))) == 1
-    if not ask(client.request, GetSerialControl()):
-        raise CommandFailed(who_controls(mode, by_serial=False, joint=joint))
-    if joint and which == "2":
-        say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
-
-
-def _timeout(client: TrexClient, signature: Signature) -> float:
-    """Return the board's serial timeout in seconds, 0 for none; warn where there is none."""
-    spec = parameters_of(signature.model.key, signature.firmware)[ParameterKey.SERIAL_TIMEOUT]
-    wire = ask(client.request, GetParameter(spec.number))
-    if not wire:
-        say(
-            "Warning: Serial Timeout is off, so the motor goes on when the cable or this computer "
-            'fails. `trexcmd set serial_timeout "0.5 s"` switches it on.'
-        )
-    return wire * spec.scale
-
-
-@dataclass(frozen=True, slots=True)
 class _Run:
-    """What to do, for how long, and how soon the board must hear of us; all in seconds."""
+    """Drives one motor through a session on the same thread: its inbox, and what hears it.
 
-    command: Command[None]
-    seconds: float | None
-    timeout: float
+    The motor is armed when the first round of polling is over: by then it is known who controls
+    the motors, and old error bits are read.
+    """
 
-    def until_done(
-        self, client: TrexClient, reader: StatusReader, interrupted: Interruption
-    ) -> str | None:
-        """Drive until it is time to stop; return why that is too early, else `None`."""
-        clock = client.transport.clock
-        every = min(_LOOK, self.timeout / 3) if self.timeout else _LOOK
-        client.request(self.command)
-        begun = looked = clock()
-        end = math.inf if self.seconds is None else begun + self.seconds
-        say("Running; Ctrl-C stops." if self.seconds is None else f"Running {self.seconds:g} s.")
-        failures = 0
-        while not interrupted and (now := clock()) < end:
-            if (rest := min(looked + every, end) - now) > 0:
-                client.transport.wait(min(_SLICE, rest))
-                continue
-            looked = now
-            try:
-                news = reader.read(client.request)
-                controls = client.request(GetSerialControl())
-                failures = 0
-            except (NoReply, BadReply):
-                failures += 1
-                if failures == _FAILURES:
-                    raise
-                continue
-            if not controls and not ask(client.request, GetSerialControl()):
-                return "Channel 5 has taken the motors away from the serial port."
-            if news is None:
-                continue
-            names = ", ".join(names_of(news))
-            if news.status & _ENDS_A_RUN or news.uart & UartError.TIMEOUT:
-                return f"The board reports: {names}."
-            say(f"The board reports: {names}.")
-            if news.uart:
-                # It may have stopped the motors for it, or have lost the order.
-                client.request(self.command)
+    def __init__(self, setpoint: Setpoint, seconds: float, interrupted: Interruption) -> None:
+        self._setpoint = setpoint
+        self._seconds = seconds
+        self._interrupted = interrupted
+        self._requests: deque[Request] = deque()
+        self._state: DeviceState | None = None
+        self._end = math.inf
+        self._heartbeat_at = math.inf
+        self._is_running = False
+        self._is_ending = False
+        self._lost_control = 0
+        self._reason: str | None = None
+        self._stop_error: StudioError | None = None
+        self._line_error: StudioError | None = None
+
+    def open(self, settings: ConnectionSettings) -> Transport:
+        """Open the port for the session."""
+        self._transport = host().open_transport(settings)
+        return self._transport
+
+    # --- The inbox ----------------------------------------------------------------------
+
+    def get(self, seconds: float) -> Request | None:
+        """Return the next request of the session."""
+        if not self._requests and seconds > 0:
+            self._transport.wait(min(seconds, _SLICE))
+        now = self._transport.clock()
+        if self._interrupted or now >= self._end:
+            self._finish()
+        if self._requests:
+            return self._requests.popleft()
+        if now >= self._heartbeat_at:
+            self._heartbeat_at = now + HEARTBEAT_INTERVAL
+            return Heartbeat()
         return None
 
+    def _start(self) -> None:
+        self._is_running = True
+        self._requests += (Arm(), self._setpoint)
+        now = self._transport.clock()
+        self._heartbeat_at, self._end = now + HEARTBEAT_INTERVAL, now + self._seconds
+        endless = math.isinf(self._seconds)
+        say("Running; Ctrl-C stops." if endless else f"Running {self._seconds:g} s.")
 
-def _what_now(timeout: float) -> str:
-    if timeout:
-        return f"The board stops its motors by itself {timeout:g} s after the last byte."
-    return "If a motor still turns, cut its power."
+    def _finish(self, reason: str | None = None) -> None:
+        """Stop if the motor was armed, and close the line behind that."""
+        if not self._is_ending:
+            self._is_ending = True
+            self._reason = reason
+            self._requests.append(Stop(1) if self._is_running else Close())
 
+    # --- Reports ------------------------------------------------------------------------
 
-def _stop(client: TrexClient, reader: StatusReader, timeout: float) -> None:
-    """Stop everything.
+    def take(self, report: Report) -> None:
+        """Take a report of the session."""
+        match report:
+            case Connected(state=state):
+                self._connected(state)
+            case Batch(samples=samples):
+                for sample in samples:
+                    if isinstance(sample, LatchedStatus):
+                        self._take_status(sample)
+                    elif isinstance(sample, Control):
+                        self._take_control(by_serial=sample.by_serial)
+            case NotResponding(reason=reason):
+                self._finish(f"The board has stopped answering: {reason}")
+            case MotorsStopped(reason=reason) if reason:
+                self._finish(reason)
+            case Outcome(error=error):
+                self._stop_error = error
+                self._requests.append(Close())
+            case Closed(error=error):
+                self._line_error = error
+            case _:
+                pass
 
-    Raises:
-        Refused: the board does not prove it.
-    """
-    try:
-        confirmed = stop_and_confirm(client, reader, careful=True).confirmed
-    except PortUnavailable as error:
-        raise PortUnavailable(f"{error} {_what_now(timeout)}") from error
-    if not confirmed:
-        raise CommandFailed(
-            f"The stop was sent, but the board does not confirm it. {_what_now(timeout)}"
-        )
+    def _connected(self, state: DeviceState) -> None:
+        if self._state is not None:
+            self._finish("The board was restarted, so the motors were stopped.")
+            return
+        self._state = state
+        joint = state.parameters.get(ParameterKey.MOTOR_MODE) == 1
+        if not state.serial_controls:
+            self._finish(who_controls(state.mode, by_serial=False, joint=joint))
+            return
+        if joint and isinstance(self._setpoint, SetMotor) and self._setpoint.motor == 2:
+            say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
+        if not state.serial_timeout:
+            say(
+                "Warning: Serial Timeout is off, so the motor goes on when the cable or this "
+                'computer fails. `trexcmd set serial_timeout "0.5 s"` switches it on.'
+            )
+
+    def _take_status(self, latched: LatchedStatus) -> None:
+        names = ", ".join(names_of(latched))
+        if not self._is_running:
+            say(f"Noticed before: {names}.")
+        elif latched.status & _FAULTS or latched.uart & UartError.TIMEOUT:
+            self._finish(f"The board reports: {names}.")
+        elif not self._is_ending:
+            say(f"The board reports: {names}.")
+            if latched.uart:  # the board may have stopped the motors for it
+                self._requests.append(self._setpoint)
+
+    def _take_control(self, *, by_serial: bool) -> None:
+        self._lost_control = 0 if by_serial else self._lost_control + 1
+        if by_serial and not self._is_running and not self._is_ending:
+            self._start()
+        elif self._lost_control > 1:  # one reply may be damaged
+            self._finish("Channel 5 has taken the motors away from the serial port.")
+
+    # --- The end ------------------------------------------------------------------------
+
+    def conclude(self) -> None:
+        """Say how it ended.
+
+        Raises:
+            CommandFailed: not as intended.
+        """
+        error = self._line_error or self._stop_error
+        if error is not None:
+            timeout = 0.0 if self._state is None else self._state.serial_timeout
+            if not self._is_running:
+                text = str(error)
+            elif timeout:
+                text = f"{error} The board stops its motors {timeout:g} s after the last byte."
+            elif isinstance(error, PortUnavailable):
+                text = f"{error} If a motor still turns, cut its power."
+            else:
+                text = str(error)
+            raise CommandFailed(text) from error
+        if self._is_running:
+            say("Stopped.")
+        if self._reason:
+            raise CommandFailed(self._reason)

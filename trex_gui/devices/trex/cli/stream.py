@@ -16,7 +16,6 @@ from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
-from trex_gui.devices.trex.client.schedule import Schedule, rates
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
@@ -40,6 +39,7 @@ from trex_gui.devices.trex.recording.columns import (
     status_column,
     uart_column,
 )
+from trex_gui.devices.trex.session.polling import Schedule, rates
 
 _FLUSH = 0.25
 """Seconds after which what was written can be read by others."""
@@ -184,7 +184,7 @@ def _rows(
         if topic is None:
             client.transport.wait(min(_SLICE, schedule.seconds_to_next(now) or 0.0))
             continue
-        schedule.asked(topic, now)
+        schedule.polled(topic, now)
         try:
             sample = poll(client.request, topic, clock, reader)
             if (

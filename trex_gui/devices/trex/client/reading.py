@@ -21,6 +21,7 @@ from trex_gui.devices.trex.protocol.commands import (
     Signature,
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
+from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
 
 Progress = Callable[[int, int, str], None]
@@ -54,6 +55,14 @@ class DeviceState:
     def specs(self) -> ParameterSet:
         """The parameters that this model with this firmware has."""
         return parameters_of(self.signature.model.key, self.signature.firmware)
+
+    @property
+    def serial_timeout(self) -> float:
+        """Seconds without a byte after which the board stops its motors; 0 for never."""
+        return (
+            self.parameters.get(ParameterKey.SERIAL_TIMEOUT, 0)
+            * self.specs[ParameterKey.SERIAL_TIMEOUT].scale
+        )
 
     @property
     def source(self) -> InputSource:

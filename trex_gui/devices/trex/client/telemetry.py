@@ -1,13 +1,14 @@
-"""What is asked again and again, and the samples that come of it."""
+"""Polled values and their samples."""
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from enum import Enum, auto
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.client.schedule import Topic
 from trex_gui.devices.trex.protocol.commands import (
+    Command,
     GetCurrents,
     GetMode,
     GetRawChannels,
@@ -17,6 +18,27 @@ from trex_gui.devices.trex.protocol.commands import (
     GetUartErrors,
 )
 from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
+
+
+class Topic(Enum):
+    """One polled value."""
+
+    CURRENTS = auto()
+    RAW = auto()
+    REMAPPED = auto()
+    STATUS = auto()
+    CONTROL = auto()
+    MODE = auto()
+
+
+QUERIES: Mapping[Topic, Command[object]] = {
+    Topic.CURRENTS: GetCurrents(),
+    Topic.RAW: GetRawChannels(),
+    Topic.REMAPPED: GetRemappedChannels(),
+    Topic.STATUS: GetStatus(),
+    Topic.CONTROL: GetSerialControl(),
+    Topic.MODE: GetMode(),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +67,7 @@ class Currents:
 
 @dataclass(frozen=True, slots=True)
 class LatchedStatus:
-    """Status bits and UART error bits that were latched since the last look."""
+    """Status bits and UART error bits that were latched since they were last read."""
 
     time: float
     status: Status
@@ -55,10 +77,10 @@ class LatchedStatus:
     def has_line_error(self) -> bool:
         """Whether the line has damaged something; a timeout is no damage.
 
-        Where an error is announced and its kind is not told, the question for it was damaged.
+        Where an error is announced but no kind was read, the query for it was damaged.
         """
-        untold = Status.UART_ERROR in self.status and not self.uart
-        return untold or bool(self.uart & ~UartError.TIMEOUT)
+        is_unread = Status.UART_ERROR in self.status and not self.uart
+        return is_unread or bool(self.uart & ~UartError.TIMEOUT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +93,7 @@ class Control:
 
 @dataclass(frozen=True, slots=True)
 class ModeSample:
-    """The mode, looked at once in a while: it changes with the power."""
+    """The mode, which only changes with the power."""
 
     time: float
     mode: Mode
@@ -83,8 +105,8 @@ Sample = Raw | Remapped | Currents | LatchedStatus | Control | ModeSample
 class StatusReader:
     """Reads the latched bits and loses none of them on a line that damages bytes.
 
-    Reading clears a byte. So when the status was asked for and did not arrive, or announced
-    UART errors whose byte did not arrive, the UART error byte is asked for the next time.
+    Reading clears a byte. So when a status did not arrive, or announced UART errors and their
+    byte did not arrive, the UART error byte is read the next time.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
@@ -93,7 +115,7 @@ class StatusReader:
 
     @property
     def uart_due(self) -> bool:
-        """Whether UART error bits may be waiting that no status announces any more."""
+        """Whether UART error bits may be latched that no status announces any more."""
         return self._uart_due
 
     def read(self, request: Requester) -> LatchedStatus | None:
@@ -117,9 +139,7 @@ class StatusReader:
 def poll(
     request: Requester, topic: Topic, clock: Callable[[], float], reader: StatusReader
 ) -> Sample | None:
-    """Ask for one topic; the sample bears the time at which its reply was in.
-
-    `None` when the status has no news.
+    """Read one topic; return its sample with the time of its reply, `None` if no bit was latched.
 
     Raises:
         NoReply, BadReply: as every transaction.

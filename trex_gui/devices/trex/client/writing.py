@@ -4,13 +4,19 @@ Plain functions over a `Requester`, so the command line, the session and tests s
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum, auto
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.client.reading import ATTEMPTS, Progress, ask, no_progress
-from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.client.reading import (
+    ATTEMPTS,
+    DeviceState,
+    Progress,
+    ask,
+    no_progress,
+)
+from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.commands import (
     GetCalibration,
     GetMode,
@@ -19,7 +25,7 @@ from trex_gui.devices.trex.protocol.commands import (
     SetParameter,
 )
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
-from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.flags import InputSource, channel_mask, channels_in
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, ParameterSpec
@@ -138,6 +144,10 @@ def _never() -> bool:
     return False
 
 
+def _ignore(result: WriteResult) -> None:
+    del result
+
+
 def _write(
     request: Requester,
     what: str,
@@ -169,6 +179,7 @@ def write_all(
     *,
     source: InputSource | None = None,
     cancelled: Callable[[], bool] = _never,
+    stored: Callable[[WriteResult], None] = _ignore,
 ) -> tuple[WriteResult, ...]:
     """Store calibrations, then parameters by key, and return how each went.
 
@@ -186,10 +197,11 @@ def write_all(
 
     Once the line is gone, the board has stopped answering or has said that it is not in
     serial mode, the rest is not tried: it would fail alike. Nor is it after `cancelled`, but
-    serial settings that belong together are not parted.
+    serial settings that belong together are not parted. `stored` is called behind each write
+    that was verified.
     """
     total = len(parameters) + len(calibrations)
-    work = _Work(request, specs, total, progress, cancelled, source)
+    work = _Work(request, specs, total, progress, cancelled, stored, source)
     for channel, wanted in calibrations:
         work.store_calibration(channel, wanted)
     ordered = sorted(parameters, key=lambda item: _write_order(specs, item[0]))
@@ -200,6 +212,23 @@ def write_all(
     work.store_serial(serial)
     progress(work.total, work.total, "done")
     return tuple(work.results)
+
+
+def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceState:
+    """Return the state with the values that were read back after they were written."""
+    parameters, calibrations = dict(state.parameters), dict(state.calibrations)
+    learned = set(channels_in(state.calibrated))
+    for result in results:
+        channel = result.channel
+        if isinstance(result.stored, Calibration) and channel is not None:
+            calibrations[channel] = result.stored
+            is_own = result.stored != DEFAULT_CALIBRATION[state.source]
+            learned = (learned - {channel}) | ({channel} if is_own else set())
+        elif isinstance(result.stored, int) and result.what in parameters:
+            parameters[result.what] = result.stored
+    return replace(
+        state, parameters=parameters, calibrations=calibrations, calibrated=channel_mask(learned)
+    )
 
 
 class _Route(Enum):
@@ -224,6 +253,7 @@ class _Work:
     total: int
     progress: Progress
     cancelled: Callable[[], bool]
+    stored: Callable[[WriteResult], None]
     source: InputSource | None
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None
@@ -312,6 +342,8 @@ class _Work:
             except _FAILURES as error:
                 result = WriteResult(what, error=error)
                 self.fatal_error = _if_hopeless(error)
+            else:
+                self.stored(result)
         self.results.append(result)
 
 

@@ -1,66 +1,69 @@
-"""Whether a line has been free of damage for a while: what stands behind every clean status.
+"""Whether a line has been free of damage long enough to trust a clean status.
 
-A clean status proves that the board latched no error, not that the packet before it was the one
-that was sent: without a CRC, one bit makes C0 7F (brake) into C2 7F (full speed ahead), or 86 1F
-(a question) into C6 1F (a quarter ahead). But a line that does so damages other bytes too, and
+A clean status confirms that the board latched no error, not that the packet before it was the one
+that was sent: without a CRC, one bit makes C0 7F (brake) into C2 7F (full speed forward), or 86 1F
+(a query) into C6 1F (a quarter forward). But a line that does so damages other bytes too, and
 those are noticed.
 """
 
-from trex_gui.devices.trex.client.client import Counters, TrexClient
+from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.protocol.line_settings import Detection
 
 QUIET = 300
-"""Whole answers in a row, none of them with damage, after which a line counts as quiet.
+"""Whole replies in a row without damage after which a line counts as quiet.
 
 Each byte arrives with probability p as another one, any of its bits alike. Then the last packet
-of a brake drives that motor with 2p/9 (two of the eight data bits and the stop bit), and goes
-unnoticed. Each answer stands for at least one byte of ours whose damage would have been noticed, so
-that a line which does it counts as quiet with less than 2p/9 * (1 - p)**300: at most 2.7e-4 (where
+of a brake drives that motor with 2p/9 (two of the eight data bits and the stop bit), unnoticed.
+Each reply stands for at least one byte of ours, damage to which would have been noticed, so that
+a line which does it counts as quiet with less than 2p/9 * (1 - p)**300: at most 2.7e-4 (where
 p is 1/300), 1.1e-4 at 1 %, 1.0e-5 at 2 %, 2e-9 at 5 %. The speed of the auxiliary motor has seven
-such bits: 3.5 times that. What remains is cured by CRC-7, which notices every single bit.
+such bits: 3.5 times that. CRC-7, which notices every single bit, removes what remains.
 
 At 19200 baud and above they take 1.6 s.
 """
 
 
 class LineQuality:
-    """Counts the whole answers since the last damage; without any in sight a line is quiet.
+    """Counts whole replies since the last damage.
 
     Attributes:
-        damages: how often damage was seen.
+        answers: whole replies since the line was opened.
+        damages: how often damage was noticed.
     """
 
     def __init__(self) -> None:
+        self.answers = 0
         self.damages = 0
-        self._counters: Counters | None = None
-        self._harm = 0
-        self._harmed_at: int | None = None
+        self._has_crc = False
+        self._is_observed = False
+        self._failures = 0
+        self._damaged_at: int | None = None
 
-    def look(self, client: TrexClient) -> None:
-        """See whether transactions have failed since the last look."""
-        counters = client.counters
-        harm = counters.silences + counters.damaged + counters.stale
-        if self._counters is not counters:
-            self._counters, self._harm = counters, 0
-            self._harmed_at = None if self._harmed_at is None else counters.answers
-        if harm != self._harm:
-            self._harm = harm
+    def observe(self, counters: Counters, *, has_crc: bool) -> None:
+        """Take the counters of the client, which show whether transactions have failed."""
+        self.answers = counters.answers
+        self._has_crc = has_crc
+        self._is_observed = True
+        failures = counters.silences + counters.damaged + counters.stale
+        if failures != self._failures:
+            self._failures = failures
             self._note_damage()
 
-    def note(self, news: LatchedStatus | None) -> None:
-        """Learn from a status what the board has seen."""
-        if news is not None and news.has_line_error:
+    def note_status(self, latched: LatchedStatus | None) -> None:
+        """Take the line errors that the board has latched.
+
+        Before the first `observe` they are older than the connection.
+        """
+        if self._is_observed and latched is not None and latched.has_line_error:
             self._note_damage()
 
-    def is_quiet(self, client: TrexClient) -> bool:
-        """Whether what has been proved by clean statuses is proved for good."""
-        self.look(client)
-        if client.settings.line.detection is Detection.CRC7 or self._harmed_at is None:
+    @property
+    def is_quiet(self) -> bool:
+        """Whether clean statuses are sufficient confirmation."""
+        if self._has_crc or self._damaged_at is None:
             return True
-        return client.counters.answers - self._harmed_at >= QUIET
+        return self.answers - self._damaged_at >= QUIET
 
     def _note_damage(self) -> None:
         self.damages += 1
-        if self._counters is not None:
-            self._harmed_at = self._counters.answers
+        self._damaged_at = self.answers

@@ -1,74 +1,249 @@
-"""What the motors shall do, between a hand that moves fast and a line that is slow."""
+"""Which setpoints are queued, unconfirmed or idle, and when each is sent (again)."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
-from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, DriveBoth, DriveMotor
-from trex_gui.devices.trex.session.messages import MotorRequest, SetAuxiliary, SetMotor, SetMotors
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.driving.line_quality import QUIET, LineQuality
+from trex_gui.devices.trex.driving.requests import (
+    SetAuxiliary,
+    SetMotor,
+    Setpoint,
+    SetpointRequest,
+    is_idle,
+    packets,
+    setpoints_in,
+)
+from trex_gui.devices.trex.protocol.commands import Command, Drive, DriveMotor
+from trex_gui.devices.trex.protocol.flags import Status, UartError
+
+REPEATS = (0.15, 0.3, 0.6, 1.2)
+"""Seconds after which an unconfirmed setpoint is sent again, one after the other.
+
+The first is later than the next status on all but slow lines. After a status with an error the
+sequence begins again, at once.
+"""
+
+LONGEST_REPEATING = 5.0
+"""Seconds after which a setpoint is not repeated any more, confirmed or not."""
+
+_CLEAN_STATUSES = 2
+"""Packets and clean statuses, in turn, that confirm a setpoint; see `motor_driver`.
+
+One where a repeat could do harm: setting a speed at once bypasses the current limiter.
+"""
+
+_MOTOR_FAULT = Status.MOTOR1_FAULT | Status.MOTOR2_FAULT
+
+IDLE_INTERVAL = 0.1
+"""Seconds between idle packets while the line is not quiet; after damage they follow at once.
+
+One of them may itself arrive as a command to drive, which the next one ends.
+"""
+
+_MOTORS = (1, 2)
 
 
-@dataclass(slots=True)
 class SetpointSlots:
-    """One slot a motor: the newest wish waits, an older one is forgotten."""
+    """One slot for each motor: a newer setpoint replaces the queued one."""
 
-    _motors: dict[int, SetMotor] = field(default_factory=dict)
-    _auxiliary: SetAuxiliary | None = None
+    def __init__(self) -> None:
+        self._motors: dict[int, SetMotor] = {}
+        self._auxiliary: SetAuxiliary | None = None
 
-    def put(self, request: MotorRequest) -> None:
-        """Take each wish in place of the one that waits for the same motor."""
-        for wish in setpoints_in(request):
-            if isinstance(wish, SetAuxiliary):
-                self._auxiliary = wish
-            else:
-                self._motors[wish.motor] = wish
-
-    def put_all(self, wishes: Sequence[SetMotor | SetAuxiliary]) -> None:
-        """Take several wishes, each as by `put`."""
-        for wish in wishes:
-            self.put(wish)
+    def put(self, *requests: SetpointRequest) -> None:
+        """Queue setpoints in place of older ones for the same motors."""
+        for request in requests:
+            for setpoint in setpoints_in(request):
+                if isinstance(setpoint, SetAuxiliary):
+                    self._auxiliary = setpoint
+                else:
+                    self._motors[setpoint.motor] = setpoint
 
     def clear(self) -> None:
-        """Forget every wish."""
+        """Drop every setpoint."""
         self._motors.clear()
         self._auxiliary = None
 
     def __bool__(self) -> bool:
         return bool(self._motors) or self._auxiliary is not None
 
-    def take(self) -> list[SetMotor | SetAuxiliary]:
-        """Return the wishes, motors first, and forget them."""
-        wishes: list[SetMotor | SetAuxiliary] = [self._motors[m] for m in sorted(self._motors)]
+    def take(self) -> list[Setpoint]:
+        """Return the setpoints, motors first, and clear the slots."""
+        setpoints: list[Setpoint] = [self._motors[motor] for motor in sorted(self._motors)]
         if self._auxiliary is not None:
-            wishes.append(self._auxiliary)
+            setpoints.append(self._auxiliary)
         self.clear()
-        return wishes
+        return setpoints
 
-    def put_back(self, wishes: Sequence[SetMotor | SetAuxiliary]) -> None:
-        """Let wishes wait again whose packets were damaged, unless newer ones have come."""
-        for wish in wishes:
-            if isinstance(wish, SetAuxiliary):
-                self._auxiliary = self._auxiliary or wish
+    def put_back(self, setpoints: Sequence[Setpoint]) -> None:
+        """Queue setpoints of corrupted packets again, except where newer ones have come."""
+        newer = self.take()
+        self.put(*setpoints, *newer)
+
+
+class SetpointRetry:
+    """Sends unconfirmed setpoints again until a status confirms them.
+
+    Motor packets have no reply: a clean status that was read after one confirms it.
+
+    Attributes:
+        due: when to send them again, on the line's clock; `None` while there are none.
+    """
+
+    def __init__(self) -> None:
+        self.due: float | None = None
+        self._set_at = 0.0
+        self._unconfirmed: list[Setpoint] = []
+        self._repeated = 0
+        self._clean = 0
+        self._sent_since_status = False
+
+    def begin(self, setpoints: Sequence[Setpoint], now: float) -> None:
+        """These are being sent for the first time; they join those that are unconfirmed."""
+        slots = SetpointSlots()
+        slots.put(*self._unconfirmed, *setpoints)
+        self._set_at = now
+        self._repeated = self._clean = 0
+        self._schedule(slots.take(), now)
+
+    def take(self, now: float) -> list[Setpoint]:
+        """Return what is to be sent again, and count it as sent."""
+        setpoints = self._unconfirmed
+        self._repeated += 1
+        self._schedule(setpoints, now)
+        return setpoints
+
+    def clear(self) -> None:
+        """Repeat nothing any more."""
+        self._unconfirmed = []
+        self.due = None
+
+    def _schedule(self, setpoints: list[Setpoint], now: float) -> None:
+        is_late = now >= self._set_at + LONGEST_REPEATING
+        if is_late or self._repeated >= len(REPEATS):
+            self.clear()
+            return
+        self._unconfirmed = setpoints
+        self.due = now + REPEATS[self._repeated]
+        self._sent_since_status = True
+
+    def note_status(
+        self, latched: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
+    ) -> None:
+        """Confirm the setpoints, or schedule them at once after an error.
+
+        Args:
+            latched: the status that was read; `None` if nothing was latched.
+            now: when.
+            is_whole: whether no error can be latched that was not read.
+            stops_on_error: whether the board stops its motors on a UART error. Motors that the
+                board has stopped are not started again.
+        """
+        if self.due is None:
+            return
+        status = Status(0) if latched is None else latched.status
+        uart = UartError(0) if latched is None else latched.uart
+        is_clean = is_whole and (latched is None or not latched.has_line_error)
+        has_stopped = bool(status & _MOTOR_FAULT or uart & UartError.TIMEOUT)
+        if has_stopped or (stops_on_error and not is_clean):
+            self._unconfirmed = [one for one in self._unconfirmed if is_idle(one)]
+        if is_clean and self._sent_since_status:
+            self._sent_since_status = False
+            self._clean += 1
+        elif not is_clean:
+            self._clean = self._repeated = 0
+            self.due = now
+        is_harmless = all(one.accelerate or is_idle(one) for one in self._unconfirmed)
+        if not self._unconfirmed or self._clean >= (_CLEAN_STATUSES if is_harmless else 1):
+            self.clear()
+
+
+class IdleRefresh:
+    """Keeps idle motors at rest on a line that damages bytes, by sending their setpoints again.
+
+    Damage that goes unnoticed can start an idle motor: its own packet, or a query, arrives as
+    another motor command. A query that became a command has no reply, so idle packets follow
+    every failed transaction at once. A packet that became another one shows only by what else
+    the line damages: idle packets are repeated until it is quiet.
+
+    Motors that were never driven are idle too, and braked, from the first setpoint, arming or
+    stop on. Before that nothing is sent, whatever the line does.
+    """
+
+    def __init__(self, quality: LineQuality) -> None:
+        self._quality = quality
+        self._is_active = False
+        self._setpoints: dict[int, SetMotor] = {}
+        self._auxiliary = SetAuxiliary(0)
+        self._auxiliary_at_risk = False
+        self._answers_since: int | None = None
+        self._sent_at = 0.0
+        self._damages_seen = 0
+
+    def note_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
+        """These are being sent."""
+        self._is_active = True
+        self._sent_at = now
+        for setpoint in setpoints:
+            if isinstance(setpoint, SetAuxiliary):
+                self._auxiliary = setpoint
             else:
-                self._motors.setdefault(wish.motor, wish)
+                self._setpoints[setpoint.motor] = setpoint
+        if not all(isinstance(command, DriveMotor) for command in packets(setpoints)):
+            self._note_auxiliary_risk()
 
+    def note_stop(self, now: float) -> None:
+        """A stop has been sent: every motor is idle, braked fully."""
+        self.clear()
+        self._is_active = True
+        self._sent_at = now
+        self._note_auxiliary_risk()
 
-def setpoints_in(request: MotorRequest) -> Sequence[SetMotor | SetAuxiliary]:
-    """Return what is asked of each motor, one wish a motor."""
-    return request.drives if isinstance(request, SetMotors) else (request,)
+    def clear(self) -> None:
+        """Take every motor for idle."""
+        self._setpoints.clear()
+        self._auxiliary = SetAuxiliary(0)
 
+    def on_direct_command(self) -> None:
+        """Send nothing until the next setpoint or stop: it is not known which motors are idle."""
+        self._is_active = False
 
-def packets(wishes: Sequence[SetMotor | SetAuxiliary]) -> list[Command[None]]:
-    """Return the fewest commands that say all of these wishes, at most one for each motor."""
-    motors = [wish for wish in wishes if isinstance(wish, SetMotor)]
-    commands: list[Command[None]] = []
-    if len(motors) == 2 and motors[0].accelerate == motors[1].accelerate:
-        first, second = sorted(motors, key=lambda wish: wish.motor)
-        commands.append(DriveBoth(first.drive, second.drive, first.accelerate))
-    else:
-        commands += [DriveMotor(wish.motor, wish.drive, wish.accelerate) for wish in motors]
-    commands += [
-        DriveAuxiliary(wish.speed, wish.accelerate)
-        for wish in wishes
-        if isinstance(wish, SetAuxiliary)
-    ]
-    return commands
+    def due(self, interval: float, *, armed: bool) -> float | None:
+        """Return when to send, on the line's clock; `None` while the line is quiet."""
+        self._is_active = self._is_active or armed
+        if self._quality.is_quiet:
+            self._watch_auxiliary()
+            self._damages_seen = self._quality.damages
+            return None
+        if not self._is_active:
+            return None
+        is_new = self._quality.damages > self._damages_seen
+        return self._sent_at + (interval if is_new else IDLE_INTERVAL)
+
+    def take(self, now: float) -> list[Command[None]]:
+        """Return the packets of every idle motor, and count them as sent.
+
+        One each: the packet for both motors is one bit away from one for the auxiliary motor.
+        The auxiliary motor is left out unless an earlier packet may have started it: damage to
+        any bit of the speed makes its own packet more dangerous than none.
+        """
+        self._damages_seen = self._quality.damages
+        self._sent_at = now
+        setpoints = [self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in _MOTORS]
+        idle: list[Setpoint] = [one for one in setpoints if is_idle(one)]
+        if self._auxiliary_at_risk and is_idle(self._auxiliary):
+            self._note_auxiliary_risk()
+            idle.append(self._auxiliary)
+        return [command for setpoint in idle for command in packets([setpoint])]
+
+    def _note_auxiliary_risk(self) -> None:
+        """A packet is sent that damage can turn into a speed of the auxiliary motor."""
+        self._auxiliary_at_risk = True
+        self._answers_since = None
+
+    def _watch_auxiliary(self) -> None:
+        """End the risk when the line has been quiet behind that packet: noise may follow it."""
+        if self._answers_since is None:
+            self._answers_since = self._quality.answers
+        if self._quality.answers - self._answers_since >= QUIET:
+            self._auxiliary_at_risk = False

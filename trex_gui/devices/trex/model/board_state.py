@@ -1,31 +1,9 @@
-"""What a board holds, by what it said and what was written since; pure functions."""
-
-from collections.abc import Sequence
-from dataclasses import replace
+"""What is in force in a board now; pure functions."""
 
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION, Calibration
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.flags import InputSource, channel_mask, channels_in
+from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-
-
-def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceState:
-    """Return the state with the values that were read back after they were written."""
-    parameters, calibrations = dict(state.parameters), dict(state.calibrations)
-    learned = set(channels_in(state.calibrated))
-    for result in results:
-        channel = result.channel
-        if isinstance(result.stored, Calibration) and channel is not None:
-            calibrations[channel] = result.stored
-            is_own = result.stored != DEFAULT_CALIBRATION[state.source]
-            learned = (learned - {channel}) | ({channel} if is_own else set())
-        elif isinstance(result.stored, int) and result.what in parameters:
-            parameters[result.what] = result.stored
-    return replace(
-        state, parameters=parameters, calibrations=calibrations, calibrated=channel_mask(learned)
-    )
 
 
 def in_force(state: DeviceState, link: ConnectionSettings | None) -> dict[str, int]:

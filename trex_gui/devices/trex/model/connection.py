@@ -8,18 +8,17 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.session.messages import Closed, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
+from trex_gui.devices.trex.driving.requests import MotorsStopped, Stop
 from trex_gui.devices.trex.model.line import Line
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
 from trex_gui.devices.trex.session.messages import (
     Batch,
     Connected,
-    MotorsStopped,
     NotResponding,
     Reload,
     Report,
     Request,
-    Stop,
     Write,
 )
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder

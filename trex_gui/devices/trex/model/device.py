@@ -10,10 +10,10 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.explanations import who_controls
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
-from trex_gui.devices.trex.client.writing import WriteResult
+from trex_gui.devices.trex.client.writing import WriteResult, after_writing
 from trex_gui.devices.trex.discovery.diagnosis import suggests_scan
 from trex_gui.devices.trex.discovery.reconnect_candidates import reconnect_candidates
-from trex_gui.devices.trex.model.board_state import after_writing, in_force
+from trex_gui.devices.trex.model.board_state import in_force
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.board_stop import SHUTDOWN, why_the_board_stopped
 from trex_gui.devices.trex.model.driving.drive_controller import AfterStop, DriveController

@@ -4,8 +4,9 @@ import math
 
 from trex_gui.core.session.messages import Close
 from trex_gui.core.transport.traffic_log import logged
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, SetMotors, Stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import SetAuxiliary, SetMotor, SetMotors, Stop, Write
+from trex_gui.devices.trex.session.messages import Write
 from trex_gui.devices.trex.session.session import TrexSession
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.session_thread import NOBODY, SessionThread

@@ -4,6 +4,7 @@ from datetime import UTC, datetime
 
 from trex_gui import __version__
 from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor
 from trex_gui.devices.trex.recording.recording import (
     LONGEST_TEXT,
     AuxiliarySetpointRecord,
@@ -12,7 +13,6 @@ from trex_gui.devices.trex.recording.recording import (
     SetpointRecord,
     SettingsSeen,
 )
-from trex_gui.devices.trex.session.messages import SetAuxiliary, SetMotor
 from trex_gui.devices.trex.settings.from_board import settings_of
 from trex_gui.devices.trex.settings.writer import write_settings
 

@@ -1,7 +1,7 @@
-"""What goes into a line session and what comes out of it.
+"""Requests to a line session and its reports.
 
-Small, frozen and picklable, so that a session can run in a thread or in another process and
-nobody above it notices the difference.
+Small, frozen and picklable: they cross threads. `core.session.messages` has those that every
+device shares, `driving.requests` those that concern the motors.
 """
 
 from dataclasses import dataclass
@@ -11,84 +11,28 @@ from trex_gui.core.session.messages import Close, Closed, Outcome, Progress
 from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
+from trex_gui.devices.trex.driving.requests import MotorRequest, MotorsStopped
 from trex_gui.devices.trex.protocol.calibration import Calibration
-from trex_gui.devices.trex.protocol.commands import Command, Drive
+from trex_gui.devices.trex.protocol.commands import Command
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
-# --- In ---------------------------------------------------------------------------------
+# --- Requests ---------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
 class RunCommand:
-    """Run one command; answered by an `Outcome` with the same `id`."""
+    """Run one command; the value of its `Outcome` is the reply."""
 
     id: int
     command: Command[object]
 
 
 @dataclass(frozen=True, slots=True)
-class SetMotor:
-    """What motor 1 or 2 shall do from now on; a newer one replaces one that still waits."""
-
-    motor: int
-    drive: Drive
-    accelerate: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class SetMotors:
-    """What both motors shall do from now on, in one packet: neither begins before the other."""
-
-    drives: tuple[SetMotor, SetMotor]
-
-
-@dataclass(frozen=True, slots=True)
-class SetAuxiliary:
-    """What the auxiliary motor shall do from now on, 0-127."""
-
-    speed: int
-    accelerate: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Stop:
-    """Stop every motor before anything else; answered by an `Outcome` when it is proved.
-
-    Until an `Arm` comes every wish is dropped, and for `lockout` seconds whatever else moves a
-    motor is refused.
-    """
-
-    id: int
-    lockout: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Arm:
-    """The motors are armed from here on, until a `Stop`; has no outcome.
-
-    While they are, polling keeps the board's own serial timeout from running out. Without a
-    `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds the motors are stopped and
-    `MotorsStopped` is reported.
-    """
-
-
-@dataclass(frozen=True, slots=True)
-class Heartbeat:
-    """Whoever has armed the motors is still there; due every `guard.HEARTBEAT_INTERVAL` seconds.
-
-    Attributes:
-        sent: when, on the line's clock; `None`: when it is read.
-    """
-
-    sent: float | None = None
-
-
-@dataclass(frozen=True, slots=True)
 class Write:
     """Store parameters (key, wire value) and calibrations (channel, values).
 
-    See `writing.write_all` for the order and for what an error does to the rest.
-    Answered by an `Outcome` whose value is a tuple of `writing.Written`, one for each.
+    See `writing.write_all` for the order and for what follows from an error. A `StateUpdated` is
+    reported first; the value of the `Outcome` is a tuple with a `writing.WriteResult` for each.
     """
 
     id: int
@@ -98,39 +42,29 @@ class Write:
 
 @dataclass(frozen=True, slots=True)
 class Reload:
-    """Read everything again; answered by `Connected`, then an `Outcome`."""
+    """Read everything again; a `Connected` is reported before its `Outcome`."""
 
     id: int
 
 
 @dataclass(frozen=True, slots=True)
 class SetReconnectCandidates:
-    """When the board falls silent, look for it at these settings too; has no outcome.
+    """Look for a board that does not respond at these settings too; has no outcome.
 
-    Replaces what was expected before; without any settings nothing is expected. A board that
-    comes back elsewhere is expected nowhere else from then on. Where a board stores its UART
-    settings, this belongs before the `Write`: its power may fail right behind it.
+    Replaces earlier candidates. They are dropped when the board responds at other settings than
+    before. Where UART settings are stored, this belongs before the `Write`: the power of the
+    board may fail right behind it.
     """
 
     settings: tuple[ConnectionSettings, ...]
 
 
-MotorRequest = SetMotor | SetMotors | SetAuxiliary
-"""What asks motors for something."""
+Job = RunCommand | Write | Reload
+"""Requests that are served in their order; each has an `Outcome`."""
 
-Request = (
-    RunCommand
-    | MotorRequest
-    | Stop
-    | Arm
-    | Heartbeat
-    | Write
-    | Reload
-    | SetReconnectCandidates
-    | Close
-)
+Request = Job | MotorRequest | SetReconnectCandidates | Close
 
-# --- Out --------------------------------------------------------------------------------
+# --- Reports ----------------------------------------------------------------------------
 
 
 class ReadReason(Enum):
@@ -143,19 +77,19 @@ class ReadReason(Enum):
 
     @property
     def power_cycled(self) -> bool:
-        """Whether the board's power was off since it was read before, as far as can be told."""
+        """Whether the board's power was probably off since it was read before."""
         return self in {ReadReason.RETURNED, ReadReason.MODE_CHANGED}
 
 
 @dataclass(frozen=True, slots=True)
 class Connected:
-    """A board answers, and this is what it says; sent again whenever it is read anew.
+    """A board responds and was read; reported again whenever everything is read.
 
     Attributes:
         echo: whether everything sent comes back: the RS-232 side of the board.
         settings: how the line is set and the board addressed now.
-        may_move: whether motors were driven and no stop was proved since.
-        port_rates: the baud rates that this computer's port can do; `None`: unknown.
+        may_move: whether motors were driven and no stop was confirmed since.
+        port_rates: the baud rates that this computer's port supports; `None`: unknown.
     """
 
     state: DeviceState
@@ -167,24 +101,19 @@ class Connected:
 
 
 @dataclass(frozen=True, slots=True)
+class StateUpdated:
+    """Verified writes have changed what the board stores, and perhaps how it is addressed."""
+
+    state: DeviceState
+    settings: ConnectionSettings
+
+
+@dataclass(frozen=True, slots=True)
 class NotResponding:
     """The port is there, but the board has stopped answering; the session goes on trying."""
 
     reason: str
     counters: Counters
-
-
-@dataclass(frozen=True, slots=True)
-class MotorsStopped:
-    """The motors were stopped unasked, or a stop that was not proved has been at last.
-
-    Attributes:
-        reason: why nobody had to ask, for people; empty where it is the late proof of a stop.
-        proved: whether the board's status proves that it has arrived.
-    """
-
-    reason: str
-    confirmed: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,4 +127,6 @@ class Batch:
     counters: Counters
 
 
-Report = Progress | Connected | NotResponding | MotorsStopped | Batch | Outcome | Closed
+Report = (
+    Progress | Connected | StateUpdated | NotResponding | MotorsStopped | Batch | Outcome | Closed
+)

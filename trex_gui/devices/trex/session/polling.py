@@ -1,64 +1,172 @@
-"""What a session asks by itself: what is due, and while motors are armed only what is in time."""
+"""Which value to poll next: each as often as the board renews it, in fair shares. Pure.
 
-from collections.abc import Collection
+Polling faster than the board renews a value reads the same value again, and costs the time in
+which a motor command could have been sent.
 
-from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.client.schedule import Schedule, Topic, rates
-from trex_gui.devices.trex.driving.keepalive import CHEAPEST, longest_pause, too_slow
-from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
+While motors are armed, polling also feeds the board's serial timeout. The board counts from one
+received byte to the next, and is deaf while it answers: the silence that it sees is the reply to
+one query and the first byte of the next one.
+"""
+
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+from trex_gui.devices.trex.client.telemetry import QUERIES, Topic
+from trex_gui.devices.trex.protocol.commands import Command
+from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+
+_LONGEST_LAG = 0.1
+"""Seconds by which the schedule may be late before it stops catching up."""
+
+_MARGIN = 0.015
+"""Seconds between a reply and the next query: the board's response delay (1 ms), half of its 10 ms
+cycle, and a busy host (some milliseconds, measured beside a window that paints)."""
+
+_KEEPALIVE_SHARE = 0.4
+"""Share of the serial timeout after which something is polled even if nothing is due."""
+
+_CHEAPEST = Topic.CONTROL
+"""Polled to feed the serial timeout: one byte out, one byte in."""
 
 
-class Polling:
-    """The schedule of one board, and its serial timeout; knows no clock but the times it is given.
+def rates(source: InputSource) -> Mapping[Topic, float]:
+    """Return how often a second each topic is worth polling.
 
-    Attributes:
-        timeout: seconds of silence after which the board stops its motors; 0 for never.
+    Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog,
+    about 80 Hz with RC inputs). Status bits are latched, so none is missed between two polls;
+    10 Hz is as fast as a user reads. The mode only changes with the power.
+    """
+    return {
+        Topic.CURRENTS: 80.0 if source is InputSource.RC else 50.0,
+        Topic.RAW: 50.0,
+        Topic.REMAPPED: 50.0,
+        Topic.STATUS: 10.0,
+        Topic.CONTROL: 10.0,
+        Topic.MODE: 1.0,
+    }
+
+
+# --- The serial timeout -----------------------------------------------------------------
+
+
+def silence(line: LineSettings, command: Command[object]) -> float:
+    """Return the longest silence, in seconds, that a board sees around its reply to a query."""
+    size = command.reply_size() + (line.detection is Detection.CRC7)
+    return line.seconds(size + 1) + command.seconds_to_answer + _MARGIN
+
+
+def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
+    """Return the topics with replies that outlast a serial timeout in seconds, 0 for none."""
+    if timeout <= 0:
+        return frozenset()
+    return frozenset(topic for topic, query in QUERIES.items() if silence(line, query) >= timeout)
+
+
+def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
+    """Whether motors keep running when one reply is lost, since the next query comes in time.
+
+    `lateness`: seconds for which a reply is awaited beyond its time on the wire.
+    """
+    left_out = too_slow(line, timeout)
+    polled = [query for topic, query in QUERIES.items() if topic not in left_out]
+    return timeout <= 0 or max(silence(line, query) for query in polled) + lateness < timeout
+
+
+def longest_pause(timeout: float) -> float | None:
+    """Return the longest pause in seconds between two polls; `None`: any."""
+    return timeout * _KEEPALIVE_SHARE if timeout > 0 else None
+
+
+# --- The schedule -----------------------------------------------------------------------
+
+
+@dataclass(slots=True)
+class _Entry:
+    period: float
+    due: float
+
+
+class Schedule:
+    """When each topic is due.
+
+    Where the line is too slow for all of it, each topic gets the same share of its rate.
     """
 
     def __init__(self) -> None:
-        self.timeout = 0.0
+        self._entries: dict[Topic, _Entry] = {}
+
+    def start(self, wanted: Mapping[Topic, float], now: float) -> None:
+        """Poll these topics, each so many times a second, from `now` on."""
+        self._entries = {topic: _Entry(1 / rate, now) for topic, rate in wanted.items()}
+
+    def next(self, now: float) -> Topic | None:
+        """Return the topic that was due first; `None` while none is."""
+        topic = min(self._entries, key=lambda topic: self._entries[topic].due, default=None)
+        return topic if topic is not None and self._entries[topic].due <= now else None
+
+    def polled(self, topic: Topic, now: float) -> None:
+        """Count a topic as polled.
+
+        It is due again one period after it was due, so the rate is met on average. Where the
+        line falls behind, everything is delayed by the same time, so that nothing starves.
+        """
+        if entry := self._entries.get(topic):
+            entry.due += entry.period
+            behind = now - _LONGEST_LAG - min(entry.due for entry in self._entries.values())
+            if behind > 0:
+                for each in self._entries.values():
+                    each.due += behind
+
+    def seconds_to_next(self, now: float) -> float:
+        """Return how long nothing is due."""
+        due = min((entry.due for entry in self._entries.values()), default=math.inf)
+        return max(0.0, due - now)
+
+
+class Polling:
+    """The schedule of one board, and the keep-alive of its serial timeout."""
+
+    def __init__(self) -> None:
         self._schedule = Schedule()
-        self._asked_at = 0.0
+        self._polled_at = 0.0
 
-    def start(self, state: DeviceState, now: float) -> None:
-        """Ask what a board with such inputs renews."""
-        self._schedule.start(rates(state.source), now)
-        self._asked_at = now
-        self.take(state.parameters.get(ParameterKey.SERIAL_TIMEOUT, 0), state)
-
-    def take(self, wire: int, state: DeviceState) -> None:
-        """Follow the serial timeout that the board stores: it is in force at once."""
-        self.timeout = wire * state.specs[ParameterKey.SERIAL_TIMEOUT].scale
+    def start(self, source: InputSource, now: float) -> None:
+        """Poll what a board with such inputs renews."""
+        self._schedule.start(rates(source), now)
+        self._polled_at = now
 
     def next(
-        self, now: float, line: LineSettings, *, armed: bool, careful: bool = False
+        self, now: float, line: LineSettings, timeout: float, *, armed: bool, careful: bool = False
     ) -> Topic | None:
-        """Return what to ask now, and count it as asked; `None` while nothing is due.
+        """Return the topic to poll now, and count it as polled; `None` while none is due.
 
-        Who is `careful` asks nothing that one damaged bit makes a command which starts a motor.
+        Args:
+            now: seconds.
+            line: how fast the line is.
+            timeout: the board's serial timeout in seconds, 0 for none.
+            armed: whether to keep it from expiring.
+            careful: whether to omit what one damaged bit turns into a command that starts a motor.
         """
-        left_out: Collection[Topic] = too_slow(line, self.timeout) if armed else ()
+        left_out: Collection[Topic] = too_slow(line, timeout) if armed else ()
         if careful:
             left_out = {*left_out, Topic.RAW}  # 86 1F is one bit away from C6 1F, 87 1F brakes
         while topic := self._schedule.next(now):
-            self._schedule.asked(topic, now)
+            self._schedule.polled(topic, now)
             if topic not in left_out:
                 break
-        if topic is None and armed and self._pause_left(now) == 0:
-            topic = CHEAPEST
+        if topic is None and armed and self._pause_left(now, timeout) == 0:
+            topic = _CHEAPEST
         if topic is not None:
-            self._asked_at = now
+            self._polled_at = now
         return topic
 
-    def seconds_to_next(self, now: float, *, armed: bool) -> float | None:
-        """Return how long nothing has to be asked; `None` when nothing ever has."""
-        seconds = self._schedule.seconds_to_next(now)
-        pause = self._pause_left(now) if armed else None
-        if seconds is None or pause is None:
-            return pause if seconds is None else seconds
-        return min(seconds, pause)
+    def seconds_to_next(self, now: float, timeout: float, *, armed: bool) -> float:
+        """Return how long nothing has to be polled."""
+        pause = self._pause_left(now, timeout) if armed else math.inf
+        return min(self._schedule.seconds_to_next(now), pause)
 
-    def _pause_left(self, now: float) -> float | None:
-        pause = longest_pause(self.timeout)
-        return None if pause is None else max(0.0, self._asked_at + pause - now)
+    def _pause_left(self, now: float, timeout: float) -> float:
+        pause = longest_pause(timeout)
+        return math.inf if pause is None else max(0.0, self._polled_at + pause - now)

@@ -1,8 +1,7 @@
-"""The loop that owns a line: messages in, reports out, one transaction at a time.
+"""The loop that owns a line: requests in, reports out, one transaction at a time.
 
-It knows neither threads nor Qt. Order of service: stop, driving, what was asked, polling.
-Nothing that it does on its own may move a motor; a stop is the one motor command that it
-may send unasked.
+It knows neither threads nor Qt. Order of service: stop, drive, requests, polling. A stop is the
+one motor command that is sent unprompted.
 """
 
 import logging
@@ -10,61 +9,90 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, StudioError
+from trex_gui.core.session.loop import SHORTEST_WAIT, Closing, Inbox, run_until_closed
 from trex_gui.core.session.messages import Closed, Outcome, Progress
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
-from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.client import Counters, TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
-from trex_gui.devices.trex.client.schedule import Topic
-from trex_gui.devices.trex.client.telemetry import LatchedStatus, ModeSample, StatusReader, poll
-from trex_gui.devices.trex.client.writing import WriteResult, write_all
+from trex_gui.devices.trex.client.telemetry import (
+    LatchedStatus,
+    ModeSample,
+    Sample,
+    StatusReader,
+    Topic,
+    poll,
+)
+from trex_gui.devices.trex.client.writing import WriteResult, after_writing, write_all
 from trex_gui.devices.trex.discovery.diagnosis import diagnose
-from trex_gui.devices.trex.driving.arming import ArmingWatchdog
-from trex_gui.devices.trex.driving.motors import MotorOutput
+from trex_gui.devices.trex.driving.motor_driver import MotorDriver
+from trex_gui.devices.trex.driving.motor_output import Event, MotorOutput
 from trex_gui.devices.trex.protocol.commands import Command, GetMode, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.errors import Rejected
-from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
+from trex_gui.devices.trex.protocol.line_settings import baud_rates
 from trex_gui.devices.trex.protocol.parameter_keys import ParameterKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSet
-from trex_gui.devices.trex.session.liveness import LivenessMonitor
 from trex_gui.devices.trex.session.messages import (
+    Batch,
     Connected,
+    Job,
     NotResponding,
     ReadReason,
     Reload,
     Report,
+    Request,
     RunCommand,
+    StateUpdated,
     Write,
 )
 from trex_gui.devices.trex.session.polling import Polling
-from trex_gui.devices.trex.session.request_queues import Inbox, RequestQueues
-from trex_gui.devices.trex.session.sample_batcher import SampleBatcher
+from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
+from trex_gui.devices.trex.session.request_queue import RequestQueue
 
 log = logging.getLogger(__name__)
 
-_TICK = 1e-5
-"""Shortest wait in seconds: a rounding error in a sum of times must not become a busy loop."""
+FRAME = 1 / 60
+"""Least seconds between two batches of samples."""
 
 
-class _Closing(Exception):  # noqa: N818 - no error: the session was asked to end
-    pass
+class SampleBatcher:
+    """Collects samples into at most one batch each display frame."""
 
+    def __init__(self, report: Callable[[Batch], None]) -> None:
+        self._report = report
+        self._samples: list[Sample] = []
+        self._last_flush = 0.0
+        self.add = self._samples.append
+        self.extend = self._samples.extend
 
-def _known(*moments: float | None) -> list[float]:
-    return [seconds for seconds in moments if seconds is not None]
+    def seconds_to_next(self, now: float) -> float | None:
+        """Return when a batch is due; `None` without samples."""
+        return self._last_flush + FRAME - now if self._samples else None
+
+    def flush(self, counters: Counters, now: float) -> None:
+        """Report the samples, if there are any."""
+        self._last_flush = now
+        if self._samples:
+            batch = Batch(tuple(self._samples), replace(counters))
+            self._samples.clear()
+            self._report(batch)
 
 
 class TrexSession:
-    """Serves one line from opening it to giving it back.
+    """Serves one line from opening it to closing it.
 
-    `emit` is called with every report, from wherever `run` runs. `may_move` says that motors
-    may be turning from an earlier session: then a stop goes out before anything else.
+    Args:
+        settings: how to reach the board.
+        inbox: where requests come from.
+        emit: receives every report, wherever `run` runs.
+        open_transport: opens the port.
+        may_move: whether motors may be moving since an earlier session: then a stop is sent
+            before anything else.
     """
 
     def __init__(
         self,
         settings: ConnectionSettings,
-        inbox: Inbox,
+        inbox: Inbox[Request],
         emit: Callable[[Report], None],
         open_transport: Callable[[ConnectionSettings], Transport] = SerialTransport,
         *,
@@ -73,356 +101,308 @@ class TrexSession:
         self._settings = settings
         self._emit = emit
         self._open_transport = open_transport
-        self._mail = RequestQueues(inbox, guard=ArmingWatchdog(timeouts=settings.timeouts))
-        self._batches = SampleBatcher(emit)
-        self._motors = MotorOutput(self._mail, emit, self._batches.extend, may_move=may_move)
-        self._presence = LivenessMonitor(settings.timeouts)
-        self._state: DeviceState | None = None
+        self._client: TrexClient | None = None
+        self._motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
+        self._queue = RequestQueue(inbox, self._motors, emit, self._now)
+        self._batcher = SampleBatcher(emit)
+        self._liveness = LivenessMonitor(settings.timeouts)
         self._polling = Polling()
+        self._state: DeviceState | None = None
         self._port_rates: frozenset[int] | None = None
 
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes; then report `Closed`.
 
-        Never raises: whatever happens, the motors are stopped if they were driven, the port
-        is given back and every request gets its outcome.
+        Never raises: whatever happens, motors that were driven are stopped, the port is closed and
+        every request gets its outcome.
         """
-        error: StudioError | None = None
-        is_open = False
-        try:
-            _ = self._settings.framing  # impossible settings must not open the port
-            transport = self._open_transport(self._settings)
-            self._port_rates = transport.rates(baud_rates())
-            self._client = TrexClient(transport, self._settings)
-            self._mail.guard.clock = transport.clock
-            is_open = True
-            self._status = StatusReader(transport.clock)
-            self._connect()
-            while True:
-                self._step()
-        except _Closing:
-            pass
-        except StudioError as reason:
-            error = reason
-        except BaseException as reason:  # whatever ends this thread, motors come first
-            log.exception("the line session failed")
-            error = StudioError(f"The program made a mistake on this line: {reason!r}")
-        if is_open:
-            self._leave_safely()
-        self._finish(error)
+        error = run_until_closed(self._open, self._step)
+        if self._client is not None:
+            self._leave_safely(self._client)
+        self._queue.collect()
+        reason = error or StudioError("The line was closed before this was done.")
+        for number in self._queue.abandon():
+            self._emit(Outcome(number, error=reason))
+        self._emit(Closed(error, self._motors.may_move))
+
+    def _now(self) -> float:
+        return 0.0 if self._client is None else self._client.transport.clock()
 
     # --- Beginning and end --------------------------------------------------------------
 
-    def _connect(self) -> None:
+    def _open(self) -> None:
+        _ = self._settings.framing  # impossible settings must not open the port
+        transport = self._open_transport(self._settings)
+        client = self._client = TrexClient(transport, self._settings)
+        self._port_rates = transport.rates(baud_rates())
+        self._status = StatusReader(transport.clock)
+        self._driver = MotorDriver(
+            self._motors, client, self._status, self._batcher.extend, self._is_closing
+        )
         echo = False
         try:
-            echo = self._client.detect_echo(self._stop_early)
-            if self._motors.may_move:
-                self._motors.stop_and_confirm(self._client, self._status)
+            echo = client.detect_echo(self._stop_early)
+            self._stop_if_moving()
             self._read_everything(ReadReason.OPENED)
         except (NoReply, BadReply) as error:
             raise diagnose(self._settings, echo=echo, error=error) from error
 
     def _stop_early(self) -> None:
-        self._mail.collect()
-        self._motors.stop_early(self._client)
+        self._queue.collect()
+        self._driver.stop_early()
 
-    def _read_everything(self, occasion: ReadReason) -> None:
-        """Read everything and tell it. But on a mere reload nothing drives meanwhile.
+    def _stop_if_moving(self) -> None:
+        if self._motors.may_move:
+            self._driver.stop_and_confirm()
 
-        Whoever drives does not know yet that the board was without power, or is another one, and
-        goes on wishing; when it is told, every motor stands and has to be armed anew.
-        """
-        if occasion.power_cycled:
-            self._give_up_driving()
-        self._state = read_everything(self._request, self._progress)
-        if occasion is not ReadReason.RELOADED:
-            if occasion.power_cycled or self._mail.guard.armed:
-                self._give_up_driving()
-            if self._motors.may_move:
-                self._motors.stop_and_confirm(self._client, self._status)
-        self._polling.start(self._state, self._now())
-        self._presence.begin()
-        self._mail.guard.is_reachable = True
-        self._flush()
-        self._emit(
-            Connected(
-                self._state,
-                self._client.echo,
-                occasion,
-                self._client.settings,
-                self._motors.may_move,
-                self._port_rates,
-            )
-        )
+    def _is_closing(self) -> bool:
+        self._queue.collect()
+        return self._queue.is_closing
 
-    def _give_up_driving(self) -> None:
-        """Drop what is wished until somebody arms the motors again."""
-        self._mail.guard.disarm()
-        self._motors.forget()
-
-    def _leave_safely(self) -> None:
-        """Stop what was driven and give the port back, whatever the line does."""
+    def _leave_safely(self, client: TrexClient) -> None:
+        """Stop motors that were driven and close the port, whatever the line does."""
         try:
-            if self._motors.may_move or self._mail.stops:
-                self._motors.stop_on_close(self._client, self._status)
-            self._client.drain()
+            if self._motors.may_move or self._motors.stops:
+                self._driver.stop_on_close()
+            client.drain()
         except StudioError:
-            log.info("the line was left without a proved stop", exc_info=True)
+            log.info("the line was closed without a confirmed stop", exc_info=True)
         except Exception:
             log.exception("leaving the line failed")
         try:
             self._flush()
-        except Exception:  # whoever is told may be what went wrong; the port is given back
-            log.exception("the last samples could not be told")
-        self._client.close()
-
-    def _finish(self, error: StudioError | None) -> None:
-        self._mail.collect()
-        reason = error or StudioError("The line was closed before this was done.")
-        for waiting in self._mail.abandon():
-            self._emit(Outcome(waiting, error=reason))
-        self._emit(Closed(error, self._motors.may_move))
+        except Exception:  # the receiver may be what failed; the port is closed all the same
+            log.exception("the last samples could not be reported")
+        client.close()
 
     # --- The loop -----------------------------------------------------------------------
 
     def _step(self) -> None:
         self._collect()
         now = self._now()
-        due = self._batches.seconds_to_next(now)
+        due = self._batcher.seconds_to_next(now)
         if due is not None and due <= 0:
             self._flush()
-        if self._serve_urgent():
+        if self._serve_motors():
             return
-        if self._mail.jobs:
-            self._run(self._mail.jobs.popleft())
-        elif self._presence.silent and now >= self._presence.retry_at:
-            self._look_again()
-        elif self._presence.silent:
-            self._collect(self._seconds_to_wait(now))
-        elif topic := self._next_topic(now):
+        if self._queue.jobs:
+            self._serve(self._queue.jobs.popleft())
+        elif self._liveness.silent and now >= self._liveness.retry_at:
+            self._try_to_reconnect()
+        elif not self._liveness.silent and (topic := self._next_topic(now)):
             self._poll(topic)
         else:
             self._collect(self._seconds_to_wait(now))
 
-    def _next_topic(self, now: float) -> Topic | None:
-        self._client.feeds_timeout = self._mail.guard.armed
-        careful = self._motors.is_careful(self._client)
-        return self._polling.next(now, self._line, armed=self._mail.guard.armed, careful=careful)
-
-    def _has_to_retry_stop(self) -> bool:
-        seconds = self._motors.seconds_to_stop_retry(self._client)
-        return not self._presence.silent and seconds is not None and seconds <= 0
-
     def _collect(self, seconds: float = 0.0) -> None:
-        self._mail.collect(seconds)
-        if self._mail.closing:
-            raise _Closing
+        self._queue.collect(seconds)
+        if self._queue.is_closing:
+            raise Closing
 
     def _seconds_to_wait(self, now: float) -> float:
-        moments = [self._settings.timeouts.retry]
-        if self._presence.silent:
-            moments.append(self._presence.retry_at - now)
+        seconds = [self._settings.timeouts.retry, *self._driver.seconds_to_next()]
+        if self._liveness.silent:
+            seconds.append(self._liveness.retry_at - now)
         else:
-            moments += _known(
-                self._polling.seconds_to_next(now, armed=self._mail.guard.armed),
-                self._motors.seconds_to_stop_retry(self._client),
-            )
-        moments += _known(
-            self._batches.seconds_to_next(now),
-            self._seconds_to_drive(),
-            self._mail.guard.seconds_to_alarm,
-        )
-        return max(_TICK, min(moments))
+            armed = self._motors.is_armed
+            seconds.append(self._polling.seconds_to_next(now, self._serial_timeout, armed=armed))
+        if (batch := self._batcher.seconds_to_next(now)) is not None:
+            seconds.append(batch)
+        return max(SHORTEST_WAIT, min(seconds))
 
-    def _seconds_to_drive(self) -> float | None:
-        return self._motors.seconds_to_drive(self._client, silent=self._presence.silent)
-
-    def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        """Run one transaction of a longer piece of work, unless something goes before it."""
-        self._collect()
-        self._serve_urgent()
-        return self._client.request(command)
-
-    def _serve_urgent(self) -> bool:
-        """Stop or drive when that is due; return whether the line was used."""
-        if self._mail.stops:
-            self._motors.stop(self._client, self._status)
-            return True
-        if self._mail.guard.is_abandoned:
-            self._motors.stop_abandoned(self._client, self._status)
-            return True
-        if self._has_to_retry_stop():
-            self._motors.retry_stop(self._client, self._status)
-            return True
-        seconds = self._seconds_to_drive()
-        if seconds is None or seconds > 0:
-            return False
-        self._drive()
-        return True
-
-    def _drive(self) -> None:
-        if self._presence.silent:
-            # A board that comes back must not be met by a wish that is seconds old.
-            self._motors.forget()
-            return
+    def _serve_motors(self) -> bool:
+        """Stop or drive if that is due; return whether the line was used."""
         try:
-            self._motors.drive(self._client)
+            return self._driver.serve()
         except (NoReply, BadReply) as error:
             self._note_failure(error)
+            return True
 
-    def _now(self) -> float:
-        return self._client.transport.clock()
-
-    # --- What was asked -----------------------------------------------------------------
-
-    def _run(self, job: RunCommand | Write | Reload) -> None:
-        try:
-            value: object = None
-            match job:
-                case _ if self._presence.is_scanning(self._client, self._mail.expected):
-                    self._refuse()
-                case RunCommand(command=command):
-                    self._mail.guard.check(command)
-                    if command.moves:
-                        # At once: behind a stop that comes now it would start what was stopped.
-                        self._motors.leave()
-                        value = self._client.request(command)
-                    else:
-                        value = self._request(command)
-                case Write():
-                    value = self._write(job)
-                case Reload():
-                    returned = ReadReason.RETURNED if self._presence.silent else ReadReason.RELOADED
-                    self._read_everything(returned)
-        except (BadRequest, NoReply, BadReply, Rejected) as error:
-            self._emit(Outcome(job.id, error=error))
-        except Exception:
-            # The line ends: this waits for its outcome as everything else that is dropped.
-            self._mail.jobs.appendleft(job)
-            raise
-        else:
-            self._emit(Outcome(job.id, value))
-
-    def _write(self, job: Write) -> tuple[WriteResult, ...]:
-        """Write until it is done or `Close` comes, which leaves the rest and no value halfway.
-
-        How everything went is told before the line is closed. Motors that may turn do not wait
-        for that.
-        """
-        has_stopped = False
-
-        def is_closing() -> bool:
-            self._mail.collect()
-            return self._mail.closing
-
-        def request(command: Command[ReplyT_co]) -> ReplyT_co:
-            nonlocal has_stopped
-            if is_closing() and self._motors.may_move and not has_stopped:
-                has_stopped = True
-                self._motors.stop_on_close(self._client, self._status)
-            self._serve_urgent()
-            return self._client.request(command)
-
-        results = write_all(
-            request,
-            self._specs,
-            job.parameters,
-            job.calibrations,
-            self._progress,
-            source=None if self._state is None else self._state.source,
-            cancelled=is_closing,
-        )
-        for written in results:
-            if written.what == ParameterKey.SERIAL_TIMEOUT and isinstance(written.stored, int):
-                self._polling.take(written.stored, self._known_state)
-        return results
-
-    def _refuse(self) -> None:
-        """Let nothing that a person asks reach a board at settings which nobody knows."""
-        raise NoReply("No board answers; it is being looked for.")
+    def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        """Run one transaction of a longer operation, after whatever is more urgent."""
+        self._collect()
+        self._serve_motors()
+        return self._line.request(command)
 
     @property
-    def _known_state(self) -> DeviceState:
-        if self._state is None:
-            raise NoReply("No board has been read yet.")
-        return self._state
+    def _line(self) -> TrexClient:
+        assert self._client is not None  # noqa: S101 - only used once the line is open
+        return self._client
 
-    @property
-    def _specs(self) -> ParameterSet:
-        return self._known_state.specs
-
-    @property
-    def _line(self) -> LineSettings:
-        return self._client.settings.line
+    def _flush(self) -> None:
+        self._batcher.flush(self._line.counters, self._now())
 
     def _progress(self, done: int, total: int, what: str) -> None:
         self._emit(Progress(done, total, what))
 
-    # --- Polling ------------------------------------------------------------------------
+    # --- Requests -----------------------------------------------------------------------
+
+    def _serve(self, job: Job) -> None:
+        try:
+            value = self._result_of(job)
+        except (BadRequest, NoReply, BadReply, Rejected) as error:
+            self._emit(Outcome(job.id, error=error))
+        except BaseException:
+            # The session ends: this gets its outcome like every request that is dropped.
+            self._queue.jobs.appendleft(job)
+            raise
+        else:
+            self._emit(Outcome(job.id, value))
+
+    def _result_of(self, job: Job) -> object:
+        if self._liveness.is_scanning(self._line, self._queue.candidates):
+            # Nothing may reach a board at unknown settings.
+            raise NoReply("No board answers; it is being looked for.")
+        match job:
+            case RunCommand(command=command) if command.moves:
+                # At once: behind a stop that comes now it would start what was stopped.
+                self._motors.check(command, self._now())
+                return self._driver.run_direct(command)
+            case RunCommand(command=command):
+                return self._request(command)
+            case Write():
+                return self._write(job)
+            case Reload():
+                returned = ReadReason.RETURNED if self._liveness.silent else ReadReason.RELOADED
+                self._read_everything(returned)
+                return None
+
+    def _write(self, job: Write) -> tuple[WriteResult, ...]:
+        """Write until it is done or `Close` comes, which leaves no value halfway.
+
+        Motors that may be moving do not wait for that.
+        """
+        if self._state is None:
+            raise NoReply("No board has been read yet.")
+        before, stop_is_due = self._state, True
+
+        def request(command: Command[ReplyT_co]) -> ReplyT_co:
+            nonlocal stop_is_due
+            if stop_is_due and self._is_closing() and self._motors.may_move:
+                stop_is_due = False
+                self._driver.stop_on_close()
+            self._serve_motors()
+            return self._line.request(command)
+
+        results = write_all(
+            request,
+            before.specs,
+            job.parameters,
+            job.calibrations,
+            self._progress,
+            source=before.source,
+            cancelled=self._is_closing,
+            stored=self._note_stored,
+        )
+        if self._state is not before:
+            self._emit(StateUpdated(self._state, self._line.settings))
+        return results
+
+    def _note_stored(self, result: WriteResult) -> None:
+        if self._state is not None:
+            self._state = after_writing(self._state, (result,))
+
+    # --- Reading ------------------------------------------------------------------------
+
+    def _read_everything(self, occasion: ReadReason) -> None:
+        """Read everything and report it; unless it is merely reloaded, nothing drives meanwhile.
+
+        The window does not know yet that the board was without power, or is another one, and
+        goes on sending setpoints; when it does, every motor is stopped and has to be armed again.
+        """
+        if occasion.power_cycled:
+            self._motors.handle(Event.LOCK_OUT, self._now())
+        self._state = read_everything(self._request, self._progress)
+        if occasion is not ReadReason.RELOADED:
+            if occasion.power_cycled or self._motors.is_armed:
+                self._motors.handle(Event.LOCK_OUT, self._now())
+            self._stop_if_moving()
+        self._polling.start(self._state.source, self._now())
+        self._liveness.begin()
+        self._motors.handle(Event.BOARD_READ, self._now())
+        self._flush()
+        client = self._line
+        self._emit(
+            Connected(
+                self._state,
+                client.echo,
+                occasion,
+                client.settings,
+                self._motors.may_move,
+                self._port_rates,
+            )
+        )
+
+    @property
+    def _serial_timeout(self) -> float:
+        return 0.0 if self._state is None else self._state.serial_timeout
+
+    def _next_topic(self, now: float) -> Topic | None:
+        self._line.feeds_timeout = self._motors.is_armed
+        return self._polling.next(
+            now,
+            self._line.settings.line,
+            self._serial_timeout,
+            armed=self._motors.is_armed,
+            careful=self._driver.avoids_risky_polls(),
+        )
 
     def _poll(self, topic: Topic) -> None:
         try:
             sample = poll(self._request, topic, self._now, self._status)
-            self._presence.note_answer()
+            self._liveness.note_answer()
             if topic is Topic.STATUS:
                 self._note_status(sample if isinstance(sample, LatchedStatus) else None)
             if sample is not None:
-                self._batches.add(sample)
+                self._batcher.add(sample)
             if (
                 isinstance(sample, ModeSample)
                 and self._state
                 and sample.mode is not self._state.mode
             ):
-                # The power was off and a jumper has moved: everything may be different now.
-                if self._motors.may_move:
-                    self._motors.stop_and_confirm(self._client, self._status)
+                # The power was off and a jumper was moved: everything may have changed.
+                self._stop_if_moving()
                 self._read_everything(ReadReason.MODE_CHANGED)
         except (NoReply, BadReply) as error:
             self._note_failure(error)
 
-    def _note_status(self, news: LatchedStatus | None) -> None:
-        values = {} if self._state is None else self._state.parameters
+    def _note_status(self, latched: LatchedStatus | None) -> None:
+        parameters = {} if self._state is None else self._state.parameters
         self._motors.note_status(
-            news,
+            latched,
             self._now(),
             is_whole=not self._status.uart_due,
-            stops_on_error=bool(values.get(ParameterKey.UART_ERROR_SHUTDOWN)),
+            stops_on_error=bool(parameters.get(ParameterKey.UART_ERROR_SHUTDOWN)),
         )
 
+    # --- A board that does not respond --------------------------------------------------
+
     def _note_failure(self, error: StudioError) -> None:
-        if self._presence.note_failure(self._now()):
-            self._give_up_driving()
-            self._mail.guard.is_reachable = False
-            self._motors.stop_without_reply(self._client)
+        if self._liveness.note_failure(self._now()):
+            self._motors.handle(Event.NOT_RESPONDING, self._now())
+            self._driver.stop_without_reply()
             self._flush()
-            self._emit(NotResponding(str(error), replace(self._client.counters)))
+            self._emit(NotResponding(str(error), replace(self._line.counters)))
 
-    # --- Silence ------------------------------------------------------------------------
-
-    def _look_again(self) -> None:
-        """See whether the board is back; if it is, it may have been through a power cycle."""
+    def _try_to_reconnect(self) -> None:
+        """See whether the board responds again; it may have been without power."""
         try:
-            self._motors.stop_without_reply(self._client)
-            if not self._presence.is_scanning(self._client, self._mail.expected):
-                self._client.request(GetMode())
-            elif not self._look_at_next_place():
+            self._driver.stop_without_reply()
+            if not self._liveness.is_scanning(self._line, self._queue.candidates):
+                self._line.request(GetMode())
+            elif not self._probe_next_candidate():
                 return
-            if self._motors.may_move:
-                self._motors.stop_and_confirm(self._client, self._status)
+            self._stop_if_moving()
             self._read_everything(ReadReason.RETURNED)
         except (NoReply, BadReply):
-            self._presence.retry_later(self._now())
+            self._liveness.retry_later(self._now())
 
-    def _look_at_next_place(self) -> bool:
-        """Put one question; return whether the board answered. The session goes on there."""
-        found = self._presence.look(self._client, self._mail.expected)
+    def _probe_next_candidate(self) -> bool:
+        """Send one probe; return whether the board answered. The session continues there."""
+        found = self._liveness.look(self._line, self._queue.candidates)
         if found is None:
             return False
         if found is not self._client:
-            self._client = found
-            self._mail.expected = ()
+            self._client = self._driver.client = found
+            self._queue.candidates = ()
         return True
-
-    def _flush(self) -> None:
-        self._batches.tell(self._client.counters, self._now())

@@ -7,11 +7,16 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from trex_gui.core.errors import BadRequest
+from trex_gui.devices.trex.driving.requests import (
+    SetAuxiliary,
+    SetMotor,
+    SetMotors,
+    SetpointRequest,
+)
 from trex_gui.devices.trex.model.driving.lockout import remember_lockout
 from trex_gui.devices.trex.model.driving.momentary_drive import MomentaryDrive
 from trex_gui.devices.trex.model.driving.motors import LOCKOUT, Motors
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.session.messages import MotorRequest, SetAuxiliary, SetMotor, SetMotors
 
 
 class RequestRecorder:
@@ -19,7 +24,7 @@ class RequestRecorder:
 
     def __init__(self) -> None:
         self.motors = Motors()
-        self.requests: list[MotorRequest] = []
+        self.requests: list[SetpointRequest] = []
         self.stops = 0
         self.changes = 0
         self.motors.requested.connect(self.requests.append)

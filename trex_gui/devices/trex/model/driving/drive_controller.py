@@ -7,19 +7,18 @@ from PySide6.QtCore import QObject, Signal, Slot
 from trex_gui.core.errors import NoReply, StudioError
 from trex_gui.core.session.messages import Closed, Outcome
 from trex_gui.devices.trex.client.explanations import BEYOND_A_STOP
-from trex_gui.devices.trex.driving.arming import HEARTBEAT_INTERVAL
+from trex_gui.devices.trex.driving.requests import (
+    HEARTBEAT_INTERVAL,
+    Arm,
+    Heartbeat,
+    MotorsStopped,
+    SetpointRequest,
+    Stop,
+)
 from trex_gui.devices.trex.model.connection import Connection
 from trex_gui.devices.trex.model.driving.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.session.messages import (
-    Arm,
-    Connected,
-    Heartbeat,
-    MotorRequest,
-    MotorsStopped,
-    ReadReason,
-    Stop,
-)
+from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import now, runtime
@@ -101,7 +100,7 @@ class DriveController(QObject):
     # --- Wishes and stops ---------------------------------------------------------------
 
     @Slot(object)
-    def _on_drive_requested(self, wish: MotorRequest) -> None:
+    def _on_drive_requested(self, wish: SetpointRequest) -> None:
         if self._connection.submit(wish):
             self._may_move = True
 

@@ -4,11 +4,11 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor, SetMotors
 from trex_gui.devices.trex.model.driving.lockout import LOCKOUT, Lockout, remembered_lockout
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.command import seven_bits
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.session.messages import SetAuxiliary, SetMotor, SetMotors
 from trex_gui.ui.runtime import now
 
 __all__ = ["LOCKOUT", "Motors"]

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from PySide6.QtCore import QCoreApplication
 
 from trex_gui.core.transport.serial_port import latency_of
-from trex_gui.devices.trex.driving.keepalive import survives_a_loss
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.session.polling import survives_a_loss
 
 _OFFERED_S = (0.5, 1.0, 2.0, 5.0)
 """Seconds offered, the first that this line can keep fed: in 0.5 s a robot at 2 m/s goes a metre,

@@ -7,12 +7,12 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.devices.trex.client.reading import DeviceState
-from trex_gui.devices.trex.driving.setpoints import setpoints_in
+from trex_gui.devices.trex.driving.requests import SetpointRequest, setpoints_in
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.recording.files import writer_for
 from trex_gui.devices.trex.recording.recording import Record
 from trex_gui.devices.trex.recording.records_from import header_of, marker, settings_seen, wish_of
-from trex_gui.devices.trex.session.messages import Batch, MotorRequest
+from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.runtime import now
@@ -77,7 +77,7 @@ class Recorder(RecordThread[Record]):
         self.put(marker(event.time, event.kind.value, event.text))
 
     @Slot(object)
-    def _on_requested(self, request: MotorRequest) -> None:
+    def _on_requested(self, request: SetpointRequest) -> None:
         now = self.clock()
         self.put(*(wish_of(wish, now) for wish in setpoints_in(request)))
 

@@ -1,5 +1,6 @@
-"""What is asked next: pure arithmetic over given times."""
+"""What is polled next: pure arithmetic over given times."""
 
+import math
 from collections import Counter
 from collections.abc import Mapping
 
@@ -8,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.matrix import examples
-from trex_gui.devices.trex.client.schedule import Schedule, Topic, rates
+from trex_gui.devices.trex.client.telemetry import Topic
 from trex_gui.devices.trex.protocol.flags import InputSource
+from trex_gui.devices.trex.session.polling import Schedule, rates
 
 modest = examples(40)
 
@@ -30,7 +32,7 @@ def simulate(
     """Ask what the schedule says, each taking its time; count."""
     schedule = Schedule()
     schedule.start(wanted, 0.0)
-    now, asked = 0.0, Counter[Topic]()
+    now, polled = 0.0, Counter[Topic]()
     while now < seconds:
         topic = schedule.next(now)
         if topic is None:
@@ -38,10 +40,10 @@ def simulate(
             assert wait is not None
             now += max(wait, 1e-6)
             continue
-        schedule.asked(topic, now)
-        asked[topic] += 1
+        schedule.polled(topic, now)
+        polled[topic] += 1
         now += cost[topic]
-    return asked
+    return polled
 
 
 def on_line(baud: int) -> dict[Topic, float]:
@@ -51,31 +53,23 @@ def on_line(baud: int) -> dict[Topic, float]:
 def test_unstarted_schedule_has_no_next_topic() -> None:
     schedule = Schedule()
     assert schedule.next(5.0) is None
-    assert schedule.seconds_to_next(5.0) is None
-
-
-def test_cleared_schedule_has_no_next_topic() -> None:
-    schedule = Schedule()
-    schedule.start(rates(InputSource.RC), 0.0)
-    schedule.clear()
-    assert schedule.next(5.0) is None
-    assert schedule.seconds_to_next(5.0) is None
+    assert schedule.seconds_to_next(5.0) == math.inf
 
 
 def test_every_topic_is_due_at_start() -> None:
     schedule = Schedule()
     schedule.start(rates(InputSource.RC), 10.0)
-    asked = set()
+    polled = set()
     while topic := schedule.next(10.0):
-        asked.add(topic)
-        schedule.asked(topic, 10.0)
-    assert asked == set(Topic)
+        polled.add(topic)
+        schedule.polled(topic, 10.0)
+    assert polled == set(Topic)
 
 
 def test_topic_is_not_due_before_its_period() -> None:
     schedule = Schedule()
     schedule.start({Topic.MODE: 2.0}, 0.0)
-    schedule.asked(Topic.MODE, 0.0)
+    schedule.polled(Topic.MODE, 0.0)
     assert schedule.next(0.49) is None
     assert schedule.seconds_to_next(0.1) == pytest.approx(0.4)
     assert schedule.next(0.5) is Topic.MODE
@@ -87,14 +81,14 @@ def test_restart_discards_earlier_topics() -> None:
     schedule.start({Topic.MODE: 1.0, Topic.RAW: 50.0}, 0.0)
     schedule.start({Topic.STATUS: 10.0}, 1.0)
     assert schedule.next(1.0) is Topic.STATUS
-    schedule.asked(Topic.STATUS, 1.0)
+    schedule.polled(Topic.STATUS, 1.0)
     assert schedule.next(1.05) is None
 
 
 def test_unscheduled_topic_is_ignored() -> None:
     schedule = Schedule()
     schedule.start({Topic.MODE: 1.0}, 0.0)
-    schedule.asked(Topic.RAW, 0.0)
+    schedule.polled(Topic.RAW, 0.0)
     assert schedule.next(0.0) is Topic.MODE
 
 
@@ -109,34 +103,34 @@ def test_poll_rates_match_update_rates_of_source() -> None:
 @pytest.mark.parametrize("baud", [19200, 57600, 115200])
 def test_fast_line_meets_every_poll_rate(source: InputSource, baud: int) -> None:
     wanted = rates(source)
-    asked = simulate(wanted, on_line(baud), 20.0)
+    polled = simulate(wanted, on_line(baud), 20.0)
     for topic, rate in wanted.items():
-        assert asked[topic] / 20.0 == pytest.approx(rate, rel=0.01, abs=0.05)
+        assert polled[topic] / 20.0 == pytest.approx(rate, rel=0.01, abs=0.05)
 
 
 def test_late_polls_do_not_lower_rate() -> None:
     schedule = Schedule()
     schedule.start({Topic.STATUS: 10.0}, 0.0)
-    asked = 0
+    polled = 0
     for step in range(1000):
         now = step * 0.013  # never at the right moment
         if schedule.next(now):
-            schedule.asked(Topic.STATUS, now)
-            asked += 1
-    assert asked == pytest.approx(130, abs=2)
+            schedule.polled(Topic.STATUS, now)
+            polled += 1
+    assert polled == pytest.approx(130, abs=2)
 
 
 def test_polls_missed_in_pause_are_not_caught_up() -> None:
     schedule = Schedule()
     schedule.start({Topic.CURRENTS: 80.0}, 0.0)
-    schedule.asked(Topic.CURRENTS, 0.0)
-    asked, now = 0, 100.0
+    schedule.polled(Topic.CURRENTS, 0.0)
+    polled, now = 0, 100.0
     while now < 101.0:
         if schedule.next(now):
-            schedule.asked(Topic.CURRENTS, now)
-            asked += 1
+            schedule.polled(Topic.CURRENTS, now)
+            polled += 1
         now += 0.001
-    assert asked < 95
+    assert polled < 95
 
 
 @modest
@@ -148,8 +142,8 @@ def test_polls_missed_in_pause_are_not_caught_up() -> None:
 )
 def test_no_topic_starves(*, wanted: dict[Topic, float], cost: float) -> None:
     load = max(1.0, cost * sum(wanted.values()))
-    asked = simulate(wanted, dict.fromkeys(Topic, cost), 3 * load / min(wanted.values()) + 1.0)
-    assert all(asked[topic] >= 2 for topic in wanted)
+    polled = simulate(wanted, dict.fromkeys(Topic, cost), 3 * load / min(wanted.values()) + 1.0)
+    assert all(polled[topic] >= 2 for topic in wanted)
 
 
 @modest
@@ -162,9 +156,9 @@ def test_no_topic_starves(*, wanted: dict[Topic, float], cost: float) -> None:
 def test_poll_rates_are_met_and_not_exceeded(*, wanted: dict[Topic, float], share: float) -> None:
     cost = share / sum(wanted.values())
     seconds = 10 / min(wanted.values())
-    asked = simulate(wanted, dict.fromkeys(Topic, cost), seconds)
+    polled = simulate(wanted, dict.fromkeys(Topic, cost), seconds)
     for topic, rate in wanted.items():
-        assert asked[topic] == pytest.approx(rate * seconds, rel=0.02, abs=2)
+        assert polled[topic] == pytest.approx(rate * seconds, rel=0.02, abs=2)
 
 
 @modest
@@ -183,4 +177,4 @@ def test_wait_ends_when_topic_is_due(*, times: list[float]) -> None:
         if topic is None:
             assert schedule.next(now + wait + 1e-9) is not None
         else:
-            schedule.asked(topic, now)
+            schedule.polled(topic, now)

@@ -1,0 +1,281 @@
+"""Carries motor output through a client: setpoints, stops and their confirmation.
+
+A stop is the one motor command that is sent unprompted. Motor commands have no reply: a stop is
+confirmed by the board's own status, if the board answers and has latched no UART error since the
+packets were sent.
+"""
+
+import logging
+from collections.abc import Callable, Sequence
+
+from trex_gui.core.errors import BadReply, BadRequest, NoReply
+from trex_gui.devices.trex.client.client import TrexClient
+from trex_gui.devices.trex.client.telemetry import LatchedStatus, StatusReader
+from trex_gui.devices.trex.driving.motor_output import UNCONFIRMED, Event, MotorOutput
+from trex_gui.devices.trex.driving.requests import packets
+from trex_gui.devices.trex.protocol.commands import STOP, Command, ReplyT_co
+from trex_gui.devices.trex.protocol.line_settings import Detection
+
+log = logging.getLogger(__name__)
+
+DRIVE_INTERVAL = 0.02
+"""Least seconds between two motor packets; the board itself updates its motors every 10 ms."""
+
+_LONGEST_DRIVE = 11
+"""Bytes of the motor packets that leave together: both motors and auxiliary, expanded, CRC."""
+
+_ATTEMPTS = 20
+_RETRY_ATTEMPTS = 4
+
+_CLEAN_ROUNDS = 2
+"""Rounds of stop and clean status in a row that confirm a stop.
+
+A board that is still answering an earlier query is deaf, and latches nothing for packets that it
+lost whole: one round can pass unheard, but not also the next one once it has answered.
+"""
+
+_CAREFUL_ROUNDS = 8
+"""The same on a line that damages bytes, when the stop cannot wait until it is quiet.
+
+The last of them can still have become a speed, unnoticed, with 2p/9 * (1 - p)**56 at p damaged
+bytes each: 0.14 % at worst. See `line_quality` for a stronger confirmation.
+"""
+
+_CLOSING_ATTEMPTS = 6
+_CAREFUL_CLOSING_ATTEMPTS = 16
+_CLOSING_SECONDS = 0.5
+"""Limits of a stop before the port is closed, the second on a line that damages bytes.
+
+The window waits for a second; the last round may begin just before this time is over.
+"""
+
+
+class MotorDriver:
+    """Drives and stops the motors of one board when its owner lets it use the line.
+
+    Args:
+        output: the state; requests go into it.
+        client: runs the transactions; the owner replaces it when the board moved.
+        status: reads the status that confirms stops.
+        take_statuses: receives the bits that confirming a stop has cleared.
+        is_closing: whether to abort unanswered stops: the port is about to be closed.
+    """
+
+    def __init__(
+        self,
+        output: MotorOutput,
+        client: TrexClient,
+        status: StatusReader,
+        take_statuses: Callable[[Sequence[LatchedStatus]], None] = lambda _: None,
+        is_closing: Callable[[], bool] = lambda: False,
+    ) -> None:
+        self.output = output
+        self.client = client
+        self._status = status
+        self._take_statuses = take_statuses
+        self._is_closing = is_closing
+
+    # --- Stopping -----------------------------------------------------------------------
+
+    def _send_stop(self) -> None:
+        """Brake both motors fully and switch the auxiliary motor off; confirms nothing."""
+        for command in STOP:
+            self.client.send(command)
+
+    def _stop(
+        self,
+        attempts: int,
+        *,
+        final: bool = False,
+        careful: bool = False,
+        aborts: Callable[[], bool] | None = None,
+    ) -> bool:
+        """Send a stop again and again until clean statuses follow; return whether they did.
+
+        A `final` stop does not wait for a line that damages bytes to become quiet, but takes more
+        rounds there, and on one that is too new to know if it is `careful`. It is aborted behind a
+        round without a clean status if `aborts` says so.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        self.output.drop_unconfirmed()
+        aborts = aborts or self._is_closing
+        careful = careful or (final and not self._is_quiet())
+        rounds = _CAREFUL_ROUNDS if careful else _CLEAN_ROUNDS
+        latched: list[LatchedStatus] = []
+        clean = 0
+        for _ in range(attempts):
+            self._send_stop()
+            try:
+                status = self._status.read(self.client.request)
+            except (NoReply, BadReply):
+                clean = 0
+            else:
+                if status is not None:
+                    latched.append(status)
+                is_clean = not (self._status.uart_due or (status and status.has_line_error))
+                clean = clean + 1 if is_clean else 0
+            if clean == rounds or (not clean and aborts()):
+                break
+        confirmed = clean == rounds
+        self._take_statuses(latched)
+        self._is_quiet()
+        self.output.note_stop(self._now(), latched, confirmed=confirmed, final=final)
+        return confirmed
+
+    def stop_and_confirm(self, *, careful: bool = False) -> bool:
+        """Stop unprompted, at once and for good; return whether the board has confirmed it.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        return self._stop(_ATTEMPTS, final=True, careful=careful)
+
+    def serve_stops(self) -> None:
+        """Serve every requested stop; each gets its outcome, even when the line is lost.
+
+        Raises:
+            PortUnavailable: the line is gone; the stops are queued again for `stop_on_close`.
+        """
+        output = self.output
+        stops = output.take_stops()
+        try:
+            answered = self._stop(_ATTEMPTS)
+        except Exception:
+            output.put_back(stops)
+            raise
+        if not answered and self._is_closing():
+            output.put_back(stops)
+        else:
+            output.end_stops(stops, self._now(), answered=answered)
+
+    def stop_on_close(self) -> None:
+        """Stop before the port is closed, and serve every requested stop by that.
+
+        Raises:
+            PortUnavailable: the line is gone; the stops are queued again.
+        """
+        output = self.output
+        stops = output.take_stops()
+        end = self._now() + _CLOSING_SECONDS
+        attempts = _CLOSING_ATTEMPTS if self._is_quiet() else _CAREFUL_CLOSING_ATTEMPTS
+        try:
+            confirmed = self._stop(attempts, final=True, aborts=lambda: self._now() >= end)
+        except Exception:
+            output.put_back(stops)
+            raise
+        output.report_stops(stops, None if confirmed else NoReply(UNCONFIRMED))
+
+    def stop_early(self) -> None:
+        """Send the requested stops on a line of which nothing is known yet.
+
+        They stay queued until they are confirmed. An echo is left unread.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        if self.output.may_move or self.output.stops:
+            self._send_stop()
+            self.client.drain()
+            self.client.transport.wait(self.client.transport.latency)
+
+    def stop_without_reply(self) -> None:
+        """Stop motors that may be moving on a board that does not respond: it may still hear.
+
+        Raises:
+            PortUnavailable: the line is gone.
+        """
+        if self.output.may_move:
+            self._send_stop()
+
+    # --- What is due --------------------------------------------------------------------
+
+    def serve(self) -> bool:
+        """Stop or drive if that is due; return whether the line was used.
+
+        Raises:
+            NoReply, BadReply: the echo of a setpoint is corrupted; it is sent again.
+            PortUnavailable: the line is gone.
+        """
+        output, now = self.output, self._now()
+        if output.stops:
+            self.serve_stops()
+        elif _is_due(output.seconds_to_heartbeat_timeout(now)):
+            output.handle(Event.LOCK_OUT, now)
+            output.end_heartbeat_stop(answered=self._stop(_ATTEMPTS))
+        elif _is_due(self.seconds_to_stop_retry()):
+            self._stop(_RETRY_ATTEMPTS)
+            output.end_stop_retry()
+        elif _is_due(self.seconds_to_drive()):
+            self._drive()
+        else:
+            return False
+        return True
+
+    def seconds_to_next(self) -> list[float]:
+        """Return when `serve` has something to do, as far as that is known."""
+        seconds = (
+            self.output.seconds_to_heartbeat_timeout(self._now()),
+            self.seconds_to_stop_retry(),
+            self.seconds_to_drive(),
+        )
+        return [one for one in seconds if one is not None]
+
+    def seconds_to_stop_retry(self) -> float | None:
+        """Return when to repeat an unconfirmed stop; `None` without one."""
+        return self.output.seconds_to_stop_retry(self._now())
+
+    def seconds_to_drive(self) -> float | None:
+        """Return when to send motor packets; `None` without any.
+
+        On a slow line half of the time is left to everything else.
+        """
+        self._is_quiet()
+        seconds = 2 * self.client.settings.line.seconds(_LONGEST_DRIVE)
+        return self.output.seconds_to_drive(self._now(), max(DRIVE_INTERVAL, seconds))
+
+    def avoids_risky_polls(self) -> bool:
+        """Whether no query may be sent that a damaged bit makes a motor command."""
+        return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
+
+    def _drive(self) -> None:
+        """Send the newest setpoints, or unconfirmed ones again, or refresh idle motors."""
+        now = self._now()
+        setpoints = self.output.take_setpoints(now)
+        if not setpoints:
+            for command in self.output.idle.take(now):
+                self.client.send(command)  # goes before the rest of a reply is awaited
+            return
+        try:
+            for command in packets(setpoints):
+                self.client.request(command)
+        except BadRequest as error:
+            self.output.drop_unconfirmed()
+            log.warning("a setpoint that no motor can obey was dropped: %s", error)
+        except (NoReply, BadReply):
+            self.output.setpoints.put_back(setpoints)
+            raise
+
+    def run_direct(self, command: Command[ReplyT_co]) -> ReplyT_co:
+        """Send one motor command that is not a setpoint.
+
+        Raises:
+            NoReply, BadReply: its echo is corrupted.
+            PortUnavailable: the line is gone.
+        """
+        self.output.idle.on_direct_command()
+        self.output.handle(Event.DIRECT_COMMAND_SENT, self._now())
+        return self.client.request(command)
+
+    def _is_quiet(self) -> bool:
+        has_crc = self.client.settings.line.detection is Detection.CRC7
+        self.output.quality.observe(self.client.counters, has_crc=has_crc)
+        return self.output.quality.is_quiet
+
+    def _now(self) -> float:
+        return self.client.transport.clock()
+
+
+def _is_due(seconds: float | None) -> bool:
+    return seconds is not None and seconds <= 0

@@ -1,0 +1,358 @@
+"""Motor output as one state machine: what may be sent, what may be moving, what comes next.
+
+Pure: every method takes the time, in seconds on the line's clock. `motor_driver` performs the I/O.
+
+Two things change independently, each with its table below. `Arming` says whose motor commands
+pass; `Motion` says whether a motor may be moving and whether a stop is still to be confirmed.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from enum import Enum, auto
+
+from trex_gui.core.errors import BadRequest, NoReply, StudioError
+from trex_gui.core.session.messages import Outcome
+from trex_gui.core.timing import Timeouts
+from trex_gui.devices.trex.client.telemetry import LatchedStatus
+from trex_gui.devices.trex.driving.line_quality import LineQuality
+from trex_gui.devices.trex.driving.requests import (
+    Arm,
+    Heartbeat,
+    MotorRequest,
+    MotorsStopped,
+    Setpoint,
+    Stop,
+)
+from trex_gui.devices.trex.driving.setpoints import IdleRefresh, SetpointRetry, SetpointSlots
+from trex_gui.devices.trex.protocol.commands import Command
+
+STOP_RETRY_INTERVAL = 0.25
+"""Seconds after which an unconfirmed stop is sent again."""
+
+UNCONFIRMED = (
+    "The stop was sent, but the board does not confirm it. If a motor still turns, cut its power."
+)
+
+_NOISY = (
+    "The stop was sent and the board answers, but the line damages bytes. It is sent again until "
+    "the line is quiet. If a motor still turns, cut its power."
+)
+
+_NO_HEARTBEAT = "The window did not respond for a second."
+
+
+class Arming(Enum):
+    """Which motor commands pass."""
+
+    INITIAL = auto()
+    """Every one; the motors were neither armed nor stopped yet."""
+    ARMED = auto()
+    """Every one, as long as heartbeats come."""
+    DISARMED = auto()
+    """No setpoints, but commands that are requested one by one."""
+    LOCKED_OUT = auto()
+    """None, for a time or until the motors are armed."""
+    UNREACHABLE = auto()
+    """None, and arming has no effect: the board does not respond."""
+
+
+class Motion(Enum):
+    """Whether a motor may be moving."""
+
+    STOPPED = auto()
+    """No motor was driven since the last confirmed stop."""
+    DRIVEN = auto()
+    """A motor may be moving, and shall."""
+    STOP_UNCONFIRMED = auto()
+    """A motor may be moving although a stop was sent; the stop is repeated."""
+
+
+class Event(Enum):
+    """What changes the state."""
+
+    ARM = auto()
+    STOP = auto()
+    LOCK_OUT = auto()
+    LOCKOUT_OVER = auto()
+    NOT_RESPONDING = auto()
+    BOARD_READ = auto()
+    SETPOINT_SENT = auto()
+    DIRECT_COMMAND_SENT = auto()
+    STOP_CONFIRMED = auto()
+    STOP_CLEAN_BUT_NOISY = auto()
+    """Clean statuses followed the stop, but the line damages bytes."""
+    STOP_NOT_ANSWERED = auto()
+
+
+class Action(Enum):
+    """What a transition causes."""
+
+    START_WATCHDOG = auto()
+    EXTEND_LOCKOUT = auto()
+    DROP_SETPOINTS = auto()
+    """Drop those that are queued, unconfirmed or refreshed."""
+    FAIL_NOISY_STOPS = auto()
+    """Report the stops that wait for a quiet line as unconfirmed."""
+
+
+_ARM = (Action.START_WATCHDOG,)
+_DROP = (Action.DROP_SETPOINTS,)
+_LOCK = (Action.DROP_SETPOINTS, Action.EXTEND_LOCKOUT)
+_UNREACHABLE = (*_LOCK, Action.FAIL_NOISY_STOPS)
+
+_ARMING: Mapping[tuple[Arming, Event], tuple[Arming, tuple[Action, ...]]] = {
+    (Arming.INITIAL, Event.ARM): (Arming.ARMED, _ARM),
+    (Arming.INITIAL, Event.STOP): (Arming.DISARMED, _DROP),
+    (Arming.INITIAL, Event.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
+    (Arming.INITIAL, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.ARMED, Event.ARM): (Arming.ARMED, _ARM),
+    (Arming.ARMED, Event.STOP): (Arming.DISARMED, _DROP),
+    (Arming.ARMED, Event.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
+    (Arming.ARMED, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.DISARMED, Event.ARM): (Arming.ARMED, _ARM),
+    (Arming.DISARMED, Event.STOP): (Arming.DISARMED, _DROP),
+    (Arming.DISARMED, Event.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
+    (Arming.DISARMED, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.LOCKED_OUT, Event.ARM): (Arming.ARMED, _ARM),
+    (Arming.LOCKED_OUT, Event.STOP): (Arming.LOCKED_OUT, _DROP),
+    (Arming.LOCKED_OUT, Event.LOCK_OUT): (Arming.LOCKED_OUT, _LOCK),
+    (Arming.LOCKED_OUT, Event.LOCKOUT_OVER): (Arming.DISARMED, ()),
+    (Arming.LOCKED_OUT, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.UNREACHABLE, Event.STOP): (Arming.UNREACHABLE, _DROP),
+    (Arming.UNREACHABLE, Event.LOCK_OUT): (Arming.UNREACHABLE, _DROP),
+    (Arming.UNREACHABLE, Event.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
+    (Arming.UNREACHABLE, Event.BOARD_READ): (Arming.LOCKED_OUT, ()),
+}
+"""What each event does to each state; an event that is not listed changes nothing."""
+
+_MOTION: Mapping[tuple[Motion, Event], tuple[Motion, tuple[Action, ...]]] = {
+    (Motion.STOPPED, Event.SETPOINT_SENT): (Motion.DRIVEN, ()),
+    (Motion.STOPPED, Event.DIRECT_COMMAND_SENT): (Motion.DRIVEN, ()),
+    # Where it was heard, one of its packets may have become another one.
+    (Motion.STOPPED, Event.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
+    (Motion.DRIVEN, Event.STOP_CONFIRMED): (Motion.STOPPED, ()),
+    (Motion.DRIVEN, Event.STOP_CLEAN_BUT_NOISY): (Motion.STOP_UNCONFIRMED, ()),
+    (Motion.DRIVEN, Event.STOP_NOT_ANSWERED): (Motion.STOP_UNCONFIRMED, ()),
+    (Motion.STOP_UNCONFIRMED, Event.STOP_CONFIRMED): (Motion.STOPPED, ()),
+    (Motion.STOP_UNCONFIRMED, Event.SETPOINT_SENT): (Motion.DRIVEN, (Action.FAIL_NOISY_STOPS,)),
+}
+"""The same for `Motion`. A direct command does not end the repetition of a stop."""
+
+
+class MotorOutput:
+    """What the motors of one board are commanded to do, and whether they may be moving.
+
+    Attributes:
+        arming, motion: the state.
+        stops: stops that are requested and were not sent yet.
+        setpoints: the newest queued setpoint of each motor.
+        quality: whether the line damages bytes.
+    """
+
+    def __init__(
+        self,
+        report: Callable[[Outcome | MotorsStopped], None],
+        timeouts: Timeouts | None = None,
+        *,
+        may_move: bool = False,
+    ) -> None:
+        """`report` receives the outcome of every stop, and each `MotorsStopped`."""
+        self.arming = Arming.INITIAL
+        self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
+        self.stops: list[Stop] = []
+        self.setpoints = SetpointSlots()
+        self.quality = LineQuality()
+        self.idle = IdleRefresh(self.quality)
+        self._report = report
+        self._timeouts = timeouts or Timeouts()
+        self._retry = SetpointRetry()
+        self._sent_at = 0.0
+        self._heartbeat_at = -math.inf
+        self._lockout_end = -math.inf
+        self._stopped_at = -math.inf
+        self._noisy_stops: list[Stop] = []
+        self._noisy_until = -math.inf
+
+    @property
+    def is_armed(self) -> bool:
+        """Whether the motors are armed."""
+        return self.arming is Arming.ARMED
+
+    @property
+    def may_move(self) -> bool:
+        """Whether a motor was driven and no stop was confirmed since."""
+        return self.motion is not Motion.STOPPED
+
+    def handle(self, event: Event, now: float, lockout: float = math.inf) -> None:
+        """Change the state as the tables say, and perform the actions.
+
+        A lock-out of `lockout` seconds does not shorten an earlier one; without an end it lasts
+        until the motors are armed.
+        """
+        self.arming, actions = _ARMING.get((self.arming, event), (self.arming, ()))
+        self.motion, more = _MOTION.get((self.motion, event), (self.motion, ()))
+        for action in (*actions, *more):
+            match action:
+                case Action.START_WATCHDOG:
+                    self._heartbeat_at = now
+                    self._lockout_end = -math.inf
+                case Action.EXTEND_LOCKOUT:
+                    self._lockout_end = max(self._lockout_end, now + lockout)
+                case Action.DROP_SETPOINTS:
+                    self.setpoints.clear()
+                    self._retry.clear()
+                    self.idle.clear()
+                case Action.FAIL_NOISY_STOPS:
+                    self._end_noisy_stops(NoReply(_NOISY))
+
+    # --- Requests -----------------------------------------------------------------------
+
+    def take(self, request: MotorRequest, now: float) -> None:
+        """Take a request; a setpoint that must not pass is dropped."""
+        match request:
+            case Stop(lockout=lockout):
+                self.stops.append(request)
+                self.handle(Event.LOCK_OUT if lockout > 0 else Event.STOP, now, lockout)
+            case Arm():
+                self.handle(Event.ARM, now)
+            case Heartbeat(sent=sent):
+                self._heartbeat_received(now if sent is None else sent)
+            case _:
+                self._heartbeat_received(now)
+                if self.arming in {Arming.INITIAL, Arming.ARMED}:
+                    self.setpoints.put(request)
+
+    def check(self, command: Command[object], now: float) -> None:
+        """Reject a command that moves a motor during a lock-out.
+
+        Raises:
+            BadRequest: it does.
+        """
+        if self.arming is Arming.LOCKED_OUT and now >= self._lockout_end:
+            self.handle(Event.LOCKOUT_OVER, now)
+        if command.moves and self.arming in {Arming.LOCKED_OUT, Arming.UNREACHABLE}:
+            raise BadRequest("The motors are locked for a while after a stop; nothing was sent.")
+
+    def _heartbeat_received(self, at: float) -> None:
+        """Take a heartbeat, but not one that comes after the timeout.
+
+        Where window and line were suspended together, the first heartbeat after that must not
+        hide the timeout.
+        """
+        if at - self._heartbeat_at <= self._timeouts.heartbeat:
+            self._heartbeat_at = max(self._heartbeat_at, at)
+
+    # --- What comes next ----------------------------------------------------------------
+
+    def seconds_to_heartbeat_timeout(self, now: float) -> float | None:
+        """Return how long the next heartbeat may take; `None` while the motors are not armed."""
+        return self._heartbeat_at + self._timeouts.heartbeat - now if self.is_armed else None
+
+    def seconds_to_stop_retry(self, now: float) -> float | None:
+        """Return when to repeat an unconfirmed stop; `None` while there is none to repeat."""
+        if self.motion is not Motion.STOP_UNCONFIRMED or self.arming is Arming.UNREACHABLE:
+            return None
+        return self._stopped_at + STOP_RETRY_INTERVAL - now
+
+    def seconds_to_drive(self, now: float, interval: float) -> float | None:
+        """Return when to send motor packets; `None` if there is nothing to send.
+
+        `interval`: least seconds between motor packets.
+        """
+        due = [self._sent_at] if self.setpoints else []
+        if self._retry.due is not None:
+            due.append(self._retry.due)
+        idle = self.idle.due(interval, armed=self.is_armed)
+        if idle is not None and self.arming is not Arming.UNREACHABLE:
+            due.append(idle)
+        return max(min(due), self._sent_at + interval) - now if due else None
+
+    def take_setpoints(self, now: float) -> list[Setpoint]:
+        """Return the queued setpoints, or else those to repeat, and count them as sent."""
+        self._sent_at = now
+        if setpoints := self.setpoints.take():
+            self._retry.begin(setpoints, now)
+        elif self._retry.due is not None and self._retry.due <= now:
+            setpoints = self._retry.take(now)
+        if setpoints:
+            self.handle(Event.SETPOINT_SENT, now)
+            self.idle.note_setpoints(setpoints, now)
+        return setpoints
+
+    def drop_unconfirmed(self) -> None:
+        """Repeat no setpoint any more."""
+        self._retry.clear()
+
+    def note_status(
+        self, latched: LatchedStatus | None, now: float, *, is_whole: bool, stops_on_error: bool
+    ) -> None:
+        """Take a status that was polled; see `SetpointRetry.note_status`."""
+        self.quality.note_status(latched)
+        self._retry.note_status(latched, now, is_whole=is_whole, stops_on_error=stops_on_error)
+
+    # --- Stops and their outcomes -------------------------------------------------------
+
+    def take_stops(self) -> list[Stop]:
+        """Return every stop that has no outcome yet."""
+        stops = self._noisy_stops + self.stops
+        self._noisy_stops, self.stops = [], []
+        return stops
+
+    def put_back(self, stops: Sequence[Stop]) -> None:
+        """Queue stops again, before those that have come meanwhile."""
+        self.stops[:0] = stops
+
+    def note_stop(
+        self, now: float, statuses: Sequence[LatchedStatus], *, confirmed: bool, final: bool
+    ) -> None:
+        """Take how an attempt to stop went; the motors are idle from now on.
+
+        Args:
+            now: when.
+            statuses: what was latched meanwhile.
+            confirmed: whether clean statuses followed.
+            final: whether these are sufficient even on a line that damages bytes.
+        """
+        self._sent_at = self._stopped_at = now
+        self.idle.note_stop(now)
+        for latched in statuses:
+            self.quality.note_status(latched)
+        if not confirmed:
+            self.handle(Event.STOP_NOT_ANSWERED, now)
+        elif final or self.quality.is_quiet:
+            self.handle(Event.STOP_CONFIRMED, now)
+        else:
+            self.handle(Event.STOP_CLEAN_BUT_NOISY, now)
+
+    def end_stops(self, stops: Sequence[Stop], now: float, *, answered: bool) -> None:
+        """Report the outcome of stops that were sent.
+
+        On a line that damages bytes it waits until the line is quiet, or for
+        `Timeouts.stop_confirmation`; the stop is repeated until then.
+        """
+        if answered and self.may_move:
+            self._noisy_stops = list(stops)
+            self._noisy_until = now + self._timeouts.stop_confirmation
+        else:
+            self.report_stops(stops, None if answered else NoReply(UNCONFIRMED))
+
+    def end_stop_retry(self) -> None:
+        """Report what a repeated stop has achieved."""
+        if not self.may_move:
+            self._end_noisy_stops(None)
+            self._report(MotorsStopped("", confirmed=True))
+        elif self._stopped_at >= self._noisy_until:
+            self._end_noisy_stops(NoReply(_NOISY))
+
+    def end_heartbeat_stop(self, *, answered: bool) -> None:
+        """Report that the motors were stopped because the heartbeat was missing."""
+        self._report(MotorsStopped(_NO_HEARTBEAT, confirmed=answered and not self.may_move))
+
+    def report_stops(self, stops: Sequence[Stop], error: StudioError | None) -> None:
+        """Report the outcome of stops."""
+        for stop in stops:
+            self._report(Outcome(stop.id, error=error))
+
+    def _end_noisy_stops(self, error: StudioError | None) -> None:
+        stops, self._noisy_stops = self._noisy_stops, []
+        self.report_stops(stops, error)

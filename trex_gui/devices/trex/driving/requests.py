@@ -1,0 +1,122 @@
+"""Requests that concern the motors, what is reported about them, and their packets.
+
+Small, frozen and picklable: they cross threads.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from trex_gui.devices.trex.protocol.commands import (
+    Command,
+    Drive,
+    DriveAuxiliary,
+    DriveBoth,
+    DriveMotor,
+)
+
+HEARTBEAT_INTERVAL = 0.25
+"""Seconds between two heartbeats while motors are armed."""
+
+
+@dataclass(frozen=True, slots=True)
+class SetMotor:
+    """Setpoint of motor 1 or 2; a newer one replaces one that is still queued."""
+
+    motor: int
+    drive: Drive
+    accelerate: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SetMotors:
+    """Setpoints of both motors, sent in one packet: neither begins before the other."""
+
+    drives: tuple[SetMotor, SetMotor]
+
+
+@dataclass(frozen=True, slots=True)
+class SetAuxiliary:
+    """Setpoint of the auxiliary motor, 0-127."""
+
+    speed: int
+    accelerate: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """Stop every motor before anything else is sent; its `Outcome` comes when it is confirmed.
+
+    Every setpoint is dropped until an `Arm`; for `lockout` seconds every other motor command is
+    rejected.
+    """
+
+    id: int
+    lockout: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """Arm the motors until a `Stop`; has no outcome.
+
+    While they are armed, polling keeps the board's serial timeout from expiring. Without a
+    `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds the motors are stopped and
+    `MotorsStopped` is reported.
+    """
+
+
+@dataclass(frozen=True, slots=True)
+class Heartbeat:
+    """The window that armed the motors still responds; due every `HEARTBEAT_INTERVAL` seconds.
+
+    Attributes:
+        sent: when, on the line's clock; `None`: when it is received.
+    """
+
+    sent: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class MotorsStopped:
+    """The motors were stopped automatically, or an unconfirmed stop was confirmed at last.
+
+    Attributes:
+        reason: why they were stopped, for the user; empty for a late confirmation.
+        confirmed: whether the board's status confirmed the stop.
+    """
+
+    reason: str
+    confirmed: bool
+
+
+Setpoint = SetMotor | SetAuxiliary
+SetpointRequest = SetMotor | SetMotors | SetAuxiliary
+MotorRequest = SetpointRequest | Stop | Arm | Heartbeat
+
+
+def setpoints_in(request: SetpointRequest) -> Sequence[Setpoint]:
+    """Return one setpoint for each motor that a request concerns."""
+    return request.drives if isinstance(request, SetMotors) else (request,)
+
+
+def is_idle(setpoint: Setpoint) -> bool:
+    """Whether a setpoint brings its motor to rest."""
+    if isinstance(setpoint, SetAuxiliary):
+        return not setpoint.speed
+    return setpoint.drive.is_brake or not setpoint.drive.signed
+
+
+def packets(setpoints: Sequence[Setpoint]) -> list[Command[None]]:
+    """Return the fewest commands that carry these setpoints, at most one for each motor."""
+    motors = [setpoint for setpoint in setpoints if isinstance(setpoint, SetMotor)]
+    commands: list[Command[None]] = []
+    if len(motors) == 2 and motors[0].accelerate == motors[1].accelerate:
+        first, second = sorted(motors, key=lambda setpoint: setpoint.motor)
+        commands.append(DriveBoth(first.drive, second.drive, first.accelerate))
+    else:
+        commands += [DriveMotor(one.motor, one.drive, one.accelerate) for one in motors]
+    commands += [
+        DriveAuxiliary(one.speed, one.accelerate)
+        for one in setpoints
+        if isinstance(one, SetAuxiliary)
+    ]
+    return commands
