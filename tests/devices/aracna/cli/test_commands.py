@@ -138,7 +138,7 @@ def test_pose_is_loaded_from_file_by_name(
     assert near(robot, [400, 300] * 4)
     wrong = trexcmd("aracna", "pose", "--pose", "lwo", "--file", file)
     assert wrong.exit_code == 2
-    assert "Known are: low, high, far." in wrong.stderr
+    assert "Known poses: low, high, far." in wrong.stderr
 
 
 def test_pose_names_blocked_motor_and_exits(trexcmd: RunCommand, robot: SimulatedDevice) -> None:
@@ -164,7 +164,7 @@ def test_ctrl_c_during_pose_warns_that_motion_continues(
     assert virtual_time.run_until(lambda: robot.show()["servos"][7]["moving"], 10)
     command.send_signal(signal.SIGINT)
     out, errors = command.communicate()
-    assert "Nothing on this link stops a motion that runs" in errors
+    assert "Nothing on this link stops a running motion" in errors
     assert "Only servo power stops them" in errors
     assert len(out.split()) == 8
     assert command.returncode == 0
@@ -251,7 +251,7 @@ def test_ctrl_c_ends_play_loop_after_current_step(
     command.send_signal(signal.SIGINT)
     out, errors = command.communicate()
     assert "round 2" in errors
-    assert "Halted." in errors
+    assert "Stopped." in errors
     assert command.returncode == 0
     assert not any(servo["moving"] for servo in robot.show()["servos"])
     assert len(out.split()) == 8

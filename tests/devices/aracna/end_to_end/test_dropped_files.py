@@ -33,7 +33,7 @@ def shows_robot(window: RobotWindow) -> bool:
 
 
 def poses(window: RobotWindow) -> list[str]:
-    return [pose.name for pose in window.program.library.poses]
+    return [pose.name for pose in window.program.library.project.poses]
 
 
 def banner(window: RobotWindow) -> str:

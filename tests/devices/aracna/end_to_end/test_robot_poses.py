@@ -30,8 +30,8 @@ def test_pose_is_captured_renamed_and_moved_to(window: RobotWindow, tmp_path: Pa
 
     window.trigger("aracna_capture")
     window.type_into_row("aracnaPoses", "wave")
-    window.wait(lambda: library.pose("wave") is not None)
-    pose = library.pose("wave")
+    window.wait(lambda: library.project.pose("wave") is not None)
+    pose = library.project.pose("wave")
     assert pose is not None
     assert pose.positions == there
 

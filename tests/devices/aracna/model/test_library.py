@@ -9,11 +9,10 @@ from pytestqt.qtbot import QtBot
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import SettingsError
 from trex_gui.core.resource_files import resource
-from trex_gui.devices.aracna.model.library import Library
-from trex_gui.devices.aracna.poses.gaits import GAITS, STAND_UP
-from trex_gui.devices.aracna.poses.named_poses import KNOWN_POSES
+from trex_gui.devices.aracna.model.library import ItemKind, Library
+from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, STAND_UP
 from trex_gui.devices.aracna.poses.ppr import write_ppr
-from trex_gui.devices.aracna.poses.sequence import SequenceStep
+from trex_gui.devices.aracna.poses.project import SequenceStep
 
 EIGHT = (1, 2, 3, 4, 5, 6, 7, 8)
 
@@ -24,11 +23,11 @@ def library() -> Library:
 
 
 def names(library: Library) -> list[str]:
-    return [pose.name for pose in library.poses]
+    return [pose.name for pose in library.project.poses]
 
 
 def test_new_library_has_built_in_poses_and_is_unmodified(library: Library) -> None:
-    assert library.poses == KNOWN_POSES
+    assert library.project.poses == BUILT_IN_POSES
     assert not library.modified
     assert library.path is None
 
@@ -36,8 +35,8 @@ def test_new_library_has_built_in_poses_and_is_unmodified(library: Library) -> N
 def test_captured_pose_is_appended(library: Library, qtbot: QtBot) -> None:
     with qtbot.waitSignal(library.changed):
         name = library.capture(EIGHT)
-    assert library.poses[-1].name == name == "pose"
-    assert library.poses[-1].positions == EIGHT
+    assert library.project.poses[-1].name == name == "pose"
+    assert library.project.poses[-1].positions == EIGHT
     assert library.capture(EIGHT) == "pose 2"
     assert library.capture(EIGHT, " mine ") == "mine"
     assert library.modified
@@ -54,19 +53,19 @@ def test_unknown_position_cannot_be_captured(library: Library, lacking: int | No
 
 def test_renamed_pose_is_renamed_in_sequences(library: Library) -> None:
     library.add_sequence("up", [SequenceStep("flat", 100), SequenceStep("stand", 200)])
-    library.rename_pose("stand", "upright")
-    sequence = library.sequence("up")
+    library.rename(ItemKind.POSE, "stand", "upright")
+    sequence = library.project.sequence("up")
     assert sequence is not None
     assert sequence.steps == (SequenceStep("flat", 100), SequenceStep("upright", 200))
     library.undo.undo()
-    assert library.sequences[0].steps[1].pose_name == "stand"
+    assert library.project.sequences[0].steps[1].pose_name == "stand"
 
 
 @pytest.mark.parametrize("name", ["flat", "", "   ", "a:b", "a,b", "a|b", "a\nb", "x" * 101])
 def test_invalid_pose_name_is_rejected(library: Library, name: str) -> None:
     with pytest.raises(BadRequest):
-        library.rename_pose("stand", name)
-    assert library.poses == KNOWN_POSES
+        library.rename(ItemKind.POSE, "stand", name)
+    assert library.project.poses == BUILT_IN_POSES
     assert not library.undo.canUndo()
 
 
@@ -74,28 +73,28 @@ def test_deleted_pose_stays_in_sequences_and_undo_restores_it(
     library: Library,
 ) -> None:
     library.add_sequence("up", [SequenceStep("flat")])
-    library.delete_pose("flat")
-    assert library.pose("flat") is None
-    assert library.sequences[0].steps[0].pose_name == "flat"
+    library.delete(ItemKind.POSE, "flat")
+    assert library.project.pose("flat") is None
+    assert library.project.sequences[0].steps[0].pose_name == "flat"
     library.undo.undo()
-    assert library.poses == KNOWN_POSES
+    assert library.project.poses == BUILT_IN_POSES
 
 
 def test_pose_can_be_reordered(library: Library) -> None:
-    library.move_pose("flat", 2)
+    library.move(ItemKind.POSE, "flat", 2)
     assert names(library)[:3] == ["half-stand", "stand", "flat"]
-    library.move_pose("flat", 99)
+    library.move(ItemKind.POSE, "flat", 99)
     assert names(library)[-1] == "flat"
-    library.move_pose("flat", -1)
-    assert library.poses == KNOWN_POSES
+    library.move(ItemKind.POSE, "flat", -1)
+    assert library.project.poses == BUILT_IN_POSES
 
 
 def test_copy_follows_its_original(library: Library) -> None:
-    assert library.duplicate_pose("flat") == "flat 2"
+    assert library.duplicate(ItemKind.POSE, "flat") == "flat 2"
     assert names(library)[:2] == ["flat", "flat 2"]
     library.add_sequence("up", [SequenceStep("flat")])
-    assert library.duplicate_sequence("up") == "up 2"
-    assert library.sequences[1].steps == library.sequences[0].steps
+    assert library.duplicate(ItemKind.SEQUENCE, "up") == "up 2"
+    assert library.project.sequences[1].steps == library.project.sequences[0].steps
 
 
 def test_successive_edits_of_pose_are_one_undo_step(library: Library) -> None:
@@ -103,36 +102,37 @@ def test_successive_edits_of_pose_are_one_undo_step(library: Library) -> None:
         library.set_positions("flat", (position,) * 8, run=("flat", 1))
     assert library.undo.count() == 1
     library.undo.undo()
-    assert library.poses == KNOWN_POSES
+    assert library.project.poses == BUILT_IN_POSES
     assert not library.modified
 
 
 def test_position_out_of_range_is_rejected(library: Library) -> None:
     with pytest.raises(BadRequest, match="1024"):
         library.set_positions("flat", (1024,) * 8)
-    assert library.poses == KNOWN_POSES
+    assert library.project.poses == BUILT_IN_POSES
 
 
 def test_unknown_name_cannot_be_edited(library: Library) -> None:
-    for edit in (library.delete_pose, library.duplicate_pose, library.delete_sequence):
-        with pytest.raises(BadRequest, match="nothing called ghost"):
-            edit("ghost")
+    for edit in (library.delete, library.duplicate):
+        for kind in ItemKind:
+            with pytest.raises(BadRequest, match="nothing called ghost"):
+                edit(kind, "ghost")
 
 
 def test_every_edit_can_be_undone_and_redone_in_one_step(library: Library) -> None:
     edits: list[Callable[[], object]] = [
         lambda: library.add_pose(EIGHT, "new"),
         lambda: library.set_positions("new", (9,) * 8),
-        lambda: library.rename_pose("new", "newer"),
-        lambda: library.duplicate_pose("newer"),
-        lambda: library.move_pose("newer", 0),
-        lambda: library.delete_pose("newer 2"),
+        lambda: library.rename(ItemKind.POSE, "new", "newer"),
+        lambda: library.duplicate(ItemKind.POSE, "newer"),
+        lambda: library.move(ItemKind.POSE, "newer", 0),
+        lambda: library.delete(ItemKind.POSE, "newer 2"),
         lambda: library.add_sequence("s"),
         lambda: library.set_steps("s", [SequenceStep("newer", 20)]),
-        lambda: library.rename_sequence("s", "t"),
-        lambda: library.duplicate_sequence("t"),
-        lambda: library.move_sequence("t 2", 0),
-        lambda: library.delete_sequence("t"),
+        lambda: library.rename(ItemKind.SEQUENCE, "s", "t"),
+        lambda: library.duplicate(ItemKind.SEQUENCE, "t"),
+        lambda: library.move(ItemKind.SEQUENCE, "t 2", 0),
+        lambda: library.delete(ItemKind.SEQUENCE, "t"),
     ]
     states = [library.project]
     for count, edit in enumerate(edits, 1):
@@ -150,8 +150,8 @@ def test_every_edit_can_be_undone_and_redone_in_one_step(library: Library) -> No
 
 
 def test_unchanged_edit_adds_no_undo_step(library: Library) -> None:
-    library.rename_pose("flat", "flat")
-    library.move_pose("flat", 0)
+    library.rename(ItemKind.POSE, "flat", "flat")
+    library.move(ItemKind.POSE, "flat", 0)
     assert library.undo.count() == 0
 
 
@@ -206,7 +206,7 @@ def test_latin_1_file_is_read_with_finding(library: Library, tmp_path: Path) -> 
     path = tmp_path / "old.ppr"
     path.write_bytes("Aracna:8\nPose=Füße:1\n".encode("latin-1"))
     findings = library.open(path)
-    assert library.poses[0].name == "Füße"
+    assert library.project.poses[0].name == "Füße"
     assert any("UTF-8" in finding.message for finding in findings)
 
 
@@ -235,7 +235,11 @@ def test_sample_file_opens_without_findings(library: Library) -> None:
     path = resource("aracna/sample.ppr")
     assert library.open(path) == ()
     assert write_ppr(library.project).encode() == path.read_bytes()
-    assert [sequence.name for sequence in library.sequences] == ["stand up", "star 6", "push-ups"]
+    assert [one.name for one in library.project.sequences] == [
+        "stand up",
+        "star 6",
+        "push-ups",
+    ]
 
 
 def test_gait_becomes_sequence_and_adds_its_poses_once(library: Library) -> None:
@@ -243,11 +247,11 @@ def test_gait_becomes_sequence_and_adds_its_poses_once(library: Library) -> None
     assert library.add_gait(star) == "star 6"
     assert library.add_gait(star) == "star 6 2"
     assert library.undo.count() == 2
-    assert len(library.poses) == len(KNOWN_POSES) + len(star.stages)
-    first, second = library.sequences
+    assert len(library.project.poses) == len(BUILT_IN_POSES) + len(star.stages)
+    first, second = library.project.sequences
     assert first.steps == second.steps
     for step, stage in zip(first.steps, star.stages, strict=True):
-        pose = library.pose(step.pose_name)
+        pose = library.project.pose(step.pose_name)
         assert pose is not None
         assert pose.positions == stage.pose.positions
         assert step.milliseconds == stage.seconds * 1000
@@ -255,8 +259,11 @@ def test_gait_becomes_sequence_and_adds_its_poses_once(library: Library) -> None
 
 def test_gait_of_built_in_poses_adds_no_poses(library: Library) -> None:
     library.add_gait(STAND_UP)
-    assert library.poses == KNOWN_POSES
-    assert library.sequences[0].steps == (SequenceStep("flat", 3000), SequenceStep("stand", 3000))
+    assert library.project.poses == BUILT_IN_POSES
+    assert library.project.sequences[0].steps == (
+        SequenceStep("flat", 3000),
+        SequenceStep("stand", 3000),
+    )
 
 
 def test_gait_ignores_changed_pose_of_same_name(
@@ -264,8 +271,8 @@ def test_gait_ignores_changed_pose_of_same_name(
 ) -> None:
     library.set_positions("flat", EIGHT)
     library.add_gait(STAND_UP)
-    step = library.sequences[0].steps[0]
+    step = library.project.sequences[0].steps[0]
     assert step.pose_name == "stand up flat"
-    pose = library.pose("stand up flat")
+    pose = library.project.pose("stand up flat")
     assert pose is not None
     assert pose.positions == (770, 40) * 4

@@ -4,9 +4,8 @@ import math
 
 import pytest
 
-from trex_gui.devices.aracna.poses.gaits import GAITS, STAND_UP, Gait, GaitStage
-from trex_gui.devices.aracna.poses.named_poses import KNOWN_POSES
-from trex_gui.devices.aracna.poses.pose import Pose
+from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, STAND_UP, Gait, GaitStage
+from trex_gui.devices.aracna.poses.project import Pose
 
 
 def gait(name: str) -> Gait:
@@ -26,7 +25,7 @@ def gait(name: str) -> Gait:
     ],
 )
 def test_built_in_poses_repeat_joint_pair_for_four_legs(name: str, inner: int, outer: int) -> None:
-    pose = next(pose for pose in KNOWN_POSES if pose.name == name)
+    pose = next(pose for pose in BUILT_IN_POSES if pose.name == name)
     assert pose.positions == (inner, outer) * 4
 
 

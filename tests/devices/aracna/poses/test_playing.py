@@ -5,12 +5,23 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.aracna.poses.gaits import GAITS, STAND_UP
-from trex_gui.devices.aracna.poses.named_poses import FLAT, KNOWN_POSES, STAND, all_legs
-from trex_gui.devices.aracna.poses.playing import blend_in, blend_out, crops_of, steps_of
-from trex_gui.devices.aracna.poses.pose import Pose
-from trex_gui.devices.aracna.poses.sequence import Sequence, SequenceStep
-from trex_gui.devices.aracna.poses.travel import estimated_seconds, late_motors
+from trex_gui.devices.aracna.poses.gaits import (
+    BUILT_IN_POSES,
+    FLAT,
+    GAITS,
+    STAND,
+    STAND_UP,
+    all_legs,
+)
+from trex_gui.devices.aracna.poses.playing import (
+    blend_in,
+    blend_out,
+    crops_of,
+    estimated_seconds,
+    late_motors,
+    steps_of,
+)
+from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
 from trex_gui.devices.aracna.protocol.joints import factory_limits
 from trex_gui.devices.aracna.protocol.units import CEILING, UNITS_PER_SECOND
 from trex_gui.devices.aracna.session.messages import Step
@@ -21,43 +32,43 @@ FLAT_GOALS, STAND_GOALS = (600, 40) * 4, (512, 550) * 4
 
 
 def test_sequence_becomes_steps_within_limits() -> None:
-    assert steps_of(SEQUENCE, KNOWN_POSES, LIMITS) == (
+    assert steps_of(SEQUENCE, BUILT_IN_POSES, LIMITS) == (
         Step(FLAT_GOALS, 3.0, "flat"),
         Step(STAND_GOALS, 0.5, "stand"),
     )
 
 
 def test_every_clamped_position_is_reported() -> None:
-    crops = crops_of(SEQUENCE, KNOWN_POSES, LIMITS)
+    crops = crops_of(SEQUENCE, BUILT_IN_POSES, LIMITS)
     assert [(crop.step, crop.motor) for crop in crops] == [
         *((0, motor) for motor in (0, 2, 4, 6)),
         *((1, motor) for motor in (1, 3, 5, 7)),
     ]
-    assert (crops[0].wanted, crops[0].sent) == (770, 600)
-    assert (crops[-1].wanted, crops[-1].sent) == (680, 550)
+    assert (crops[0].position, crops[0].sent) == (770, 600)
+    assert (crops[-1].position, crops[-1].sent) == (680, 550)
 
 
 def test_time_scale_of_two_doubles_step_times() -> None:
-    steps = steps_of(SEQUENCE, KNOWN_POSES, LIMITS, 2.0)
+    steps = steps_of(SEQUENCE, BUILT_IN_POSES, LIMITS, 2.0)
     assert [step.seconds for step in steps] == [6.0, 1.0]
 
 
 def test_sequence_with_undefined_poses_is_rejected() -> None:
     gait = Sequence("gait", (SequenceStep("p1"), SequenceStep("flat"), SequenceStep("p2")))
     with pytest.raises(BadRequest, match="p1, p2"):
-        steps_of(gait, KNOWN_POSES, LIMITS)
+        steps_of(gait, BUILT_IN_POSES, LIMITS)
     assert steps_of(gait, [Pose("p1", FLAT_GOALS), Pose("p2", FLAT_GOALS), FLAT], LIMITS)
 
 
 def test_sequence_without_steps_is_rejected() -> None:
     with pytest.raises(BadRequest, match="no steps"):
-        steps_of(Sequence("nothing"), KNOWN_POSES, LIMITS)
+        steps_of(Sequence("nothing"), BUILT_IN_POSES, LIMITS)
 
 
 @pytest.mark.parametrize("time_scale", [0.0, -1.0, float("nan")])
 def test_invalid_time_scale_is_rejected(time_scale: float) -> None:
     with pytest.raises(BadRequest, match="more than 0"):
-        steps_of(SEQUENCE, KNOWN_POSES, LIMITS, time_scale)
+        steps_of(SEQUENCE, BUILT_IN_POSES, LIMITS, time_scale)
 
 
 @pytest.mark.parametrize("gait", GAITS, ids=lambda gait: gait.name)
@@ -67,7 +78,7 @@ def test_gaits_stay_within_limits(gait: object) -> None:
 
 
 def test_step_goals_match_motor_count() -> None:
-    assert steps_of(SEQUENCE, KNOWN_POSES, factory_limits(2))[0].goals == (600, 40)
+    assert steps_of(SEQUENCE, BUILT_IN_POSES, factory_limits(2))[0].goals == (600, 40)
 
 
 def test_looping_gait_blends_in_slowly_unless_at_start() -> None:
@@ -79,7 +90,7 @@ def test_looping_gait_blends_in_slowly_unless_at_start() -> None:
 
 
 def test_sequence_blends_in_slowly_to_first_pose() -> None:
-    assert blend_in(SEQUENCE, KNOWN_POSES, LIMITS) == (Step(FLAT_GOALS, 3.0, "flat"),)
+    assert blend_in(SEQUENCE, BUILT_IN_POSES, LIMITS) == (Step(FLAT_GOALS, 3.0, "flat"),)
 
 
 def test_standing_up_needs_no_blend_in() -> None:

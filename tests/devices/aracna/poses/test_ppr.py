@@ -9,10 +9,8 @@ from hypothesis import strategies as st
 
 from trex_gui.core.files.errors import Finding, Severity
 from trex_gui.core.resource_files import resource
-from trex_gui.devices.aracna.poses.pose import Pose
 from trex_gui.devices.aracna.poses.ppr import read_ppr, write_ppr
-from trex_gui.devices.aracna.poses.project import Project, missing_poses
-from trex_gui.devices.aracna.poses.sequence import Sequence, SequenceStep
+from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence, SequenceStep
 
 HEAD = "Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024\n"
 EIGHT = "1, 2, 3, 4, 5, 6, 7, 8"
@@ -108,7 +106,7 @@ def test_old_style_pose_is_read_and_written_in_new_style() -> None:
 
 def test_poses_missing_from_file_are_reported_with_line() -> None:
     project, findings = read_ppr(HEAD + "Seq=gait: p1|500, p2|500, p1|100\n")
-    assert missing_poses(project.sequences[0], project.poses) == ("p1", "p2")
+    assert project.sequences[0].missing(project.pose_names) == ("p1", "p2")
     assert [finding.line for finding in findings] == [2, 2]
     assert "p1" in findings[0].message
     assert "Seq=gait: p1|500, p2|500, p1|100\n" in write_ppr(project)
@@ -177,7 +175,7 @@ def test_pose_differing_only_in_blanks_is_renamed(
     assert told.severity is Severity.WARNING
     assert told.line == 2 + [" a " in line for line in lines].index(True)
     assert "called a 2 now" in told.message
-    assert missing_poses(project.sequences[0], project.poses) == ()
+    assert project.sequences[0].missing(project.pose_names) == ()
 
 
 @pytest.mark.parametrize("text", ["", "\n", "Pose=a:1\n", "Aracna", "Aracna:many:1", "Aracna:0"])

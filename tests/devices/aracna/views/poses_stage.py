@@ -88,4 +88,4 @@ class PosesPanelDriver(WidgetDriver):
         self.wait(lambda: not row.find_all(QLineEdit))  # Qt takes it later
 
     def pose_names(self) -> list[str]:
-        return [pose.name for pose in self.library.poses]
+        return [pose.name for pose in self.library.project.poses]

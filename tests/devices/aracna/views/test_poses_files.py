@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.views.poses_stage import EIGHT, PosesPanelDriver
+from trex_gui.devices.aracna.model.library import ItemKind
 from trex_gui.ui.widgets import file_questions
 
 
@@ -124,15 +125,15 @@ def test_pose_with_comma_in_name_is_not_offered_for_steps(
     driver.choose_row("aracnaMotions", "s")
     driver.choose_row("aracnaPoses", "a, b")
     assert not driver.button("aracnaAddStep").isEnabled()
-    assert "without comma and bar" in driver.button("aracnaAddStep").toolTip()
+    assert "remove comma and bar" in driver.button("aracnaAddStep").toolTip()
     view = driver.steps
     view.edit(view.model().index(0, 1))
     combo = driver.combo("aracnaStepPose")
     assert [combo.itemText(place) for place in range(combo.count())] == ["c"]
-    driver.library.rename_pose("a, b", "a b")
+    driver.library.rename(ItemKind.POSE, "a, b", "a b")
     driver.choose_row("aracnaPoses", "a b")
     driver.click("aracnaAddStep")
-    assert [step.pose_name for step in driver.library.sequences[0].steps] == ["c", "a b"]
+    assert [step.pose_name for step in driver.library.project.sequences[0].steps] == ["c", "a b"]
 
 
 def test_step_finds_pose_with_blanks_around_its_name(
@@ -147,4 +148,7 @@ def test_step_finds_pose_with_blanks_around_its_name(
     driver.panel.files.save()
     driver.panel.files.open_file(path)
     assert "not in the file" not in driver.messages[-1]
-    assert driver.library.pose(driver.library.sequences[0].steps[0].pose_name) is not None
+    assert (
+        driver.library.project.pose(driver.library.project.sequences[0].steps[0].pose_name)
+        is not None
+    )

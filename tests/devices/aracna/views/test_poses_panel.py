@@ -22,8 +22,8 @@ def test_present_positions_are_captured_and_named(driver: PosesPanelDriver) -> N
     driver.panel.show_present(EIGHT)
     driver.click("aracnaCapture")
     driver.type_name("aracnaPoses", "mine")
-    assert driver.library.poses[-1].name == "mine"
-    assert driver.library.poses[-1].positions == EIGHT
+    assert driver.library.project.poses[-1].name == "mine"
+    assert driver.library.project.poses[-1].positions == EIGHT
 
 
 def test_capture_is_disabled_while_position_is_unknown(driver: PosesPanelDriver) -> None:
@@ -94,7 +94,7 @@ def test_position_field_edits_pose_and_shows_clamped_value(
     assert field.value() == 680
     assert "sent as 550" in field.toolTip()
     field.setValue(400)
-    pose = driver.library.pose("stand")
+    pose = driver.library.project.pose("stand")
     assert pose is not None
     assert pose.positions == (512, 680, 512, 400, 512, 680, 512, 680)
     assert "sent as" not in field.toolTip()

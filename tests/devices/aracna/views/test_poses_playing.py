@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.views.poses_stage import EIGHT, PosesPanelDriver
 from trex_gui.devices.aracna.model.robot_state import PlayState
-from trex_gui.devices.aracna.poses.sequence import SequenceStep
+from trex_gui.devices.aracna.poses.project import SequenceStep
 from trex_gui.devices.aracna.protocol.joints import Limits
 from trex_gui.devices.aracna.session.messages import Play, Step
 
@@ -34,13 +34,13 @@ def test_add_step_appends_selected_pose_to_new_sequence(driver: PosesPanelDriver
     driver.click("aracnaAddStep")
     driver.choose_row("aracnaPoses", "half-stand")
     driver.click("aracnaAddStep")
-    sequence = driver.library.sequence("bob")
+    sequence = driver.library.project.sequence("bob")
     assert sequence is not None
     assert sequence.steps == (SequenceStep("stand", 500), SequenceStep("half-stand", 500))
     driver.click("aracnaStepUp")
-    assert driver.library.sequences[0].steps[0].pose_name == "half-stand"
+    assert driver.library.project.sequences[0].steps[0].pose_name == "half-stand"
     driver.click("aracnaRemoveStep")
-    assert [step.pose_name for step in driver.library.sequences[0].steps] == ["stand"]
+    assert [step.pose_name for step in driver.library.project.sequences[0].steps] == ["stand"]
 
 
 def test_step_pose_and_time_are_edited_in_table(driver: PosesPanelDriver, qtbot: QtBot) -> None:
@@ -53,14 +53,14 @@ def test_step_pose_and_time_are_edited_in_table(driver: PosesPanelDriver, qtbot:
     assert combo.currentText() == "gone"
     combo.setCurrentText("stand")
     combo.activated.emit(combo.currentIndex())
-    assert driver.library.sequences[0].steps == (SequenceStep("stand", 500),)
+    assert driver.library.project.sequences[0].steps == (SequenceStep("stand", 500),)
     view.setCurrentIndex(view.model().index(0, 2))
     view.edit(view.currentIndex())
     spin = driver.spin("aracnaStepTime")
     spin.setValue(5000)
     QTest.keyClick(spin, Qt.Key.Key_Return)
     changed = (SequenceStep("stand", 5000),)
-    qtbot.waitUntil(lambda: driver.library.sequences[0].steps == changed)
+    qtbot.waitUntil(lambda: driver.library.project.sequences[0].steps == changed)
 
 
 def test_play_requests_clamped_steps_with_chosen_options(driver: PosesPanelDriver) -> None:
@@ -83,7 +83,7 @@ def test_play_requests_clamped_steps_with_chosen_options(driver: PosesPanelDrive
             time_scale=2.0,
         )
     ]
-    assert driver.summary.startswith("2 steps, 10.0 s a round, 30.0 s in all.")
+    assert driver.summary.startswith("2 steps, 10.0 s per round, 30.0 s in total.")
     assert "cropped" in driver.summary
 
 
@@ -109,7 +109,7 @@ def test_changed_limits_clamp_played_steps(driver: PosesPanelDriver) -> None:
 def test_late_motors_are_named_at_their_step(driver: PosesPanelDriver) -> None:
     driver.library.add_sequence("hasty", [SequenceStep("flat", 3000), SequenceStep("stand", 100)])
     driver.choose_row("aracnaMotions", "hasty")
-    assert "cannot make it in time" in driver.summary
+    assert "too slow" in driver.summary
     remark = driver.steps.model().index(1, 3).data()
     assert remark.startswith("needs 0.26 s: motor 1, 3, 5, 7")
     driver.spin("aracnaSpeedScale").setValue(30)
@@ -142,7 +142,7 @@ def test_speed_can_change_and_step_is_marked_during_playback(
     with qtbot.waitSignal(driver.panel.scale_changed) as scale:
         driver.spin("aracnaSpeedScale").setValue(200)
     assert scale.args == [0.5]
-    assert "being played" in driver.button("aracnaGoTo").toolTip()
+    assert "is playing" in driver.button("aracnaGoTo").toolTip()
     driver.panel.show_playing(None)
     assert driver.steps.model().index(1, 0).data() == "2"
     assert driver.button("aracnaPlay").isEnabled()
@@ -167,7 +167,7 @@ def test_duplicated_gait_becomes_editable_sequence(driver: PosesPanelDriver) -> 
     driver.choose_row("aracnaMotions", "star 6 (built in)")
     assert not driver.button("aracnaDeleteSequence").isEnabled()
     driver.click("aracnaDuplicateSequence")
-    [sequence] = driver.library.sequences
+    [sequence] = driver.library.project.sequences
     assert [step.milliseconds for step in sequence.steps] == [500, 200, 500, 200]
     assert {step.pose_name for step in sequence.steps} <= set(driver.pose_names())
     assert driver.button("aracnaAddStep").isEnabled()
@@ -217,7 +217,7 @@ def test_menu_capture_adds_pose_and_edits_its_name(driver: PosesPanelDriver) -> 
     before = driver.pose_names()
     driver.panel.capture()
     assert driver.pose_names() == before
-    assert "where the robot is, is not known" in driver.messages[-1]
+    assert "the position is not known" in driver.messages[-1]
     driver.panel.show_present(EIGHT)
     driver.panel.capture()
     driver.type_name("aracnaPoses", "here")

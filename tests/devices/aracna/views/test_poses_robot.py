@@ -10,7 +10,7 @@ from tests.support.simulator import StartSimulator
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.poses.sequence import SequenceStep
+from trex_gui.devices.aracna.poses.project import SequenceStep
 from trex_gui.devices.aracna.session.messages import Ending, Moving, PlayEnded
 from trex_gui.ui.devices.connection_state import ConnectionState
 
@@ -71,7 +71,7 @@ def test_go_to_capture_and_play_work_with_simulated_robot(
     qtbot.waitUntil(lambda: driver.robot.known.moved is not None, timeout=15_000)
     driver.click("aracnaCapture")
     driver.type_name("aracnaPoses", "here")
-    here = driver.library.pose("here")
+    here = driver.library.project.pose("here")
     assert here is not None
     assert here.positions == driver.robot.present
 

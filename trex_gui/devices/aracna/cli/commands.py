@@ -1,33 +1,36 @@
-"""query, pose, speeds, play."""
+"""The commands query, speeds, pose and play."""
 
 import json
+from pathlib import Path
 
 import click
 
-from trex_gui.core.cli.console import Interruption, UsageError, refusals, say
+from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, refusals, say
 from trex_gui.core.cli.options import json_option, port_option, timeout_option
-from trex_gui.devices.aracna.cli import files, motion
-from trex_gui.devices.aracna.cli.format import listed
-from trex_gui.devices.aracna.cli.session import Talk, settings_of
-from trex_gui.devices.aracna.poses.playing import blend_in, steps_of
+from trex_gui.devices.aracna.cli import motion
+from trex_gui.devices.aracna.cli.session import CommandSession, port_settings
+from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
+from trex_gui.devices.aracna.poses.playing import blend_in, cropped, steps_of
+from trex_gui.devices.aracna.poses.ppr import read_file
+from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence
+from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
 from trex_gui.devices.aracna.session.messages import Play, Report, SpeedsHeld
 
 _POSITION = click.IntRange(0, 1023)
-_SCALES = click.FloatRange(0.05, 20)
 
 _no_limits_option = click.option(
     "--no-limits",
     is_flag=True,
-    help="Allow every position from 0 to 1023. A joint may hit the body or a screw then.",
+    help="Allow every position from 0 to 1023. A joint may then hit the body or a screw.",
 )
 
 
 @click.group()
 def aracna() -> None:
-    """Ask and move an Aracna, the robot with eight motors.
+    """Query and move an Aracna, the robot with eight motors.
 
-    It is reached at 38400 baud, 8N1. Nothing on its link stops a motion that runs or switches
-    motors off: only servo power does.
+    Its line is always set to 38400 baud, 8N1. Nothing on this link stops a running motion or
+    switches motors off: only servo power does.
     """
 
 
@@ -36,9 +39,9 @@ def aracna() -> None:
 @timeout_option
 @json_option
 def query(port: str | None, patience: float, *, as_json: bool) -> None:
-    """Show the firmware's version and how many motors it has. Moves nothing."""
-    with Talk(settings_of(port, patience)) as talk:
-        robot = talk.robot
+    """Show the firmware version and the number of motors. Moves nothing."""
+    with CommandSession(port_settings(port, patience)) as session:
+        robot = session.robot
     if as_json:
         row = {"port": port, "product": "Aracna", "firmware": robot.version, "motors": robot.motors}
         click.echo(json.dumps(row, indent=2, ensure_ascii=False))
@@ -53,33 +56,34 @@ def query(port: str | None, patience: float, *, as_json: bool) -> None:
 def speeds(values: tuple[int, ...], port: str | None, patience: float) -> None:
     """Set the speed of every motor: one value for all, or one for each.
 
-    A unit is 0.67 degrees a second; 0 is no standstill, but as fast as the servo can. Prints what
-    the servos hold then. They keep it until they lose power.
+    A unit is 0.67 degrees per second; 0 is not standstill, but unlimited. Prints what the servos
+    hold then. They keep it until they lose power.
     """
-    with Talk(settings_of(port, patience), _print_speeds) as talk:
-        motors = talk.robot.motors
-        wanted = values * motors if len(values) == 1 else _for_each(values, motors, "speeds")
-        motion.conclude(motion.set_speeds(talk, wanted))
+    with CommandSession(port_settings(port, patience), _print_speeds) as session:
+        motors = session.robot.motors
+        requested = values * motors if len(values) == 1 else values
+        _check_count(requested, motors, "speeds")
+        motion.report_faults(motion.set_speeds(session, requested))
 
 
 def _print_speeds(report: Report) -> None:
     if isinstance(report, SpeedsHeld):
-        click.echo(listed(report.held))
+        click.echo(_joined(report.held))
 
 
 @aracna.command()
 @port_option
 @timeout_option
 @click.argument("values", metavar="[POSITION...]", nargs=-1, type=_POSITION)
-@click.option("--pose", "name", metavar="NAME", help="Go to a pose of --file, or a known one.")
+@click.option("--pose", "name", metavar="NAME", help="A pose of --file, or a built-in one.")
 @click.option("--file", metavar="FILE", help="Pose file (.ppr) with the pose.")
 @click.option(
     "--speed",
     type=_POSITION,
     default=100,
     show_default=True,
-    help="Speed of every motor, set first: where the motors are nobody knows before they move. "
-    "0 is as fast as they can.",
+    help="Speed of every motor, set first: positions are unknown before the first move. "
+    "0 is unlimited.",
 )
 @_no_limits_option
 def pose(
@@ -92,42 +96,43 @@ def pose(
     patience: float,
     no_limits: bool,
 ) -> None:
-    """Send every motor to a position, 0 to 1023 (512 is the centre), and wait.
+    """Move every motor to a position, 0 to 1023 (512 is the centre), and wait.
 
-    Takes one position for each motor, or the name of a pose: positions outside the joints' limits
-    are refused, those of a pose are cut to them. Prints where the motors are in the end.
+    Takes one position for each motor, or the name of a pose. Positions outside the joints' limits
+    are rejected; those of a pose are cropped. Prints the final positions.
     """
     if bool(values) == (name is not None):
         raise UsageError("Give either one position for each motor, or --pose NAME.")
     if file is not None and name is None:
         raise UsageError("--file needs --pose NAME.")
-    meant = None if name is None else files.pose_named(name, file)
-    if meant is None and not no_limits:
+    target = None if name is None else _pose_named(name, file)
+    if target is None and not no_limits:
         motion.check_limits(values)
-    settings = settings_of(port, patience)
+    settings = port_settings(port, patience)
     with Interruption() as interrupted:
-        watch = motion.Watch(interrupted)
-        with Talk(settings, watch.hear, interrupted.__bool__) as talk:
-            motors = talk.robot.motors
-            if meant is None:
-                goals = _for_each(values, motors, "positions")
+        monitor = motion.MotionMonitor(interrupted)
+        with CommandSession(settings, monitor.take, interrupted.__bool__) as session:
+            motors = session.robot.motors
+            if target is None:
+                _check_count(values, motors, "positions")
+                goals = values
             else:
-                goals = files.cut(meant, files.limits_of(motors, lifted=no_limits))
-            moved = motion.move(talk, watch, goals, (speed,) * motors)
-    click.echo(listed(moved.present))
-    motion.conclude(watch.amiss)
+                goals = _report_crops(target, _limits(motors, lifted=no_limits))
+            moved = motion.move(session, monitor, goals, (speed,) * motors)
+    click.echo(_joined(moved.present))
+    motion.report_faults(monitor.faults)
 
 
 @aracna.command()
 @port_option
 @timeout_option
 @click.argument("file")
-@click.option("--sequence", "name", metavar="NAME", help="Which one, where the file has several.")
+@click.option("--sequence", "name", metavar="NAME", help="Which one, if the file has several.")
 @click.option("--rounds", type=click.IntRange(1), default=1, show_default=True)
-@click.option("--loop", is_flag=True, help="Play it until Ctrl-C.")
+@click.option("--loop", is_flag=True, help="Play until Ctrl-C.")
 @click.option(
     "--scale",
-    type=_SCALES,
+    type=click.FloatRange(0.05, 20),
     default=1.0,
     metavar="F",
     help="Factor on the times of all steps: 2 is half as fast.",
@@ -144,38 +149,83 @@ def play(
     patience: float,
     no_limits: bool,
 ) -> None:
-    """Play a sequence of a pose file (.ppr); to where it begins it goes slowly.
+    """Play a sequence of a pose file (.ppr), after a slow move to its start.
 
-    Positions outside the joints' limits are cut to them, and that is told. Ctrl-C sends nothing
-    more; the step that runs goes on to its end.
+    Positions outside the joints' limits are cropped and reported. Ctrl-C sends nothing more; the
+    running step continues to its end.
     """
-    project = files.read_project(file)
-    sequence = files.sequence_named(project, name)
-    settings = settings_of(port, patience)
+    project = _read_project(file)
+    sequence = _sequence_named(project, name)
+    settings = port_settings(port, patience)
     with Interruption() as interrupted:
-        watch = motion.Watch(interrupted, motors=False)
-        with Talk(settings, watch.hear, interrupted.__bool__) as talk:
-            limits = files.limits_of(talk.robot.motors, lifted=no_limits)
+        monitor = motion.MotionMonitor(interrupted, motors=False)
+        with CommandSession(settings, monitor.take, interrupted.__bool__) as session:
+            limits = _limits(session.robot.motors, lifted=no_limits)
             with refusals():
                 steps = steps_of(sequence, project.poses, limits)
                 first = blend_in(sequence, project.poses, limits)
             for used in project.poses:
                 if used.name in {step.pose_name for step in sequence.steps}:
-                    files.cut(used, limits)
-            motion.play(
-                talk,
-                watch,
-                Play(talk.next_id(), steps, 0 if loop else rounds, first, time_scale=scale),
-            )
-    say("Halted." if watch.halted else "Played.")
-    if (moved := watch.moved) is not None:
-        click.echo(listed(moved.present))
-        motion.conclude(watch.amiss)
+                    _report_crops(used, limits)
+            request = Play(session.next_id(), steps, 0 if loop else rounds, first, time_scale=scale)
+            motion.play(session, monitor, request)
+    say("Stopped." if monitor.halted else "Played.")
+    if (moved := monitor.moved) is not None:
+        click.echo(_joined(moved.present))
+        motion.report_faults(monitor.faults)
 
 
-def _for_each(values: tuple[int, ...], motors: int, what: str) -> tuple[int, ...]:
+def _joined(values: tuple[int, ...]) -> str:
+    return " ".join(map(str, values))
+
+
+def _check_count(values: tuple[int, ...], motors: int, quantity: str) -> None:
     if len(values) != motors:
         raise UsageError(
-            f"The robot has {motors} motors, which need {motors} {what}, not {len(values)}."
+            f"The robot has {motors} motors, which need {motors} {quantity}, not {len(values)}."
         )
-    return values
+
+
+def _read_project(file: str) -> Project:
+    """Read a pose file and report its findings."""
+    with refusals():
+        read = read_file(Path(file))
+    for finding in read.findings:
+        say(f"{file}: {finding}")
+    return read.project
+
+
+def _pose_named(name: str, file: str | None) -> Pose:
+    poses = BUILT_IN_POSES if file is None else _read_project(file).poses
+    for pose in poses:
+        if pose.name == name:
+            return pose
+    known = ", ".join(pose.name for pose in poses) or "none"
+    raise UsageError(f"There is no pose {name!r}. Known poses: {known}.")
+
+
+def _sequence_named(project: Project, name: str | None) -> Sequence:
+    """Return a sequence by name; a single one needs no name."""
+    names = ", ".join(one.name for one in project.sequences)
+    if not project.sequences:
+        raise CommandFailed("The file has no sequence.")
+    if name is None:
+        if len(project.sequences) > 1:
+            raise UsageError(f"Which sequence? Give --sequence. The file has: {names}.")
+        return project.sequences[0]
+    if (found := project.sequence(name)) is None:
+        raise UsageError(f"There is no sequence {name!r}. The file has: {names}.")
+    return found
+
+
+def _limits(motors: int, *, lifted: bool) -> tuple[Limits, ...]:
+    return (Limits(),) * motors if lifted else factory_limits(motors)
+
+
+def _report_crops(pose: Pose, limits: tuple[Limits, ...]) -> tuple[int, ...]:
+    """Return the goals of a pose within the limits, and report the cropped ones."""
+    goals = cropped(pose, limits)
+    for motor, (position, goal) in enumerate(zip(pose.first(len(limits)), goals, strict=True)):
+        if position != goal:
+            say(f"{pose.name}: motor {motor} is sent to {goal}, its limit, not to {position}.")
+    return goals

@@ -1,8 +1,7 @@
-"""A session in a thread of its own, driven from a plain program line by line."""
+"""A session in its own thread, driven line by line from a command."""
 
 import itertools
 from collections.abc import Callable, Iterator
-from types import TracebackType
 from typing import Self
 
 from trex_gui.core.cli.console import CommandFailed
@@ -23,24 +22,23 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
 
-_LOOK = 0.1
-"""Seconds between two looks whether the program was asked to end."""
+_CHECK_INTERVAL = 0.1
+"""Seconds between two checks for an interruption."""
 
 
-def settings_of(port: str | None, patience: float) -> PortSettings:
-    """Return how to reach a robot.
+def port_settings(port: str | None, extra_time: float) -> PortSettings:
+    """Return the settings of a robot's port.
 
     Raises:
-        Usage: no port is given.
+        UsageError: no port is given.
     """
-    return PortSettings(required_port(port), LINE, timeouts=Timeouts(extra=patience))
+    return PortSettings(required_port(port), LINE, timeouts=Timeouts(extra=extra_time))
 
 
-class Talk:
-    """One open line to a robot that has answered.
+class CommandSession:
+    """An open line to a robot that has answered; `robot` is its answer.
 
-    Attributes:
-        robot: what it has said of itself.
+    Its methods raise CommandFailed if the line is lost or the robot waits for a motor.
     """
 
     robot: Connected
@@ -48,35 +46,29 @@ class Talk:
     def __init__(
         self,
         settings: PortSettings,
-        hear: Callable[[Report], None] = lambda _report: None,
+        on_report: Callable[[Report], None] = lambda _report: None,
         interrupted: Callable[[], bool] = lambda: False,
     ) -> None:
-        """Prepare a line.
-
-        Args:
-            settings: how to reach the robot.
-            hear: is given every report.
-            interrupted: whether not to go on, where nothing was sent yet.
-        """
+        """Prepare a line; `interrupted` ends the attempt to connect."""
         self._host = host()
         self._inbox = RequestQueue(self._host.condition())
         self._reports = RequestQueue(self._host.condition())
         self._ids = itertools.count(1)
-        self._hear = hear
+        self._on_report = on_report
         self._interrupted = interrupted
         self._session = AracnaSession(
             settings, self._inbox, self._reports.put, self._host.open_transport
         )
 
     def __enter__(self) -> Self:
-        """Open the line.
+        """Connect.
 
         Raises:
-            Refused: the port cannot be opened, no Aracna answers, or it was asked not to go on.
+            CommandFailed: the port cannot be opened, no Aracna answers, or it was interrupted.
         """
         self._join = self._host.start_thread(self._session.run)
         try:
-            for report in self._heard(self._may_go_on):
+            for report in self._received(self._check_interruption):
                 if isinstance(report, Connected):
                     self.robot = report
                     break
@@ -85,87 +77,70 @@ class Talk:
             raise
         return self
 
-    def _may_go_on(self) -> None:
+    def _check_interruption(self) -> None:
         if self._interrupted():
-            raise CommandFailed("Broken off before anything was sent.")
+            raise CommandFailed("Cancelled before anything was sent.")
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Give the port back."""
+    def __exit__(self, *_: object) -> None:
         self._close()
 
     def _close(self) -> None:
         self._inbox.put(Close())
         self._join()
 
-    def tell(self, request: Request) -> None:
-        """Hand a request to the session and wait for nothing."""
+    def submit(self, request: Request) -> None:
+        """Queue a request without waiting."""
         self._inbox.put(request)
 
     def next_id(self) -> int:
-        """Return a number that no request has yet."""
+        """Return an unused request number."""
         return next(self._ids)
 
-    def follow(self, is_over: Callable[[], bool]) -> None:
-        """Hear reports until something has come of them.
-
-        Raises:
-            Refused: the line is lost, or the robot waits for a motor that does not arrive.
-        """
-        for report in self._heard():
-            _complain(report)
-            if is_over():
+    def wait_until(self, condition: Callable[[], bool]) -> None:
+        """Take reports until a condition is met."""
+        for report in self._received():
+            _check(report)
+            if condition():
                 return
 
-    def wait(self, number: int, look: Callable[[], None] = lambda: None) -> object:
-        """Return what came of a request; `look` is called every tenth of a second.
-
-        Raises:
-            Refused: it went wrong, or the robot waits for a motor that does not arrive.
-        """
-        for report in self._heard(look):
+    def wait(self, number: int, check: Callable[[], None] = lambda: None) -> object:
+        """Return the outcome of a request; `check` is called every tenth of a second."""
+        for report in self._received(check):
             match report:
                 case Outcome(id=of, value=value, error=error) if of == number:
                     if error is not None:
                         raise CommandFailed(error) from error
                     return value
                 case _:
-                    _complain(report)
+                    _check(report)
         raise AssertionError  # the reports end with `Closed`, which is an error
 
-    def _heard(self, look: Callable[[], None] = lambda: None) -> Iterator[Report]:
+    def _received(self, check: Callable[[], None] = lambda: None) -> Iterator[Report]:
         while True:
-            look()
-            report = self._reports.get(_LOOK)
+            check()
+            report = self._reports.get(_CHECK_INTERVAL)
             if report is None:
                 continue
             if isinstance(report, Closed):
                 error = report.error or StudioError("The line was closed.")
                 raise CommandFailed(error) from error
-            self._hear(report)
+            self._on_report(report)
             yield report
 
 
-def _complain(report: Report) -> None:
+def _check(report: Report) -> None:
     match report:
+        case Stuck(motor=None):
+            raise CommandFailed(
+                "The robot no longer answers. Its motors may continue to their goals."
+            )
         case Stuck(motor=motor):
-            raise CommandFailed(_stuck(motor))
-        case NotResponding(error=reason):
-            raise CommandFailed(reason)
+            raise CommandFailed(
+                f"The robot waits for motor {motor}, which does not arrive: it is blocked, has no "
+                "power or does not answer, or the board itself has no power. Until it arrives, or "
+                "the board is reset, the robot reads nothing. Only servo power stops its motors."
+            )
+        case NotResponding(error=error):
+            raise CommandFailed(error)
         case _:
             pass
-
-
-def _stuck(motor: int | None) -> str:
-    if motor is None:
-        return "The robot does not answer any more. Its motors may go on to their goals."
-    return (
-        f"The robot waits for motor {motor}, which does not arrive: it is blocked, has no power or "
-        "does not answer, or the board itself has no power. Until it arrives, or the board is "
-        "reset, the robot reads nothing. "
-        "Only servo power stops its motors."
-    )

@@ -1,132 +1,131 @@
-"""The poses and sequences that a person works on: one pose file, with undo."""
+"""The poses and sequences that the user edits: one pose file, with undo."""
 
 from collections.abc import Sequence as Many
+from dataclasses import dataclass, replace
+from enum import Enum
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoStack
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files.errors import Finding, SettingsError
-from trex_gui.devices.aracna.model.pose_file import read_file, write_file
-from trex_gui.devices.aracna.poses import editing
-from trex_gui.devices.aracna.poses.gaits import Gait
-from trex_gui.devices.aracna.poses.named_poses import KNOWN_POSES
-from trex_gui.devices.aracna.poses.naming import free_name
-from trex_gui.devices.aracna.poses.pose import Pose
-from trex_gui.devices.aracna.poses.project import Project
-from trex_gui.devices.aracna.poses.sequence import Sequence, SequenceStep
+from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
+from trex_gui.devices.aracna.poses.ppr import read_file, write_file
+from trex_gui.devices.aracna.poses.project import (
+    SHORTEST_MS,
+    Pose,
+    Project,
+    Sequence,
+    SequenceStep,
+    checked_name,
+    free_name,
+)
 from trex_gui.ui.devices.undo import Edit
 
 UNTITLED = "poses.ppr"
 
 
-class Library(QObject):
-    """One project; each edit replaces it by another and is one step to undo.
+class ItemKind(Enum):
+    """What a library holds; the value is the field of `Project`."""
 
-    What cannot be, such as a name that is taken, a position outside 0-1023 or an item that is not
-    there, is refused with a `BadRequest` that says why; then nothing has changed.
+    POSE = "poses"
+    SEQUENCE = "sequences"
+
+
+@dataclass(frozen=True, slots=True)
+class ItemKey:
+    """A pose or sequence by name, or a built-in gait."""
+
+    name: str
+    built_in: bool = False
+
+
+class Library(QObject):
+    """One project; each edit replaces it and is one undo step.
+
+    Edits raise `BadRequest`, and change nothing, for an unknown or invalid name, a name that is
+    taken, or a position outside 0-1023.
 
     Signals:
         changed: poses, sequences, the file, or whether it is saved.
 
     Attributes:
-        undo: what was edited since the file was opened; saving does not empty it.
-        findings: what reading the file found, line by line; gone with the next file.
+        undo: edits since the file was opened; saving keeps them.
+        path: of the file; `None` before it is saved.
+        findings: from reading the file.
     """
 
     changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
-        """Begin with the authors' poses and no file."""
         super().__init__(parent)
         self.undo = QUndoStack(self)
         self.findings: tuple[Finding, ...] = ()
-        self._project = self._saved = Project(poses=KNOWN_POSES)
-        self._path: Path | None = None
+        self.project = self._saved = Project(poses=BUILT_IN_POSES)
+        self.path: Path | None = None
         self._on_disk: bytes | None = None
-
-    # --- What is there ------------------------------------------------------------------
-
-    @property
-    def project(self) -> Project:
-        """All of it."""
-        return self._project
-
-    @property
-    def poses(self) -> tuple[Pose, ...]:
-        """In the order in which they are shown."""
-        return self._project.poses
-
-    @property
-    def sequences(self) -> tuple[Sequence, ...]:
-        """In the order in which they are shown."""
-        return self._project.sequences
-
-    def pose(self, name: str) -> Pose | None:
-        """Return the pose of a name."""
-        return self._project.pose(name)
-
-    def sequence(self, name: str) -> Sequence | None:
-        """Return the sequence of a name."""
-        return self._project.sequence(name)
-
-    @property
-    def path(self) -> Path | None:
-        """Where the file lies; `None` before it is saved."""
-        return self._path
 
     @property
     def name(self) -> str:
-        """What people call the file."""
-        return UNTITLED if self._path is None else self._path.name
+        """The file's name."""
+        return UNTITLED if self.path is None else self.path.name
 
     @property
     def modified(self) -> bool:
-        """Whether saving would write something else than was opened or saved last."""
-        return self._project != self._saved
+        """Whether there are unsaved changes."""
+        return self.project != self._saved
 
     def changed_on_disk(self) -> bool:
-        """Whether the file holds something else now than when it was opened or saved."""
-        if self._path is None or self._on_disk is None:
+        """Whether another program has changed the file."""
+        if self.path is None or self._on_disk is None:
             return False
         try:
-            return self._path.read_bytes() != self._on_disk
+            return self.path.read_bytes() != self._on_disk
         except OSError:
-            return False  # saving writes it anew, or says why it cannot
+            return False  # saving creates it again, or reports why it cannot
+
+    def playable(self, key: ItemKey | None) -> Sequence | Gait | None:
+        """Return a sequence or gait; `None` if there is none of this name."""
+        if key is None:
+            return None
+        if key.built_in:
+            return next((gait for gait in GAITS if gait.name == key.name), None)
+        return self.project.sequence(key.name)
 
     # --- Files --------------------------------------------------------------------------
 
     @Slot()
     def new(self) -> None:
-        """Begin with the authors' poses and no file; what was there is gone."""
-        self._begin(Project(poses=KNOWN_POSES), None, None, ())
+        """Start with the built-in poses and no file."""
+        self._load(Project(poses=BUILT_IN_POSES), None, None, ())
 
     def open(self, path: Path) -> tuple[Finding, ...]:
-        """Open a pose file, and return what a person should know of it.
+        """Open a pose file, and return its findings.
 
         Raises:
-            SettingsError: it cannot be read, is too large or no text; then nothing has changed.
+            SettingsError: it cannot be read; then nothing has changed.
         """
         file = read_file(path)
-        self._begin(file.project, path, file.data, file.findings)
+        self._load(file.project, path, file.data, file.findings)
         return file.findings
 
     def save(self, path: Path | None = None) -> None:
-        """Write the file, here or elsewhere; it is the file from now on.
+        """Write the file, here or elsewhere; it stays there from now on.
 
         Raises:
-            SettingsError: it cannot be written, or has no place yet; the old one is still there.
+            SettingsError: it cannot be written, or has no path yet; the old one is still there.
         """
-        target = path or self._path
+        target = path or self.path
         if target is None:
             raise SettingsError(self.name, [Finding(None, None, "it has no place on disk yet")])
-        self._on_disk = write_file(target, self._project)
-        self._path = target
-        self._saved = self._project
+        self._on_disk = write_file(target, self.project)
+        self.path = target
+        self._saved = self.project
         self.changed.emit()
 
-    def _begin(
+    def _load(
         self,
         project: Project,
         path: Path | None,
@@ -134,108 +133,149 @@ class Library(QObject):
         findings: tuple[Finding, ...],
     ) -> None:
         self.undo.clear()
-        self._project = self._saved = project
-        self._path, self._on_disk, self.findings = path, data, findings
+        self.project = self._saved = project
+        self.path, self._on_disk, self.findings = path, data, findings
         self.changed.emit()
 
-    # --- Poses --------------------------------------------------------------------------
+    # --- Edits of poses and sequences ---------------------------------------------------
+
+    def rename(self, kind: ItemKind, name: str, new_name: str) -> None:
+        """Rename an item; steps follow a renamed pose."""
+        items, place = self._find(kind, name)
+        new_name = checked_name(new_name, [item.name for item in items if item.name != name])
+        after = self._with(kind, place, [replace(items[place], name=new_name)])
+        if kind is ItemKind.POSE:
+            after = replace(
+                after, sequences=tuple(_renamed(one, name, new_name) for one in after.sequences)
+            )
+        self._edit(self.tr("Rename {0}").format(name), after)
+
+    def duplicate(self, kind: ItemKind, name: str) -> str:
+        """Insert a copy after an item, and return the copy's name."""
+        items, place = self._find(kind, name)
+        copy = replace(items[place], name=free_name(name, [item.name for item in items]))
+        self._edit(
+            self.tr("Duplicate {0}").format(name), self._with(kind, place, [items[place], copy])
+        )
+        return str(copy.name)
+
+    def delete(self, kind: ItemKind, name: str) -> None:
+        """Delete an item; sequences keep the names of deleted poses."""
+        _, place = self._find(kind, name)
+        self._edit(self.tr("Delete {0}").format(name), self._with(kind, place, []))
+
+    def move(self, kind: ItemKind, name: str, place: int) -> None:
+        """Move an item to a place in the order, from 0; one beyond the end is the end."""
+        items, old = self._find(kind, name)
+        others = [*items[:old], *items[old + 1 :]]
+        others.insert(min(max(place, 0), len(others)), items[old])
+        self._edit(self.tr("Move {0}").format(name), self._with_items(kind, others))
 
     def add_pose(self, positions: Many[int], name: str = "") -> str:
-        """Keep positions (0-1023, one a motor) as the last pose, and return its name.
+        """Append a pose (0-1023, one position for each motor), and return its name.
 
-        Without a name it is the first free one of `pose`, `pose 2` and so on.
+        The default is the first free one of `pose`, `pose 2` and so on.
         """
-        name = name.strip() or free_name(self.tr("pose"), [pose.name for pose in self.poses])
-        after = editing.with_pose(self._project, name, positions)
-        self._edit(self.tr("Add pose {0}").format(name), after)
+        taken = self.project.pose_names
+        name = checked_name(name.strip() or free_name(self.tr("pose"), taken), taken)
+        poses = (*self.project.poses, _pose(name, positions))
+        self._edit(self.tr("Add pose {0}").format(name), replace(self.project, poses=poses))
         return name
 
     def capture(self, present: Many[int | None], name: str = "") -> str:
-        """Keep where the robot is as a pose, and return its name.
+        """Append the robot's present position as a pose, and return its name.
 
-        A motor of which that is not known (`None`, or the -1 that the robot reports) refuses it.
+        An unknown position (`None`, or the -1 that the robot reports) is rejected.
         """
-        unknown = [motor for motor, place in enumerate(present) if place is None or not place >= 0]
-        if unknown or not present:
-            of = f" of motor {', '.join(map(str, unknown))}" if len(unknown) < len(present) else ""
-            raise BadRequest(f"where the robot is, is not known{of}; it tells that when it moves")
-        return self.add_pose([place for place in present if place is not None], name)
+        known = [position for position in present if position is not None and position >= 0]
+        if len(known) < len(present) or not present:
+            unknown = [motor for motor, each in enumerate(present) if each is None or each < 0]
+            of = f" of motor {', '.join(map(str, unknown))}" if known else ""
+            raise BadRequest(f"the position{of} is not known until the robot has moved")
+        return self.add_pose(known, name)
 
     def set_positions(self, name: str, positions: Many[int], *, run: object = None) -> None:
-        """Move a pose; edits with the same `run`, one after the other, are one step to undo."""
-        after = editing.with_positions(self._project, name, positions)
+        """Change a pose; successive edits with the same `run` are one undo step."""
+        _, place = self._find(ItemKind.POSE, name)
+        after = self._with(ItemKind.POSE, place, [_pose(name, positions)])
         self._edit(self.tr("Change pose {0}").format(name), after, run)
 
-    def rename_pose(self, name: str, new_name: str) -> None:
-        """Give a pose another name, which the sequences follow."""
-        after = editing.with_pose_renamed(self._project, name, new_name)
-        self._edit(self.tr("Rename pose {0}").format(name), after)
-
-    def duplicate_pose(self, name: str) -> str:
-        """Put a copy of a pose behind it, and return the copy's name."""
-        after, copied = editing.with_pose_copied(self._project, name)
-        self._edit(self.tr("Duplicate pose {0}").format(name), after)
-        return copied
-
-    def delete_pose(self, name: str) -> None:
-        """Take a pose away; sequences go on naming it, and undo brings it back."""
-        after = editing.without_pose(self._project, name)
-        self._edit(self.tr("Delete pose {0}").format(name), after)
-
-    def move_pose(self, name: str, place: int) -> None:
-        """Put a pose at a place in the order, from 0; one beyond the end is the end."""
-        after = editing.with_pose_moved(self._project, name, place)
-        self._edit(self.tr("Move pose {0}").format(name), after)
-
-    # --- Sequences ----------------------------------------------------------------------
-
     def add_sequence(self, name: str = "", steps: Many[SequenceStep] = ()) -> str:
-        """Add a sequence at the end, and return its name."""
-        taken = [sequence.name for sequence in self.sequences]
-        name = name.strip() or free_name(self.tr("sequence"), taken)
-        after = editing.with_sequence(self._project, name, steps)
-        self._edit(self.tr("Add sequence {0}").format(name), after)
+        """Append a sequence, and return its name."""
+        taken = [sequence.name for sequence in self.project.sequences]
+        name = checked_name(name.strip() or free_name(self.tr("sequence"), taken), taken)
+        self._add_sequence(self.project, Sequence(name, tuple(steps)))
         return name
 
     def set_steps(self, name: str, steps: Many[SequenceStep], *, run: object = None) -> None:
-        """Give a sequence other steps; edits with the same `run` are one step to undo."""
-        after = editing.with_steps(self._project, name, steps)
+        """Change a sequence; successive edits with the same `run` are one undo step."""
+        _, place = self._find(ItemKind.SEQUENCE, name)
+        after = self._with(ItemKind.SEQUENCE, place, [Sequence(name, tuple(steps))])
         self._edit(self.tr("Change sequence {0}").format(name), after, run)
 
-    def rename_sequence(self, name: str, new_name: str) -> None:
-        """Give a sequence another name."""
-        after = editing.with_sequence_renamed(self._project, name, new_name)
-        self._edit(self.tr("Rename sequence {0}").format(name), after)
-
-    def duplicate_sequence(self, name: str) -> str:
-        """Put a copy of a sequence behind it, and return the copy's name."""
-        after, copied = editing.with_sequence_copied(self._project, name)
-        self._edit(self.tr("Duplicate sequence {0}").format(name), after)
-        return copied
-
     def add_gait(self, gait: Gait) -> str:
-        """Add a gait as a sequence with its poses, to be changed; return its name."""
-        after, name = editing.with_gait(self._project, gait)
-        self._edit(self.tr("Add sequence {0}").format(name), after)
+        """Append a gait as a sequence, with those of its poses that are missing; return its name.
+
+        Poses with the same name and other positions stay, and the gait's own get another name.
+        """
+        poses, steps = list(self.project.poses), []
+        for stage in gait.stages:
+            pose = stage.pose
+            if pose not in self.project.poses:
+                pose = replace(pose, name=f"{gait.name} {pose.name}")
+            if pose not in poses:
+                pose = replace(pose, name=free_name(pose.name, [one.name for one in poses]))
+                poses.append(pose)
+            steps.append(SequenceStep(pose.name, milliseconds_of(stage.seconds)))
+        name = free_name(gait.name, [sequence.name for sequence in self.project.sequences])
+        self._add_sequence(replace(self.project, poses=tuple(poses)), Sequence(name, tuple(steps)))
         return name
 
-    def delete_sequence(self, name: str) -> None:
-        """Take a sequence away; undo brings it back."""
-        after = editing.without_sequence(self._project, name)
-        self._edit(self.tr("Delete sequence {0}").format(name), after)
+    def _add_sequence(self, project: Project, sequence: Sequence) -> None:
+        after = replace(project, sequences=(*project.sequences, sequence))
+        self._edit(self.tr("Add sequence {0}").format(sequence.name), after)
 
-    def move_sequence(self, name: str, place: int) -> None:
-        """Put a sequence at a place in the order, from 0; one beyond the end is the end."""
-        after = editing.with_sequence_moved(self._project, name, place)
-        self._edit(self.tr("Move sequence {0}").format(name), after)
+    def _find(self, kind: ItemKind, name: str) -> tuple[tuple[Any, ...], int]:
+        items: tuple[Any, ...] = getattr(self.project, kind.value)
+        for place, item in enumerate(items):
+            if item.name == name:
+                return items, place
+        raise BadRequest(f"there is nothing called {name}")
 
-    # --- Undo ---------------------------------------------------------------------------
+    def _with(self, kind: ItemKind, place: int, replacement: Many[Any]) -> Project:
+        """Return the project with other items in place of one."""
+        items: tuple[Any, ...] = getattr(self.project, kind.value)
+        return self._with_items(kind, (*items[:place], *replacement, *items[place + 1 :]))
+
+    def _with_items(self, kind: ItemKind, items: Many[Any]) -> Project:
+        changes: dict[str, Any] = {kind.value: tuple(items)}
+        return replace(self.project, **changes)
 
     def _edit(self, text: str, after: Project, run: object = None) -> None:
-        """Make an edit a step to undo; one that changes nothing is none."""
-        if after != self._project:
-            self.undo.push(Edit(text, self._put, None, self._project, after, run=run))
+        """Apply an edit as an undo step, unless it changes nothing."""
+        if after != self.project:
+            self.undo.push(Edit(text, self._put, None, self.project, after, run=run))
 
     def _put(self, _key: None, project: Project) -> None:
-        self._project = project
+        self.project = project
         self.changed.emit()
+
+
+def milliseconds_of(seconds: float) -> int:
+    """Return the time of a step."""
+    return max(round(seconds * 1000), SHORTEST_MS)
+
+
+def _pose(name: str, positions: Many[int]) -> Pose:
+    try:
+        return Pose(name, tuple(positions))
+    except ValueError as error:
+        raise BadRequest(str(error)) from None
+
+
+def _renamed(sequence: Sequence, name: str, new_name: str) -> Sequence:
+    steps = tuple(
+        replace(step, pose_name=new_name) if step.pose_name == name else step
+        for step in sequence.steps
+    )
+    return replace(sequence, steps=steps)

@@ -1,26 +1,43 @@
-"""Gaits that come with the program: positions as a function of time.
+"""Poses and gaits that come with the program.
 
-Ref: CreativeMachinesLab/aracna `RobotPi/commonGaits.py` (a list of poses with a duration each,
-linear in between, from the last one back to the first) and `RobotPi/RobotPi.py` (3 s to flat, then
-3 s to stand). Those marked `ours` are made of the authors' poses, but are not theirs.
+Ref: CreativeMachinesLab/aracna `RobotPi/PiConstants.py` (poses: an inner and an outer position, the
+same for all legs; several are outside the joints' limits and are cropped when played),
+`RobotPi/commonGaits.py` (a list of poses with a duration each, linear in between, from the last one
+back to the first) and `RobotPi/RobotPi.py` (3 s to flat, then 3 s to stand). Gaits marked `ours`
+are made of the authors' poses, but are not theirs.
 """
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from trex_gui.devices.aracna.poses.named_poses import (
-    FLAT,
-    HALF_STAND,
-    SELF_TEST_A,
-    SELF_TEST_B,
-    STAND,
-)
-from trex_gui.devices.aracna.poses.pose import Pose
+from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
 
-SLOWLY = 3.0
-"""Seconds in which the authors' robot goes to flat, and from there to stand."""
+SLOW_SECONDS = 3.0
+"""Time in which the authors' robot goes to flat, and from there to stand."""
+
+
+def all_legs(name: str, inner: int, outer: int) -> Pose:
+    """Return a pose with the same positions for all legs: even motors are inner joints."""
+    return Pose(name, (inner, outer) * (MOTORS // 2))
+
+
+FLAT = all_legs("flat", 770, 40)
+HALF_STAND = all_legs("half-stand", 700, 100)
+STAND = all_legs("stand", 512, 680)
+SELF_TEST_A = all_legs("self-test a", 770, 200)
+SELF_TEST_B = all_legs("self-test b", 670, 300)
+
+BUILT_IN_POSES = (
+    FLAT,
+    HALF_STAND,
+    STAND,
+    all_legs("up-1", 0, 600),
+    all_legs("up-2", 600, 600),
+    SELF_TEST_A,
+    SELF_TEST_B,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,13 +50,11 @@ class GaitStage:
 
 @dataclass(frozen=True, slots=True)
 class Gait:
-    """Stages one after the other.
+    """Stages one after the other, at least one.
 
     Attributes:
-        name: for people.
-        stages: at least one.
-        about: what it does, for people; a sentence.
-        cyclic: the first stage begins where the last one ends, so it can go on for ever.
+        about: what it does; a sentence.
+        cyclic: it can repeat: the first stage starts in the last pose.
         ours: the robot's authors do not have it.
     """
 
@@ -51,19 +66,19 @@ class Gait:
 
     @property
     def seconds(self) -> float:
-        """How long all stages take together."""
+        """The sum of its stages' times."""
         return sum(stage.seconds for stage in self.stages)
 
     @property
     def start(self) -> Pose | None:
-        """Where it begins; `None` for one that begins wherever the robot is."""
+        """Where it starts; `None` if it starts anywhere."""
         return self.stages[-1].pose if self.cyclic else None
 
     def at(self, time: float, time_scale: float = 1.0) -> tuple[float, ...]:
         """Return the positions at a time in seconds, linear between poses.
 
-        A cyclic one begins anew after its last stage. Another one is taken to begin in its
-        first pose and stays in its last. A `time_scale` of 2 is half as fast.
+        A cyclic gait repeats; another one is taken to start in its first pose and ends in its last.
+        A `time_scale` of 2 is half as fast.
         """
         when = time / time_scale
         if self.cyclic:
@@ -86,19 +101,16 @@ def sampled(
     samples: int,
     about: str,
 ) -> Gait:
-    """Return the gait that goes through a periodic function of time at fixed times.
-
-    What leaves 0-1023 is cut there.
-    """
+    """Return the gait that samples a periodic function of time, cropped to 0-1023."""
     stages = []
     for number in range(1, samples + 1):
         positions = motion(seconds * number / samples)
-        cut = tuple(min(max(round(position), 0), HIGHEST) for position in positions)
-        stages.append(GaitStage(Pose(f"{number} of {samples}", cut), seconds / samples))
+        cropped = tuple(min(max(round(position), 0), HIGHEST) for position in positions)
+        stages.append(GaitStage(Pose(f"{number} of {samples}", cropped), seconds / samples))
     return Gait(name, tuple(stages), about)
 
 
-_REST = 300
+_NEUTRAL = 300
 _LIFT = 200
 _SWING = 300
 
@@ -107,13 +119,13 @@ def _star(swung: int) -> Gait:
     """Return the star gait in which the outer joint of leg `swung` (0-3) swings to its low end.
 
     The authors' number is that of the leg's inner motor. Theirs are 2 and 6; 0 and 4 are the
-    same a leg further, as the names say (inferred).
+    same a leg further, as the names suggest (inferred).
     """
     opposite = (swung + 2) % 4
     standing = ((swung + 1) % 4, (swung + 3) % 4)
 
     def pose(name: str, lifted: tuple[int, int], sign: int) -> Pose:
-        positions = [_REST] * MOTORS
+        positions = [_NEUTRAL] * MOTORS
         for leg in lifted:
             positions[2 * leg] -= _LIFT
         positions[2 * swung + 1] -= sign * _SWING
@@ -139,8 +151,8 @@ def _sine(time: float) -> tuple[float, ...]:
 
 STAND_UP = Gait(
     "stand up",
-    (GaitStage(FLAT, SLOWLY), GaitStage(STAND, SLOWLY)),
-    "Lies down flat in 3 s and stands up in 3 s, from wherever it is.",
+    (GaitStage(FLAT, SLOW_SECONDS), GaitStage(STAND, SLOW_SECONDS)),
+    "Lies down flat in 3 s and stands up in 3 s, from any position.",
     cyclic=False,
 )
 
@@ -162,7 +174,7 @@ GAITS = (
     Gait(
         "lie down",
         (GaitStage(HALF_STAND, 2.0), GaitStage(FLAT, 2.0)),
-        "Over half-stand to flat, from wherever it is.",
+        "Over half-stand to flat, from any position.",
         cyclic=False,
         ours=True,
     ),

@@ -1,31 +1,44 @@
-"""What a sequence or gait becomes when it is played: steps within the joints' limits."""
+"""What is sent for a sequence or gait: steps within the joints' limits, and how long they take.
+
+A servo without load needs its distance over its speed; nothing makes it faster than its ceiling.
+"""
 
 from collections.abc import Iterable
 from collections.abc import Sequence as Many
 from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.aracna.poses.gaits import SLOWLY, Gait
-from trex_gui.devices.aracna.poses.named_poses import STAND
-from trex_gui.devices.aracna.poses.pose import Pose
-from trex_gui.devices.aracna.poses.project import missing_poses
-from trex_gui.devices.aracna.poses.sequence import Sequence
-from trex_gui.devices.aracna.poses.travel import Present
-from trex_gui.devices.aracna.protocol.joints import Limits
+from trex_gui.devices.aracna.poses.gaits import SLOW_SECONDS, STAND, Gait
+from trex_gui.devices.aracna.poses.project import Pose, Sequence
+from trex_gui.devices.aracna.protocol.joints import Limits, crop
+from trex_gui.devices.aracna.protocol.units import CEILING, travel_seconds
 from trex_gui.devices.aracna.session.messages import Step
 
-SLOWEST, FASTEST = 10.0, 0.1
-"""Time scales that are offered: ten times as slow, ten times as fast."""
+Present = Many[int | None]
+"""Position of each motor; `None` where unknown."""
+
+COMMAND_SECONDS = 0.1
+"""What a step takes at least: `.v` and `.c` without motion take 42-55 and 33-37 ms."""
 
 
 @dataclass(frozen=True, slots=True)
 class Cropped:
-    """A position that a joint may not take, and the nearest one that is sent instead."""
+    """A position outside a joint's limits, and the nearest one, which is sent instead."""
 
     step: int
     motor: int
-    wanted: int
+    position: int
     sent: int
+
+
+@dataclass(frozen=True, slots=True)
+class LateMotor:
+    """A motor that needs more seconds than step `step` (from 0) has, even at its ceiling speed."""
+
+    step: int
+    motor: int
+    seconds: float
+    needed: float
 
 
 def steps_of(
@@ -34,14 +47,10 @@ def steps_of(
     limits: Many[Limits],
     time_scale: float = 1.0,
 ) -> tuple[Step, ...]:
-    """Return the steps of a sequence or gait, each goal cropped to its joint's limits.
-
-    `limits` has one entry a motor and says how many there are; positions that a pose lacks are
-    512. Every time is multiplied by `time_scale`.
+    """Return the steps of a sequence or gait for as many motors as `limits`, cropped to them.
 
     Raises:
-        BadRequest: there is nothing to play, it names poses that nobody has defined, or the
-            time scale is not more than 0.
+        BadRequest: there are no steps, poses are not defined, or the time scale is not above 0.
     """
     if not time_scale > 0:
         raise BadRequest(f"a time scale is more than 0, not {time_scale}")
@@ -54,24 +63,20 @@ def steps_of(
 def crops_of(
     played: Sequence | Gait, poses: Iterable[Pose], limits: Many[Limits]
 ) -> tuple[Cropped, ...]:
-    """Return each position that `steps_of` crops, in the order of steps and motors.
-
-    Raises:
-        BadRequest: as of `steps_of`.
-    """
-    found = []
-    for number, (pose, _) in enumerate(_stages(played, poses)):
-        wanted = pose.first(len(limits))
-        for motor, (want, sent) in enumerate(zip(wanted, cropped(pose, limits), strict=True)):
-            if want != sent:
-                found.append(Cropped(number, motor, want, sent))
-    return tuple(found)
+    """Return each position that `steps_of` crops; raises as it does."""
+    return tuple(
+        Cropped(number, motor, position, sent)
+        for number, (pose, _) in enumerate(_stages(played, poses))
+        for motor, (position, sent) in enumerate(
+            zip(pose.first(len(limits)), cropped(pose, limits), strict=True)
+        )
+        if position != sent
+    )
 
 
 def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
-    """Return a pose's positions, one a motor, as they may be sent."""
-    wanted = pose.first(len(limits))
-    return tuple(limit.crop(position) for limit, position in zip(limits, wanted, strict=True))
+    """Return a pose's positions as they may be sent, one for each motor."""
+    return crop(pose.first(len(limits)), limits)
 
 
 def blend_in(
@@ -79,39 +84,70 @@ def blend_in(
     poses: Iterable[Pose],
     limits: Many[Limits],
     present: Present = (),
-    seconds: float = SLOWLY,
 ) -> tuple[Step, ...]:
-    """Return what leads slowly from where the robot is to where it begins.
+    """Return the slow step to the start; none if it starts anywhere, or the robot is there.
 
-    A gait that goes on for ever begins in its last pose, a sequence in its first one. Nothing
-    is needed where the robot is there already, nor before a gait that begins anywhere.
-
-    Raises:
-        BadRequest: as of `steps_of`.
+    A cyclic gait starts in its last pose, a sequence in its first. Raises as `steps_of` does.
     """
     stages = _stages(played, poses)
     start = played.start if isinstance(played, Gait) else stages[0][0]
     if start is None:
         return ()
     goals = cropped(start, limits)
-    return () if tuple(present) == goals else (Step(goals, seconds, start.name),)
+    return () if tuple(present) == goals else (Step(goals, SLOW_SECONDS, start.name),)
 
 
-def blend_out(
-    limits: Many[Limits], poses: Iterable[Pose] = (), seconds: float = SLOWLY
-) -> tuple[Step, ...]:
-    """Return what leads slowly to `stand`: that of `poses`, or else the authors'."""
+def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, ...]:
+    """Return the slow step to `stand`: that of `poses`, else the built-in one."""
     stand = next((pose for pose in poses if pose.name == STAND.name), STAND)
-    return (Step(cropped(stand, limits), seconds, stand.name),)
+    return (Step(cropped(stand, limits), SLOW_SECONDS, stand.name),)
+
+
+def late_motors(
+    steps: Many[Step], start: Present = (), *, again: bool = False, ceiling: int = CEILING
+) -> tuple[LateMotor, ...]:
+    """Return each motor that is too slow for a step; from an unknown position none is.
+
+    With `again` the first step is also checked from the end of the last one.
+    """
+    found: dict[tuple[int, int], LateMotor] = {}
+    if again and steps:
+        found = {(0, late.motor): late for late in _late_in(0, steps[0], steps[-1].goals, ceiling)}
+    before = start
+    for number, step in enumerate(steps):
+        for late in _late_in(number, step, before, ceiling):
+            found.setdefault((number, late.motor), late)
+        before = step.goals
+    return tuple(found.values())
+
+
+def estimated_seconds(steps: Many[Step], start: Present = (), *, ceiling: int = CEILING) -> float:
+    """Return the time for all steps: of each its own, or that of its slowest motor."""
+    total, before = 0.0, start
+    for step in steps:
+        needed = [late.needed for late in _late_in(0, step, before, ceiling)]
+        total += max(step.seconds, COMMAND_SECONDS, *needed)
+        before = step.goals
+    return total
+
+
+def _late_in(number: int, step: Step, before: Present, ceiling: int) -> list[LateMotor]:
+    late = []
+    for motor, (start, goal) in enumerate(zip(before, step.goals, strict=False)):
+        if start is None:
+            continue
+        needed = travel_seconds(goal - start, 0, ceiling)
+        if needed > step.seconds:
+            late.append(LateMotor(number, motor, step.seconds, needed))
+    return late
 
 
 def _stages(played: Sequence | Gait, poses: Iterable[Pose]) -> list[tuple[Pose, float]]:
     if isinstance(played, Gait):
         return [(stage.pose, stage.seconds) for stage in played.stages]
     known = {pose.name: pose for pose in poses}
-    if missing := missing_poses(played, known.values()):
-        names = ", ".join(missing)
-        raise BadRequest(f"{played.name} names poses that are not defined: {names}")
+    if missing := played.missing(known):
+        raise BadRequest(f"{played.name} uses poses that are not defined: {', '.join(missing)}")
     if not played.steps:
         raise BadRequest(f"{played.name} has no steps")
     return [(known[step.pose_name], step.milliseconds / 1000) for step in played.steps]

@@ -5,26 +5,35 @@
     Seq=name: pose|500, pose|500, ...
     Nuke=...
 
-Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. There the last of two items of one
-name wins, missing positions are 512, wrong resolutions are 1024, and a line without prefix is a
-pose of an older version. `Nuke` belongs to code for legged robots that PyPose made; it is kept.
+Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. There the last of two items with the
+same name wins, missing positions are 512, wrong resolutions are 1024, and a line without prefix is
+a pose of an older version. `Nuke` belongs to code for legged robots that PyPose generated; it is
+kept. Blanks around a name are ignored: PyPose strips the names in steps, and does not find a pose
+with blanks around its name.
 
-Blanks around a name do not count, for those around the names in steps never did: PyPose takes them
-away there, and finds no pose whose name has some.
-
-A line that cannot be understood is kept as it stands, and written back.
+Lines that cannot be read are kept as they are, and written back.
 """
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TypeVar
 
-from trex_gui.core.files.errors import Finding, Severity
-from trex_gui.devices.aracna.poses.naming import free_number
-from trex_gui.devices.aracna.poses.pose import CENTRE, Pose
-from trex_gui.devices.aracna.poses.project import MOST_MOTORS, RESOLUTION, Project, missing_from
-from trex_gui.devices.aracna.poses.sequence import LONGEST_MS, SHORTEST_MS, Sequence, SequenceStep
-from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS
+from trex_gui.core.files.errors import Finding, SettingsError, Severity
+from trex_gui.core.files.text_files import load, save
+from trex_gui.devices.aracna.poses.project import (
+    LONGEST_MS,
+    MOST_MOTORS,
+    RESOLUTION,
+    SHORTEST_MS,
+    Pose,
+    Project,
+    Sequence,
+    SequenceStep,
+    free_number,
+)
+from trex_gui.devices.aracna.protocol.units import CENTRE, HIGHEST, MOTORS
 
 SUFFIX = ".ppr"
 
@@ -32,102 +41,134 @@ _NUMBER = re.compile(r"[0-9]{1,9}")
 _POSE, _SEQUENCE, _NUKE = "Pose=", "Seq=", "Nuke="
 
 ItemT = TypeVar("ItemT", Pose, Sequence)
-_Placed = tuple[int, ItemT]
 
 
-class _UnreadableError(ValueError):
-    """A line that is kept as it stands; says why."""
+@dataclass(frozen=True, slots=True)
+class PoseFile:
+    """The content of a file when it was read."""
+
+    project: Project
+    findings: tuple[Finding, ...]
+    data: bytes
+
+
+def read_file(path: Path) -> PoseFile:
+    """Read a pose file.
+
+    Raises:
+        SettingsError: it cannot be read, is too large, or not text.
+    """
+    data = load(path, "poses")
+    found: list[Finding] = []
+    try:
+        text = data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        text = data.decode("latin-1")
+        message = "this is not UTF-8 text; it is read as Western European, and Save writes UTF-8"
+        found.append(Finding(line, None, message, Severity.WARNING))
+    for number, line_text in enumerate(text.split("\n"), 1):
+        if any(sign < " " and sign not in "\n\t\r" for sign in line_text):
+            message = "this is a binary file; poses are text"
+            raise SettingsError(str(path), [Finding(number, None, message)])
+    project, findings = read_ppr(text)
+    return PoseFile(project, (*found, *findings), data)
+
+
+def write_file(path: Path, project: Project) -> bytes:
+    """Write a pose file atomically and return its content.
+
+    Raises:
+        SettingsError: it cannot be written.
+    """
+    text = write_ppr(project)
+    save(path, text)
+    return text.encode("utf-8")
 
 
 def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
-    """Return what a pose file holds, and what a person should know of it, line by line.
+    """Return the project in a text, which is never rejected, and findings for each line.
 
-    Every text gives a project. A finding that is an error stands for a line that is not used;
-    of a warning, something was taken for granted.
+    An error marks a line that is not used; a warning, something that was assumed.
     """
-    parting = "\r" if "\r" in text and "\n" not in text else "\n"  # "\r": of an old Macintosh
-    lines = text.split(parting)
-    line_end = "\r\n" if lines[0].endswith("\r") else parting
+    separator = "\r" if "\r" in text and "\n" not in text else "\n"  # "\r": of an old Macintosh
+    lines = text.split(separator)
+    line_end = "\r\n" if lines[0].endswith("\r") else separator
     if lines[-1] == "":
         lines.pop()
     lines = [line.removesuffix("\r") for line in lines]
     reader = _Reader()
     if not lines or lines[0].startswith((_POSE, _SEQUENCE, _NUKE)):
-        said = "the first line names the robot and its servos; 8 servos are taken for granted"
-        reader.warn(1, said)
+        reader.warn(1, "the first line should name the robot and its servos; assuming 8 servos")
         name, resolutions, body = "", (RESOLUTION,) * MOTORS, 1
     else:
-        name, resolutions = reader.head(lines.pop(0))
+        name, resolutions = reader.header(lines.pop(0))
         body = 2
     for number, line in enumerate(lines, body):
-        reader.take(number, line, len(resolutions))
-    poses = reader.unique(reader.poses, _named_pose, "pose")
-    sequences = reader.unique(reader.sequences, _named_sequence, "sequence")
+        reader.read_line(number, line, len(resolutions))
+    poses = reader.with_unique_names(reader.poses, "pose")
+    sequences = reader.with_unique_names(reader.sequences, "sequence")
     known = {pose.name for pose in poses}
     for number, sequence in reader.sequences:
-        for missing in missing_from(sequence, known):
-            said = f"sequence {sequence.name} names the pose {missing}, which is not in the file"
-            reader.warn(number, said)
+        for missing in sequence.missing(known):
+            message = f"sequence {sequence.name} uses the pose {missing}, which is not in the file"
+            reader.warn(number, message)
     findings = tuple(sorted(reader.findings, key=lambda finding: finding.line or 0))
     return Project(name, resolutions, poses, sequences, tuple(reader.rest), line_end), findings
 
 
 def write_ppr(project: Project) -> str:
-    """Return the text of a pose file, as PyPose would write it.
-
-    A pose of fewer motors than the robot has gets the positions that reading it would give it.
-    """
-    head = [project.name, str(project.motors), *map(str, project.resolutions)]
-    lines = [":".join(head)]
+    """Return the text of a pose file, as PyPose would write it; short poses are filled up."""
+    lines = [":".join([project.name, str(project.motors), *map(str, project.resolutions)])]
     for pose in project.poses:
         positions = pose.first(max(project.motors, len(pose.positions)))
-        lines.append(f"{_POSE}{pose.name}:{_listed(positions)}")
+        lines.append(f"{_POSE}{pose.name}:{_joined(positions)}")
     for sequence in project.sequences:
         steps = (f"{step.pose_name}|{step.milliseconds}" for step in sequence.steps)
-        lines.append(f"{_SEQUENCE}{sequence.name}: {_listed(steps)}")
+        lines.append(f"{_SEQUENCE}{sequence.name}: {_joined(steps)}")
     return "".join(line + project.line_end for line in [*lines, *project.rest])
 
 
-def _listed(values: Iterable[object]) -> str:
+def _joined(values: Iterable[object]) -> str:
     return ", ".join(map(str, values))
 
 
 class _Reader:
-    """Takes the lines of one file."""
+    """Reads the lines of one file; items are kept with their line numbers."""
 
     def __init__(self) -> None:
         self.poses: list[tuple[int, Pose]] = []
         self.sequences: list[tuple[int, Sequence]] = []
         self.rest: list[str] = []
-        self.padded: set[int] = set()  # lines whose name has blanks around it
         self.findings: list[Finding] = []
+        self._padded: set[int] = set()  # lines with blanks around the name
 
     def warn(self, line: int, message: str) -> None:
         self.findings.append(Finding(line, None, message, Severity.WARNING))
 
-    def head(self, line: str) -> tuple[str, tuple[int, ...]]:
+    def header(self, line: str) -> tuple[str, tuple[int, ...]]:
         """Return name and resolutions of the first line."""
         name, *numbers = line.split(":")
         count = _number(numbers[0]) if numbers else None
         if count is None or not 1 <= count <= MOST_MOTORS:
             given = f", not {numbers[0].strip()!r}" if numbers else ""
-            said = f"how many servos there are is a number from 1 to {MOST_MOTORS}{given}"
-            self.warn(1, f"{said}; {MOTORS} are taken for granted")
+            message = f"the number of servos is 1 to {MOST_MOTORS}{given}; assuming {MOTORS}"
+            self.warn(1, message)
             return name, (RESOLUTION,) * MOTORS
         given_ones = [_number(number) for number in numbers[1:]]
         resolutions = tuple(one for one in given_ones if one)
         if len(given_ones) != count or len(resolutions) != count:
-            said = f"{count} resolutions are expected and {len(resolutions)} found"
-            self.warn(1, f"{said}; {RESOLUTION} is taken for every servo")
+            message = f"{count} resolutions are expected and {len(resolutions)} found"
+            self.warn(1, f"{message}; assuming {RESOLUTION} for every servo")
             resolutions = (RESOLUTION,) * count
         return name, resolutions
 
-    def take(self, number: int, line: str, motors: int) -> None:
-        """Take one line below the first."""
+    def read_line(self, number: int, line: str, motors: int) -> None:
+        """Read one line below the first."""
         try:
             if line.startswith(_SEQUENCE):
                 self.sequences.append((number, _sequence(line.removeprefix(_SEQUENCE))))
-                self._look_for_blanks(number, line.removeprefix(_SEQUENCE))
+                self._note_padding(number, line.removeprefix(_SEQUENCE))
                 return
             if line.startswith(_NUKE):
                 self.rest.append(line)
@@ -139,90 +180,80 @@ class _Reader:
                 message = f"{error}; the line is kept, but not used"
                 self.findings.append(Finding(number, None, message))
             return
-        if len(pose.positions) < motors:
-            said = f"pose {pose.name} has {len(pose.positions)} positions of {motors}"
-            self.warn(number, f"{said}; those that are missing become {CENTRE}")
+        count = len(pose.positions)
+        if count < motors:
+            message = f"pose {pose.name} has {count} positions of {motors}"
+            self.warn(number, f"{message}; missing ones become {CENTRE}")
             pose = Pose(pose.name, pose.first(motors))
-        elif len(pose.positions) > motors:
-            said = f"pose {pose.name} has {len(pose.positions)} positions for {motors} servos"
-            self.warn(number, f"{said}; the last ones are kept, but not used")
+        elif count > motors:
+            message = f"pose {pose.name} has {count} positions for {motors} servos"
+            self.warn(number, f"{message}; the last ones are kept, but not used")
         self.poses.append((number, pose))
-        self._look_for_blanks(number, line.removeprefix(_POSE))
+        self._note_padding(number, line.removeprefix(_POSE))
 
-    def _look_for_blanks(self, number: int, line: str) -> None:
+    def _note_padding(self, number: int, line: str) -> None:
         name = line.partition(":")[0]
         if name != name.strip():
-            self.padded.add(number)
+            self._padded.add(number)
 
-    def unique(
-        self, items: list[tuple[int, ItemT]], named: Callable[[ItemT, str], ItemT], kind: str
-    ) -> tuple[ItemT, ...]:
-        """Return items with a name each; the last of a name has it, others get another.
+    def with_unique_names(self, items: list[tuple[int, ItemT]], kind: str) -> tuple[ItemT, ...]:
+        """Return the items; of several with one name the last keeps it.
 
-        One that is spelled as the name is goes before one with blanks around it: it is the one
-        that steps have meant.
+        One without blanks around its name goes first: steps can only mean that one.
         """
         taken = {item.name for _, item in items}
-        spelled = sorted(items, key=lambda placed: (placed[0] not in self.padded, placed[0]))
-        last = {item.name: number for number, item in spelled}
+        by_priority = sorted(items, key=lambda placed: (placed[0] not in self._padded, placed[0]))
+        last = {item.name: number for number, item in by_priority}
         tried: dict[str, int] = {}
         for place, (number, item) in enumerate(items):
             if last[item.name] != number:
                 name, tried[item.name] = free_number(item.name, taken, tried.get(item.name, 2))
                 taken.add(name)
-                said = f"the {kind} {item.name} comes again in line {last[item.name]}"
-                if {number, last[item.name]} & self.padded:
-                    said = f"but for blanks around its name, {said}"
-                self.warn(number, f"{said}, which counts; this one is called {name} now")
-                items[place] = (number, named(item, name))
+                message = f"the {kind} {item.name} is repeated in line {last[item.name]}"
+                if {number, last[item.name]} & self._padded:
+                    message = f"apart from blanks around its name, {message}"
+                self.warn(number, f"{message}, which counts; this one is called {name} now")
+                items[place] = (number, replace(item, name=name))
         return tuple(item for _, item in items)
 
 
-def _named_pose(pose: Pose, name: str) -> Pose:
-    return Pose(name, pose.positions)
-
-
-def _named_sequence(sequence: Sequence, name: str) -> Sequence:
-    return Sequence(name, sequence.steps)
-
-
 def _pose(line: str) -> Pose:
-    name, colon, values = line.partition(":")
-    name = name.strip()
-    if not colon:
-        raise _UnreadableError("neither a pose nor a sequence, for it has no colon")
-    if not name:
-        raise _UnreadableError("a pose has a name before its colon")
+    name, values = _name(line, "neither a pose nor a sequence: it has no colon", "pose")
     positions = []
     for motor, field in enumerate(_fields(values)):
         position = _number(field)
         if position is None or position > HIGHEST:
-            said = f"pose {name}: positions are numbers from 0 to {HIGHEST}"
-            raise _UnreadableError(f"{said}, not {field.strip()!r} (motor {motor})")
+            message = f"pose {name}: positions are numbers from 0 to {HIGHEST}"
+            raise ValueError(f"{message}, not {field.strip()!r} (motor {motor})")
         positions.append(position)
     return Pose(name, tuple(positions))
 
 
 def _sequence(line: str) -> Sequence:
-    name, colon, values = line.partition(":")
-    name = name.strip()
-    if not colon:
-        raise _UnreadableError("a sequence has a colon after its name")
-    if not name:
-        raise _UnreadableError("a sequence has a name before its colon")
+    name, values = _name(line, "a sequence has a colon after its name", "sequence")
     steps = []
     for field in _fields(values):
         pose_name, bar, time = field.strip().partition("|")
         milliseconds = _number(time)
         if not bar or milliseconds is None or not SHORTEST_MS <= milliseconds <= LONGEST_MS:
-            said = f"sequence {name}: a step is a pose, a bar and {SHORTEST_MS} to {LONGEST_MS} ms"
-            raise _UnreadableError(f"{said}, not {field.strip()!r}")
+            limits = f"{SHORTEST_MS} to {LONGEST_MS} ms"
+            message = f"sequence {name}: a step is a pose, a bar and {limits}"
+            raise ValueError(f"{message}, not {field.strip()!r}")
         steps.append(SequenceStep(pose_name.strip(), milliseconds))
     return Sequence(name, tuple(steps))
 
 
+def _name(line: str, no_colon: str, kind: str) -> tuple[str, str]:
+    name, colon, values = line.partition(":")
+    if not colon:
+        raise ValueError(no_colon)
+    if not name.strip():
+        raise ValueError(f"a {kind} has a name before its colon")
+    return name.strip(), values
+
+
 def _fields(values: str) -> list[str]:
-    """Take values apart; a comma after the last one is let pass."""
+    """Split values; a comma after the last one is ignored."""
     fields = values.split(",")
     if not fields[-1].strip():
         fields.pop()

@@ -1,18 +1,102 @@
-"""What one pose file holds."""
+"""What one pose file holds: poses, sequences of them, and their names."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
-from trex_gui.devices.aracna.poses.pose import Pose
-from trex_gui.devices.aracna.poses.sequence import Sequence
-from trex_gui.devices.aracna.protocol.units import MOTORS
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.aracna.protocol.units import CENTRE, HIGHEST, MOTORS
+
+SHORTEST_MS = 1
+LONGEST_MS = 3_600_000
+"""An hour; PyPose itself offers up to 5000 ms."""
+
+DEFAULT_MS = 500
+"""PyPose's default for a step."""
 
 RESOLUTION = 1024
-"""Positions that a servo knows."""
+"""Positions that a servo distinguishes."""
 
 MOST_MOTORS = 253
-"""Servos that a bus can name (identifiers 0-252); a file with more is none of poses."""
+"""Servos that a bus can address (identifiers 0-252)."""
+
+_LONGEST_NAME = 100
+_SEPARATORS = ":,|"
+"""Characters that separate names and values in a pose file."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """Positions (0-1023, motor 0 first) under a name without colon or line end."""
+
+    name: str
+    positions: tuple[int, ...]
+
+    def __post_init__(self) -> None:
+        """Check that a file can hold it.
+
+        Raises:
+            ValueError: the name has a colon or line end, or a position is outside 0-1023.
+        """
+        _check_name("pose", self.name)
+        for motor, position in enumerate(self.positions):
+            if not 0 <= position <= HIGHEST:
+                raise ValueError(
+                    f"positions are 0 to {HIGHEST}, not {position} (motor {motor} of {self.name})"
+                )
+
+    def first(self, motors: int) -> tuple[int, ...]:
+        """Return the positions of so many motors; missing ones are in the centre."""
+        missing = max(motors - len(self.positions), 0)
+        return self.positions[:motors] + (CENTRE,) * missing
+
+
+@dataclass(frozen=True, slots=True)
+class SequenceStep:
+    """Reach a named pose in so many milliseconds, 1 to an hour."""
+
+    pose_name: str
+    milliseconds: int = DEFAULT_MS
+
+    def __post_init__(self) -> None:
+        """Check that a file can hold it.
+
+        Raises:
+            ValueError: the time is out of range, or the name has a comma, a bar or a line end.
+        """
+        if not is_usable_in_step(self.pose_name):
+            name = self.pose_name
+            raise ValueError(f"a step names a pose without comma, bar or line end, unlike {name!r}")
+        if not SHORTEST_MS <= self.milliseconds <= LONGEST_MS:
+            raise ValueError(
+                f"a step takes {SHORTEST_MS} to {LONGEST_MS} ms, not {self.milliseconds}"
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    """Steps under a name without colon or line end."""
+
+    name: str
+    steps: tuple[SequenceStep, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Check that a file can hold it.
+
+        Raises:
+            ValueError: the name has a colon or a line end.
+        """
+        _check_name("sequence", self.name)
+
+    @property
+    def seconds(self) -> float:
+        """The sum of its steps' times."""
+        return sum(step.milliseconds for step in self.steps) / 1000
+
+    def missing(self, known: Collection[str]) -> tuple[str, ...]:
+        """Return the pose names that are not `known`, each once, in order."""
+        used = dict.fromkeys(step.pose_name for step in self.steps)
+        return tuple(name for name in used if name not in known)
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,11 +105,11 @@ class Project:
 
     Attributes:
         name: of the robot.
-        resolutions: positions that each servo knows; their number is that of the motors.
-        poses: in the order of the file; each name once.
-        sequences: in the order of the file; each name once. They may name poses that are not here.
-        rest: lines that are neither, as they stand; they are written back at the end.
-        line_end: as the file has it.
+        resolutions: positions that each servo distinguishes; as many as there are motors.
+        poses, sequences: in the order of the file, with unique names. Sequences may name poses that
+            are not defined.
+        rest: other lines as they are; they are written back at the end.
+        line_end: as in the file.
     """
 
     name: str = "Aracna"
@@ -40,21 +124,59 @@ class Project:
         """How many motors the robot has."""
         return len(self.resolutions)
 
+    @property
+    def pose_names(self) -> tuple[str, ...]:
+        """The names of its poses."""
+        return tuple(pose.name for pose in self.poses)
+
     def pose(self, name: str) -> Pose | None:
-        """Return the pose of a name."""
+        """Return a pose by name."""
         return next((pose for pose in self.poses if pose.name == name), None)
 
     def sequence(self, name: str) -> Sequence | None:
-        """Return the sequence of a name."""
+        """Return a sequence by name."""
         return next((one for one in self.sequences if one.name == name), None)
 
 
-def missing_poses(sequence: Sequence, poses: Iterable[Pose]) -> tuple[str, ...]:
-    """Return the names that a sequence uses and nobody has defined, each once, in its order."""
-    return missing_from(sequence, {pose.name for pose in poses})
+def is_usable_in_step(pose_name: str) -> bool:
+    """Whether a step can name a pose: files separate steps by commas and their times by bars."""
+    return not any(sign in pose_name for sign in ",|\r\n")
 
 
-def missing_from(sequence: Sequence, known: AbstractSet[str]) -> tuple[str, ...]:
-    """Return the names that a sequence uses and that are not known, each once, in its order."""
-    named = dict.fromkeys(step.pose_name for step in sequence.steps)
-    return tuple(name for name in named if name not in known)
+def _check_name(kind: str, name: str) -> None:
+    if any(sign in name for sign in ":\r\n"):
+        raise ValueError(f"a {kind}'s name has no colon and no line end, unlike {name!r}")
+
+
+def free_name(name: str, taken: Iterable[str]) -> str:
+    """Return the name, with the first free number if it is taken."""
+    others = set(taken)
+    return free_number(name, others)[0] if name in others else name
+
+
+def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str, int]:
+    """Return the name with the first free number from `first` on, and the number after it."""
+    number = first
+    while f"{name} {number}" in taken:
+        number += 1
+    return f"{name} {number}", number + 1
+
+
+def checked_name(name: str, taken: Iterable[str]) -> str:
+    """Return a name without blanks around it.
+
+    Raises:
+        BadRequest: it is empty, too long, taken, or has characters that a file cannot hold.
+    """
+    found = name.strip()
+    if not found:
+        raise BadRequest("a name has at least one character")
+    if len(found) > _LONGEST_NAME:
+        raise BadRequest(f"a name has at most {_LONGEST_NAME} characters, not {len(found)}")
+    if any(sign in _SEPARATORS for sign in found):
+        raise BadRequest(f"a name has no colon, comma or bar, which separate values: {found}")
+    if not found.isprintable():
+        raise BadRequest("a name has no control characters")
+    if found in set(taken):
+        raise BadRequest(f"the name {found} is taken")
+    return found

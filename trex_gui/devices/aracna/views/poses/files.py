@@ -1,4 +1,4 @@
-"""New, open, save and save as for pose files, with the questions that are due."""
+"""New, open, save and save as for pose files."""
 
 from pathlib import Path
 
@@ -15,11 +15,14 @@ from trex_gui.ui.widgets import file_questions
 _FOLDER = "aracna/folder"
 
 _MOST_FINDINGS = 8
-"""Lines of a file that are told of; a message has to fit into the window."""
+"""Findings in a message, which has to fit into the window."""
 
 
 class PoseFiles(QObject):
-    """Asks for a file, opens or writes it, and says what became of it."""
+    """Opens and saves the file of a library, asks before data is lost, and reports the result.
+
+    Each method returns whether it was done.
+    """
 
     def __init__(self, library: Library, notifier: Notifier, window: QWidget) -> None:
         super().__init__(window)
@@ -30,40 +33,39 @@ class PoseFiles(QObject):
 
     @Slot()
     def new(self) -> None:
-        """Begin a file with the authors' poses."""
+        """Start with the built-in poses and no file."""
         if self.may_close():
             self._library.new()
 
     @Slot()
     def ask_and_open(self) -> None:
-        """Let a person choose a file."""
-        chosen, _ = QFileDialog.getOpenFileName(
-            self._window, self.tr("Open pose file"), str(self.folder()), self._filter()
-        )
+        """Let the user choose a file."""
+        title, folder = self.tr("Open pose file"), str(self.folder())
+        chosen, _ = QFileDialog.getOpenFileName(self._window, title, folder, self._filter())
         if chosen:
             self.open_file(Path(chosen))
 
     def open_file(self, path: Path) -> bool:
-        """Open a file in place of the one that is there; whether it is."""
+        """Open a file in place of the present one."""
         if not self.may_close():
             return False
         try:
             findings = self._library.open(path)
         except SettingsError as error:
-            self._notifier.error.emit(self.tr("Not opened. {0}.").format(str(error).rstrip(". ")))
+            self._report_error(self.tr("Not opened. {0}."), error)
             return False
-        self._remember(path)
-        words = [self.tr("{0} was opened.").format(path.name)]
-        words += [f"{str(finding).rstrip('. ')}." for finding in findings[:_MOST_FINDINGS]]
+        self._remember_folder(path)
+        lines = [self.tr("{0} was opened.").format(path.name)]
+        lines += [f"{str(finding).rstrip('. ')}." for finding in findings[:_MOST_FINDINGS]]
         if (more := len(findings) - _MOST_FINDINGS) > 0:
-            words.append(self.tr("And {0} more.").format(more))
-        bad = any(finding.severity is Severity.ERROR for finding in findings)
-        (self._notifier.error if bad else self._notifier.info).emit("\n".join(words))
+            lines.append(self.tr("And {0} more.").format(more))
+        has_errors = any(finding.severity is Severity.ERROR for finding in findings)
+        (self._notifier.error if has_errors else self._notifier.info).emit("\n".join(lines))
         return True
 
     @Slot()
     def save(self) -> bool:
-        """Write the file where it lies, after the question that is due; whether it was."""
+        """Save the file in its place."""
         take_typed()
         path = self._library.path
         if path is None:
@@ -76,35 +78,34 @@ class PoseFiles(QObject):
 
     @Slot()
     def ask_and_save(self) -> bool:
-        """Let a person choose where to write the file; whether it was."""
+        """Let the user choose where to save the file."""
         take_typed()
-        proposal = self._library.path or self.folder() / self._library.name
-        chosen, _ = QFileDialog.getSaveFileName(
-            self._window, self.tr("Save pose file"), str(proposal), self._filter()
-        )
+        title = self.tr("Save pose file")
+        proposal = str(self._library.path or self.folder() / self._library.name)
+        chosen, _ = QFileDialog.getSaveFileName(self._window, title, proposal, self._filter())
         if not chosen:
             return False
         path = Path(chosen)
         if not path.suffix:
             path = path.with_name(path.name + SUFFIX)
-            why = self.tr("is there already.")
+            why = self.tr("already exists.")
             if path.exists() and not file_questions.may_replace(self._window, path.name, why):
                 return False
         return self.save_to(path)
 
     def save_to(self, path: Path) -> bool:
-        """Write the file to a place; whether it was."""
+        """Save the file as `path`."""
         try:
             self._library.save(path)
         except SettingsError as error:
-            self._notifier.error.emit(self.tr("Not saved. {0}.").format(str(error).rstrip(". ")))
+            self._report_error(self.tr("Not saved. {0}."), error)
             return False
-        self._remember(path)
+        self._remember_folder(path)
         self._notifier.info.emit(self.tr("Saved in {0}.").format(path))
         return True
 
     def may_close(self) -> bool:
-        """Ask before edits are lost; save them if a person wants that."""
+        """Ask before edits are lost; save them if the user wants to."""
         take_typed()
         if not self._library.modified:
             return True
@@ -116,11 +117,14 @@ class PoseFiles(QObject):
         return False
 
     def folder(self) -> Path:
-        """Return where the last file was opened or saved."""
+        """Return the folder of the last file."""
         documents = QStandardPaths.StandardLocation.DocumentsLocation
         return Path(str(self._store.value(_FOLDER, QStandardPaths.writableLocation(documents))))
 
-    def _remember(self, path: Path) -> None:
+    def _report_error(self, text: str, error: SettingsError) -> None:
+        self._notifier.error.emit(text.format(str(error).rstrip(". ")))
+
+    def _remember_folder(self, path: Path) -> None:
         self._store.setValue(_FOLDER, str(path.parent))
 
     def _filter(self) -> str:

@@ -1,28 +1,57 @@
-"""Sequences and gaits: a list, the steps of the one that is chosen, and how to change them."""
+"""Sequences and gaits: a list, and the steps of the current one."""
 
-from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QVBoxLayout, QWidget
+from typing import Any
 
-from trex_gui.devices.aracna.model.library import Library
-from trex_gui.devices.aracna.model.names import Motion, MotionNames, played_of
-from trex_gui.devices.aracna.model.step_table import StepTable
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+    Slot,
+)
+from PySide6.QtGui import QKeyEvent, QPaintEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QGroupBox,
+    QHeaderView,
+    QSpinBox,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableView,
+    QWidget,
+)
+
+from trex_gui.devices.aracna.model.library import ItemKey, ItemKind, Library
+from trex_gui.devices.aracna.model.pose_models import NameModel, StepColumn, StepTable
 from trex_gui.devices.aracna.poses.gaits import GAITS, Gait
-from trex_gui.devices.aracna.poses.sequence import USUAL_MS, Sequence, SequenceStep, can_be_named
-from trex_gui.devices.aracna.views.poses.name_list import NameList
-from trex_gui.devices.aracna.views.poses.parts import arrow_button, follow, tool_button
-from trex_gui.devices.aracna.views.poses.step_view import StepView
+from trex_gui.devices.aracna.poses.project import (
+    DEFAULT_MS,
+    LONGEST_MS,
+    SHORTEST_MS,
+    Sequence,
+    SequenceStep,
+    is_usable_in_step,
+)
+from trex_gui.devices.aracna.views.poses.name_list import NameList, paint_empty, small_button
 from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.widgets import builders
+from trex_gui.ui.widgets.header_names import name_headers
+
+_Index = QModelIndex | QPersistentModelIndex
+_LINES = 5
 
 
 class MotionBox(QGroupBox):
-    """A part of the panel.
+    """Edits the sequences of a library, and shows the gaits.
 
     Signals:
-        shown: another motion is chosen, or its steps are others.
+        shown: another item is current, or its steps have changed.
 
     Attributes:
-        table: the steps of what is chosen.
+        table: the steps of the current item.
     """
 
     shown = Signal()
@@ -32,178 +61,250 @@ class MotionBox(QGroupBox):
         self.setObjectName("aracnaMotionBox")
         self.setTitle(self.tr("Sequences and gaits"))
         self._library = library
-        self._notifier = notifier
         self._next_pose = ""
         self.table = StepTable(library, self)
 
-        names = MotionNames(library, self)
-        self._list = NameList(names, "", self)
-        self._list.setObjectName("aracnaMotions")
-        self._list.setAccessibleName(self.tr("Sequences and gaits"))
+        model = NameModel(library, ItemKind.SEQUENCE, notifier, self)
+        self._list = builders.named(
+            NameList(model, "", self), "aracnaMotions", accessible=self.tr("Sequences and gaits")
+        )
         self._steps = StepView(self.table, library, self)
-        self._new = tool_button(
-            self, "aracnaNewSequence", self.tr("New"), self.tr("New sequence"), "new"
-        )
-        self._copy = tool_button(
+        new = small_button(
             self,
-            "aracnaDuplicateSequence",
-            "",
-            self.tr("Duplicate; of a gait it makes a sequence that can be changed"),
-            "copy",
+            "aracnaNewSequence",
+            self.tr("New"),
+            tip=self.tr("New sequence"),
+            icon="new",
+            on_click=self._on_new_clicked,
         )
-        self._delete = tool_button(
-            self, "aracnaDeleteSequence", "", self.tr("Delete this sequence"), "clear"
+        self._add = small_button(
+            self,
+            "aracnaAddStep",
+            self.tr("Add step"),
+            tip=self.tr("Add a step"),
+            icon="new",
+            on_click=self._on_add_clicked,
         )
-        up, down = Qt.ArrowType.UpArrow, Qt.ArrowType.DownArrow
-        self._up = arrow_button(self, "aracnaSequenceUp", self.tr("Move this sequence up"), up)
-        self._down = arrow_button(
-            self, "aracnaSequenceDown", self.tr("Move this sequence down"), down
+        self._remove = small_button(
+            self,
+            "aracnaRemoveStep",
+            tip=self.tr("Remove this step"),
+            icon="clear",
+            on_click=self._steps.remove,
         )
-        self._add = tool_button(
-            self, "aracnaAddStep", self.tr("Add step"), self.tr("Add a step"), "new"
+        self._up = small_button(
+            self,
+            "aracnaStepUp",
+            tip=self.tr("Move this step up"),
+            arrow=Qt.ArrowType.UpArrow,
+            on_click=lambda: self._steps.shift(-1),
         )
-        self._remove = tool_button(
-            self, "aracnaRemoveStep", "", self.tr("Remove this step"), "clear"
+        self._down = small_button(
+            self,
+            "aracnaStepDown",
+            tip=self.tr("Move this step down"),
+            arrow=Qt.ArrowType.DownArrow,
+            on_click=lambda: self._steps.shift(1),
         )
-        self._step_up = arrow_button(self, "aracnaStepUp", self.tr("Move this step up"), up)
-        self._step_down = arrow_button(self, "aracnaStepDown", self.tr("Move this step down"), down)
+        builders.column(
+            (self._list, 2),
+            builders.row(new, *self._list.buttons(self), 1),
+            (self._steps, 3),
+            builders.row(self._add, self._remove, self._up, self._down, 1),
+            into=self,
+            margins=(8, 6, 8, 8),
+            spacing=4,
+        )
 
-        of_list, of_steps = QHBoxLayout(), QHBoxLayout()
-        for row, buttons in (
-            (of_list, (self._new, self._copy, self._delete, self._up, self._down)),
-            (of_steps, (self._add, self._remove, self._step_up, self._step_down)),
-        ):
-            for button in buttons:
-                row.addWidget(button)
-            row.addStretch(1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(8, 6, 8, 8)
-        layout.setSpacing(4)
-        layout.addWidget(self._list, 2)
-        layout.addLayout(of_list)
-        layout.addWidget(self._steps, 3)
-        layout.addLayout(of_steps)
-
-        follow(self._copy, self._list.duplicate_action)
-        follow(self._delete, self._list.delete_action)
-        follow(self._up, self._list.up_action)
-        follow(self._down, self._list.down_action)
-        names.refused.connect(self._notifier.error)
-        self._list.chosen.connect(self._on_chosen)
-        self._list.delete_requested.connect(self._on_delete_requested)
-        self._list.duplicate_requested.connect(self._on_duplicate_requested)
-        self._list.move_requested.connect(self._on_move_requested)
-        self._new.clicked.connect(self._on_new_clicked)
-        self._add.clicked.connect(self._on_add_clicked)
-        self._remove.clicked.connect(self._on_remove_clicked)
-        self._step_up.clicked.connect(self._on_step_up_clicked)
-        self._step_down.clicked.connect(self._on_step_down_clicked)
-        self._steps.selectionModel().currentChanged.connect(self._allow)
+        self._list.chosen.connect(lambda: self.table.show_item(self._list.current))
+        self._steps.selectionModel().currentChanged.connect(self._update_buttons)
         self.table.shown.connect(self._on_table_shown)
-        self._list.choose(Motion(GAITS[0].name, built_in=True))  # something that can be played
-        self._allow()
+        self._list.choose(ItemKey(GAITS[0].name, built_in=True))  # something that can be played
+        self._update_buttons()
 
     @property
-    def current(self) -> Motion | None:
-        """What is chosen."""
+    def current(self) -> ItemKey | None:
+        """The current sequence or gait."""
         return self._list.current
 
     @property
     def played(self) -> Sequence | Gait | None:
-        """What is chosen, as it can be played."""
-        return played_of(self._library, self._list.current)
-
-    def choose(self, motion: Motion) -> None:
-        """Choose a sequence or gait."""
-        self._list.choose(motion)
+        """The current sequence or gait, as it can be played."""
+        return self._library.playable(self._list.current)
 
     def show_pose(self, name: str) -> None:
-        """Say which pose a new step takes."""
+        """Set the pose that a new step takes."""
         self._next_pose = name
-        self._allow()
+        self._update_buttons()
 
     @Slot()
-    def _allow(self) -> None:
+    def _update_buttons(self) -> None:
         editable, row = self.table.editable, self._steps.row
-        last = self.table.rowCount() - 1
         pose = self._pose_for_step()
-        self._add.setEnabled(editable and bool(pose) and can_be_named(pose))
-        self._add.setToolTip(self._about_adding(pose))
+        self._add.setEnabled(editable and bool(pose) and is_usable_in_step(pose))
+        self._add.setToolTip(self._add_tool_tip(pose))
         self._remove.setEnabled(editable and row >= 0)
-        self._step_up.setEnabled(editable and row > 0)
-        self._step_down.setEnabled(editable and 0 <= row < last)
+        self._up.setEnabled(editable and row > 0)
+        self._down.setEnabled(editable and 0 <= row < self.table.rowCount() - 1)
 
-    def _about_adding(self, pose: str) -> str:
+    def _add_tool_tip(self, pose: str) -> str:
         if not self.table.editable:
-            return self.tr("Choose a sequence; gaits that are built in cannot be changed")
+            return self.tr("Choose a sequence; built-in gaits cannot be changed")
         if not pose:
-            return self.tr("There is no pose that a step could go to")
-        if not can_be_named(pose):
-            text = self.tr("A step cannot name “{0}”: give the pose a name without comma and bar")
+            return self.tr("There are no poses")
+        if not is_usable_in_step(pose):
+            text = self.tr("A step cannot use “{0}”: remove comma and bar from the pose's name")
             return text.format(pose)
-        return self.tr("Add a step to “{0}” after the one that is chosen").format(pose)
+        return self.tr("Add a step to “{0}” after the current one").format(pose)
 
     def _pose_for_step(self) -> str:
-        poses = self._library.poses
-        if self._library.pose(self._next_pose) is not None:
-            return self._next_pose
-        return poses[0].name if poses else ""
-
-    @Slot()
-    def _on_chosen(self) -> None:
-        self.table.show_motion(self._list.current)
+        names = self._library.project.pose_names
+        return self._next_pose if self._next_pose in names else next(iter(names), "")
 
     @Slot()
     def _on_table_shown(self) -> None:
-        self._allow()
+        self._update_buttons()
         self.shown.emit()
 
     @Slot()
     def _on_new_clicked(self) -> None:
-        name = self._library.add_sequence()
-        self._list.choose(Motion(name))
-        self._list.setFocus()
-        self._list.edit(self._list.currentIndex())
-
-    @Slot(object)
-    def _on_delete_requested(self, key: Motion) -> None:
-        row = self._list.currentIndex().row()
-        self._library.delete_sequence(key.name)
-        self._list.choose_row(row)  # so that the next one can be deleted, too
-
-    @Slot(object)
-    def _on_duplicate_requested(self, key: Motion) -> None:
-        played = played_of(self._library, key)
-        if isinstance(played, Gait):
-            name = self._library.add_gait(played)
-        else:
-            name = self._library.duplicate_sequence(key.name)
-        self._list.choose(Motion(name))
-
-    @Slot(object, int)
-    def _on_move_requested(self, key: Motion, row: int) -> None:
-        self._library.move_sequence(key.name, row)
-        self._list.choose(key)
+        self._list.choose_and_edit(self._library.add_sequence())
 
     @Slot()
     def _on_add_clicked(self) -> None:
         take_typed()
         row, steps = self._steps.row, self.table.steps
         after = row if row >= 0 else len(steps) - 1
-        time = steps[after].milliseconds if steps else USUAL_MS
+        time = steps[after].milliseconds if steps else DEFAULT_MS
         self.table.add(after + 1, SequenceStep(self._pose_for_step(), time))
         self._steps.choose(after + 1)
-        self._allow()
+        self._update_buttons()
+
+
+class _Delegate(QStyledItemDelegate):
+    """Edits a pose with a list of the poses, a time in milliseconds."""
+
+    def __init__(self, library: Library, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._library = library
+
+    def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: _Index) -> QWidget:
+        del option
+        if index.column() == StepColumn.POSE:
+            combo = builders.combo_box(
+                parent,
+                "aracnaStepPose",
+                self.tr("Pose of step {0}").format(index.row() + 1),
+                items=[
+                    name for name in self._library.project.pose_names if is_usable_in_step(name)
+                ],
+                on_activate=self._on_activated,
+            )
+            if combo.findText(str(index.data())) < 0:  # an undefined one stays possible
+                combo.insertItem(0, str(index.data()))
+            return combo
+        return builders.spin_box(
+            parent,
+            "aracnaStepTime",
+            self.tr("Milliseconds of step {0}").format(index.row() + 1),
+            SHORTEST_MS,
+            LONGEST_MS,
+            step=100,
+            suffix=self.tr(" ms"),
+        )
+
+    def setEditorData(self, editor: QWidget, index: _Index) -> None:
+        value: Any = index.data(Qt.ItemDataRole.EditRole)
+        if isinstance(editor, QComboBox):
+            editor.setCurrentIndex(editor.findText(str(value)))
+        elif isinstance(editor, QSpinBox):
+            editor.setValue(int(value))
+
+    def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: _Index) -> None:
+        if isinstance(editor, QComboBox):
+            model.setData(index, editor.currentText())
+        elif isinstance(editor, QSpinBox):
+            editor.interpretText()
+            model.setData(index, editor.value())
 
     @Slot()
-    def _on_remove_clicked(self) -> None:
-        self._steps.remove()
-        self._allow()
+    def _on_activated(self) -> None:
+        """Apply a pose as soon as it is chosen."""
+        editor = self.sender()
+        if isinstance(editor, QWidget):
+            self.commitData.emit(editor)
+
+
+class StepView(QTableView):
+    """Shows a step table. Delete removes the current step, Alt+Up and Alt+Down move it."""
+
+    def __init__(self, table: StepTable, library: Library, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._table = table
+        builders.named(self, "aracnaSteps", accessible=self.tr("Steps"))
+        self.setModel(table)
+        self.setItemDelegate(_Delegate(library, self))
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(
+            QAbstractItemView.EditTrigger.EditKeyPressed
+            | QAbstractItemView.EditTrigger.DoubleClicked
+            | QAbstractItemView.EditTrigger.SelectedClicked
+            | QAbstractItemView.EditTrigger.AnyKeyPressed
+        )
+        self.setShowGrid(False)
+        self.setAlternatingRowColors(True)
+        self.setTabKeyNavigation(False)
+        height = self.fontMetrics().height() + 8
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(height)
+        head = self.horizontalHeader()
+        head.setHighlightSections(False)
+        head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        head.setSectionResizeMode(StepColumn.NOTE, QHeaderView.ResizeMode.Stretch)
+        head.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        name_headers(self)
+        self.setMinimumHeight(_LINES * height)
+
+    @property
+    def row(self) -> int:
+        """The current row; -1 for none."""
+        return self.currentIndex().row()
+
+    def choose(self, row: int) -> None:
+        """Make a row current; one beyond the end is the last."""
+        row = min(row, self._table.rowCount() - 1)
+        if row >= 0:
+            column = max(self.currentIndex().column(), int(StepColumn.POSE))
+            self.setCurrentIndex(self._table.index(row, column))
+
+    def shift(self, by: int) -> None:
+        """Move the current step up (-1) or down (1)."""
+        row = self.row
+        if self._table.move(row, row + by):
+            self.choose(row + by)
 
     @Slot()
-    def _on_step_up_clicked(self) -> None:
-        self._steps.shift(-1)
+    def remove(self) -> None:
+        """Remove the current step."""
+        row = self.row
+        if row >= 0 and self._table.editable:
+            self._table.remove(row)
+            self.choose(row)
 
-    @Slot()
-    def _on_step_down_clicked(self) -> None:
-        self._steps.shift(1)
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        by = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(Qt.Key(event.key()))
+        if event.key() == Qt.Key.Key_Delete:
+            self.remove()
+        elif by is not None and event.modifiers() & Qt.KeyboardModifier.AltModifier:
+            self.shift(by)
+        else:
+            super().keyPressEvent(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self._table.rowCount() == 0:
+            text = self.tr("Choose a sequence or a gait to see its steps.")
+            if self._table.editable:
+                text = self.tr("No steps yet. Add one: it uses the current pose.")
+            paint_empty(self, text)

@@ -1,38 +1,36 @@
-"""A list of names: renamed in place, put in order with mouse and keyboard."""
+"""A list of poses or sequences that is edited in place, and its buttons."""
 
 from PySide6.QtCore import QModelIndex, QPoint, QRect, Qt, Signal, Slot
 from PySide6.QtGui import QAction, QDropEvent, QKeySequence, QPainter, QPaintEvent
-from PySide6.QtWidgets import QAbstractItemView, QListView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QListView, QToolButton, QWidget
 
-from trex_gui.devices.aracna.model.names import Motion, Names
+from trex_gui.devices.aracna.model.library import ItemKey, ItemKind
+from trex_gui.devices.aracna.model.pose_models import NameModel
+from trex_gui.devices.aracna.poses.gaits import Gait
+from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets import builders
 
 _LINES = 4
 
 
 class NameList(QListView):
-    """Shows names; what a person wants done is a signal.
-
-    F2 renames, Delete deletes, Alt with up and down moves; the same stands in the context menu.
+    """Edits poses or sequences: rename (F2), delete (Delete), duplicate, move (Alt+arrows, drag).
 
     Signals:
-        chosen: another item is current, a `Motion`; or `None`.
-        delete_requested, duplicate_requested: of a `Motion`.
-        move_requested: a `Motion`, and the row where it is to stand.
+        chosen: another item is current.
     """
 
-    chosen = Signal(object)
-    delete_requested = Signal(object)
-    duplicate_requested = Signal(object)
-    move_requested = Signal(object, int)
+    chosen = Signal()
 
-    def __init__(self, names: Names, empty: str, parent: QWidget | None = None) -> None:
-        """Show `names`; `empty` is said where there are none."""
+    def __init__(self, model: NameModel, empty: str, parent: QWidget | None = None) -> None:
+        """Show a model; `empty` is shown while it has no rows."""
         super().__init__(parent)
-        self._names = names
+        self._model = model
+        self._library = model.library
         self._empty = empty
-        self._wanted: Motion | None = None
-        self.setModel(names)
+        self._chosen: ItemKey | None = None
+        self.setModel(model)
         self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         self.setDefaultDropAction(Qt.DropAction.MoveAction)
         self.setEditTriggers(
@@ -43,129 +41,171 @@ class NameList(QListView):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.setMinimumHeight(_LINES * (self.fontMetrics().height() + 6))
-        self.rename_action = self._action(self.tr("Rename"), "F2")
-        self.duplicate_action = self._action(self.tr("Duplicate"), "")
-        self.delete_action = self._action(self.tr("Delete"), QKeySequence.StandardKey.Delete)
-        self.up_action = self._action(self.tr("Move up"), "Alt+Up")
-        self.down_action = self._action(self.tr("Move down"), "Alt+Down")
+        delete = QKeySequence.StandardKey.Delete
+        self._rename = self._action(self.tr("Rename"), "F2", self.edit_name)
+        self._duplicate = self._action(self.tr("Duplicate"), "", self._on_duplicate, "copy")
+        self._delete = self._action(self.tr("Delete"), delete, self._on_delete, "clear")
+        self._up = self._action(self.tr("Move up"), "Alt+Up", lambda: self._move(-1))
+        self._down = self._action(self.tr("Move down"), "Alt+Down", lambda: self._move(1))
 
-        self.rename_action.triggered.connect(self._on_rename)
-        self.duplicate_action.triggered.connect(self._on_duplicate)
-        self.delete_action.triggered.connect(self._on_delete)
-        self.up_action.triggered.connect(self._on_up)
-        self.down_action.triggered.connect(self._on_down)
         self.selectionModel().currentChanged.connect(self._on_current_changed)
-        names.modelReset.connect(self._on_reset)
-        names.dataChanged.connect(self._on_renewed)
-        self._allow()
+        model.modelReset.connect(self._on_reset)
+        model.dataChanged.connect(self._on_data_changed)
+        self._update_actions()
 
-    def _action(self, text: str, shortcut: str | QKeySequence.StandardKey) -> QAction:
-        action = QAction(text, self)
-        action.setShortcut(QKeySequence(shortcut))
-        action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+    def _action(
+        self,
+        text: str,
+        shortcut: str | QKeySequence.StandardKey,
+        slot: builders.Handler,
+        icon: str = "",
+    ) -> QAction:
+        context = Qt.ShortcutContext.WidgetShortcut
+        action = builders.action(
+            self, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot
+        )
         self.addAction(action)
         return action
 
+    def buttons(self, parent: QWidget) -> list[QToolButton]:
+        """Create the buttons for the current item: duplicate, delete, up, down."""
+        kind = "Pose" if self._model.kind is ItemKind.POSE else "Sequence"
+        up, down = Qt.ArrowType.UpArrow, Qt.ArrowType.DownArrow
+        buttons = []
+        for action, name, arrow in (
+            (self._duplicate, f"aracnaDuplicate{kind}", None),
+            (self._delete, f"aracnaDelete{kind}", None),
+            (self._up, f"aracna{kind}Up", up),
+            (self._down, f"aracna{kind}Down", down),
+        ):
+            button = small_button(parent, name, tip=action.text())
+            button.setDefaultAction(action)
+            if arrow is not None:
+                button.setArrowType(arrow)
+            buttons.append(button)
+        return buttons
+
     @property
-    def current(self) -> Motion | None:
-        """The item that is chosen."""
-        return self._names.key(self.currentIndex().row())
+    def current(self) -> ItemKey | None:
+        """The current item."""
+        return self._model.key(self.currentIndex().row())
 
-    def choose(self, key: Motion | None) -> None:
-        """Choose an item; one that is not there chooses none."""
-        row = -1 if key is None else self._names.row(key)
-        self.setCurrentIndex(self._names.index(row) if row >= 0 else QModelIndex())
+    def choose(self, key: ItemKey | None) -> None:
+        """Make an item current; none if it is not in the list."""
+        row = -1 if key is None else self._model.row(key)
+        self.setCurrentIndex(self._model.index(row) if row >= 0 else QModelIndex())
 
-    def choose_row(self, row: int) -> None:
-        """Choose what stands in a row; beyond the end, the last."""
-        self.choose(self._names.key(min(row, self._names.rowCount() - 1)))
+    def choose_and_edit(self, name: str) -> None:
+        """Make a new item current and let the user type its name."""
+        self.choose(ItemKey(name))
+        self.edit_name()
+
+    @Slot()
+    def edit_name(self) -> None:
+        """Let the user type the name of the current item."""
+        if self._rename.isEnabled():
+            self.setFocus()
+            self.edit(self.currentIndex())
 
     def drop_at(self, point: QPoint) -> None:
-        """Let the current item be moved to where it was dropped."""
+        """Move the current item to where it was dropped."""
         key = self.current
         if key is None or key.built_in:
             return
-        index, row = self.indexAt(point), self._names.rowCount()
+        index, row = self.indexAt(point), self._model.rowCount()
         if index.isValid():
             row = index.row() + (point.y() > self.visualRect(index).center().y())
-        self.move_requested.emit(key, row - (row > self._names.row(key)))
-
-    # --- What Qt asks -------------------------------------------------------------------
+        self._move_to(key, row - (row > self._model.row(key)))
 
     def dropEvent(self, event: QDropEvent) -> None:
         if event.source() is not self:
             event.ignore()
             return
         self.drop_at(event.position().toPoint())
-        event.setDropAction(Qt.DropAction.CopyAction)  # of a move Qt would delete the row
+        event.setDropAction(Qt.DropAction.CopyAction)  # after a move Qt would delete the row
         event.accept()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self._names.rowCount() == 0:
+        if self._model.rowCount() == 0:
             paint_empty(self, self._empty)
-
-    # --- Slots --------------------------------------------------------------------------
-
-    @Slot()
-    def _on_rename(self) -> None:
-        if self.rename_action.isEnabled():
-            self.setFocus()
-            self.edit(self.currentIndex())
 
     @Slot()
     def _on_duplicate(self) -> None:
-        if self.current is not None:
-            self.duplicate_requested.emit(self.current)
+        if (key := self.current) is None:
+            return
+        gait = self._library.playable(key) if key.built_in else None
+        if isinstance(gait, Gait):
+            name = self._library.add_gait(gait)
+        else:
+            name = self._library.duplicate(self._model.kind, key.name)
+        self.choose(ItemKey(name))
 
     @Slot()
     def _on_delete(self) -> None:
-        if self.current is not None:
-            self.delete_requested.emit(self.current)
-
-    @Slot()
-    def _on_up(self) -> None:
-        self._move(-1)
-
-    @Slot()
-    def _on_down(self) -> None:
-        self._move(1)
+        """Delete the current item; the next one can be deleted as well."""
+        if (key := self.current) is not None and not key.built_in:
+            row = self.currentIndex().row()
+            self._library.delete(self._model.kind, key.name)
+            self.choose(self._model.key(min(row, self._model.rowCount() - 1)))
 
     def _move(self, by: int) -> None:
         key = self.current
-        if key is not None and self._names.row(key) + by >= 0:
-            self.move_requested.emit(key, self._names.row(key) + by)
+        if key is not None and not key.built_in and self._model.row(key) + by >= 0:
+            self._move_to(key, self._model.row(key) + by)
+
+    def _move_to(self, key: ItemKey, row: int) -> None:
+        self._library.move(self._model.kind, key.name, row)
+        self.choose(key)
 
     @Slot()
     def _on_current_changed(self) -> None:
-        self._wanted = self.current
-        self._allow()
-        self.chosen.emit(self._wanted)
+        self._chosen = self.current
+        self._update_actions()
+        self.chosen.emit()
 
     @Slot()
-    def _on_renewed(self) -> None:
-        """A name has changed in its place: what is chosen is called otherwise."""
-        if self.current != self._wanted:
+    def _on_data_changed(self) -> None:
+        """Notice that the current item was renamed."""
+        if self.current != self._chosen:
             self._on_current_changed()
 
     @Slot()
     def _on_reset(self) -> None:
-        """Keep what is chosen; where it is gone, nothing is."""
-        wanted = self._wanted
-        self.choose(wanted)
-        if wanted is not None and self.current is None:
+        """Keep the current item, unless it is gone."""
+        chosen = self._chosen
+        self.choose(chosen)
+        if chosen is not None and self.current is None:
             self._on_current_changed()
 
-    def _allow(self) -> None:
+    def _update_actions(self) -> None:
         key = self.current
-        own = key is not None and not key.built_in
-        for action in (self.rename_action, self.delete_action, self.up_action, self.down_action):
-            action.setEnabled(own)
-        self.duplicate_action.setEnabled(key is not None)
+        for action in (self._rename, self._delete, self._up, self._down):
+            action.setEnabled(key is not None and not key.built_in)
+        self._duplicate.setEnabled(key is not None)
+
+
+def small_button(
+    parent: QWidget,
+    name: str,
+    text: str = "",
+    *,
+    tip: str,
+    icon: str = "",
+    arrow: Qt.ArrowType = Qt.ArrowType.NoArrow,
+    on_click: builders.Handler | None = None,
+) -> QToolButton:
+    """Create a tool button that takes the focus when it is clicked."""
+    button = builders.tool_button(parent, name, text, tip=tip, accessible=tip, on_click=on_click)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    button.setArrowType(arrow)
+    if icon:
+        set_icon(button, icon)
+    return button
 
 
 def paint_empty(view: QAbstractItemView, text: str) -> None:
-    """Say in a view that has nothing to show what could stand there."""
+    """Paint a hint into an empty view."""
     margin = view.fontMetrics().averageCharWidth()
     area: QRect = view.viewport().rect().adjusted(margin, margin, -margin, -margin)
     with QPainter(view.viewport()) as painter:

@@ -1,30 +1,39 @@
-"""How a sequence or gait is played: rounds, speed, blending, and the buttons."""
+"""How a sequence or gait is played: rounds, speed, blending; and a preview."""
 
-from dataclasses import dataclass
+from collections import defaultdict
+from collections.abc import Sequence as Many
+from dataclasses import dataclass, field
 
-from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QSpinBox,
-    QVBoxLayout,
-    QWidget,
+from PySide6.QtCore import QCoreApplication, Qt, Signal, Slot
+from PySide6.QtWidgets import QWidget
+
+from trex_gui.core.errors import BadRequest
+from trex_gui.devices.aracna.poses.gaits import Gait
+from trex_gui.devices.aracna.poses.playing import (
+    Cropped,
+    LateMotor,
+    Present,
+    blend_in,
+    blend_out,
+    crops_of,
+    estimated_seconds,
+    late_motors,
+    steps_of,
 )
-
-from trex_gui.devices.aracna.views.poses.parts import spin_box
-from trex_gui.ui.theme.icons import set_icon
+from trex_gui.devices.aracna.poses.project import Pose, Sequence
+from trex_gui.devices.aracna.protocol.joints import Limits
+from trex_gui.devices.aracna.session.messages import Play
+from trex_gui.ui.widgets import builders
 from trex_gui.ui.widgets.note import Note
 
 _MOST_ROUNDS = 999
 _SLOWEST, _FASTEST = 10, 400  # percent
+_MINUTE = 60.0
 
 
 @dataclass(frozen=True, slots=True)
-class PlayChoices:
-    """How it is to be played; `rounds` is 0 for ever, `time_scale` 2 is half as fast."""
+class PlayOptions:
+    """How to play; `rounds` 0 is endless, `time_scale` 2 is half as fast."""
 
     rounds: int
     time_scale: float
@@ -33,120 +42,208 @@ class PlayChoices:
 
 
 class PlayBar(QWidget):
-    """Controls and a summary; a part of the panel, which says what they act on.
+    """Options, a summary and the button.
 
     Signals:
-        play_clicked: a person wants it.
-        choices_changed: how it is to be played is another now.
-        scale_changed: the factor on every step's time is another, also while something plays.
+        play_clicked: play now.
+        options_changed: `options` have changed.
+        scale_changed: the new time scale, which also applies to what is playing.
     """
 
     play_clicked = Signal()
-    choices_changed = Signal()
+    options_changed = Signal()
     scale_changed = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaPlayBar")
-        self._play = QPushButton(self.tr("Pla&y"), self)
-        self._play.setObjectName("aracnaPlay")
-        set_icon(self._play, "run")
-        self._rounds: QSpinBox = spin_box(self, "aracnaRounds", self.tr("Rounds"))
-        self._rounds.setRange(1, _MOST_ROUNDS)
-        self._loop = QCheckBox(self.tr("&Loop"), self)
-        self._loop.setObjectName("aracnaLoop")
-        self._loop.setToolTip(self.tr("Go on until somebody ends it."))
-        self._speed: QSpinBox = spin_box(self, "aracnaSpeedScale", self.tr("Speed in percent"))
-        self._speed.setRange(_SLOWEST, _FASTEST)
-        self._speed.setSingleStep(10)
-        self._speed.setValue(100)
-        self._speed.setSuffix(self.tr(" %"))
-        self._speed.setToolTip(
-            self.tr("Also while it plays, from the next step on. 50 %: each step takes twice.")
+        self._play = builders.button(
+            self, "aracnaPlay", self.tr("Pla&y"), icon="run", on_click=self.play_clicked
         )
-        self._blend_in = QCheckBox(self.tr("Blend &in"), self)
-        self._blend_in.setObjectName("aracnaBlendIn")
-        self._blend_in.setToolTip(self.tr("First go slowly, in 3 s, to where it begins."))
-        self._blend_in.setChecked(True)
-        self._blend_out = QCheckBox(self.tr("Blend o&ut to stand"), self)
-        self._blend_out.setObjectName("aracnaBlendOut")
-        self._blend_out.setToolTip(self.tr("At the end go slowly, in 3 s, to the pose “stand”."))
-        self._summary = Note(2, self)
-        self._summary.setObjectName("aracnaPlaySummary")
+        self._rounds = builders.spin_box(
+            self,
+            "aracnaRounds",
+            self.tr("Rounds"),
+            1,
+            _MOST_ROUNDS,
+            on_change=self.options_changed,
+        )
+        self._loop = builders.check_box(
+            self,
+            "aracnaLoop",
+            self.tr("&Loop"),
+            tip=self.tr("Repeat until stopped."),
+            on_toggle=self._on_loop_toggled,
+        )
+        self._speed = builders.spin_box(
+            self,
+            "aracnaSpeedScale",
+            self.tr("Speed in percent"),
+            _SLOWEST,
+            _FASTEST,
+            value=100,
+            step=10,
+            suffix=self.tr(" %"),
+            tip=self.tr("Also while playing, from the next step on. 50 %: each step takes twice."),
+            on_change=self._on_speed_changed,
+        )
+        self._blend_in = builders.check_box(
+            self,
+            "aracnaBlendIn",
+            self.tr("Blend &in"),
+            tip=self.tr("First go slowly, in 3 s, to the start."),
+            checked=True,
+            on_toggle=self.options_changed,
+        )
+        self._blend_out = builders.check_box(
+            self,
+            "aracnaBlendOut",
+            self.tr("Blend o&ut to stand"),
+            tip=self.tr("At the end go slowly, in 3 s, to the pose “stand”."),
+            on_toggle=self.options_changed,
+        )
+        for box in (self._rounds, self._speed):
+            box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._summary = builders.named(Note(2, self), "aracnaPlaySummary")
         self._summary.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-
-        choices = QGridLayout()
-        choices.setHorizontalSpacing(8)
-        choices.setVerticalSpacing(3)
-        for column, (text, field, box) in enumerate(
-            (
-                (self.tr("&Rounds"), self._rounds, self._loop),
-                (self.tr("S&peed"), self._speed, None),
-            )
-        ):
-            label = QLabel(text, self)
-            label.setBuddy(field)
-            choices.addWidget(label, 0, 3 * column)
-            choices.addWidget(field, 0, 3 * column + 1)
-            if box is not None:
-                choices.addWidget(box, 0, 3 * column + 2)
-        choices.setColumnStretch(5, 1)
-        blends = QHBoxLayout()
-        blends.addWidget(self._blend_in)
-        blends.addWidget(self._blend_out)
-        blends.addStretch(1)
-        buttons = QHBoxLayout()
-        buttons.addWidget(self._play)
-        buttons.addStretch(1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(4)
-        layout.addLayout(choices)
-        layout.addLayout(blends)
-        layout.addWidget(self._summary)
-        layout.addLayout(buttons)
-
-        self._play.clicked.connect(self._on_play_clicked)
-        self._rounds.valueChanged.connect(self.choices_changed)
-        self._loop.toggled.connect(self._on_loop_toggled)
-        self._blend_in.toggled.connect(self._on_blend_toggled)
-        self._blend_out.toggled.connect(self._on_blend_toggled)
-        self._speed.valueChanged.connect(self._on_speed_changed)
+        builders.column(
+            builders.row(
+                builders.label(self, "", self.tr("&Rounds"), buddy=self._rounds),
+                self._rounds,
+                self._loop,
+                builders.label(self, "", self.tr("S&peed"), buddy=self._speed),
+                self._speed,
+                1,
+                spacing=8,
+            ),
+            builders.row(self._blend_in, self._blend_out, 1),
+            self._summary,
+            builders.row(self._play, 1),
+            into=self,
+            margins=0,
+            spacing=4,
+        )
 
     @property
-    def choices(self) -> PlayChoices:
-        """How it is to be played."""
-        return PlayChoices(
+    def options(self) -> PlayOptions:
+        """How to play."""
+        return PlayOptions(
             0 if self._loop.isChecked() else self._rounds.value(),
             100 / self._speed.value(),
             self._blend_in.isChecked(),
             self._blend_out.isChecked(),
         )
 
-    def allow(self, *, play: bool, why: str) -> None:
-        """Let it be played; `why` says what is lacking."""
-        self._play.setEnabled(play)
-        self._play.setToolTip(why)
+    def set_play_enabled(self, enabled: bool, tip: str) -> None:
+        """Enable the button; `tip` says what it does, or why it is disabled."""
+        self._play.setEnabled(enabled)
+        self._play.setToolTip(tip)
 
     def show_summary(self, text: str, *, alarming: bool) -> None:
-        """Say what would be played, and what cannot be as it is written."""
+        """Show what would be played."""
         self._summary.show_note(text, alarming=alarming)
         self._summary.setAccessibleName(text or self.tr("Nothing to play"))
-
-    @Slot()
-    def _on_play_clicked(self) -> None:
-        self.play_clicked.emit()
 
     @Slot(bool)
     def _on_loop_toggled(self, checked: bool) -> None:
         self._rounds.setEnabled(not checked)
-        self.choices_changed.emit()
-
-    @Slot()
-    def _on_blend_toggled(self) -> None:
-        self.choices_changed.emit()
+        self.options_changed.emit()
 
     @Slot()
     def _on_speed_changed(self) -> None:
-        self.choices_changed.emit()
-        self.scale_changed.emit(self.choices.time_scale)
+        self.options_changed.emit()
+        self.scale_changed.emit(self.options.time_scale)
+
+
+@dataclass(frozen=True, slots=True)
+class Preview:
+    """What would be played.
+
+    Attributes:
+        play: the request; `None` if it cannot be played.
+        text: length, crops and late motors, or why it cannot be played.
+        notes: remarks on steps, by index.
+    """
+
+    play: Play | None = None
+    text: str = ""
+    alarming: bool = False
+    notes: dict[int, str] = field(default_factory=dict)
+
+
+def preview(
+    played: Sequence | Gait | None,
+    poses: Many[Pose],
+    limits: Many[Limits],
+    present: Present,
+    options: PlayOptions,
+) -> Preview:
+    """Check what would be played."""
+    if played is None:
+        return Preview(text=tr("Choose a sequence or a gait to play it."))
+    try:
+        steps = steps_of(played, poses, limits)
+    except BadRequest as error:
+        notes = {}
+        if isinstance(played, Sequence):
+            missing = played.missing({pose.name for pose in poses})
+            notes = {
+                number: tr("not defined")
+                for number, step in enumerate(played.steps)
+                if step.pose_name in missing
+            }
+        return Preview(text=tr("Cannot play: {0}.").format(error), alarming=True, notes=notes)
+    play = Play(
+        0,
+        steps,
+        options.rounds,
+        blend_in(played, poses, limits, present) if options.blend_in else (),
+        blend_out(limits, poses) if options.blend_out else (),
+        options.time_scale,
+    )
+    scaled = steps_of(played, poses, limits, options.time_scale)
+    start = play.blend_in[-1].goals if play.blend_in else present
+    late = late_motors(scaled, start, again=options.rounds != 1)
+    crops = crops_of(played, poses, limits)
+    sentences = [_length_text(len(steps), estimated_seconds(scaled, start), options.rounds)]
+    if crops:
+        sentences.append(tr("Positions outside the limits are cropped."))
+    if late:
+        sentences.append(tr("Some motors are too slow."))
+    return Preview(play, " ".join(sentences), bool(late), _notes(late, crops))
+
+
+def _notes(late: Many[LateMotor], crops: Many[Cropped]) -> dict[int, str]:
+    """Return remarks on steps, too short times first."""
+    found: dict[int, list[str]] = defaultdict(list)
+    for step in sorted({one.step for one in late}):
+        slow = [one for one in late if one.step == step]
+        motors = ", ".join(str(one.motor) for one in slow)
+        text = tr("needs {0:.2f} s: motor {1}")
+        found[step].append(text.format(max(one.needed for one in slow), motors))
+    for step in sorted({one.step for one in crops}):
+        motors = ", ".join(str(one.motor) for one in crops if one.step == step)
+        found[step].append(tr("limited: motor {0}").format(motors))
+    return {step: "; ".join(texts) for step, texts in found.items()}
+
+
+def _length_text(steps: int, seconds: float, rounds: int) -> str:
+    count = tr("1 step") if steps == 1 else tr("{0} steps").format(steps)
+    if rounds == 1:
+        return tr("{0}, {1}.").format(count, _duration(seconds))
+    if rounds == 0:
+        return tr("{0}, {1} per round, until stopped.").format(count, _duration(seconds))
+    total = _duration(seconds * rounds)
+    return tr("{0}, {1} per round, {2} in total.").format(count, _duration(seconds), total)
+
+
+def _duration(seconds: float) -> str:
+    if seconds < _MINUTE:
+        return tr("{0:.1f} s").format(seconds)
+    minutes, rest = divmod(round(seconds), 60)
+    return tr("{0} min {1:02d} s").format(minutes, rest)
+
+
+def tr(text: str) -> str:
+    """Translate a text of this module."""
+    return QCoreApplication.translate("preview", text)

@@ -1,27 +1,29 @@
-"""The poses: a list, the positions of the one that is chosen, and what can be done with it."""
+"""The poses: a list, the positions of the current one, and what can be done with it."""
 
-from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtWidgets import QGroupBox, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
+from PySide6.QtWidgets import QGroupBox, QSpinBox, QWidget
 
 from trex_gui.core.errors import BadRequest
-from trex_gui.devices.aracna.model.library import Library
-from trex_gui.devices.aracna.model.names import Motion, PoseNames
-from trex_gui.devices.aracna.poses.pose import Pose
-from trex_gui.devices.aracna.poses.travel import Present
+from trex_gui.devices.aracna.model.library import ItemKind, Library
+from trex_gui.devices.aracna.model.pose_models import NameModel
+from trex_gui.devices.aracna.poses.playing import Present
+from trex_gui.devices.aracna.poses.project import Pose
 from trex_gui.devices.aracna.protocol.joints import Limits
-from trex_gui.devices.aracna.views.poses.name_list import NameList
-from trex_gui.devices.aracna.views.poses.parts import arrow_button, follow, tool_button
-from trex_gui.devices.aracna.views.poses.position_fields import PositionFields
+from trex_gui.devices.aracna.protocol.units import HIGHEST, MOTORS, degrees
+from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.devices.aracna.views.typed import take_typed
 from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.widgets import builders
+
+_ACROSS = 4
 
 
 class PoseBox(QGroupBox):
-    """A part of the panel.
+    """Edits the poses of a library.
 
     Signals:
-        go_to_requested: the positions of a pose are to be reached, a tuple; not cropped.
-        pose_chosen: the name of the pose that is chosen; empty for none.
+        go_to_requested: positions, a tuple; not cropped.
+        pose_chosen: the name of the current pose; empty for none.
     """
 
     go_to_requested = Signal(object)
@@ -34,121 +36,94 @@ class PoseBox(QGroupBox):
         self._library = library
         self._notifier = notifier
         self._present: tuple[int | None, ...] = ()
-        self._up = False
-        self._why_not = self.tr("There is no robot that could move now.")
+        self._can_move = False
+        self._why_not = ""
 
-        names = PoseNames(library, self)
-        empty = self.tr("No poses. Capture where the robot is, or open a pose file.")
-        self._list = NameList(names, empty, self)
-        self._list.setObjectName("aracnaPoses")
-        self._list.setAccessibleName(self.tr("Poses"))
-        self._capture = QPushButton(self.tr("&Capture"), self)
-        self._capture.setObjectName("aracnaCapture")
-        self._go_to = QPushButton(self.tr("&Go to"), self)
-        self._go_to.setObjectName("aracnaGoTo")
-        self._take = tool_button(
-            self, "aracnaTakePosition", "", self.tr("Put this pose where the robot is"), "edited"
+        model = NameModel(library, ItemKind.POSE, notifier, self)
+        empty = self.tr("No poses. Capture the robot's position, or open a pose file.")
+        self._list = builders.named(
+            NameList(model, empty, self), "aracnaPoses", accessible=self.tr("Poses")
         )
-        self._copy = tool_button(
-            self, "aracnaDuplicatePose", "", self.tr("Duplicate this pose"), "copy"
+        self._capture = builders.button(
+            self, "aracnaCapture", self.tr("&Capture"), on_click=self.capture
         )
-        self._delete = tool_button(
-            self, "aracnaDeletePose", "", self.tr("Delete this pose"), "clear"
+        self._go_to = builders.button(
+            self, "aracnaGoTo", self.tr("&Go to"), on_click=self._on_go_to_clicked
         )
-        self._up_button = arrow_button(
-            self, "aracnaPoseUp", self.tr("Move this pose up"), Qt.ArrowType.UpArrow
-        )
-        self._down_button = arrow_button(
-            self, "aracnaPoseDown", self.tr("Move this pose down"), Qt.ArrowType.DownArrow
+        self._take = small_button(
+            self,
+            "aracnaTakePosition",
+            tip=self.tr("Set this pose to the robot's position"),
+            icon="edited",
+            on_click=self._on_take_clicked,
         )
         self._fields = PositionFields(self)
+        builders.column(
+            (self._list, 1),
+            builders.row(self._take, *self._list.buttons(self), 1),
+            self._fields,
+            builders.row(self._capture, self._go_to),
+            into=self,
+            margins=(8, 6, 8, 8),
+            spacing=4,
+        )
 
-        main = QHBoxLayout()
-        main.addWidget(self._capture)
-        main.addWidget(self._go_to)
-        small = QHBoxLayout()
-        for button in (self._take, self._copy, self._delete, self._up_button, self._down_button):
-            small.addWidget(button)
-        small.addStretch(1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(8, 6, 8, 8)
-        layout.setSpacing(4)
-        layout.addWidget(self._list, 1)
-        layout.addLayout(small)
-        layout.addWidget(self._fields)
-        layout.addLayout(main)
-
-        follow(self._copy, self._list.duplicate_action)
-        follow(self._delete, self._list.delete_action)
-        follow(self._up_button, self._list.up_action)
-        follow(self._down_button, self._list.down_action)
-        names.refused.connect(self._notifier.error)
         self._list.chosen.connect(self._on_chosen)
-        self._list.delete_requested.connect(self._on_delete_requested)
-        self._list.duplicate_requested.connect(self._on_duplicate_requested)
-        self._list.move_requested.connect(self._on_move_requested)
-        self._capture.clicked.connect(self.capture)
-        self._go_to.clicked.connect(self._on_go_to_clicked)
-        self._take.clicked.connect(self._on_take_clicked)
         self._fields.positions_changed.connect(self._on_positions_changed)
         library.changed.connect(self._on_chosen)
         self._on_chosen()
 
     @property
     def current(self) -> Pose | None:
-        """The pose that is chosen."""
+        """The current pose."""
         key = self._list.current
-        return self._library.pose(key.name) if key is not None else None
+        return self._library.project.pose(key.name) if key is not None else None
 
     def show_present(self, present: Present) -> None:
-        """Know where the robot is: what `Capture` takes."""
+        """Set the robot's position, which `Capture` takes."""
         self._present = tuple(present)
-        self._allow()
+        self._update_buttons()
 
-    def show_link(self, up: bool, why_not: str) -> None:
-        """Whether there is a robot that may be moved now; else why not."""
-        self._up, self._why_not = up, why_not
-        self._allow()
+    def show_link(self, can_move: bool, why_not: str) -> None:
+        """Set whether the robot can be moved now; else why not."""
+        self._can_move, self._why_not = can_move, why_not
+        self._update_buttons()
 
     def show_limits(self, limits: tuple[Limits, ...]) -> None:
-        """Say of each motor how far it may turn."""
+        """Set the joints' limits."""
         self._fields.show_limits(limits)
 
-    def _allow(self) -> None:
-        known = bool(self._present) and None not in self._present
-        chosen = self.current is not None
-        tip = self.tr("Keep where the robot is as a new pose.")
-        if not known:
-            tip = self.tr("Where the robot is, is known after its first move.")
-        self._capture.setEnabled(known)
-        self._capture.setToolTip(tip)
-        self._take.setEnabled(known and chosen)
-        self._go_to.setEnabled(self._up and chosen)
-        self._go_to.setToolTip(
-            self.tr("Move every motor to this pose, within its limits.")
-            if self._up
-            else self._why_not
+    def _update_buttons(self) -> None:
+        is_known = bool(self._present) and None not in self._present
+        is_chosen = self.current is not None
+        self._capture.setEnabled(is_known)
+        self._capture.setToolTip(
+            self.tr("Save the robot's position as a new pose.")
+            if is_known
+            else self.tr("The robot's position is known after its first move.")
         )
+        self._take.setEnabled(is_known and is_chosen)
+        self._go_to.setEnabled(self._can_move and is_chosen)
+        go_to = self.tr("Move every motor to this pose, within its limits.")
+        self._go_to.setToolTip(go_to if self._can_move else self._why_not)
 
     @Slot()
     def _on_chosen(self) -> None:
         pose = self.current
         self._fields.show_positions(pose.positions if pose is not None else ())
         self.pose_chosen.emit(pose.name if pose is not None else "")
-        self._allow()
+        self._update_buttons()
 
     @Slot()
     def capture(self) -> None:
-        """Keep where the robot is as a new pose, and let its name be typed."""
+        """Save the robot's position as a new pose, and let the user type its name."""
         take_typed()
         try:
             name = self._library.capture(self._present)
         except BadRequest as error:
             self._notifier.error.emit(self.tr("Not captured: {0}.").format(error))
             return
-        self._list.choose(Motion(name))
-        self._list.setFocus()
-        self._list.edit(self._list.currentIndex())  # a name is the next thing it needs
+        self._list.choose_and_edit(name)
 
     @Slot()
     def _on_go_to_clicked(self) -> None:
@@ -158,28 +133,79 @@ class PoseBox(QGroupBox):
 
     @Slot()
     def _on_take_clicked(self) -> None:
-        pose = self.current
-        if pose is not None:
-            known = tuple(place for place in self._present if place is not None)
+        if (pose := self.current) is not None:
+            known = tuple(position for position in self._present if position is not None)
             self._library.set_positions(pose.name, known + pose.positions[len(known) :])
 
     @Slot(object, int)
     def _on_positions_changed(self, positions: tuple[int, ...], motor: int) -> None:
-        pose = self.current
-        if pose is not None:
+        if (pose := self.current) is not None:
             self._library.set_positions(pose.name, positions, run=("field", pose.name, motor))
 
-    @Slot(object)
-    def _on_delete_requested(self, key: Motion) -> None:
-        row = self._list.currentIndex().row()
-        self._library.delete_pose(key.name)
-        self._list.choose_row(row)  # so that the next one can be deleted, too
 
-    @Slot(object)
-    def _on_duplicate_requested(self, key: Motion) -> None:
-        self._list.choose(Motion(self._library.duplicate_pose(key.name)))
+class PositionFields(QWidget):
+    """A field for each motor's position, 0-1023.
 
-    @Slot(object, int)
-    def _on_move_requested(self, key: Motion, row: int) -> None:
-        self._library.move_pose(key.name, row)
-        self._list.choose(key)
+    Signals:
+        positions_changed: all positions, a tuple; and the motor that the user has changed.
+    """
+
+    positions_changed = Signal(object, int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("aracnaPositions")
+        self._limits: tuple[Limits, ...] = ()
+        self._positions: tuple[int, ...] = ()
+        self._boxes = [self._box(motor) for motor in range(MOTORS)]
+
+        columns = [(2 * column + 1, 1) for column in range(_ACROSS)]
+        grid = builders.grid(self, margins=0, spacing=(3, 3), stretch=columns)
+        for motor, box in enumerate(self._boxes):
+            name = builders.label(self, "", str(motor), buddy=box)
+            name.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            line, column = divmod(motor, _ACROSS)
+            grid.addWidget(name, line, 2 * column)
+            grid.addWidget(box, line, 2 * column + 1)
+        self.show_positions(())
+
+    def _box(self, motor: int) -> QSpinBox:
+        accessible = self.tr("Position of motor {0} in this pose").format(motor)
+        box = builders.spin_box(self, f"aracnaPosition{motor}", accessible, 0, HIGHEST)
+        box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # it is narrow
+        box.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        box.valueChanged.connect(lambda value: self._on_value_changed(motor, value))
+        return box
+
+    def show_positions(self, positions: tuple[int, ...]) -> None:
+        """Show the positions of a pose; without any the fields are disabled."""
+        self._positions = positions
+        self.setEnabled(bool(positions))
+        for motor, box in enumerate(self._boxes):
+            box.setEnabled(motor < len(positions))
+            if motor >= len(positions):
+                box.clear()
+            elif box.value() != positions[motor] or not box.text():
+                with QSignalBlocker(box):
+                    box.setValue(positions[motor])
+        self._update_tool_tips()
+
+    def show_limits(self, limits: tuple[Limits, ...]) -> None:
+        """Set the joints' limits."""
+        self._limits = limits
+        self._update_tool_tips()
+
+    def _update_tool_tips(self) -> None:
+        for motor, box in enumerate(self._boxes):
+            texts = [self.tr("Motor {0}: {1:.0f}°").format(motor, degrees(box.value()))]
+            if motor < len(self._limits):
+                limits = self._limits[motor]
+                texts.append(self.tr("limits {0} to {1}").format(limits.low, limits.high))
+                if not limits.allow(box.value()):
+                    texts.append(self.tr("sent as {0}").format(limits.crop(box.value())))
+            box.setToolTip(", ".join(texts))
+
+    def _on_value_changed(self, motor: int, value: int) -> None:
+        self._positions = (*self._positions[:motor], value, *self._positions[motor + 1 :])
+        self._update_tool_tips()
+        self.positions_changed.emit(self._positions, motor)

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QHBoxLayout, QLabel, QPush
 
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.targets import CENTRE
-from trex_gui.devices.aracna.poses.named_poses import STAND
+from trex_gui.devices.aracna.poses.gaits import STAND
 from trex_gui.devices.aracna.views.robot.boxes import SpeedOfAllBox
 from trex_gui.devices.aracna.views.robot.words import why_not_move
 from trex_gui.devices.aracna.views.typed import take_typed
