@@ -30,6 +30,7 @@ from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot, VirtualRuntime
 from tests.support.window import WindowDriver
 from trex_gui.composition import build
+from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -299,3 +300,15 @@ def connected_window(window: WindowDriver, quick_simulator: SimulatedDevice) -> 
     """The window, connected to a simulated board whose bytes take no time."""
     window.connect(quick_simulator.url)
     return window
+
+
+@pytest.fixture
+def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let recordings run out of disk space soon."""
+    create = RecordingWriter._create
+
+    def create_on_full_disk(writer: RecordingWriter[Any, Any], *arguments: Any) -> None:
+        create(writer, *arguments)
+        writer._database.execute("PRAGMA max_page_count = 30")
+
+    monkeypatch.setattr(RecordingWriter, "_create", create_on_full_disk)

@@ -15,11 +15,11 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from tests.devices.trex.recording.samples import an_hour, write, write_an_hour_of_csv
+from tests.devices.trex.recording.samples import an_hour, read_file, write, write_an_hour
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.timing import Timeouts
-from trex_gui.ui.playback.indicator import RecordIndicator
+from trex_gui.ui.playback.manager import RecordIndicator
 from trex_gui.ui.runtime import now
 
 
@@ -63,11 +63,8 @@ def test_indicator_shows_time_and_size_on_every_page(
     assert "Recorded in" in window.text("bannerText")
 
 
-@pytest.mark.parametrize("suffix", [".trexrec", ".csv"])
-def test_recording_opens_without_a_board(
-    connected_window: WindowDriver, tmp_path: Path, suffix: str
-) -> None:
-    path = tmp_path / f"session{suffix}"
+def test_recording_opens_without_a_board(connected_window: WindowDriver, tmp_path: Path) -> None:
+    path = tmp_path / "session.trexrec"
     window, recordings = connected_window, connected_window.program.workspace.recordings
     record(window, path)
     window.disconnect()
@@ -111,7 +108,7 @@ def test_invalid_recording_is_rejected_with_its_file_name(
     path = tmp_path / "none.trexrec"
     path.write_text("nothing of the kind")
     window.program.workspace.recordings.open_file(path)
-    assert "none.trexrec, byte 0: This is no recording" in window.text("bannerText")
+    assert "none.trexrec: This is not a TReX Studio recording" in window.text("bannerText")
     assert window.program.workspace.recordings.windows == []
 
 
@@ -133,13 +130,11 @@ def test_recording_is_complete_after_window_closes(
 @pytest.fixture
 def assert_complete() -> Callable[[Path], None]:
     """Fail if a recording is not complete."""
-    from trex_gui.devices.trex.recording.files import open_recording
 
     def check(path: Path) -> None:
-        file = open_recording(path)
-        assert file.problems == []
-        assert sum(block.count for block in file.blocks) > 50
-        file.close()
+        _, records, problems = read_file(path)
+        assert problems == []
+        assert len(records) > 50
 
     return check
 
@@ -180,8 +175,8 @@ def test_sigterm_while_recording_ends_program_cleanly(
         assert_complete(path)
 
 
-@pytest.mark.parametrize("ask", ["ask_and_open", "ask_and_record"])
-def test_esc_in_file_dialog_stops_motors(window: WindowDriver, ask: str) -> None:
+@pytest.mark.parametrize("choose", ["choose_and_open", "choose_and_record"])
+def test_esc_in_file_dialog_stops_motors(window: WindowDriver, choose: str) -> None:
     stops: list[str] = []
     window.device.motors.stop_requested.connect(lambda: stops.append("stop"))
 
@@ -192,7 +187,7 @@ def test_esc_in_file_dialog_stops_motors(window: WindowDriver, ask: str) -> None
         QTest.keyClick(dialog.windowHandle(), Qt.Key.Key_Escape)
 
     QTimer.singleShot(100, press_esc)
-    getattr(window.program.workspace.recordings, ask)()
+    getattr(window.program.workspace.recordings, choose)()
     assert stops == ["stop"]
 
 
@@ -210,13 +205,13 @@ def test_native_file_dialogs_are_disabled() -> None:
 
 
 def test_stop_reaches_board_while_recording_to_full_disk(
-    connected_window: WindowDriver, quick_simulator: SimulatedDevice
+    connected_window: WindowDriver,
+    quick_simulator: SimulatedDevice,
+    tmp_path: Path,
+    full_disk: None,
 ) -> None:
-    full = Path("/dev/full")
-    if not full.exists():
-        pytest.skip("this system has no disk that is always full")
     window, device = connected_window, connected_window.device
-    window.program.workspace.recordings.record(full)
+    window.program.workspace.recordings.record(tmp_path / "a.trexrec")
     device.motors.arm()
     device.motors.accelerate = False
     device.motors.set_speed(1, 60)
@@ -230,13 +225,11 @@ def test_stop_reaches_board_while_recording_to_full_disk(
 @pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.timeout(240)
-def test_motor_keeps_running_while_hour_of_csv_is_opened(
+def test_motor_keeps_running_while_hour_is_opened(
     connected_window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    import_module(
-        "trex_gui.devices.trex.views.recordings.window"
-    )  # the program does so at its start
-    write_an_hour_of_csv(tmp_path / "hour.csv")
+    import_module("trex_gui.devices.trex.views.playback")  # the program does so at its start
+    write_an_hour(tmp_path / "hour.trexrec")
     window, motors = connected_window, connected_window.device.motors
     motors.accelerate = False
 
@@ -251,7 +244,7 @@ def test_motor_keeps_running_while_hour_of_csv_is_opened(
     def turns_while_it_is_opened() -> bool:
         window.wait(turns)
         begin = now()
-        window.program.workspace.recordings.open_file(tmp_path / "hour.csv")
+        window.program.workspace.recordings.open_file(tmp_path / "hour.trexrec")
         (opened,) = window.program.workspace.recordings.windows
         # Longer than the silence of a window that stops armed motors.
         window.wait(lambda: now() > begin + 2 * Timeouts().heartbeat)
@@ -273,8 +266,8 @@ def test_motor_keeps_running_while_hour_of_csv_is_opened(
 def test_shutdown_while_recording_loads_ends_its_thread(
     window: WindowDriver, tmp_path: Path
 ) -> None:
-    write_an_hour_of_csv(tmp_path / "hour.csv", 10)
-    window.program.workspace.recordings.open_file(tmp_path / "hour.csv")
+    write_an_hour(tmp_path / "hour.trexrec", 10)
+    window.program.workspace.recordings.open_file(tmp_path / "hour.trexrec")
     (opened,) = window.program.workspace.recordings.windows
     thread = WidgetDriver(opened, window.qtbot).find_only(QThread)
     window.wait(lambda: opened.playback.progress > 0)

@@ -4,7 +4,6 @@ Run as `python -m tests.support.recording_window URL FILE SECONDS`, or `never` f
 hangs; prints `recording` once something was recorded.
 """
 
-import os
 import sys
 import time
 from pathlib import Path
@@ -14,6 +13,7 @@ from PySide6.QtCore import QObject, QTimer
 
 from tests.support.patient import PATIENT
 from trex_gui import app, composition
+from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.core.timing import Timeouts
 from trex_gui.program import Program
 from trex_gui.ui.devices.connection_state import ConnectionState
@@ -48,11 +48,11 @@ class Recording(QObject):
 
 def main(url: str, path: str, disk: str) -> int:
     """Run the program until it is ended."""
-    build, sync = composition.build, os.fsync
+    build, finish = composition.build, RecordingWriter.finish
 
-    def slow_sync(fd: Any) -> None:
+    def slow_finish(writer: RecordingWriter[Any, Any]) -> None:
         time.sleep(60 if disk == "never" else float(disk))
-        sync(fd)
+        finish(writer)
 
     def build_and_record(timeouts: Timeouts | None = None) -> Program:
         del timeouts
@@ -60,7 +60,7 @@ def main(url: str, path: str, disk: str) -> int:
         Recording(program, Path(path))
         return program
 
-    os.fsync = slow_sync
+    setattr(RecordingWriter, "finish", slow_finish)  # noqa: B010 - typed as a method
     composition.build = build_and_record
     return app.main(["--port", url])
 

@@ -1,20 +1,19 @@
-"""Recordings of a robot to write and read: any that can be, and a session that could have been."""
+"""Recordings of a robot to write and read: arbitrary ones, and a plausible session."""
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 from random import Random
-from typing import Any
 
 import pytest
 from hypothesis import strategies as st
 from PySide6.QtCore import QThread
 
-from trex_gui.devices.aracna.model.playback import RobotPlayback
-from trex_gui.devices.aracna.recording import CsvWriter, FellSilent, Header, Row
-from trex_gui.devices.aracna.recording.csv_reader import RobotCsvFile
+from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.store import CHUNK, Recording, RecordingWriter
+from trex_gui.devices.aracna.model.playback import Moment, RobotPlayback
+from trex_gui.devices.aracna.recording import FORMAT, FellSilent, Header, Record
 from trex_gui.devices.aracna.session.messages import (
     Ending,
     Moved,
@@ -26,8 +25,7 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.devices.trex.recording.recording import Marker
-from trex_gui.ui.playback.recording_loader import LoadedRecording
+from trex_gui.ui.playback.player import LoadedRecording
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
@@ -35,20 +33,18 @@ MOTORS = 8
 HEADER = Header(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 1234.5, version=1, motors=MOTORS)
 T0 = HEADER.clock
 
-RESOLUTION = 1e-6
-"""Seconds to which times are written."""
-
 _times = st.floats(0, 1e6).map(lambda seconds: T0 + seconds)
 _seconds = st.floats(0, 1e5)
 _places = st.integers(0, 1023)
 _heard = st.integers(-1, 1023)
+_texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=40)
 
 
 def _all(each: st.SearchStrategy[int]) -> st.SearchStrategy[tuple[int, ...]]:
     return st.tuples(*[each] * MOTORS)
 
 
-rows: st.SearchStrategy[Row] = st.one_of(
+records: st.SearchStrategy[Record] = st.one_of(
     st.builds(Moving, _times, _all(_places), st.tuples(*[st.none() | _places] * MOTORS), _seconds),
     st.builds(Passed, _times, st.lists(_heard, max_size=MOTORS).map(tuple)),
     st.builds(Moved, _times, _all(_places), _all(_heard), _seconds),
@@ -65,11 +61,11 @@ rows: st.SearchStrategy[Row] = st.one_of(
     st.builds(Stuck, _times, st.none() | st.integers(0, MOTORS - 1)),
     st.builds(Restarted, _times, st.booleans()),
     st.builds(FellSilent, _times),
-    st.builds(Marker, _times, st.sampled_from(["stop", "fault", "link"]), st.text(max_size=40)),
+    st.builds(Marker, _times, st.sampled_from(["stop", "fault", "link"]), _texts),
 )
 
 
-def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Iterator[Row]:
+def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Iterator[Record]:
     """What is recorded of a robot that is sent to one place after the other.
 
     After half of them the board restarts, and is silent for as long as a motion takes.
@@ -98,14 +94,29 @@ def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Ite
     yield Marker(time, "stop", "Stopped: nothing more is sent.")
 
 
-def write(path: Path, what: list[Row], header: Header = HEADER) -> int:
+def write(path: Path, what: list[Record], header: Header = HEADER) -> int:
     """Write a recording; return its size."""
-    with path.open("wb") as file:
-        writer = CsvWriter(file, header)
-        for at in range(0, len(what), 7):
-            writer.write(what[at : at + 7])
-        writer.finish()
-        return writer.size
+    writer = RecordingWriter[Header, Record](path, FORMAT, header)
+    for at in range(0, len(what), 7):
+        writer.write(what[at : at + 7])
+    writer.finish()
+    size = writer.size
+    writer.close()
+    return size
+
+
+def open_recording(path: Path) -> Recording[Header, Record]:
+    """Open a recording of a robot."""
+    return Recording(path, FORMAT)
+
+
+def read_all(path: Path) -> tuple[list[Record], list[str]]:
+    """Return all records of a file in order, and its problems."""
+    recording = open_recording(path)
+    numbers = range(1, recording.count + 1, CHUNK)
+    found = [record for first in numbers for record in recording.read(first, first + CHUNK - 1)]
+    recording.close()
+    return found, recording.problems
 
 
 def hang(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -115,7 +126,9 @@ def hang(monkeypatch: pytest.MonkeyPatch) -> None:
     """
     loader = RobotPlayback.loader
 
-    def hanging(playback: RobotPlayback) -> Callable[[ProgressCallback], LoadedRecording[Any]]:
+    def hanging(
+        playback: RobotPlayback,
+    ) -> Callable[[ProgressCallback], LoadedRecording[Header, Record, Moment]]:
         gather = loader(playback)
 
         def tell_and_hang(tell: ProgressCallback, share: float) -> None:
@@ -134,29 +147,3 @@ def loader_thread(playback: RobotPlayback) -> QThread:
     (thread,) = playback.findChildren(QThread)
     assert isinstance(thread, QThread)
     return thread
-
-
-def read(file: RobotCsvFile) -> list[Row]:
-    """Everything in a recording, in order."""
-    return [record for index in range(len(file.blocks)) for record in file.read(index)]
-
-
-def _apart(record: Row) -> tuple[Row, list[float]]:
-    """Return a record without its times and seconds, and those."""
-    match record:
-        case Moving(time=time, expected=seconds):
-            return replace(record, time=0.0, expected=0.0), [time, seconds]
-        case Moved(time=time, seconds=seconds):
-            return replace(record, time=0.0, seconds=0.0), [time, seconds]
-        case StepBegun(time=time, late=late):  # that is written to 1 ms
-            return replace(record, time=0.0, late=0.0), [time, late / 1000]
-    return replace(record, time=0.0), [record.time]
-
-
-def assert_equal(found: Sequence[Row], what: Sequence[Row]) -> None:
-    """Fail where anything that was read back is not what was written, to 1 µs."""
-    assert len(found) == len(what)
-    for one, other in zip(found, what, strict=True):
-        (ours, times), (theirs, written) = _apart(one), _apart(other)
-        assert ours == theirs
-        assert times == pytest.approx(written, rel=0, abs=RESOLUTION)

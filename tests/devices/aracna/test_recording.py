@@ -1,52 +1,80 @@
-"""The CSV of a session: units in the headings, what was last known in every row."""
+"""Recordings of a robot: what is written is read; exports have units and last values."""
 
 import csv
-import io
 import json
+import math
 from datetime import UTC, datetime
+from pathlib import Path
 
-from trex_gui.devices.aracna.recording import CsvWriter, Header, Row, columns
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.devices.aracna import recordings
+from tests.devices.aracna.recordings import open_recording, read_all, records, write
+from tests.devices.trex.recording import samples
+from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.export import export_span
+from trex_gui.core.recording.kinds import Marker
+from trex_gui.devices.aracna.recording import FellSilent, Header, Record, sample_kinds
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld, StepBegun
-from trex_gui.devices.trex.recording.recording import Marker
 
 HEADER = Header(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 100.0, version=1, motors=2)
 
 
-def rows(*records: Row) -> list[dict[str, str]]:
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("recordings")
+
+
+def rows(folder: Path, *what: Record) -> list[dict[str, str]]:
     """Return what a spreadsheet reads of these records."""
-    file = io.BytesIO()
-    writer = CsvWriter(file, HEADER)
-    writer.write(records)
-    writer.finish()
-    assert writer.size == len(file.getvalue())
-    return list(csv.DictReader(io.StringIO(file.getvalue().decode(), newline="")))
+    write(folder / "a.trexrec", list(what), HEADER)
+    recording = open_recording(folder / "a.trexrec")
+    target = folder / "a.csv"
+    export_span(recording, target, (-math.inf, math.inf), recording.header.values())
+    recording.close()
+    with target.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
 
 
-def test_columns_name_every_motor_and_unit() -> None:
-    names = columns(8)
-    assert names[0] == "time_s"
-    assert len(names) == len(set(names)) == 2 + 4 * 8 + 3
-    for motor in range(8):
+@settings(deadline=None)  # files on a disk that is shared with other tests
+@given(what=st.lists(records, max_size=60))
+def test_every_record_is_read_as_written(folder: Path, what: list[Record]) -> None:
+    path = folder / "any.trexrec"
+    assert write(path, what) == path.stat().st_size
+    assert read_all(path) == (what, [])
+    recording = open_recording(path)
+    assert recording.header == recordings.HEADER
+    recording.close()
+
+
+@pytest.mark.parametrize("motors", [2, 8, 18])
+def test_columns_name_every_motor_and_unit(motors: int) -> None:
+    names = {name for kind in sample_kinds(motors) for name in kind.exported}
+    for motor in range(motors):
         for quantity in ("goal_units", "present_units", "present_deg", "speed_units"):
             assert f"motor_{motor}_{quantity}" in names
 
 
-def test_first_row_describes_robot_and_start_time() -> None:
-    [header] = rows()
+def test_first_row_describes_robot_and_start_time(folder: Path) -> None:
+    [header] = rows(folder)
     about = json.loads(header["text"])
-    assert header["record"] == "header"
-    assert (about["robot"], about["firmware"], about["motors"]) == ("Aracna", 1, 2)
+    assert header["sample"] == "header"
+    assert (about["device_name"], about["firmware"], about["motors"]) == ("Aracna", 1, 2)
     assert about["started_utc"] == "2026-01-02T03:04:05+00:00"
 
 
-def test_last_goals_positions_and_speeds_fill_later_rows() -> None:
-    _, speeds, goals, passed, moved = rows(
+def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
+    _, speeds, goals, passed, moved, silent = rows(
+        folder,
         SpeedsHeld(100.5, (100, 200), (100, 200)),
         Moving(101.0, (512, 0), (None, None), 2.0),
         Passed(102.0, (510,)),
         Moved(103.0, (512, 0), (510, 1), 2.0),
+        FellSilent(104.0),
     )
-    assert (speeds["time_s"], speeds["record"]) == ("0.500000", "speeds")
+    assert (speeds["time_s"], speeds["sample"]) == ("0.500000", "speeds")
     assert speeds["motor_1_speed_units"] == "200"
     assert goals["motor_0_goal_units"] == "512"
     assert goals["motor_0_present_units"] == ""
@@ -55,10 +83,22 @@ def test_last_goals_positions_and_speeds_fill_later_rows() -> None:
     assert passed["motor_1_present_units"] == ""
     assert moved["motor_1_present_units"] == "1"
     assert moved["motor_0_speed_units"] == "100"
+    assert silent["motor_0_goal_units"] == "512"
+    assert silent["motor_1_present_units"] == silent["motor_0_speed_units"] == ""
 
 
-def test_unreadable_position_leaves_cells_empty() -> None:
+def test_partial_answer_keeps_last_known_positions(folder: Path) -> None:
+    _, _, passed = rows(
+        folder,
+        Moved(103.0, (512, 0), (510, 1), 2.0),
+        Passed(104.0, (300,)),
+    )
+    assert (passed["motor_0_present_units"], passed["motor_1_present_units"]) == ("300", "1")
+
+
+def test_unreadable_position_leaves_cells_empty(folder: Path) -> None:
     _, _, moved = rows(
+        folder,
         Moved(101.0, (5, 6), (5, 6), 1.0),
         Moved(102.0, (5, 6), (5, -1), 1.0),
     )
@@ -66,11 +106,44 @@ def test_unreadable_position_leaves_cells_empty() -> None:
     assert moved["motor_1_present_units"] == moved["motor_1_present_deg"] == ""
 
 
-def test_steps_and_events_are_written_as_text() -> None:
-    _, step, event = rows(
+def test_steps_and_markers_are_exported(folder: Path) -> None:
+    _, step, marker = rows(
+        folder,
         StepBegun(101.0, "steps", 2, 0, 0.25),
         Marker(102.0, "fault", 'Motor 3, "silent"\nfor long'),
     )
-    assert (step["record"], step["step"]) == ("step", "3")
-    assert step["text"] == "steps, round 1, 0.250 s late"
-    assert (event["event"], event["text"]) == ("fault", 'Motor 3, "silent"\\nfor long')
+    assert (step["sample"], step["part"], step["step"], step["round"]) == (
+        *("step", "steps", "3", "1"),
+    )
+    assert step["late_s"] == "0.25"
+    assert (marker["marker_kind"], marker["text"]) == ("fault", 'Motor 3, "silent"\nfor long')
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "reason"),
+    [
+        ("motors", 0, "0 motors are not 1 to"),
+        ("motors", 10**9, "1000000000 motors are not 1 to"),
+        ("clock_s", math.inf, "the clock is not a number"),
+        ("started_utc", "soon", "Invalid isoformat"),
+        ("firmware", None, "int"),
+    ],
+)
+def test_invalid_header_is_rejected_with_reason(name: str, value: object, reason: str) -> None:
+    values: dict[str, object] = dict(HEADER.values())
+    values[name] = value
+    with pytest.raises(ValueError, match=reason):
+        Header.from_values(values)
+    del values[name]
+    with pytest.raises(ValueError, match=f"the header is incomplete \\('{name}'\\)"):
+        Header.from_values(values)
+
+
+def test_recording_of_another_device_is_rejected(tmp_path: Path) -> None:
+    board, robot = tmp_path / "board.trexrec", tmp_path / "robot.trexrec"
+    samples.write(board, list(samples.an_hour(1)))
+    write(robot, list(recordings.session(2)))
+    with pytest.raises(RecordingError, match=r"another device: TReX 1\.2\. It opens where"):
+        open_recording(board)
+    with pytest.raises(RecordingError, match=r"another device: Aracna\. It opens where"):
+        samples.open_recording(robot)

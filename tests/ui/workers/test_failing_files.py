@@ -3,21 +3,20 @@
 import logging
 import os
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
-from typing import BinaryIO
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.recording.recording import Marker
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.traffic.saver import TrafficSaver
 from trex_gui.ui.workers.file_saver import FileSaver
 from trex_gui.ui.workers.file_worker import Done, FileWorker
-from trex_gui.ui.workers.record_thread import RecordThread
-from trex_gui.ui.workers.record_worker import Writer
+from trex_gui.ui.workers.record_thread import RecordThread, Writer
 
 
 def fail(_: object) -> int:
@@ -77,7 +76,7 @@ class MarkerRecorder(RecordThread[Marker]):
     """A recorder that can always record."""
 
     @property
-    def is_there(self) -> bool:
+    def is_available(self) -> bool:
         return True
 
 
@@ -89,19 +88,21 @@ class FailingWriter:
     def write(self, records: Sequence[Marker]) -> None:
         pass
 
-    def flush(self) -> None:
+    def commit(self) -> None:
         pass
+
+    sync = close = commit
 
     def finish(self) -> None:
         raise ZeroDivisionError("on purpose")
 
 
-@pytest.mark.parametrize("make", [fail, lambda _file: FailingWriter()], ids=["beginning", "end"])
+@pytest.mark.parametrize("make", [partial(fail, None), FailingWriter], ids=["beginning", "end"])
 def test_internal_error_fails_the_recording(
     qtbot: QtBot,
     tmp_path: Path,
     caplog: pytest.LogCaptureFixture,
-    make: Callable[[BinaryIO], Writer[Marker]],
+    make: Callable[[], Writer],
 ) -> None:
     recorder = MarkerRecorder()
     told: list[str] = []
@@ -113,6 +114,6 @@ def test_internal_error_fails_the_recording(
         recorder.stop()
         qtbot.waitUntil(lambda: recorder.can_record)
     path = tmp_path / "a.trexrec"
-    assert told == [f"{path} cannot be written: a fault of the program (ZeroDivisionError)."]
+    assert told == [f"{path}: It cannot be written (internal error ZeroDivisionError)."]
     assert ended == []
     assert "on purpose" in caplog.text

@@ -1,1 +1,1 @@
-"""Recordings of a session on disk."""
+"""Recordings of a session: SQLite files with one table for each kind of sample."""

@@ -1,73 +1,69 @@
-"""What waits to be written: bounded, so that a slow disk costs samples and not memory."""
+"""Records on their way to the disk: bounded, so that a slow disk costs samples, not memory."""
 
 import threading
 from collections import deque
 from collections.abc import Sequence
 from typing import Generic
 
-from trex_gui.core.recording.blocks import RecordT
+from trex_gui.core.recording.kinds import Marker, RecordT
 from trex_gui.core.session.request_queue import Condition
-from trex_gui.devices.trex.recording.recording import Marker
 
-MOST = 100_000
-"""Records that may wait: nine minutes at full rate, some 15 MB."""
-
-LOST_KIND = "note"
+CAPACITY = 100_000
+"""Pending records: nine minutes at full rate, some 15 MB."""
 
 
 class Backlog(Generic[RecordT]):
-    """Takes records from one thread for another, and never makes the first one wait.
+    """Passes records to another thread without blocking the first one.
 
-    When it is full, what comes is dropped; a marker says so in its place as soon as there is
-    room again.
+    When it is full, new records are dropped; a marker takes their place as soon as there is room.
     """
 
-    def __init__(self, condition: Condition | None = None, most: int = MOST) -> None:
-        self._most = most
+    def __init__(self, condition: Condition | None = None, capacity: int = CAPACITY) -> None:
+        self._capacity = capacity
         self._ready = condition or threading.Condition()
-        self._waiting: deque[RecordT | Marker] = deque()
+        self._pending: deque[RecordT | Marker] = deque()
+        self._unmarked = 0
         self._lost = 0
-        self._lost_in_all = 0
         self._closed = False
 
     @property
     def lost(self) -> int:
-        """How many records were dropped so far."""
-        return self._lost_in_all
+        """Records dropped so far."""
+        return self._lost
 
     def put(self, records: Sequence[RecordT]) -> None:
-        """Leave records; does not wait."""
+        """Add records; does not block."""
         with self._ready:
             if self._closed or not records:
                 return
-            if len(self._waiting) + len(records) > self._most:
+            if len(self._pending) + len(records) > self._capacity:
+                self._unmarked += len(records)
                 self._lost += len(records)
-                self._lost_in_all += len(records)
                 return
-            self._tell_of_lost(records[0].time)
-            self._waiting.extend(records)
+            self._mark_lost(records[0].time)
+            self._pending.extend(records)
             self._ready.notify()
 
     def close(self, time: float) -> None:
-        """Take nothing any more; `time` is the session's, for what has to be told."""
+        """Accept no more records; `time` (session's clock) is that of a last marker."""
         with self._ready:
-            self._tell_of_lost(time)
+            self._mark_lost(time)
             self._closed = True
             self._ready.notify()
 
     def get(self, seconds: float) -> list[RecordT | Marker] | None:
-        """Return what waits, after at most so many seconds; `None` when nothing more comes."""
+        """Return pending records, waiting at most `seconds`; `None` after the last one."""
         with self._ready:
-            if not self._waiting and not self._closed:
+            if not self._pending and not self._closed:
                 self._ready.wait(seconds)
-            if not self._waiting and self._closed:
+            if not self._pending and self._closed:
                 return None
-            records = list(self._waiting)
-            self._waiting.clear()
+            records = list(self._pending)
+            self._pending.clear()
             return records
 
-    def _tell_of_lost(self, time: float) -> None:
-        if self._lost:
-            text = f"{self._lost} samples are missing here: the disk was too slow."
-            self._waiting.append(Marker(time, LOST_KIND, text))
-            self._lost = 0
+    def _mark_lost(self, time: float) -> None:
+        if self._unmarked:
+            text = f"{self._unmarked} samples are missing here: the disk was too slow."
+            self._pending.append(Marker(time, "note", text))
+            self._unmarked = 0

@@ -1,10 +1,10 @@
-"""Times and sizes as a person reads them."""
+"""Times and sizes as text."""
 
 from PySide6.QtCore import QLocale
 
 
 def size_text(size: int) -> str:
-    """Bytes in kB or MB, as the system's language writes them."""
+    """Bytes in kB or MB in the locale."""
     kind = QLocale.DataSizeFormat.DataSizeSIFormat
     return QLocale().formattedDataSize(size, 1 if size >= 1_000_000 else 0, kind)
 

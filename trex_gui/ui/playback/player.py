@@ -1,230 +1,303 @@
-"""A recording of anything that is looked at: a thread reads it, and what was known is found."""
+"""A recording that is played back: loaded by a thread, then shown at any position."""
 
-from collections.abc import Callable, Sequence
+from bisect import insort
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Generic
+from typing import Any, Generic
 
+import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
-from trex_gui.core.recording.block_replay import BlockReplay, LatestT
-from trex_gui.core.recording.blocks import BlockFile, HeaderT, RecordT
 from trex_gui.core.recording.errors import RecordingError
-from trex_gui.ui.devices.event_log import Event
+from trex_gui.core.recording.export import export_span
+from trex_gui.core.recording.kinds import HeaderT, Marker, RecordT, Value
+from trex_gui.core.recording.replay import Replay, StateT
+from trex_gui.core.recording.store import Recording
+from trex_gui.ui.devices.event_log import Event, EventKind
 from trex_gui.ui.playback.cursor import PlaybackCursor
-from trex_gui.ui.playback.recording_loader import LoadedRecording
 from trex_gui.ui.plotting.data.history import SampleHistory
 from trex_gui.ui.plotting.data.traces import Traces
 from trex_gui.ui.workers import orphaned_threads
 from trex_gui.ui.workers.file_worker import Done, FileWorker, ProgressCallback
 
-_PATIENCE_MS = 500
-"""How long closing waits for a disk; armed motors are stopped when a window is silent for twice
-as long."""
+_CLOSE_TIMEOUT_MS = 500
+"""A window that hangs for twice as long stops armed motors."""
 
 
-class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, LatestT]):
-    """One recording, read by a thread of its own, and a place in it that can be moved and played.
+@dataclass(frozen=True, slots=True)
+class Curves(Generic[RecordT, StateT]):
+    """What is drawn of a recording.
 
-    Before it is loaded only its header is known: there are no curves, events and blocks. One for
-    each device derives from it and says what is gathered and drawn of its recordings.
+    Attributes:
+        columns: number of curves.
+        rows_of: returns the rows (time in s and a value for each curve) of some records, given the
+            state before them, which it may change.
+        max_rows: rows kept; the last ones.
+        max_gap: seconds without a row that interrupt a curve.
+    """
+
+    columns: int
+    rows_of: Callable[[StateT, Iterable[RecordT]], list[tuple[float, ...]]]
+    max_rows: int
+    max_gap: float
+
+
+@dataclass(frozen=True, slots=True)
+class LoadedRecording(Generic[HeaderT, RecordT, StateT]):
+    """A recording after loading, which its receiver owns.
+
+    Attributes:
+        events: in order of time.
+        end: latest time on the session's clock.
+        rows: number of rows; the history holds the last of them.
+    """
+
+    replay: Replay[HeaderT, RecordT, StateT]
+    history: SampleHistory
+    events: tuple[Event, ...]
+    end: float
+    rows: int
+
+
+def load_recording(
+    recording: Recording[HeaderT, RecordT],
+    initial: StateT,
+    curves: Curves[RecordT, StateT],
+    progress: ProgressCallback,
+) -> LoadedRecording[HeaderT, RecordT, StateT]:
+    """Read a recording, some seconds for an hour.
+
+    `progress` gets the share done, 0 to 1; an exception from it ends the work.
+
+    Raises:
+        RecordingError: the file cannot be read.
+    """
+    replay = Replay(recording, initial)
+    capacity = min(curves.max_rows, max(4096, recording.count))
+    history = SampleHistory(curves.columns, capacity=capacity, max_gap=curves.max_gap)
+    events, last_time, end, rows = list[Event](), -np.inf, recording.header.clock, 0
+    while replay.progress < 1:
+        state, records = replay.read_next()
+        if found := curves.rows_of(state, records):
+            times, *columns = np.array(found).T
+            times = np.maximum.accumulate(np.maximum(times, last_time))
+            last_time = float(times[-1])
+            history.extend(times, columns)
+            rows += len(found)
+        for record in records:
+            end = max(end, record.time)
+            if isinstance(record, Marker):
+                insort(events, _event(record), key=lambda event: event.time)
+        progress(replay.progress)
+    return LoadedRecording(replay, history, tuple(events), end, rows)
+
+
+def _event(marker: Marker) -> Event:
+    known = marker.kind in set(EventKind)
+    return Event(marker.time, EventKind(marker.kind) if known else EventKind.NOTE, marker.text)
+
+
+def _export(
+    recording: Recording[Any, Any],
+    path: Path,
+    span: tuple[float, float],
+    header: dict[str, Value],
+    progress: ProgressCallback,
+) -> Path:
+    own = recording.reopen()  # the first one goes on showing values
+    try:
+        export_span(own, path, span, header, progress)
+    finally:
+        own.close()
+    return path
+
+
+class RecordingPlayer(PlaybackCursor, Generic[HeaderT, RecordT, StateT]):
+    """One recording and a position in it; subclasses define the curves of a device.
+
+    Before it is loaded only the header is known.
 
     Signals:
-        progressed: `progress`, or how far anything else is that is done with the file.
-        loaded: all of it was read; `traces`, `events`, `end` and `problems`.
-        failed: why reading, or what else is done with the file, has ended, for people.
+        loaded: all of it was read.
+        exported: a span was written; its `Path`.
+        failed: why loading or an export ended early, for the user.
     """
 
     loaded = Signal()
+    exported = Signal(object)
     failed = Signal(str)
 
     def __init__(
         self,
-        file: BlockFile[HeaderT, RecordT],
-        path: Path,
+        recording: Recording[HeaderT, RecordT],
+        initial: StateT,
+        curves: Curves[RecordT, StateT],
         parent: QObject | None = None,
-        *,
-        columns: int,
     ) -> None:
-        """Take a recording of which only the head was read, and `start_reading` the rest.
-
-        It has so many curves.
-        """
-        super().__init__(file.header.clock, parent)
-        self.path = path
-        self._blocks = file
-        self._replay: BlockReplay[RecordT, LatestT] | None = None
-        self._events: Sequence[Event] = ()
+        """Take an open recording; `start_loading` reads it. `initial` is the state before it."""
+        super().__init__(recording.header.clock, parent)
+        self.path = recording.path
+        self.header = recording.header
+        self.events: Sequence[Event] = ()
+        self._recording = recording
+        self._initial = initial
+        self._curves = curves
+        self._replay: Replay[HeaderT, RecordT, StateT] | None = None
         self._rows = 0
-        self._history = SampleHistory(columns, capacity=4096)
-        self._progress = 0.0
-        self._worker: FileWorker | None = None
-        self._given_up: FileWorker | None = None  # a disk held it up when this was closed
+        self._history = SampleHistory(curves.columns, capacity=4096)
         self._traces: Traces | None = None
-
-    # --- What the recordings of a device are -------------------------------------------
-
-    def loader(
-        self,
-    ) -> Callable[[ProgressCallback], LoadedRecording[BlockReplay[RecordT, LatestT]]]:
-        """Return what reads all of it, in another thread; it must not hold on to this object."""
-        raise NotImplementedError
+        self._share = 0.0
+        self._worker: FileWorker | None = None
+        self._abandoned: FileWorker | None = None  # a disk blocked it when this was closed
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
-        """Return the curves of what was gathered."""
+        """Return the curves of a history."""
         raise NotImplementedError
-
-    def first(self) -> LatestT:
-        """Return what is known before the first record."""
-        raise NotImplementedError
-
-    # --- The end ------------------------------------------------------------------------
 
     def close(self) -> bool:
-        """Give up what is read or written, and give the file back; nothing more can be asked.
+        """Cancel loading or exporting, and close the file.
 
-        Return whether its thread has ended. While it has not, the process must not end by
-        itself: Qt aborts on destroying a thread that runs.
+        Return whether the thread has ended. Until then the process must not exit normally: Qt
+        aborts when a running thread is destroyed.
         """
         self.pause()
         worker, self._worker = self._worker, None
         if worker is not None:
-            if not worker.close(_PATIENCE_MS):
+            if not worker.close(_CLOSE_TIMEOUT_MS):
                 orphaned_threads.adopt(worker)
-                self._given_up = worker
+                self._abandoned = worker
             else:
                 worker.deleteLater()
-        if self._given_up is not None:
-            if not self._given_up.wait(0):
-                return False  # the file is still that thread's
-            self._given_up = None
-        self._blocks.close()
+        if self._abandoned is not None:
+            if not self._abandoned.wait(0):
+                return False  # the file still belongs to that thread
+            self._abandoned = None
+        self._recording.close()
         return True
 
-    # --- What is known ------------------------------------------------------------------
-
-    @property
-    def header(self) -> HeaderT:
-        """Of what the recording is."""
-        return self._blocks.header
+    # --- State --------------------------------------------------------------------------
 
     @property
     def problems(self) -> Sequence[str]:
-        """What is missing of it, as sentences."""
-        return self._blocks.problems if self.is_loaded else ()
-
-    @property
-    def progress(self) -> float:
-        """How much of it was read, 0 to 1."""
-        return 1.0 if self.is_loaded else self._progress
+        """What is missing or damaged, as sentences."""
+        return self._recording.problems if self.is_loaded else ()
 
     @property
     def is_loaded(self) -> bool:
-        """Whether all of it was read."""
         return self._replay is not None
 
     @property
+    def is_exporting(self) -> bool:
+        """Whether an export is running."""
+        return self.is_loaded and self._worker is not None
+
+    @property
+    def progress(self) -> float:
+        """Share that was loaded, 0 to 1."""
+        return 1.0 if self.is_loaded else self._share
+
+    @property
     def working(self) -> float | None:
-        """The share that is done of what is done with the file, 0 to 1; `None`: nothing is."""
-        return self._progress if self.busy and not self.is_loaded else None
+        """Share of loading or exporting that is done, 0 to 1; `None` while idle."""
+        return self._share if self._worker is not None else None
 
     @property
     def traces(self) -> Traces:
-        """The curves, and the events between them."""
+        """The curves with their events."""
         if self._traces is None:
-            self._traces = self.traces_of(self._history, self._events)
+            self._traces = self.traces_of(self._history, self.events)
         return self._traces
 
     @property
     def drawn(self) -> tuple[int, int]:
-        """How many samples are drawn, and how many there are."""
+        """Number of rows drawn, and of all rows."""
         return len(self._history), self._rows
 
-    @property
-    def events(self) -> Sequence[Event]:
-        """What happened, in the order of time."""
-        return self._events
-
-    @property
-    def busy(self) -> bool:
-        """Whether something is done with the file."""
-        return self._worker is not None
-
-    def latest(self) -> LatestT:
+    def state(self) -> StateT:
         """Return what was known at the position."""
+        return self.state_at(self.position)
+
+    def state_at(self, time: float) -> StateT:
+        """Return what was known at a time of the session's clock."""
         if self._replay is not None:
             try:
-                return self._replay.at(self._position)
+                return self._replay.at(time)
             except RecordingError as error:
                 self.failed.emit(str(error))
-        return self.first()
+        return self._initial
 
-    # --- What a person does -------------------------------------------------------------
+    # --- Loading and exporting ----------------------------------------------------------
 
-    def cancel_work(self) -> None:
-        """Go no further with what is done with the file."""
+    def loader(self) -> Callable[[ProgressCallback], LoadedRecording[HeaderT, RecordT, StateT]]:
+        """Return the function that loads it, independent of this object."""
+        return partial(load_recording, self._recording, self._initial, self._curves)
+
+    def start_loading(self) -> None:
+        """Load it in a thread."""
+        self._begin(self.loader())
+
+    def export_header(self, start: float) -> dict[str, Value]:
+        """Return the header of an export that starts at a time."""
+        del start
+        return {"device": self._recording.format.device, **self.header.values()}
+
+    def export(self, path: Path, start: float, end: float) -> None:
+        """Write a span as CSV or MCAP; ends in `exported` or `failed` unless cancelled."""
+        if self._worker is None and self.is_loaded:
+            span, header = (start, end), self.export_header(start)
+            self._begin(partial(_export, self._recording, path, span, header))
+
+    def cancel(self) -> None:
+        """Stop loading or exporting; an export leaves an existing file as it was."""
         if self._worker is not None:
             self._worker.cancel()
 
-    def start_reading(self) -> None:
-        """Read it while the window lives on."""
-        self.begin(self.loader())
-
-    # --- The thread ---------------------------------------------------------------------
-
-    def begin(self, work: Callable[[ProgressCallback], object]) -> None:
-        """Do something with the file in a thread; `end_with` follows unless it is cancelled."""
+    def _begin(self, work: Callable[[ProgressCallback], object]) -> None:
         worker = FileWorker(work, self)
         worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         worker.done.connect(self._on_done, Qt.ConnectionType.QueuedConnection)
         worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
+        self._share = 0.0
         self._worker = worker
         worker.start(FileWorker.Priority.LowPriority)
 
-    def note_share(self, share: float) -> None:
-        """Take how far the work is, 0 to 1."""
-        self._progress = share
-
-    def end_with(self, result: object) -> None:
-        """Take the result of the work: an error where it failed, `None` where it was cancelled."""
-        if isinstance(result, LoadedRecording):
-            self._take(result)
-
     @Slot(float)
     def _on_progressed(self, share: float) -> None:
-        self.note_share(share)
+        self._share = share
         self.progressed.emit()
 
     @Slot(object)
     def _on_done(self, done: Done) -> None:
         if self._worker is None:  # closed meanwhile
             return
-        self._let_go()
-        if done.error is not None:
-            self.end_with(done.error)
+        self._release_worker()
+        if isinstance(done.result, LoadedRecording):
+            self._take(done.result)
+        elif isinstance(done.result, Path):
+            self.exported.emit(done.result)
+        elif done.error is not None:
             self.failed.emit(str(done.error))
-        else:
-            self.end_with(done.result)
 
     @Slot()
     def _on_finished(self) -> None:
-        """It was cancelled: else it told what came of it, and was let go then."""
+        """Clean up after a cancelled thread; others were released before."""
         if self._worker is not None and self.sender() is self._worker:
-            self._let_go()
-            self.end_with(None)
+            self._release_worker()
             self.progressed.emit()
 
-    def _let_go(self) -> None:
-        """Forget a thread that is at its end."""
+    def _release_worker(self) -> None:
         worker, self._worker = self._worker, None
         if worker is not None:
             worker.wait()
             worker.deleteLater()
 
-    def _take(self, gathered: LoadedRecording[BlockReplay[RecordT, LatestT]]) -> None:
-        self._replay = gathered.replay
-        self._history, self._rows = gathered.history, gathered.rows
-        self._events = gathered.events
+    def _take(self, loaded: LoadedRecording[HeaderT, RecordT, StateT]) -> None:
+        self._replay = loaded.replay
+        self._history, self._rows = loaded.history, loaded.rows
+        self.events = loaded.events
         self._traces = None
-        self._end = gathered.end
+        self.end = loaded.end
         self.progressed.emit()
         self.loaded.emit()

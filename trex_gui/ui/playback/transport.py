@@ -1,4 +1,4 @@
-"""The row that moves through a recording: play, a slider of time, how fast."""
+"""Playback controls: play, time slider, speed."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSlider, QWidget
@@ -8,13 +8,13 @@ from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.theme.icons import set_icon
 
 _PER_SECOND = 100
-"""Steps of the slider a second: about as fine as samples come."""
+"""Slider steps per second: about the rate of the samples."""
 
 
 class TransportBar(QWidget):
-    """Moves the position of a recording, whatever it is of.
+    """Moves the position of a recording.
 
-    Arrow keys on the slider go by a second, page keys by ten.
+    Arrow keys move by a second, page keys by ten.
     """
 
     def __init__(self, playback: PlaybackCursor, parent: QWidget | None = None) -> None:
@@ -32,7 +32,7 @@ class TransportBar(QWidget):
         self._time.setObjectName("timeLabel")
         self._speed = QComboBox(self)
         self._speed.setObjectName("speedCombo")
-        self._speed.setAccessibleName(self.tr("Speed of playing"))
+        self._speed.setAccessibleName(self.tr("Playback speed"))
         for speed in SPEEDS:
             self._speed.addItem(f"{speed:g} ×", speed)
         self._speed.setCurrentIndex(SPEEDS.index(1.0))
@@ -55,7 +55,7 @@ class TransportBar(QWidget):
 
     @Slot()
     def toggle(self) -> None:
-        """Play, or stand still."""
+        """Play or pause."""
         if self._playback.playing:
             self._playback.pause()
         else:
@@ -84,7 +84,7 @@ class TransportBar(QWidget):
     @Slot()
     def _on_progressed(self) -> None:
         length = self._playback.end - self._playback.start
-        # A time beyond what a slider can hold is no recording of ours: 248 days.
+        # A slider holds 248 days.
         with QSignalBlocker(self._slider):
             self._slider.setMaximum(min(2**31 - 1, round(length * _PER_SECOND)))
         self._play.setEnabled(length > 0)

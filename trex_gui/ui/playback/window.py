@@ -1,51 +1,79 @@
-"""A window that shows a recording, whatever it is of: curves, events, and a row to move through."""
+"""Window that shows a recording: curves, events, values at the position, playback and export."""
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QDateTime, QLocale, QSettings, Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import (
+    QFileDialog,
     QHBoxLayout,
     QLabel,
     QMainWindow,
+    QProgressBar,
     QPushButton,
     QSplitter,
     QVBoxLayout,
     QWidget,
 )
 
+from trex_gui.core.recording.export import MCAP_SUFFIX, has_mcap
 from trex_gui.ui.devices.event_log import Event
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.playback.events import RecordedEvents
 from trex_gui.ui.playback.formats import time_text
 from trex_gui.ui.playback.player import RecordingPlayer
 from trex_gui.ui.playback.transport import TransportBar
-from trex_gui.ui.playback.work_row import WorkRow
-from trex_gui.ui.plotting.event_list import EventModel
+from trex_gui.ui.plotting.event_list import EventList, EventModel
 from trex_gui.ui.plotting.export import ExportButton
 from trex_gui.ui.plotting.plot import TracePlot
 from trex_gui.ui.runtime import runtime
-from trex_gui.ui.theme.icons import application_icon
+from trex_gui.ui.theme.icons import application_icon, set_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.banner import Banner
 
-_DRAW_MS = 100
-"""Milliseconds from a new size of the window to the next picture."""
+_REDRAW_DELAY_MS = 100
 
-_BEFORE_EVENT = 5.0
-"""Seconds shown before and after an event that is jumped to, where less is shown already."""
+_EVENT_MARGIN = 5.0
+"""Seconds shown before and after a chosen event, unless less is shown already."""
+
+_CSV_SUFFIX = ".csv"
+
+
+class _RecordedEvents(EventList):
+    """The events of a recording; says so when there are none."""
+
+    _player: RecordingPlayer[Any, Any, Any] | None = None
+
+    def __init__(
+        self, model: EventModel, player: RecordingPlayer[Any, Any, Any], parent: QWidget
+    ) -> None:
+        super().__init__(model, parent)
+        self._player = player
+        player.loaded.connect(self._on_loaded)
+        self._describe()
+
+    @property
+    def empty_text(self) -> str:
+        player = self._player
+        if player is None or not player.is_loaded or player.events:
+            return ""
+        return self.tr("Nothing happened in this recording that is listed here.")
+
+    @Slot()
+    def _on_loaded(self) -> None:
+        self._describe()
+        self.viewport().update()
 
 
 class RecordingWindow(QMainWindow):
-    """One recording; it needs no device and does not stand in the way of the other windows.
+    """One recording; needs no device.
 
-    One for each device derives from it, calls `arrange` with what it shows beside plot and
-    events, and says in `of_what` what the recording is of. It may cover the main window while
-    motors turn, and so `arrange` wants a stop button.
+    A subclass for each device calls `arrange` and describes the device. The window may cover the
+    main window while motors turn, so `arrange` takes a stop button.
 
     Signals:
-        closed: the window is closed.
+        closed: the window was closed.
     """
 
     closed = Signal()
@@ -57,23 +85,20 @@ class RecordingWindow(QMainWindow):
         plot_name: str = "",
         parent: QWidget | None = None,
     ) -> None:
-        """Show this recording; the window and what it remembers go by `name`.
-
-        A screen reader calls the plot `plot_name`, where it is no plot of currents.
-        """
+        """`name` starts object names and settings keys; `plot_name` is for screen readers."""
         super().__init__(parent)
         self.setObjectName(f"{name}Window")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowIcon(application_icon())
         self.setWindowTitle(self.tr("{0} – recording").format(playback.path.name))
-        self._player = playback
+        self.player: RecordingPlayer[Any, Any, Any] = playback
         playback.setParent(self)
         self._name = name
         self._store = QSettings(self)
         self._marked: float | None = None
-        self._drawing = runtime().timer(self)
-        self._drawing.setSingleShot(True)
-        self._drawing.setInterval(_DRAW_MS)
+        self._redraw = runtime().timer(self)
+        self._redraw.setSingleShot(True)
+        self._redraw.setInterval(_REDRAW_DELAY_MS)
 
         self.notifier = Notifier(self)
         self.banner = Banner(self, self.notifier)
@@ -81,37 +106,43 @@ class RecordingWindow(QMainWindow):
         self._heading.setObjectName("recordingHeading")
         self._heading.setWordWrap(True)
         self._heading.setTextFormat(Qt.TextFormat.PlainText)
-        self._whole = QPushButton(self.tr("Show &all"), self)
-        self._whole.setObjectName("showAllButton")
-        self._whole.setToolTip(self.tr("Show the whole recording again"))
-        self._work = WorkRow(self)
+        self._show_all = QPushButton(self.tr("Show &all"), self)
+        self._show_all.setObjectName("showAllButton")
+        self._show_all.setToolTip(self.tr("Show the whole recording again"))
+        self._export = QPushButton(self.tr("&Export span…"), self)
+        self._export.setObjectName("exportSpanButton")
+        self._export.setToolTip(self.tr("Save every sample in the plot as CSV or MCAP"))
+        set_icon(self._export, "save")
+        self._progress = QProgressBar(self)
+        self._progress.setObjectName("recordingProgress")
+        self._progress.setAccessibleName(self.tr("Progress"))
+        self._cancel = QPushButton(self.tr("&Cancel"), self)
+        self._cancel.setObjectName("cancelRecordingButton")
+        self._cancel.setToolTip(self.tr("Stop loading or exporting"))
         self.plot = TracePlot(parent=self, name=plot_name)
         self.plot.set_source(playback.traces)
         self._picture = ExportButton(
             self.plot, self.notifier, self, name=playback.path.stem, tables=False
         )
         self._events = EventModel(self.plot, self)
-        self._list = RecordedEvents(self._events, playback, self)
+        self._list = _RecordedEvents(self._events, playback, self)
         self._transport = TransportBar(playback, self)
 
         QShortcut(QKeySequence(QKeySequence.StandardKey.Close), self, self.close)
-        self._drawing.timeout.connect(self.plot.draw)
-        self._whole.clicked.connect(self.show_all)
-        self._work.cancelled.connect(self._on_cancelled)
-        self.plot.view_changed.connect(self.show_figures)
+        self._redraw.timeout.connect(self.plot.draw)
+        self._show_all.clicked.connect(self.show_all)
+        self._export.clicked.connect(self._on_export_clicked)
+        self._cancel.clicked.connect(self._on_cancelled)
+        self.plot.view_changed.connect(self.update_figures)
         self.plot.cursor_changed.connect(self._on_cursor_changed)
         self.plot.event_chosen.connect(self._on_event_chosen)
         self._list.chosen.connect(self._on_event_chosen)
-        playback.progressed.connect(self.show_state)
+        playback.progressed.connect(self.update_state)
         playback.loaded.connect(self._on_loaded)
         playback.moved.connect(self._on_moved)
+        playback.exported.connect(self._on_exported)
         playback.failed.connect(self._on_failed)
         theme().changed.connect(self.plot.draw)
-
-    @property
-    def player(self) -> RecordingPlayer[Any, Any, Any]:
-        """The recording, and the place in it."""
-        return self._player
 
     def arrange(
         self,
@@ -120,14 +151,14 @@ class RecordingWindow(QMainWindow):
         below_plot: QWidget,
         above_events: QWidget,
     ) -> None:
-        """Lay all of it out, once, and show what is known.
-
-        `buttons` stand in the top row; `below_plot` is not stretched.
-        """
+        """Lay out the window once; `buttons` are added to the top row."""
         top = QHBoxLayout()
         top.addWidget(self._heading, 1)
-        for button in (self._whole, *buttons, self._picture):
+        for button in (self._show_all, *buttons, self._export, self._picture):
             top.addWidget(button)
+        work = QHBoxLayout()
+        work.addWidget(self._progress, 1)
+        work.addWidget(self._cancel)
         below = QHBoxLayout()
         below.addWidget(stop)
         below.addWidget(self._transport, 1)
@@ -153,7 +184,7 @@ class RecordingWindow(QMainWindow):
         layout = QVBoxLayout(frame)
         layout.addWidget(self.banner)
         layout.addLayout(top)
-        layout.addWidget(self._work)
+        layout.addLayout(work)
         layout.addWidget(halves, 1)
         layout.addLayout(below)
         self.setCentralWidget(frame)
@@ -161,99 +192,131 @@ class RecordingWindow(QMainWindow):
         if not isinstance(geometry, QByteArray) or not self.restoreGeometry(geometry):
             self.resize(1100, 700)
         self.show_all()
-        self.show_state()
-        if self._player.is_loaded:
+        self.update_state()
+        if self.player.is_loaded:
             self._on_loaded()
 
-    # --- What the windows of a device show ----------------------------------------------
+    # --- Defined by the windows of a device ---------------------------------------------
 
-    def of_what(self) -> str:
-        """Say what the recording is of."""
+    def device_text(self) -> str:
+        """Return the name of the recorded device."""
         raise NotImplementedError
 
-    def work_words(self) -> str:
-        """Say what is being done with the file; `%p` is the share in per cent."""
-        return self.tr("Reading, %p %")
-
-    def cancel_work(self) -> None:
-        """End what is done with a recording that is read already."""
-        self._player.cancel_work()
+    @Slot()
+    def update_figures(self) -> None:
+        """Update what depends on the span and the cursor of the plot."""
 
     @Slot()
-    def show_figures(self) -> None:
-        """Show what depends on the part that the plot shows, and on its cursor."""
-
-    @Slot()
-    def show_state(self) -> None:
-        """Show what the recording is of, how much of it was read, and what can be done."""
-        player = self._player
+    def update_state(self) -> None:
+        """Update heading, progress and buttons."""
+        player = self.player
         self._heading.setText(self._heading_text())
-        self._work.show_share(player.working, self.work_words())
-        for button in (self._whole, self._picture):
+        for button in (self._show_all, self._picture):
             button.setEnabled(player.is_loaded)
+        self._export.setEnabled(player.is_loaded and not player.is_exporting)
+        share = player.working
+        self._progress.setVisible(share is not None)
+        self._cancel.setVisible(share is not None)
+        if share is not None:
+            exporting = player.is_exporting
+            self._progress.setValue(round(100 * share))
+            self._progress.setFormat(
+                self.tr("Exporting, %p %") if exporting else self.tr("Reading, %p %")
+            )
 
-    def take_curves(self) -> None:
-        """Show the curves, once they are read."""
-        self.plot.set_source(self._player.traces)
+    def show_curves(self) -> None:
+        """Show the curves after loading."""
+        self.plot.set_source(self.player.traces)
 
-    # --- While it is read ---------------------------------------------------------------
+    # --- Loading and exporting ----------------------------------------------------------
 
     @Slot()
     def show_all(self) -> None:
-        """Show all of the recording in the plot."""
-        player = self._player
+        """Show the whole recording in the plot."""
+        player = self.player
         self.plot.origin = player.start
         self.plot.show_span(player.start, max(player.end, player.start + 1.0))
 
     @Slot()
     def _on_loaded(self) -> None:
-        self.take_curves()
+        self.show_curves()
         self.show_all()
         self._events.refresh()
-        self.show_figures()
-        self.plot.set_cursor(self._player.position)
-        self.show_state()
-        if self._player.problems:
-            text = self.tr("This recording is not whole. {0}")
-            self.banner.show_problem(text.format(" ".join(self._player.problems)))
+        self.update_figures()
+        self.plot.set_cursor(self.player.position)
+        self.update_state()
+        if self.player.problems:
+            text = self.tr("This recording is not complete. {0}")
+            self.notifier.error.emit(text.format(" ".join(self.player.problems)))
 
     @Slot(str)
     def _on_failed(self, text: str) -> None:
-        self.show_state()
-        self.banner.show_problem(text)
+        self.update_state()
+        self.notifier.error.emit(text)
 
     @Slot()
     def _on_cancelled(self) -> None:
-        """Without its end there is nothing to look at; else there is."""
-        if self._player.is_loaded:
-            self.cancel_work()
-        else:
+        if self.player.is_loaded:
+            self.player.cancel()
+        else:  # there is nothing to show
             self.close()
 
+    @Slot()
+    def _on_export_clicked(self) -> None:
+        kinds = {
+            self.tr("CSV for spreadsheets (*.csv)"): _CSV_SUFFIX,
+            self.tr("MCAP for PlotJuggler and Foxglove (*.mcap)"): MCAP_SUFFIX,
+        }
+        path = self.player.path
+        proposal = str(path.with_name(f"{path.stem}_span{_CSV_SUFFIX}"))
+        chosen, kind = QFileDialog.getSaveFileName(
+            self, self.tr("Export span"), proposal, ";;".join(kinds)
+        )
+        if chosen:
+            target = Path(chosen)
+            if target.suffix.lower() not in kinds.values():
+                target = target.with_name(target.name + kinds.get(kind, _CSV_SUFFIX))
+            self.export(target)
+
+    def export(self, path: Path) -> None:
+        """Write every sample in the plot to a CSV or MCAP file."""
+        if path == self.player.path:
+            text = self.tr("The open recording cannot be overwritten. Choose another file.")
+            self.notifier.error.emit(text)
+        elif path.suffix.lower() == MCAP_SUFFIX and not has_mcap():
+            self.notifier.error.emit(
+                self.tr("Exporting MCAP needs an optional package: pip install trex-gui[mcap]")
+            )
+        else:
+            span = self.plot.span
+            self.player.export(path, span.start, span.end)
+            self.update_state()
+
+    @Slot(object)
+    def _on_exported(self, path: Path) -> None:
+        self.notifier.info.emit(self.tr("The span was saved in {0}.").format(path))
+        self.update_state()
+
     def _heading_text(self) -> str:
-        player = self._player
+        player = self.player
         begun = QDateTime.fromSecsSinceEpoch(int(player.header.started.timestamp()))
         started = QLocale().toString(begun, QLocale.FormatType.ShortFormat)
-        text = self.tr("{0}, recorded {1}").format(self.of_what(), started)
+        text = self.tr("{0}, recorded {1}").format(self.device_text(), started)
         if player.is_loaded:
             length = time_text(player.end - player.start)
             text = self.tr("{0}, {1} long").format(text, length)
-        drawn, there = player.drawn
-        if drawn < there:
-            text += ". " + self.drawn_text().format(
-                QLocale().toString(drawn), QLocale().toString(there)
-            )
+        drawn, rows = player.drawn
+        if drawn < rows:
+            text += ". " + self.tr(
+                "The curves show its last {0} of {1} samples; exports contain all of them."
+            ).format(QLocale().toString(drawn), QLocale().toString(rows))
         return text
 
-    def drawn_text(self) -> str:
-        """Say that of `{1}` samples only the last `{0}` are drawn."""
-        return self.tr("The curves show its last {0} of {1} samples.")
-
-    # --- Moving through it --------------------------------------------------------------
+    # --- Position -----------------------------------------------------------------------
 
     @Slot()
     def _on_moved(self) -> None:
-        position, span = self._player.position, self.plot.span
+        position, span = self.player.position, self.plot.span
         if not span.start <= position <= span.end:
             begin = position - span.length / 10
             self.plot.show_span(begin, begin + span.length)
@@ -261,34 +324,31 @@ class RecordingWindow(QMainWindow):
 
     @Slot()
     def _on_cursor_changed(self) -> None:
-        """A click in the plot goes there; a pointer that leaves it gives the cursor back."""
+        """Move to a click in the plot; show the position again when the pointer leaves it."""
         mark = self.plot.mark_time
         if mark is not None and mark != self._marked:
-            self._player.set_position(mark)
+            self.player.set_position(mark)
         self._marked = mark
-        if self.plot.cursor_time is None and self._player.is_loaded:
-            self.plot.set_cursor(self._player.position)
+        if self.plot.cursor_time is None and self.player.is_loaded:
+            self.plot.set_cursor(self.player.position)
             return
-        self.show_figures()
+        self.update_figures()
 
     @Slot(object)
     def _on_event_chosen(self, event: Event) -> None:
-        self._player.pause()
-        span = self.plot.span
-        if span.length > 12 * _BEFORE_EVENT:
-            self.plot.show_span(event.time - _BEFORE_EVENT, event.time + _BEFORE_EVENT)
-        self._player.set_position(event.time)
+        self.player.pause()
+        if self.plot.span.length > 12 * _EVENT_MARGIN:
+            self.plot.show_span(event.time - _EVENT_MARGIN, event.time + _EVENT_MARGIN)
+        self.player.set_position(event.time)
         self._list.choose(event)
-
-    # --- Room, colours and the end ------------------------------------------------------
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._drawing.start()  # words above the plot stand where its lines are then
+        self._redraw.start()  # texts above the plot follow its lines
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        self._drawing.stop()
+        self._redraw.stop()
         self._store.setValue(f"{self._name}/geometry", self.saveGeometry())
-        self._player.close()
+        self.player.close()
         self.closed.emit()
         super().closeEvent(event)

@@ -1,33 +1,114 @@
-"""Recording what a device reports while it happens: the life of the thread that writes."""
+"""Recording in a thread of its own, so that a slow disk blocks neither line nor window."""
 
+import logging
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import BinaryIO, Generic
+from typing import Any, Generic, Protocol
 
 from PySide6.QtCore import QObject, Qt, Signal, Slot
 
 from trex_gui.core.recording.backlog import Backlog
-from trex_gui.core.recording.blocks import RecordT
-from trex_gui.devices.trex.recording.recording import Marker
+from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.kinds import RecordT
 from trex_gui.ui.runtime import now, runtime
 from trex_gui.ui.workers import orphaned_threads
-from trex_gui.ui.workers.record_worker import RecordWorker, Writer
+from trex_gui.ui.workers.thread import WorkerThread
 
-_PATIENCE_MS = 3000
-"""How long the end of the program waits for a disk."""
+log = logging.getLogger(__name__)
+
+_COMMIT_INTERVAL = 0.5
+"""Seconds between commits: a crash of the program loses no more."""
+
+_SYNC_INTERVAL = 5.0
+"""Seconds between synchronisations: a power failure loses no more."""
+
+_SHUTDOWN_TIMEOUT_MS = 3000
+
+
+class Writer(Protocol):
+    """The part of RecordingWriter that the thread uses."""
+
+    @property
+    def size(self) -> int: ...
+    def write(self, records: Sequence[Any], /) -> None: ...
+    def commit(self) -> None: ...
+    def sync(self) -> None: ...
+    def finish(self) -> None: ...
+    def close(self) -> None: ...
+
+
+class RecordWorker(WorkerThread, Generic[RecordT]):
+    """Writes one recording; ends with its backlog or on an error.
+
+    Signals:
+        progressed: bytes written so far.
+        failed: why the recording ended early, for the user.
+    """
+
+    progressed = Signal(object)
+    failed = Signal(str)
+
+    def __init__(
+        self,
+        path: Path,
+        backlog: Backlog[RecordT],
+        open_writer: Callable[[], Writer],
+        parent: QObject | None = None,
+    ) -> None:
+        """Write to `path`; `open_writer` is called in the new thread."""
+        super().__init__(parent)
+        self.setObjectName("RecordWorker")
+        self._path = path
+        self._backlog = backlog
+        self._open_writer = open_writer
+
+    def run(self) -> None:
+        """Write until the end; called by Qt in the new thread."""
+        try:
+            writer = self._open_writer()
+            try:
+                self._write(writer)
+            finally:
+                writer.close()
+        except RecordingError as error:
+            self._fail(str(error))
+        except Exception as error:
+            log.exception("recording")
+            text = self.tr("{0}: It cannot be written (internal error {1}).")
+            self._fail(text.format(self._path, type(error).__name__))
+
+    def _fail(self, message: str) -> None:
+        self._backlog.close(0.0)
+        self.failed.emit(message)
+
+    def _write(self, writer: Writer) -> None:
+        self.progressed.emit(writer.size)
+        commit_at = now() + _COMMIT_INTERVAL
+        sync_at = now() + _SYNC_INTERVAL
+        while (records := self._backlog.get(_COMMIT_INTERVAL)) is not None:
+            writer.write(records)
+            moment = now()
+            if moment >= sync_at:
+                sync_at = moment + _SYNC_INTERVAL
+                writer.sync()
+            elif moment >= commit_at:
+                commit_at = moment + _COMMIT_INTERVAL
+                writer.commit()
+            self.progressed.emit(writer.size)
+        writer.finish()
+        self.progressed.emit(writer.size)
 
 
 class RecordThread(QObject, Generic[RecordT]):
-    """Writes what it is given into one file at a time, whatever the device.
+    """Records one device into one file at a time.
 
-    One for each device derives from it: it says whether there is something to record, begins with
-    `begin` and hands on with `put` what is to be kept.
+    Subclasses define `is_available`, start with `begin` and pass records to `put`.
 
     Signals:
-        changed: whether something is recorded, its size.
+        changed: `recording`, `can_record`, `size` or `lost`.
         ended: a recording is complete; its `Path`.
-        ended_early: why a recording has ended although the user did not end it, as a sentence.
-        failed: why it cannot be written, for people.
+        ended_early: why the recording ended by itself, for the user.
+        failed: why it cannot be written, for the user.
     """
 
     changed = Signal()
@@ -36,79 +117,66 @@ class RecordThread(QObject, Generic[RecordT]):
     failed = Signal(str)
 
     def __init__(self, parent: QObject | None = None, *, clock: Callable[[], float] = now) -> None:
-        """Record nothing yet; `clock` is the session's, which is the computer's monotonic one."""
+        """`clock` is the session's, the computer's monotonic one."""
         super().__init__(parent)
         self.clock = clock
+        self.path: Path | None = None
+        """The current or the last file."""
+        self.size = 0
+        """Bytes written so far."""
         self._worker: RecordWorker[RecordT] | None = None
         self._backlog: Backlog[RecordT] = Backlog(runtime().condition())
-        self._path: Path | None = None
-        self._begun = 0.0
-        self._size = 0
+        self._started = 0.0
         self._lost = 0
         self._closing = False
-        self._refused = False
-        self._given_up = False  # at the end of the program, which waits once
-
-    # --- What is known ------------------------------------------------------------------
+        self._has_failed = False
+        self._abandoned = False  # the program waits for a disk once
 
     @property
-    def is_there(self) -> bool:
+    def is_available(self) -> bool:
         """Whether there is a device to record."""
         raise NotImplementedError
 
     @property
     def can_record(self) -> bool:
-        """Whether there is a device to record, and nothing is being recorded."""
-        return self._worker is None and self.is_there
+        """Whether there is a device to record and nothing is being recorded."""
+        return self._worker is None and self.is_available
 
     @property
     def recording(self) -> bool:
-        """Whether what comes is recorded."""
+        """Whether records are being kept."""
         return self._worker is not None and not self._closing
 
     @property
-    def path(self) -> Path | None:
-        """The file that is written, or was written last."""
-        return self._path
-
-    @property
     def seconds(self) -> float:
-        """How long it has been recording."""
-        return self.clock() - self._begun if self.recording else 0.0
-
-    @property
-    def size(self) -> int:
-        """Bytes written so far; what waits is not counted."""
-        return self._size
+        """Duration of the recording so far."""
+        return self.clock() - self._started if self.recording else 0.0
 
     @property
     def lost(self) -> int:
-        """Records that could not be kept because the disk was too slow."""
+        """Records dropped because the disk was too slow."""
         return self._backlog.lost
 
-    # --- Beginning and ending -----------------------------------------------------------
-
     def start(self, path: Path) -> bool:
-        """Record into a file from now on; return whether that is possible now."""
+        """Start recording into a file, which is replaced; return whether that is possible."""
         raise NotImplementedError
 
     def begin(
         self,
         path: Path,
-        begun: float,
-        writer_of: Callable[[BinaryIO], Writer[RecordT | Marker]],
+        started: float,
+        open_writer: Callable[[], Writer],
         first: Sequence[RecordT] = (),
     ) -> None:
-        """Record into a file from now on; one of that name is replaced.
+        """Start recording; `started` is now on the session's clock.
 
-        `begun` is now on the session's clock; `writer_of` makes the writer, in the thread;
-        `first` are the records that it begins with.
+        `open_writer` is called in the new thread; `first` are the first records.
         """
-        self._path, self._begun = path, begun
-        self._size = self._lost = 0
-        self._closing = self._refused = self._given_up = False
+        self.path, self._started = path, started
+        self.size = self._lost = 0
+        self._closing = self._has_failed = self._abandoned = False
         self._backlog = Backlog(runtime().condition())
-        worker = RecordWorker(path, begun, self._backlog, writer_of, self)
+        worker = RecordWorker(path, self._backlog, open_writer, self)
         worker.progressed.connect(self._on_progressed, Qt.ConnectionType.QueuedConnection)
         worker.failed.connect(self._on_failed, Qt.ConnectionType.QueuedConnection)
         worker.finished.connect(self._on_finished, Qt.ConnectionType.QueuedConnection)
@@ -118,7 +186,7 @@ class RecordThread(QObject, Generic[RecordT]):
         self.changed.emit()
 
     def put(self, *records: RecordT) -> None:
-        """Keep records, where something is recorded."""
+        """Keep records while recording."""
         if self.recording:
             self._backlog.put(records)
             if self._backlog.lost != self._lost:
@@ -127,43 +195,41 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @Slot()
     def stop(self) -> None:
-        """End the recording; `ended` follows when its last byte is written."""
+        """End the recording; `ended` follows once the file is complete."""
         if self.recording:
             self._closing = True
             self._backlog.close(self.clock())
             self.changed.emit()
 
-    def end_because(self, words: str) -> None:
-        """End the recording and tell why; `{0}` in the words is its file."""
+    def end_because(self, message: str) -> None:
+        """End the recording and report why; `{0}` in the message is its file."""
         self.stop()
-        self.ended_early.emit(words.format(self._path))
+        self.ended_early.emit(message.format(self.path))
 
     def shut_down(self) -> bool:
-        """End the recording and wait for it a little; for the end of the program.
+        """End the recording at the end of the program, waiting for the disk for a while.
 
-        Return whether its thread has ended. While it has not, the process must not end by
-        itself: Qt aborts on destroying a thread that runs.
+        Return whether its thread has ended. Until then the process must not exit normally: Qt
+        aborts when a running thread is destroyed.
         """
         self.stop()
         worker = self._worker
         if worker is None:
             return True
-        if worker.wait(0 if self._given_up else _PATIENCE_MS):
+        if worker.wait(0 if self._abandoned else _SHUTDOWN_TIMEOUT_MS):
             return True
-        self._given_up = True
+        self._abandoned = True
         orphaned_threads.adopt(worker)
         return False
 
-    # --- The thread that writes ---------------------------------------------------------
-
     @Slot(object)
     def _on_progressed(self, size: int) -> None:
-        self._size = size
+        self.size = size
         self.changed.emit()
 
     @Slot(str)
     def _on_failed(self, text: str) -> None:
-        self._closing = self._refused = True
+        self._closing = self._has_failed = True
         self.changed.emit()
         self.failed.emit(text)
 
@@ -174,5 +240,5 @@ class RecordThread(QObject, Generic[RecordT]):
             orphaned_threads.release(worker)
             worker.deleteLater()
         self.changed.emit()
-        if not self._refused:
-            self.ended.emit(self._path)
+        if not self._has_failed:
+            self.ended.emit(self.path)

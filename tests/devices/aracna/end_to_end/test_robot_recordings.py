@@ -11,7 +11,7 @@ from tests.devices.aracna import recordings
 from tests.devices.trex.recording import samples
 from tests.support.pages.robot import RobotWindow
 from tests.support.window import WidgetDriver
-from trex_gui.devices.aracna.views.playback.window import RobotPlaybackWindow
+from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
@@ -39,7 +39,7 @@ def assert_of_another_device(window: RobotWindow, device: str) -> None:
 def test_session_is_recorded_and_opened_from_menu(
     connected_window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window, path = connected_window, tmp_path / "walk.csv"
+    window, path = connected_window, tmp_path / "walk.trexrec"
     manager = window.program.aracna.recordings
     assert window.action("aracna_record").isEnabled()
     manager.record(path)
@@ -51,13 +51,13 @@ def test_session_is_recorded_and_opened_from_menu(
     window.trigger("aracna_record")
     window.wait_for_text("bannerText", "Recorded in")
     window.wait_for_text("bannerText", "Aracna, Open recording shows it.")
-    assert len(path.read_text(encoding="utf-8").splitlines()) > 3
+    assert path.stat().st_size > 10_000
 
     window.press_disconnect()
     assert not window.action("aracna_record").isEnabled()
-    manager.record(tmp_path / "other.csv")
+    manager.record(tmp_path / "other.trexrec")
     assert "no robot is connected" in window.text("bannerText")
-    assert not (tmp_path / "other.csv").exists()
+    assert not (tmp_path / "other.trexrec").exists()
 
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
     window.trigger("aracna_open_recording")
@@ -75,7 +75,7 @@ def test_session_is_recorded_and_opened_from_menu(
 def test_open_recording_is_not_overwritten_and_can_stop_robot(
     connected_window: RobotWindow, tmp_path: Path
 ) -> None:
-    window, path = connected_window, tmp_path / "walk.csv"
+    window, path = connected_window, tmp_path / "walk.trexrec"
     manager = window.program.aracna.recordings
     recordings.write(path, list(recordings.session(3)))
     before = path.read_bytes()
@@ -92,7 +92,7 @@ def test_open_recording_is_not_overwritten_and_can_stop_robot(
     assert halted == [True]
 
     window.press_disconnect()
-    other = tmp_path / "other.csv"
+    other = tmp_path / "other.trexrec"
     recordings.write(other, list(recordings.session(3)))
     manager.open_file(other)
     assert len(opened(window)) == 2
@@ -102,19 +102,22 @@ def test_open_recording_is_not_overwritten_and_can_stop_robot(
 
 
 def test_dropped_recording_opens_only_with_its_device(window: RobotWindow, tmp_path: Path) -> None:
-    walk = tmp_path / "walk.csv"
-    board_csv, board = tmp_path / "board.csv", tmp_path / "board.trexrec"
+    walk = tmp_path / "walk.trexrec"
+    board, table = tmp_path / "board.trexrec", tmp_path / "board.csv"
     recordings.write(walk, list(recordings.session(3)))
-    samples.write_an_hour_of_csv(board_csv, 1)
     samples.write(board, list(samples.an_hour(1)))
     assert window.drop(walk)
     assert_of_another_device(window, "Aracna")
 
     window.choose_demo()
     window.press_disconnect()
-    for path in (board_csv, board):
-        assert window.drop(path)
-        assert_of_another_device(window, "TReX 1.2")
+    assert window.drop(board)
+    assert_of_another_device(window, "TReX 1.2")
+    table.write_text("time_s,sample\n", encoding="utf-8")
+    assert window.drop(table)
+    window.wait_for_text("bannerText", "A CSV file is an export")
+    assert opened(window) == []
+    window.click("bannerDismiss")
     assert window.drop(walk)
     [playback] = opened(window)
     window.wait(lambda: playback.playback.is_loaded)
@@ -133,7 +136,7 @@ def test_program_exit_ends_recording_loader_thread(
     window: RobotWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     recordings.hang(monkeypatch)
-    path = tmp_path / "long.csv"
+    path = tmp_path / "long.trexrec"
     recordings.write(path, list(recordings.session(60)))
     window.program.aracna.recordings.open_file(path)
     [playback] = opened(window)

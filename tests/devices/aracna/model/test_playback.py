@@ -10,22 +10,29 @@ from PySide6.QtCore import QCoreApplication
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from tests.devices.aracna.recordings import HEADER, MOTORS, T0, hang, loader_thread, session, write
+from tests.devices.aracna.recordings import (
+    HEADER,
+    MOTORS,
+    T0,
+    hang,
+    loader_thread,
+    open_recording,
+    session,
+    write,
+)
 from trex_gui.core.recording.errors import RecordingError
-from trex_gui.devices.aracna.model.playback import RobotPlayback
-from trex_gui.devices.aracna.model.recorded import Moment
+from trex_gui.core.recording.kinds import Marker
+from trex_gui.devices.aracna.model.playback import Moment, RobotPlayback
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.units import degrees
-from trex_gui.devices.aracna.recording import FellSilent, Row
-from trex_gui.devices.aracna.recording.csv_reader import open_recording
+from trex_gui.devices.aracna.recording import FellSilent, Record
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, Restarted, Stuck
-from trex_gui.devices.trex.recording.recording import Marker
 from trex_gui.ui.devices.event_log import EventKind
 
 PATIENCE = 20_000
 
 
-def loaded(path: Path, qtbot: QtBot, *what: Row) -> RobotPlayback:
+def loaded(path: Path, qtbot: QtBot, *what: Record) -> RobotPlayback:
     write(path, list(what))
     playback = RobotPlayback.open(path)
     assert not playback.is_loaded
@@ -36,12 +43,12 @@ def loaded(path: Path, qtbot: QtBot, *what: Row) -> RobotPlayback:
 
 @pytest.fixture
 def long(tmp_path: Path, qtbot: QtBot) -> Iterator[RobotPlayback]:
-    playback = loaded(tmp_path / "long.csv", qtbot, *session(250))
+    playback = loaded(tmp_path / "long.trexrec", qtbot, *session(250))
     yield playback
     playback.close()
 
 
-def straight(what: list[Row], time: float) -> Moment:
+def straight(what: list[Record], time: float) -> Moment:
     """What is known when everything up to a time is taken in."""
     moment = Moment(RobotState(MOTORS))
     for record in what:
@@ -50,38 +57,27 @@ def straight(what: list[Row], time: float) -> Moment:
     return moment
 
 
-def rounded(moment: Moment) -> tuple[object, ...]:
-    """What is known, without times: a file has them to 1 µs."""
-    known = moment.known
-    step = moment.step
-    return (
-        *(known.present, known.goals, known.waited_for, known.unsure),
-        *(known.moving and known.moving.goals, known.moved and known.moved.present),
-        *(known.speeds and known.speeds.held, step and (step.part, step.index, step.round)),
-    )
-
-
 def test_seek_gives_same_state_as_reading_from_start(long: RobotPlayback) -> None:
     what = list(session(250))
     random = Random(3)
     places = [random.uniform(0, long.end - T0) + 1e-4 for _ in range(40)]
     for place in [*sorted(places, reverse=True), *places]:
         long.set_position(T0 + place)
-        assert rounded(long.latest()) == rounded(straight(what, long.position))
+        assert long.state() == straight(what, long.position)
 
 
 def test_seek_does_not_change_earlier_snapshot(long: RobotPlayback) -> None:
     long.set_position(T0 + 10)
-    before = long.latest()
+    before = long.state()
     kept = list(before.known.present)
     long.set_position(long.end)
-    long.latest()
+    long.state()
     assert before.known.present == kept
 
 
 def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(
-        tmp_path / "a.csv",
+        tmp_path / "a.trexrec",
         qtbot,
         Moved(T0, (100,) * 8, (100,) * 8, 1.0),
         Moving(T0 + 10, (200,) * 8, (100,) * 8, 2.0),
@@ -99,9 +95,11 @@ def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot
 
 
 @pytest.mark.parametrize("lost", [Restarted(T0 + 3, voided=False), FellSilent(T0 + 3)])
-def test_curve_has_gap_while_position_is_unknown(tmp_path: Path, qtbot: QtBot, lost: Row) -> None:
+def test_curve_has_gap_while_position_is_unknown(
+    tmp_path: Path, qtbot: QtBot, lost: Record
+) -> None:
     playback = loaded(
-        tmp_path / "a.csv",
+        tmp_path / "a.trexrec",
         qtbot,
         Moving(T0 + 1, (100,) * 8, (None,) * 8, 1.0),
         Moved(T0 + 2, (100,) * 8, (100,) * 8, 1.0),
@@ -114,7 +112,7 @@ def test_curve_has_gap_while_position_is_unknown(tmp_path: Path, qtbot: QtBot, l
     assert value_at("motor_0", T0 + 2.5) == degrees(100)
     assert math.isnan(value_at("motor_0", T0 + 4))
     playback.set_position(T0 + 4)
-    known = playback.latest().known
+    known = playback.state().known
     assert known.present == [None] * 8
     assert known.unsure
     assert value_at("motor_7", T0 + 6) == degrees(200)
@@ -123,7 +121,7 @@ def test_curve_has_gap_while_position_is_unknown(tmp_path: Path, qtbot: QtBot, l
 
 def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(
-        tmp_path / "a.csv",
+        tmp_path / "a.trexrec",
         qtbot,
         Moving(T0 + 1, (100,) * 8, (None,) * 8, 1.0),
         Passed(T0 + 2, (100, 100, 100)),
@@ -131,11 +129,11 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
         Moved(T0 + 9, (100,) * 8, (100,) * 3 + (-1,) * 5, 8.0),
     )
     playback.set_position(T0 + 6)
-    known = playback.latest().known
+    known = playback.state().known
     assert known.stuck is not None
     assert known.stuck.motor == known.waited_for == 3
     playback.set_position(T0 + 9)
-    known = playback.latest().known
+    known = playback.state().known
     assert known.stuck is None
     assert [each.motor for each in known.missed] == [3, 4, 5, 6, 7]
     playback.close()
@@ -143,7 +141,7 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
 
 def test_events_are_sorted_by_time_with_their_kinds(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(
-        tmp_path / "a.csv",
+        tmp_path / "a.trexrec",
         qtbot,
         Marker(T0 + 2, "word of a later program", "something"),
         Marker(T0 + 1, "fault", "The board has restarted."),
@@ -156,28 +154,28 @@ def test_events_are_sorted_by_time_with_their_kinds(tmp_path: Path, qtbot: QtBot
 
 
 def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
-    playback = loaded(tmp_path / "a.csv", qtbot)
+    playback = loaded(tmp_path / "a.trexrec", qtbot)
     assert playback.position == playback.end == T0
     assert playback.header == HEADER
-    assert playback.latest().known.present == [None] * MOTORS
+    assert playback.state().known.present == [None] * MOTORS
     playback.close()
 
 
 def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "long.csv"
+    path = tmp_path / "long.trexrec"
     write(path, list(session(600)))
-    playback = RobotPlayback(open_recording(path), path, most_rows=5000)
+    playback = RobotPlayback(open_recording(path), max_rows=5000)
     with qtbot.waitSignal(playback.loaded, timeout=PATIENCE):
-        playback.start_reading()
+        playback.start_loading()
     drawn, there = playback.drawn
     assert drawn == 5000 < there
     playback.close()
 
 
 def test_invalid_recording_is_rejected(tmp_path: Path) -> None:
-    (tmp_path / "a.csv").write_bytes(b"something else")
+    (tmp_path / "a.trexrec").write_bytes(b"something else")
     with pytest.raises(RecordingError):
-        RobotPlayback.open(tmp_path / "a.csv")
+        RobotPlayback.open(tmp_path / "a.trexrec")
 
 
 @pytest.mark.realtime
@@ -185,7 +183,7 @@ def test_close_while_loading_ends_thread(
     tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     hang(monkeypatch)
-    path = tmp_path / "long.csv"
+    path = tmp_path / "long.trexrec"
     write(path, list(session(60)))
     playback = RobotPlayback.open(path)
     thread = loader_thread(playback)

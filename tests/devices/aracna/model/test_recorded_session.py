@@ -7,15 +7,15 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.devices.aracna.recordings import assert_equal, read
+from tests.devices.aracna.recordings import read_all
 from tests.support.simulator import SimulatedDevice, StartSimulator
+from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.playback import RobotPlayback
 from trex_gui.devices.aracna.model.recorder import AracnaRecorder
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.recording import FellSilent, Row
-from trex_gui.devices.aracna.recording.csv_reader import RobotCsvFile
+from trex_gui.devices.aracna.recording import FellSilent, Record
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
@@ -28,7 +28,6 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.devices.trex.recording.recording import Marker
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventKind
 
@@ -48,7 +47,7 @@ class Session:
         self.simulator = simulator
         self.robot = Robot()
         self.recorder = AracnaRecorder(self.robot)
-        self.reported: list[Row] = []
+        self.reported: list[Record] = []
         self.links: list[ConnectionState] = []
         self.robot.link_changed.connect(lambda: self.links.append(self.robot.link))
         self.robot.reported.connect(self._on_reported)
@@ -67,14 +66,12 @@ class Session:
         assert self.robot.move(goals)
         self.qtbot.waitUntil(lambda: self.robot.known.moved not in {None, before}, timeout=PATIENCE)
 
-    def stop(self) -> list[Row]:
+    def stop(self) -> list[Record]:
         """End the recording and return what is in it."""
         with self.qtbot.waitSignal(self.recorder.ended, timeout=PATIENCE):
             self.recorder.stop()
-        file = RobotCsvFile(self.path)
-        found = read(file)
-        assert file.problems == []
-        file.close()
+        found, problems = read_all(self.path)
+        assert problems == []
         return found
 
     def end(self) -> None:
@@ -87,12 +84,12 @@ class Session:
 @pytest.fixture
 def session(qtbot: QtBot, tmp_path: Path, start_simulator: StartSimulator) -> Iterator[Session]:
     simulator = start_simulator("--aracna", "--unpaced")
-    session = Session(qtbot, tmp_path / "session.csv", simulator)
+    session = Session(qtbot, tmp_path / "session.trexrec", simulator)
     yield session
     session.end()
 
 
-def without_markers(rows: list[Row]) -> list[Row]:
+def without_markers(rows: list[Record]) -> list[Record]:
     return [row for row in rows if not isinstance(row, Marker)]
 
 
@@ -111,7 +108,7 @@ def test_every_report_is_read_back_equal(session: Session) -> None:
     assert {type(row) for row in session.reported} >= {
         *(Moving, Passed, Moved, SpeedsHeld, StepBegun, PlayEnded)
     }
-    assert_equal(without_markers(found), session.reported)
+    assert without_markers(found) == session.reported
     texts = [row.text for row in found if isinstance(row, Marker)]
     assert f"Move to {', '.join(['500'] * 8)}." in texts
     assert "Played to the end." in texts
@@ -146,7 +143,7 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
     silences = [row for row in found if isinstance(row, FellSilent)]
     others = [row for row in without_markers(found) if not isinstance(row, FellSilent)]
     assert silences
-    assert_equal(others, session.reported)
+    assert others == session.reported
     markers = [row for row in found if isinstance(row, Marker)]
     assert any("stuck" in each.text for each in markers if each.kind == EventKind.NOTE)
     assert any("waits for motor 3" in each.text for each in markers if each.kind == EventKind.FAULT)
@@ -186,9 +183,9 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
     with qtbot.waitSignal(playback.loaded, timeout=PATIENCE):
         pass
     last = playback.traces.samples(playback.start, playback.end)[0][-1]
-    assert playback.end == last == pytest.approx(ending.time, abs=2e-6)
+    assert playback.end == last == ending.time
     playback.set_position(playback.end)
-    known, now = playback.latest().known, session.robot.known
+    known, now = playback.state().known, session.robot.known
     assert known.present == now.present
     assert known.goals == now.goals
     assert known.speeds is not None

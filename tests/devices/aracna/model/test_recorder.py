@@ -1,13 +1,16 @@
 """Recording a session with the simulated robot while it runs."""
 
 import csv
+import math
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.aracna.recordings import open_recording
 from tests.support.simulator import StartSimulator
+from trex_gui.core.recording.export import export_span
 from trex_gui.core.timing import Timeouts
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.recorder import AracnaRecorder
@@ -16,7 +19,12 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 
 
 def rows(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
+    """Export a recording, and return its rows."""
+    recording = open_recording(path)
+    target = path.with_suffix(".csv")
+    export_span(recording, target, (-math.inf, math.inf), recording.header.values())
+    recording.close()
+    with target.open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
 
@@ -42,7 +50,7 @@ def recorder(robot: Robot) -> Iterator[AracnaRecorder]:
 def test_move_is_recorded_with_goals_positions_and_speeds(
     robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
-    path = tmp_path / "session.csv"
+    path = tmp_path / "session.trexrec"
     assert recorder.start(path)
     assert recorder.recording
     assert not recorder.can_record
@@ -53,10 +61,10 @@ def test_move_is_recorded_with_goals_positions_and_speeds(
     assert ended.args == [path]
     assert recorder.size == path.stat().st_size
     found = rows(path)
-    kinds = [row["record"] for row in found]
+    kinds = [row["sample"] for row in found]
     assert kinds[0] == "header"
     assert kinds.index("speeds") < kinds.index("goals") < kinds.index("present")
-    last = [row for row in found if row["record"] == "present"][-1]
+    last = [row for row in found if row["sample"] == "present"][-1]
     assert last["motor_3_goal_units"] == "500"
     assert abs(int(last["motor_3_present_units"]) - 500) < 10
     times = [float(row["time_s"]) for row in found]
@@ -68,10 +76,10 @@ def test_recording_starts_with_known_state(
 ) -> None:
     robot.move((500,) * 8)
     qtbot.waitUntil(lambda: robot.known.moved is not None, timeout=15_000)
-    recorder.start(tmp_path / "later.csv")
+    recorder.start(tmp_path / "later.trexrec")
     with qtbot.waitSignal(recorder.ended, timeout=15_000):
         recorder.stop()
-    assert [row["record"] for row in rows(tmp_path / "later.csv")[:3]] == [
+    assert [row["sample"] for row in rows(tmp_path / "later.trexrec")[:3]] == [
         *("header", "present", "speeds")
     ]
 
@@ -79,18 +87,18 @@ def test_recording_starts_with_known_state(
 def test_disconnect_ends_recording_with_message(
     robot: Robot, recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
-    recorder.start(tmp_path / "cut.csv")
+    recorder.start(tmp_path / "cut.trexrec")
     with qtbot.waitSignals([recorder.ended_early, recorder.ended], timeout=15_000):
         robot.disconnect_line()
     assert not recorder.recording
-    assert rows(tmp_path / "cut.csv")[0]["record"] == "header"
+    assert rows(tmp_path / "cut.trexrec")[0]["sample"] == "header"
 
 
 def test_unwritable_file_is_reported(
     recorder: AracnaRecorder, tmp_path: Path, qtbot: QtBot
 ) -> None:
     with qtbot.waitSignal(recorder.failed, timeout=15_000) as failed:
-        recorder.start(tmp_path / "gone" / "a.csv")
+        recorder.start(tmp_path / "gone" / "a.trexrec")
     assert "cannot be written" in failed.args[0]
     qtbot.waitUntil(lambda: recorder.can_record, timeout=15_000)
 
@@ -98,5 +106,5 @@ def test_unwritable_file_is_reported(
 def test_recording_needs_connected_robot(tmp_path: Path, qtbot: QtBot) -> None:
     del qtbot
     recorder = AracnaRecorder(Robot())
-    assert not recorder.start(tmp_path / "a.csv")
+    assert not recorder.start(tmp_path / "a.trexrec")
     assert list(tmp_path.iterdir()) == []

@@ -6,16 +6,16 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.aracna.recordings import HEADER, MOTORS, T0, write
 from tests.support.window import WidgetDriver
+from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.playback import RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.recording import Header, Row
+from trex_gui.devices.aracna.recording import Header, Record
 from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld
-from trex_gui.devices.aracna.views.playback.window import RobotPlaybackWindow
-from trex_gui.devices.trex.recording.recording import Marker
+from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow
 from trex_gui.ui.plotting.plot import TracePlot
 
 GOALS, REACHED = (200,) * MOTORS, (201, 199, *(200,) * 5, -1)
-STORY: list[Row] = [
+STORY: list[Record] = [
     SpeedsHeld(T0 + 1, (100,) * MOTORS, (100, 0, *(100,) * 5, -1)),
     Marker(T0 + 1, "fault", "Motor 7 does not answer (−1)"),
     Moving(T0 + 10, GOALS, (None,) * MOTORS, 2.0),
@@ -53,10 +53,10 @@ class RecordingWindowDriver(WidgetDriver):
 
 
 def open_recording(
-    path: Path, qtbot: QtBot, rows: list[Row], header: Header = HEADER
+    path: Path, qtbot: QtBot, records: list[Record], header: Header = HEADER
 ) -> RecordingWindowDriver:
     """Write a recording and show it in a window."""
-    write(path, rows, header)
+    write(path, records, header)
     driver = RecordingWindowDriver(path, qtbot)
     driver.show()
     driver.wait_until_loaded()

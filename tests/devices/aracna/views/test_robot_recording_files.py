@@ -1,5 +1,7 @@
 """Files that are damaged, long, empty or of other robots, in the window of a recording."""
 
+import contextlib
+import sqlite3
 from pathlib import Path
 
 import pytest
@@ -13,19 +15,33 @@ from trex_gui.devices.aracna.recording import Header
 from trex_gui.devices.aracna.session.messages import Moved
 
 
-def test_damaged_recording_reports_lines_and_shows_rest(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "cut.csv"
+def test_damaged_recording_reports_problem_and_shows_rest(tmp_path: Path, qtbot: QtBot) -> None:
+    path = tmp_path / "damaged.trexrec"
     write(path, STORY)
-    path.write_bytes(path.read_bytes()[:-10].replace(b",goals,200,", b",goals,2oo,"))
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        database.execute("UPDATE goals SET motor_0_goal_units = 'oo'")
+        database.execute("DELETE FROM header WHERE key = 'ended_utc_s'")
+        database.commit()
     window = RecordingWindowDriver(path, qtbot)
     window.show()
     window.wait_until_loaded()
     text = window.text("bannerText")
-    assert "This recording is not whole." in text
-    assert "Line 5 cannot be understood: '2oo' is no number of the robot." in text
-    assert "Line 9, the last one, is cut off." in text
+    assert "This recording is not complete." in text
+    assert "It was not ended" in text
+    assert "Record 3 cannot be read: motor_0_goal_units is not INTEGER." in text
     window.playback.set_position(window.playback.end)
     assert window.text("aracnaRecordedPresent0") == "201 = 58.9°"
+    window.close()
+
+
+def test_span_is_exported_as_csv(tmp_path: Path, qtbot: QtBot) -> None:
+    window = open_recording(tmp_path / "a.trexrec", qtbot, STORY)
+    with qtbot.waitSignal(window.playback.exported):
+        window.window.export(tmp_path / "a.csv")
+    text = (tmp_path / "a.csv").read_text(encoding="utf-8")
+    assert "motor_0_present_deg" in text.splitlines()[0]
+    assert "58.9" in text
+    assert "was saved in" in window.text("bannerText")
     window.close()
 
 
@@ -33,7 +49,7 @@ def test_loading_shows_progress_and_can_be_cancelled(
     tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     hang(monkeypatch)
-    path = tmp_path / "long.csv"
+    path = tmp_path / "long.trexrec"
     write(path, list(session(60)))
     window = RecordingWindowDriver(path, qtbot)
     window.show()
@@ -50,7 +66,7 @@ def test_loading_shows_progress_and_can_be_cancelled(
 
 
 def test_curve_hidden_while_loading_stays_hidden(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "walk.csv"
+    path = tmp_path / "walk.trexrec"
     write(path, STORY)
     window = RecordingWindowDriver(path, qtbot)
     window.find(QCheckBox, "aracnaCurveBox2").setChecked(False)
@@ -69,7 +85,7 @@ def test_recording_with_other_motor_count_is_shown(
     header = Header(HEADER.started, T0, version=0, motors=motors)
     goals = (300,) * motors
     moved = Moved(T0 + 1, goals, goals, 1.0)
-    window = open_recording(tmp_path / "a.csv", qtbot, [moved], header)
+    window = open_recording(tmp_path / "a.trexrec", qtbot, [moved], header)
     window.playback.set_position(T0 + 1)
     assert window.text(f"aracnaRecordedPresent{motors - 1}") == "300 = 88.0°"
     names = [label.objectName() for label in window.find_all(QLabel)]
@@ -79,7 +95,7 @@ def test_recording_with_other_motor_count_is_shown(
 
 
 def test_empty_recording_shows_that_nothing_happened(tmp_path: Path, qtbot: QtBot) -> None:
-    window = open_recording(tmp_path / "a.csv", qtbot, [])
+    window = open_recording(tmp_path / "a.trexrec", qtbot, [])
     events = window.find(QListView, "eventList")
     window.wait(lambda: "Nothing happened" in events.accessibleDescription())
     assert not window.is_enabled("playButton")

@@ -22,21 +22,21 @@ from pytestqt.qtbot import QtBot
 from tests.devices.aracna.recordings import MOTORS, T0
 from tests.devices.aracna.views.recording_stage import STORY, RecordingWindowDriver, open_recording
 from tests.support.accessible_names import assert_named
+from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
-from trex_gui.devices.trex.recording.recording import Marker
 from trex_gui.ui.plotting.plot import TracePlot
 
 
 @pytest.fixture
 def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindowDriver:
-    return open_recording(tmp_path / "walk.csv", qtbot, STORY)
+    return open_recording(tmp_path / "walk.trexrec", qtbot, STORY)
 
 
 def test_heading_shows_robot_date_and_duration(window: RecordingWindowDriver) -> None:
     heading = window.text("recordingHeading")
     assert heading.startswith("Aracna, firmware 1, 8 motors, recorded ")
     assert heading.endswith("0:01:00 long")
-    assert window.window.windowTitle().startswith("walk.csv")
+    assert window.window.windowTitle().startswith("walk.trexrec")
 
 
 def test_dragged_time_slider_shows_state_at_that_time(window: RecordingWindowDriver) -> None:
@@ -60,7 +60,7 @@ def test_dragged_time_slider_shows_state_at_that_time(window: RecordingWindowDri
 
 
 def test_motion_and_awaited_motor_are_shown(window: RecordingWindowDriver) -> None:
-    assert window.text("aracnaRecordedDoing") == "Where the motors were was not known yet."
+    assert window.text("aracnaRecordedDoing") == "Positions are not known yet."
     assert window.text("aracnaRecordedPresent0") == "–"
     window.playback.set_position(T0 + 11.5)
     assert window.text("aracnaRecordedDoing") == (

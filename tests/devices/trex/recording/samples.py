@@ -1,13 +1,15 @@
-"""Recordings to write and read: any that can be, and an hour of one that could have been."""
+"""Recordings to write and read: arbitrary ones, and an hour of a plausible one."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from datetime import UTC, datetime
-from io import BytesIO
 from pathlib import Path
 from random import Random
 
 from hypothesis import strategies as st
 
+from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.store import CHUNK, Recording, RecordingWriter
 from trex_gui.devices.trex.client.telemetry import (
     Control,
     Currents,
@@ -20,18 +22,14 @@ from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.driving import Direction
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
-from trex_gui.devices.trex.recording.csv_format import CsvWriter
-from trex_gui.devices.trex.recording.reader import TrexrecFile
-from trex_gui.devices.trex.recording.recording import (
+from trex_gui.devices.trex.recording import (
+    FORMAT,
     AuxiliarySetpointRecord,
     Header,
-    Marker,
     Record,
-    RecordingFile,
     SetpointRecord,
-    SettingsSeen,
+    SettingsSnapshot,
 )
-from trex_gui.devices.trex.recording.writer import TrexrecWriter
 
 HEADER = Header(
     started=datetime(2026, 11, 21, 12, 0, tzinfo=UTC),
@@ -47,7 +45,7 @@ HEADER = Header(
 times = st.floats(allow_nan=False, allow_infinity=False)
 bytes_ = st.integers(0, 255)
 seven_bits = st.integers(0, 127)
-words = st.text(max_size=40)
+texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=40)
 
 records: st.SearchStrategy[Record] = st.one_of(
     st.builds(Currents, times, st.tuples(bytes_, bytes_)),
@@ -66,13 +64,13 @@ records: st.SearchStrategy[Record] = st.one_of(
         st.booleans(),
     ),
     st.builds(AuxiliarySetpointRecord, times, seven_bits, st.booleans()),
-    st.builds(Marker, times, st.sampled_from(["apply", "stop", "fault"]), words),
-    st.builds(SettingsSeen, times, words),
+    st.builds(Marker, times, st.sampled_from(["apply", "stop", "fault"]), texts),
+    st.builds(SettingsSnapshot, times, texts),
 )
 
 
 def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Record]:
-    """What a board at full rate reports while somebody drives it."""
+    """Yield what a board reports at full rate while it is driven."""
     random = Random(1)
     due = {Currents: 0.0, Raw: 0.004, Remapped: 0.008, Control: 0.012, ModeSample: 0.016}
     rate = {Currents: 80, Raw: 50, Remapped: 50, Control: 10, ModeSample: 1}
@@ -86,7 +84,7 @@ def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Re
             yield SetpointRecord(time, random.randint(1, 2), Drive.at(speed), accelerate=True)
             if random.random() < 0.02:
                 yield LatchedStatus(time, Status.MOTOR1_OVER_LIMIT, UartError(0))
-                yield Marker(time, "stop", "A person pressed stop.")
+                yield Marker(time, "stop", "The user pressed stop.")
         duty += (speed - duty) * 0.02
         sticks = [3750 + random.randint(-2, 2) for _ in range(4)]
         match kind:
@@ -103,46 +101,48 @@ def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Re
                 yield ModeSample(time, Mode.SERIAL_RC)
 
 
-def write(path: Path, what: list[Record], *, flush_every: int = 0, finish: bool = True) -> int:
-    """Write a `.trexrec`; return its size."""
-    with path.open("wb") as file:
-        writer = TrexrecWriter(file, HEADER)
-        step = flush_every or len(what) or 1
-        for at in range(0, len(what), step):
-            writer.write(what[at : at + step])
-            if flush_every:
-                writer.flush()
-        if finish:
-            writer.finish()
-        else:
-            writer.flush()
-        return writer.size
+def write(path: Path, records: list[Record], *, step: int = 500, finish: bool = True) -> int:
+    """Write a recording, a commit every `step` records; return its size."""
+    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
+    for first in range(0, len(records), step):
+        writer.write(records[first : first + step])
+        writer.commit()
+    if finish:
+        writer.finish()
+    size = writer.size
+    writer.close()
+    return size
 
 
-def read(file: RecordingFile) -> list[Record]:
-    """Everything in a recording, in order."""
-    return [record for index in range(len(file.blocks)) for record in file.read(index)]
+def write_an_hour(path: Path, minutes: int = 60) -> int:
+    """Write a recording as long as an hour's, quickly: a minute again and again.
 
-
-def opened(path: Path) -> tuple[Header, list[Record], list[str]]:
-    file = TrexrecFile(path)
-    try:
-        return file.header, read(file), list(file.problems)
-    finally:
-        file.close()
-
-
-def write_an_hour_of_csv(path: Path, minutes: int = 60) -> int:
-    """Write a CSV recording as long as an hour's, quickly: a minute again and again.
-
-    Returns how many rows of currents are in it.
+    Return the number of samples of the currents.
     """
-    with path.open("wb") as file:
-        CsvWriter(file, HEADER).write([])
-        buffer = BytesIO()
-        CsvWriter(buffer, HEADER).write(list(an_hour(60)))
-        rows = [line.split(",", 1) for line in buffer.getvalue().decode().splitlines()[2:]]
-        for minute in range(minutes):
-            lines = [f"{float(time) + 60 * minute:.6f},{rest}\n" for time, rest in rows]
-            file.write("".join(lines).encode())
-    return minutes * sum(rest.startswith("currents,") for _, rest in rows)
+    minute = list(an_hour(60))
+    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
+    for number in range(minutes):
+        writer.write([replace(record, time=record.time + 60 * number) for record in minute])
+    writer.finish()
+    writer.close()
+    return minutes * sum(isinstance(record, Currents) for record in minute)
+
+
+def open_recording(path: Path) -> Recording[Header, Record]:
+    """Open a recording of a board."""
+    return Recording(path, FORMAT)
+
+
+def read_all(recording: Recording[Header, Record]) -> list[Record]:
+    """Return all records in order."""
+    numbers = range(1, recording.count + 1, CHUNK)
+    return [record for first in numbers for record in recording.read(first, first + CHUNK - 1)]
+
+
+def read_file(path: Path) -> tuple[Header, list[Record], list[str]]:
+    """Return header, records and problems of a file."""
+    recording = open_recording(path)
+    try:
+        return recording.header, read_all(recording), recording.problems
+    finally:
+        recording.close()

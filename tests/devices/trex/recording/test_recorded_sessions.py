@@ -8,30 +8,25 @@ from pathlib import Path
 
 import pytest
 
-from tests.devices.trex.recording.samples import HEADER, read
-from tests.devices.trex.recording.test_csv import assert_equal
+from tests.devices.trex.recording.samples import HEADER, open_recording, read_all
 from tests.support.virtual import Stage
+from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.store import CHUNK, RecordingWriter
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.recording.files import open_recording, writer_for
-from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord
+from trex_gui.devices.trex.recording import FORMAT, Header, Record, SetpointRecord
 from trex_gui.devices.trex.session.messages import Batch, Report
 from trex_gui.devices.trex.simulator.firmware import Board
 
 
-def record_virtually(seconds: int, folder: Path) -> list[Record]:
-    """Run a session that drives and stops once a minute; record it in both formats.
-
-    Returns what the line reported and what was asked, in order.
-    """
+def record_virtually(seconds: int, path: Path) -> list[Record]:
+    """Record a session that drives and stops once a minute; return its records."""
     what: list[Record] = []
-    files = [(folder / name).open("wb") for name in ("a.trexrec", "a.csv")]
-    writers = [writer_for(Path(file.name), file, HEADER) for file in files]
+    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
 
     def put(*records: Record) -> None:
         what.extend(records)
-        for writer in writers:
-            writer.write(records)
+        writer.write(records)
 
     class Recorded(Stage):
         def take(self, report: Report) -> None:
@@ -44,19 +39,18 @@ def record_virtually(seconds: int, folder: Path) -> list[Record]:
         begin = 60.0 * minute + 5
         drive = Drive.at(127 if minute % 2 else -90)
 
-        def wish(at: float = begin, drive: Drive = drive) -> None:
+        def put_setpoint(at: float = begin, drive: Drive = drive) -> None:
             put(SetpointRecord(at, 1, drive))
 
         def stop(at: float = begin + 5) -> None:
             put(Marker(at, "stop", "Stop"))
 
-        stage.script.at(begin, wish).at(begin, SetMotor(1, drive))
+        stage.script.at(begin, put_setpoint).at(begin, SetMotor(1, drive))
         stage.script.at(begin + 5, stop).at(begin + 5, Stop(minute))
     stage.script.at(seconds, lambda: None)
     stage.run()
-    for writer, file in zip(writers, files, strict=True):
-        writer.finish()
-        file.close()
+    writer.finish()
+    writer.close()
     return what
 
 
@@ -71,30 +65,26 @@ class _Sink:
         self._take(report)
 
 
-def replays_equal(what: list[Record], folder: Path) -> None:
-    exact = open_recording(folder / "a.trexrec")
-    assert read(exact) == what
-    assert exact.problems == []
-    backwards = [exact.read(index) for index in reversed(range(len(exact.blocks)))]
-    assert [record for block in reversed(backwards) for record in block] == what
-    exact.close()
-    table = open_recording(folder / "a.csv")
-    assert_equal(read(table), what)
-    assert table.problems == []
-    table.close()
+def assert_replays_equal(what: list[Record], path: Path) -> None:
+    recording = open_recording(path)
+    assert read_all(recording) == what
+    assert recording.problems == []
+    for first in reversed(range(1, len(what) + 1, CHUNK)):
+        assert recording.read(first, first + CHUNK - 1) == what[first - 1 : first - 1 + CHUNK]
+    recording.close()
 
 
 def test_recorded_minute_of_session_replays_unchanged(tmp_path: Path) -> None:
-    what = record_virtually(60, tmp_path)
+    what = record_virtually(60, tmp_path / "a.trexrec")
     assert len(what) > 9_000
     assert any(isinstance(record, SetpointRecord) for record in what)
-    replays_equal(what, tmp_path)
+    assert_replays_equal(what, tmp_path / "a.trexrec")
 
 
 @pytest.mark.slow
 @pytest.mark.timeout(1800)
 def test_recorded_hour_of_session_replays_unchanged(tmp_path: Path) -> None:
-    what = record_virtually(3600, tmp_path)
+    what = record_virtually(3600, tmp_path / "a.trexrec")
     assert len(what) > 600_000
-    assert (tmp_path / "a.trexrec").stat().st_size < 8_000_000
-    replays_equal(what, tmp_path)
+    assert (tmp_path / "a.trexrec").stat().st_size < 18_000_000
+    assert_replays_equal(what, tmp_path / "a.trexrec")

@@ -1,4 +1,4 @@
-"""Recording what a robot reports and what is asked of it, while it happens."""
+"""Recording what a robot reports and the commands sent to it."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -8,8 +8,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Slot
 
+from trex_gui.core.recording.kinds import marker
+from trex_gui.core.recording.store import RecordingWriter
 from trex_gui.devices.aracna.model.robot import Robot
-from trex_gui.devices.aracna.recording import CsvWriter, FellSilent, Header, Row
+from trex_gui.devices.aracna.recording import FORMAT, FellSilent, Header, Record
 from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
@@ -21,18 +23,17 @@ from trex_gui.devices.aracna.session.messages import (
     StepBegun,
     Stuck,
 )
-from trex_gui.devices.trex.recording.records_from import marker
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import Event, EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 
 
-class AracnaRecorder(RecordThread[Row]):
-    """Writes the session of a robot into one CSV file at a time.
+class AracnaRecorder(RecordThread[Record]):
+    """Records the session of a robot into one file at a time.
 
-    A recording ends with the connection, and where the robot comes back with another number of
-    motors: its columns would be wrong. While the robot is only silent it goes on.
+    A recording ends with the connection, and when the robot returns with another number of motors,
+    since its columns would be wrong. It continues while the robot does not respond.
     """
 
     def __init__(
@@ -42,7 +43,6 @@ class AracnaRecorder(RecordThread[Row]):
         *,
         clock: Callable[[], float] = now,
     ) -> None:
-        """Record nothing yet; `clock` is the session's."""
         super().__init__(parent, clock=clock)
         self._robot = robot
         self._motors = 0
@@ -53,50 +53,44 @@ class AracnaRecorder(RecordThread[Row]):
         robot.link_changed.connect(self._on_link_changed)
 
     @property
-    def is_there(self) -> bool:
-        """Whether a robot answers."""
+    def is_available(self) -> bool:
         return self._robot.link is ConnectionState.CONNECTED
 
     def start(self, path: Path) -> bool:
-        """Record into a CSV file from now on; return whether that is possible now.
-
-        A file of that name is replaced.
-        """
         if not self.can_record:
             return False
         now = self.clock()
         self._motors = self._robot.motors
         header = Header(datetime.now(UTC), now, self._robot.version or 0, self._motors)
-        self.begin(path, now, partial(CsvWriter, header=header), self._known_at(now))
+        open_writer = partial(RecordingWriter[Header, Record], path, FORMAT, header)
+        self.begin(path, now, open_writer, self._known_at(now))
         return True
 
     @Slot()
     def stop(self) -> None:
-        """End the recording; `ended` follows when its last byte is written.
+        """End the recording; `ended` follows once the file is complete.
 
-        Its last row says so: nothing else may have happened for long, and it is as long as it was.
+        A last marker keeps its length, since nothing may have happened for a long time.
         """
         self.put(marker(self.clock(), EventKind.NOTE.value, self.tr("The recording ends here.")))
         super().stop()
 
-    # --- What is recorded ---------------------------------------------------------------
-
-    def _known_at(self, now: float) -> Sequence[Row]:
-        """Return where the motors are, what they do and which speeds they hold, where known."""
-        known, rows = self._robot.known, list[Row]()
+    def _known_at(self, now: float) -> Sequence[Record]:
+        """Return what is known of positions, speeds and the current motion."""
+        known, records = self._robot.known, list[Record]()
         if known.moved is not None:
-            rows.append(replace(known.moved, time=now))
+            records.append(replace(known.moved, time=now))
         elif any(place is not None for place in known.present):
             places = tuple(-1 if place is None else place for place in known.present)
-            rows.append(Passed(now, places))
+            records.append(Passed(now, places))
         if known.speeds is not None:
-            rows.append(SpeedsHeld(now, known.speeds.requested, known.speeds.held))
+            records.append(SpeedsHeld(now, known.speeds.requested, known.speeds.held))
         if known.moving is not None and known.ends_at is not None:
             left = max(known.ends_at - now, 0.0)
-            rows.append(replace(known.moving, time=now, expected=left))
+            records.append(replace(known.moving, time=now, expected=left))
         if known.stuck is not None:
-            rows.append(replace(known.stuck, time=now))
-        return rows
+            records.append(replace(known.stuck, time=now))
+        return records
 
     @Slot(object)
     def _on_reported(self, report: object) -> None:
@@ -130,6 +124,8 @@ class AracnaRecorder(RecordThread[Row]):
         if self.recording and self._robot.link is ConnectionState.DISCONNECTED:
             self.end_because(self.tr("The recording {0} has ended with the connection."))
         elif self.recording and self._robot.motors != self._motors:
-            self.end_because(self.tr("The recording {0} has ended: the robot has other motors."))
+            self.end_because(
+                self.tr("The recording {0} has ended: the number of motors has changed.")
+            )
         else:
             self.changed.emit()

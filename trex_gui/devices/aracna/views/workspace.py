@@ -60,7 +60,7 @@ class AracnaWorkspace(Workspace):
         for title, page in pages.items():
             tabs.addTab(ScrollBox(page, self), title)
         self.recordings = AracnaRecordings(robot, self)
-        self.recordings.take_drops(frame, self)
+        self.recordings.accept_drops(frame, self)
         bar = RobotBar(robot, self)
         self._way = way
         self._demo = RobotPanel(way, frame)
@@ -132,7 +132,7 @@ class AracnaWorkspace(Workspace):
             "aracna_play": self._play,
             "aracna_end": self._robot.end_play,
             "aracna_record": self.recordings.toggle,
-            "aracna_open_recording": self.recordings.ask_and_open,
+            "aracna_open_recording": self.recordings.choose_and_open,
             "aracna_limits": self._robot.limits.reset,
             **{f"aracna_page{index}": page(index) for index in range(self.pages.count())},
             "aracna_new": files.new,

@@ -13,6 +13,7 @@ import click
 
 from trex_gui.core.cli.console import CommandFailed, Interruption, UsageError, say
 from trex_gui.core.errors import BadReply, NoReply
+from trex_gui.core.recording.kinds import SampleKind
 from trex_gui.devices.trex.cli.common import identify, link_options, link_settings, open_line
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import ask
@@ -28,17 +29,8 @@ from trex_gui.devices.trex.client.telemetry import (
     poll,
 )
 from trex_gui.devices.trex.protocol.commands import GetMode
-from trex_gui.devices.trex.protocol.flags import CHANNELS, Mode, Status, UartError
-from trex_gui.devices.trex.recording.columns import (
-    ampere,
-    channel_columns,
-    current_column,
-    measured_columns,
-    news_columns,
-    physical,
-    status_column,
-    uart_column,
-)
+from trex_gui.devices.trex.protocol.flags import Mode
+from trex_gui.devices.trex.recording import measured_columns, sample_kinds
 from trex_gui.devices.trex.session.polling import Schedule, rates
 
 _FLUSH = 0.25
@@ -126,45 +118,32 @@ class _Table:
     mode: Mode
     unit: float
     row: Row = field(init=False)
-    _lacks: set[type[Sample]] = field(default_factory=lambda: {Raw, Remapped, Control})
+    _kinds: dict[type[Any], SampleKind] = field(init=False)
+    _missing: set[type[Any]] = field(default_factory=lambda: {Raw, Remapped, Control})
 
     def __post_init__(self) -> None:
-        self.row = dict.fromkeys(["time_s", *measured_columns(self.mode.source)])
-        self._clear_news()
+        kinds = sample_kinds(self.mode.source, self.unit)
+        self._kinds = {kind.type: kind for kind in kinds}
+        self.row = dict.fromkeys(["time_s", *measured_columns(kinds)])
+        self._clear_status()
 
-    def _clear_news(self) -> None:
-        self.row |= dict.fromkeys(news_columns(), 0)
+    def _clear_status(self) -> None:
+        self.row |= dict.fromkeys(self._kinds[LatchedStatus].exported, 0)
 
     def take(self, sample: Sample) -> bool:
-        """Take a sample; return whether it completes a row that lacks nothing."""
-        source = self.mode.source
-        self._lacks.discard(type(sample))
-        match sample:
-            case Currents(counts=counts):
-                for motor, count in enumerate(counts, start=1):
-                    self.row[current_column(motor)] = ampere(count, self.unit)
-                return not self._lacks
-            case Raw(counts=raw):
-                for channel, count_or_none in zip(CHANNELS, raw, strict=True):
-                    as_counts, in_unit, _ = channel_columns(source, channel)
-                    self.row[as_counts] = count_or_none
-                    self.row[in_unit] = physical(source, count_or_none)
-            case Remapped(values=values):
-                for channel, value in zip(CHANNELS, values, strict=True):
-                    self.row[channel_columns(source, channel)[2]] = value
-            case Control(by_serial=by_serial):
-                self.row["serial_controls"] = int(by_serial)
-            case ModeSample():
-                pass
-            case LatchedStatus(status=status, uart=uart):
-                self.row |= {status_column(bit): 1 for bit in Status if bit & status}
-                self.row |= {uart_column(bit): 1 for bit in UartError if bit & uart}
-        return False
+        """Take a sample; return whether it completes a row."""
+        self._missing.discard(type(sample))
+        cells = self._kinds[type(sample)].cells(sample)
+        if isinstance(sample, LatchedStatus):
+            self.row |= {name: 1 for name, value in cells.items() if value}
+        elif not isinstance(sample, ModeSample):
+            self.row |= cells
+        return isinstance(sample, Currents) and not self._missing
 
     def finish(self, time: float) -> Row:
-        """Return the row as of now; news are told once."""
+        """Return the row as of now; status bits are written once."""
         row = {**self.row, "time_s": round(time, 4)}
-        self._clear_news()
+        self._clear_status()
         return row
 
 

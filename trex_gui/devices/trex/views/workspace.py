@@ -24,7 +24,7 @@ from trex_gui.devices.trex.views.pages.currents import CurrentsPage
 from trex_gui.devices.trex.views.pages.motors.page import MotorsPage
 from trex_gui.devices.trex.views.pages.parameters.page import ParametersPage
 from trex_gui.devices.trex.views.pages.status import StatusPage
-from trex_gui.devices.trex.views.recordings.recordings import SUFFIXES, Recordings
+from trex_gui.devices.trex.views.recordings import Recordings
 from trex_gui.devices.trex.views.review.defaults_dialog import DefaultsDialog
 from trex_gui.devices.trex.views.review.power_cycle_dialog import PowerCycleDialog
 from trex_gui.devices.trex.views.review.review_dialog import ReviewDialog
@@ -33,7 +33,7 @@ from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.device_kind import TREX
 from trex_gui.ui.frame.workspace import FileKind, Workspace
 from trex_gui.ui.traffic.page import TrafficPage
-from trex_gui.ui.widgets.file_drop import TEXT, FileDrop
+from trex_gui.ui.widgets.file_drop import TEXT
 from trex_gui.ui.widgets.inline_prompt import InlinePrompt, PromptAnswer
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -98,7 +98,7 @@ class TrexWorkspace(Workspace):
         self._bench = BenchOpener(device, frame)
 
         self._files.staged.connect(lambda: tabs.setCurrentIndex(parameters_index))
-        FileDrop(frame, SUFFIXES).dropped.connect(self._recordings.open_file)
+        self._recordings.accept_drops(frame, self)
         self._recordings.settings_wanted.connect(self._files.open_editor)
         self._recordings.changed.connect(self._on_recording_changed)
         self._bar.apply_requested.connect(self._review.review)
@@ -162,7 +162,7 @@ class TrexWorkspace(Workspace):
             "open": self._files.ask_and_open,
             "history": self._history.open_history,
             "record": self._recordings.toggle,
-            "open_recording": self._recordings.ask_and_open,
+            "open_recording": self._recordings.choose_and_open,
             "save": self._files.ask_and_save,
             "print": self._files.preview,
             "export": self._files.ask_and_export,

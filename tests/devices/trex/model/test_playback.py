@@ -1,6 +1,6 @@
 """Looking at a recording without a device."""
 
-from bisect import bisect_right
+import csv
 from collections import deque
 from collections.abc import Iterator
 from copy import deepcopy
@@ -12,15 +12,25 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QObject, QThread, QTimer, Slot
 from pytestqt.qtbot import QtBot
 
-from tests.devices.trex.recording.samples import HEADER, an_hour, read, write, write_an_hour_of_csv
+from tests.devices.trex.recording.samples import (
+    HEADER,
+    an_hour,
+    open_recording,
+    write,
+    write_an_hour,
+)
 from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Currents, Raw, Remapped
-from trex_gui.devices.trex.model.recordings.playback import Playback, limits_in
+from trex_gui.devices.trex.model.playback import Playback, limits_in
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.flags import Mode
-from trex_gui.devices.trex.recording.files import open_recording
-from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord, SettingsSeen
-from trex_gui.devices.trex.recording.replay import Latest
+from trex_gui.devices.trex.recording import (
+    BoardSnapshot,
+    Record,
+    SetpointRecord,
+    SettingsSnapshot,
+)
 from trex_gui.ui.devices.event_log import EventKind
 from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.file_worker import FileWorker
@@ -68,9 +78,9 @@ def test_progress_of_reading_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
 def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) -> None:
     random = Random(3)
     places = [random.uniform(0, 60) for _ in range(60)]
-    straight = Latest(HEADER.mode, HEADER.settings)
+    straight = BoardSnapshot(HEADER.mode, HEADER.settings)
     records = deque(an_hour(60))
-    expected: dict[float, Latest] = {}
+    expected: dict[float, BoardSnapshot] = {}
     for place in sorted(places):
         minute.set_position(T0 + place)
         while records and records[0].time <= minute.position:
@@ -78,7 +88,7 @@ def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) ->
         expected[place] = deepcopy(straight)
     for place in [*sorted(places, reverse=True), *places]:
         minute.set_position(T0 + place)
-        assert minute.latest() == expected[place]
+        assert minute.state() == expected[place]
 
 
 def test_traces_hold_every_pair_of_currents(minute: Playback) -> None:
@@ -107,10 +117,10 @@ def test_traces_hold_channels_and_setpoints(tmp_path: Path, qtbot: QtBot) -> Non
     assert traces.value_at("channel5", T0 + 0.15) == -5
     assert traces.value_at("motor2_setpoint", T0 + 0.3) == 0
     playback.set_position(T0 + 0.15)
-    assert playback.latest().wishes == {2: Drive.at(-70)}
-    assert playback.latest().raw == (3750, None, 1, 2, 3)
+    assert playback.state().setpoints == {2: Drive.at(-70)}
+    assert playback.state().raw == (3750, None, 1, 2, 3)
     playback.set_position(T0 + 0.25)
-    assert playback.latest().wishes == {}
+    assert playback.state().setpoints == {}
     playback.close()
 
 
@@ -120,7 +130,7 @@ def test_settings_follow_the_position_and_events_are_sorted(tmp_path: Path, qtbo
         tmp_path / "a.trexrec",
         qtbot,
         Marker(T0 + 1, "apply", "Apply: Motor 1 Current Limit"),
-        SettingsSeen(T0 + 1.1, later),
+        SettingsSnapshot(T0 + 1.1, later),
         Marker(T0 + 2, "word of a later program", "something"),
         Marker(T0 + 0.5, "fault", "Motor 1 fault"),
         Currents(T0 + 3, (0, 0)),
@@ -130,10 +140,10 @@ def test_settings_follow_the_position_and_events_are_sorted(tmp_path: Path, qtbo
         (1, EventKind.APPLY),
         (2, EventKind.NOTE),
     ]
-    assert playback.latest().settings == HEADER.settings
+    assert playback.state().settings == HEADER.settings
     playback.set_position(T0 + 2)
-    assert playback.latest().settings == later
-    assert playback.latest().mode is Mode.SERIAL_RC
+    assert playback.state().settings == later
+    assert playback.state().mode is Mode.SERIAL_RC
     assert playback.traces.events_between(T0, T0 + 0.7) == playback.events[:1]
     playback.close()
 
@@ -179,27 +189,36 @@ def test_span_is_exported_as_csv_or_fails_with_a_reason(
     begin, end = T0 + 20, T0 + 35.5
     with qtbot.waitSignal(minute.exported, timeout=20_000):
         minute.export(tmp_path / "span.csv", begin, end)
-    file = open_recording(tmp_path / "span.csv")
-    found = read(file)
-    wanted = [record for record in an_hour(60) if begin <= record.time <= end]
-    assert len(found) == len(wanted)
-    assert [type(record) for record in found] == [type(record) for record in wanted]
-    times = [record.time for record in wanted]
-    assert bisect_right(times, begin) == 0
-    assert found[0].time == pytest.approx(wanted[0].time, abs=2e-6)
-    file.close()
+    with (tmp_path / "span.csv").open(encoding="utf-8", newline="") as file:
+        header, *rows = csv.DictReader(file)
+    wanted = [record.time - T0 for record in an_hour(60) if begin <= record.time <= end]
+    assert [float(row["time_s"]) for row in rows] == pytest.approx(wanted, abs=2e-6)
+    assert header["sample"] == "header"
 
     with qtbot.waitSignal(minute.failed) as failed:
         minute.export(tmp_path / "none" / "span.csv", T0, T0 + 1)
     assert "cannot be written: No such file" in failed.args[0]
-    assert minute.exporting is None
+    assert not minute.is_exporting
+
+
+def test_export_header_has_the_settings_at_its_start(tmp_path: Path, qtbot: QtBot) -> None:
+    later = "product: TReX\nmotor1_current_limit: 20\n"
+    playback = playback_of(
+        tmp_path / "a.trexrec",
+        qtbot,
+        SettingsSnapshot(T0 + 1, later),
+        Currents(T0 + 3, (0, 0)),
+    )
+    assert playback.export_header(T0 + 0.5)["settings"] == HEADER.settings
+    assert playback.export_header(T0 + 2)["settings"] == later
+    playback.close()
 
 
 def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
     playback = playback_of(tmp_path / "a.trexrec", qtbot)
     assert playback.is_loaded
     assert playback.position == playback.end == T0
-    assert playback.latest() == Latest(HEADER.mode, HEADER.settings)
+    assert playback.state() == BoardSnapshot(HEADER.mode, HEADER.settings)
     playback.close()
 
 
@@ -214,8 +233,8 @@ def test_file_of_another_kind_is_rejected(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def hour(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    path = tmp_path_factory.mktemp("hour") / "hour.csv"
-    write_an_hour_of_csv(path)
+    path = tmp_path_factory.mktemp("hour") / "hour.trexrec"
+    write_an_hour(path)
     yield path
     path.unlink()
 
@@ -248,7 +267,7 @@ class Ticks(QObject):
 @pytest.mark.slow
 @pytest.mark.realtime
 @pytest.mark.timeout(300)  # a busy computer takes its time, and is not judged by it
-def test_window_responds_while_an_hour_of_csv_is_read(hour: Path, qtbot: QtBot) -> None:
+def test_window_responds_while_an_hour_is_read(hour: Path, qtbot: QtBot) -> None:
     assert any(responds_while_reading(hour, qtbot) for _ in range(TRIES))
 
 
@@ -310,20 +329,20 @@ def test_close_while_reading_ends_the_thread(
 def test_read_error_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "a.trexrec"
     write(path, list(an_hour(5)))
-    playback = Playback(open_recording(path, head_only=True), path)
-    playback._file.close()
+    playback = Playback(open_recording(path))
+    playback._recording.close()
     with qtbot.waitSignal(playback.failed, timeout=20_000) as failed:
-        playback.start_reading()
-    assert "a.trexrec, byte 0: It cannot be read" in failed.args[0]
+        playback.start_loading()
+    assert "a.trexrec: It cannot be read" in failed.args[0]
     playback.close()
 
 
 def test_last_samples_of_a_long_recording_are_drawn(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "a.trexrec"
     write(path, list(an_hour(120)))
-    playback = Playback(open_recording(path, head_only=True), path, most_rows=5000)
+    playback = Playback(open_recording(path), max_rows=5000)
     with qtbot.waitSignal(playback.loaded, timeout=20_000):
-        playback.start_reading()
+        playback.start_loading()
     currents = [record for record in an_hour(120) if isinstance(record, Currents)]
     assert playback.drawn == (5000, len(currents))
     times, _ = playback.traces.samples(playback.start, playback.end)
@@ -332,7 +351,7 @@ def test_last_samples_of_a_long_recording_are_drawn(tmp_path: Path, qtbot: QtBot
 
 
 @pytest.mark.realtime
-@pytest.mark.parametrize("how", ["close", "cancel_export"])
+@pytest.mark.parametrize("how", ["close", "cancel"])
 def test_cancelled_export_keeps_the_existing_file(tmp_path: Path, qtbot: QtBot, how: str) -> None:
     write(tmp_path / "minute.trexrec", list(an_hour(240)))
     path = tmp_path / "span.csv"
@@ -351,7 +370,7 @@ def is_cancelled(path: Path, playback: Playback, qtbot: QtBot, how: str) -> bool
     had_begun = bool(list(path.parent.glob(".span.csv.*.part")))
     getattr(playback, how)()
     qtbot.waitUntil(lambda: not list(path.parent.glob(".span.csv.*")))
-    qtbot.waitUntil(lambda: not playback.busy)
-    assert playback.exporting is None
+    qtbot.waitUntil(lambda: playback.working is None)
+    assert not playback.is_exporting
     playback.close()
     return had_begun and done == []

@@ -1,5 +1,6 @@
 """The window that shows a recording."""
 
+import csv
 from pathlib import Path
 
 import pytest
@@ -19,14 +20,20 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from tests.devices.trex.recording.samples import HEADER, an_hour, read, write, write_an_hour_of_csv
+from tests.devices.trex.recording.samples import (
+    HEADER,
+    an_hour,
+    open_recording,
+    write,
+    write_an_hour,
+)
 from tests.support.window import WidgetDriver
+from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.recordings.playback import Playback
+from trex_gui.devices.trex.model.playback import Playback
 from trex_gui.devices.trex.protocol.commands import Drive
-from trex_gui.devices.trex.recording.files import open_recording
-from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord, SettingsSeen
-from trex_gui.devices.trex.views.recordings.window import PlaybackWindow
+from trex_gui.devices.trex.recording import Record, SetpointRecord, SettingsSnapshot
+from trex_gui.devices.trex.views.playback import PlaybackWindow
 from trex_gui.ui.playback.formats import size_text, time_text
 from trex_gui.ui.plotting.plot import TracePlot
 
@@ -37,7 +44,7 @@ LATER = "product: TReX\ndevice_number: 9\n"
 def _minute() -> list[Record]:
     extra: list[Record] = [
         SetpointRecord(T0 + 20.0, 1, Drive.at(-55)),
-        SettingsSeen(T0 + 30.0, LATER),
+        SettingsSnapshot(T0 + 30.0, LATER),
         Marker(T0 + 30.0, "apply", "Apply: Device Number"),
         Marker(T0 + 45.0, "fault", "Motor 1 fault"),
     ]
@@ -86,8 +93,8 @@ def test_values_follow_slider_keys_and_events(window: RecordingWindow) -> None:
     slider.setValue(2500)
     assert window.playback.position == pytest.approx(T0 + 25)
     assert window.text("timeLabel").startswith("0:00:25.0 / ")
-    assert window.text("motor1WishAtPosition") == "−55"
-    assert window.text("motor2WishAtPosition") == "–"
+    assert window.text("motor1SetpointAtPosition") == "−55"
+    assert window.text("motor2SetpointAtPosition") == "–"
     assert window.text("channel1PhysicalAtPosition") in {"1499 µs", "1500 µs", "1501 µs"}
     assert window.text("channel5RawAtPosition") == "no signal"
     assert window.text("motor1CurrentAtPosition").endswith(" A")
@@ -138,13 +145,19 @@ def test_shown_span_is_exported_as_csv_and_pictures(
     window.plot.show_span(T0 + 10, T0 + 20)
     with window.qtbot.waitSignal(window.playback.exported, timeout=20_000):
         window.window.export(tmp_path / "span.csv")
-    file = open_recording(tmp_path / "span.csv")
-    times = [record.time for record in read(file)]
-    assert T0 + 10 <= min(times) < T0 + 10.1
-    assert T0 + 19.9 < max(times) <= T0 + 20
-    file.close()
+    with (tmp_path / "span.csv").open(encoding="utf-8", newline="") as file:
+        times = [float(row["time_s"]) for row in csv.DictReader(file)][1:]
+    assert 10 <= min(times) < 10.1
+    assert 19.9 < max(times) <= 20
+    with window.qtbot.waitSignal(window.playback.exported, timeout=20_000):
+        window.window.export(tmp_path / "span.mcap")
+    assert (tmp_path / "span.mcap").read_bytes().startswith(b"\x89MCAP")
+    monkeypatch.setattr("trex_gui.ui.playback.window.has_mcap", lambda: False)
+    window.window.export(tmp_path / "other.mcap")
+    assert "pip install trex-gui[mcap]" in window.text("bannerText")
+    assert not (tmp_path / "other.mcap").exists()
     window.window.export(window.playback.path)
-    assert "cannot be written over" in window.text("bannerText")
+    assert "cannot be overwritten" in window.text("bannerText")
 
     window.plot.show_span(T0, T0 + 59)  # with events
     button = window.find(QToolButton, "pictureButton")
@@ -198,8 +211,8 @@ def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:
 
 @pytest.mark.realtime
 def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBot) -> None:
-    path = tmp_path / "long.csv"
-    write_an_hour_of_csv(path, 10)
+    path = tmp_path / "long.trexrec"
+    write_an_hour(path, 10)
     window = half_read(path, qtbot)
     assert window.has("recordingProgress")
     bar = window.find(QProgressBar, "recordingProgress")
@@ -215,8 +228,8 @@ def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBo
 def test_missing_part_of_a_recording_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "long.trexrec"
     write(path, _minute())
-    playback = Playback(open_recording(path, head_only=True), path, most_rows=4100)
-    playback.start_reading()
+    playback = Playback(open_recording(path), max_rows=4100)
+    playback.start_loading()
     window = RecordingWindow.open(playback, qtbot)
     window.wait(lambda: playback.is_loaded)
     last, there = QLocale().toString(4100), QLocale().toString(playback.drawn[1])
@@ -228,7 +241,7 @@ def test_missing_part_of_a_recording_is_reported(tmp_path: Path, qtbot: QtBot) -
     write(cut, _minute(), finish=False)
     cut.write_bytes(cut.read_bytes()[:-100])
     damaged = RecordingWindow.open(Playback.open(cut), qtbot)
-    damaged.wait_for_text("bannerText", "not whole")
+    damaged.wait_for_text("bannerText", "not complete")
     assert "It was not ended" in damaged.text("bannerText")
     damaged.window.close()
 

@@ -1,4 +1,4 @@
-"""Beginning and ending recordings of a board, and opening those that were made."""
+"""Recording a board and opening its recordings."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -7,19 +7,17 @@ from PySide6.QtCore import QCoreApplication, Signal, Slot
 from PySide6.QtWidgets import QWidget
 
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.recordings.playback import Playback
-from trex_gui.devices.trex.model.recordings.recorder import Recorder
+from trex_gui.devices.trex.model.playback import Playback
+from trex_gui.devices.trex.model.recorder import Recorder
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.ui.playback.keeper import RecordingManager, RecordingWords
+from trex_gui.ui.playback.manager import RecordingManager, RecordingTexts
 
 if TYPE_CHECKING:
-    from trex_gui.devices.trex.views.recordings.window import PlaybackWindow
-
-SUFFIXES = frozenset({".trexrec", ".csv"})
+    from trex_gui.devices.trex.views.playback import PlaybackWindow
 
 
 class Recordings(RecordingManager[Recorder, "PlaybackWindow"]):
-    """Asks where to record and what to open, and owns the windows of open recordings.
+    """Records a board and owns the windows of its recordings.
 
     Signals:
         settings_wanted: a `SettingsDocument` to open in the settings editor.
@@ -28,13 +26,13 @@ class Recordings(RecordingManager[Recorder, "PlaybackWindow"]):
     settings_wanted = Signal(object)
 
     def __init__(self, device: Device, window: QWidget) -> None:
-        super().__init__(Recorder(device), _words(), device.notifier, window, store="recording")
+        super().__init__(Recorder(device), _texts(), device.notifier, window, store="recording")
         self._device = device
 
     def open_window(self, path: Path) -> "PlaybackWindow":
         playback = Playback.open(path)
         # The plotting library takes as long to load as all of Qt: not before it is needed.
-        from trex_gui.devices.trex.views.recordings.window import PlaybackWindow  # noqa: PLC0415
+        from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
 
         window = PlaybackWindow(playback, self._device)
         window.settings_wanted.connect(self._on_settings_wanted)
@@ -45,16 +43,12 @@ class Recordings(RecordingManager[Recorder, "PlaybackWindow"]):
         self.settings_wanted.emit(SettingsDocument(text, name))
 
 
-def _words() -> RecordingWords:
+def _texts() -> RecordingTexts:
     def tr(text: str) -> str:
         return QCoreApplication.translate("Recordings", text)
 
-    return RecordingWords(
+    return RecordingTexts(
         stem="trex",
-        kinds={
-            tr("Compact recording (*.trexrec)"): ".trexrec",
-            tr("CSV for spreadsheets (*.csv)"): ".csv",
-        },
-        nothing=tr("Nothing can be recorded: no board is connected."),
-        shown_by=tr("File, Open recording"),
+        unavailable=tr("Nothing can be recorded: no board is connected."),
+        open_command=tr("File, Open recording"),
     )

@@ -6,18 +6,20 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from tests.devices.trex.recording.samples import open_recording, read_file
 from tests.support.simulator import SimulatedDevice
 from trex_gui.core.recording.backlog import Backlog
+from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Control, Currents, ModeSample, Raw, Remapped
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.recordings.recorder import Recorder
+from trex_gui.devices.trex.model.recorder import Recorder
 from trex_gui.devices.trex.protocol.commands import Drive
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.recording.files import open_recording
-from trex_gui.devices.trex.recording.recording import Marker, Record, SetpointRecord, SettingsSeen
+from trex_gui.devices.trex.recording import Record, SetpointRecord, SettingsSnapshot
 from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection_state import ConnectionState
 from trex_gui.ui.devices.event_log import EventKind
+from trex_gui.ui.runtime import now
 
 
 class RecorderSetup:
@@ -60,28 +62,22 @@ def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Recorder
 
 
 def everything(path: Path) -> list[Record]:
-    file = open_recording(path)
-    records = [record for index in range(len(file.blocks)) for record in file.read(index)]
-    assert file.problems == []
-    file.close()
+    _, records, problems = read_file(path)
+    assert problems == []
     return records
 
 
-@pytest.mark.parametrize("suffix", [".trexrec", ".csv"])
-def test_every_reported_sample_is_recorded(
-    session: RecorderSetup, tmp_path: Path, suffix: str
-) -> None:
-    path = tmp_path / f"session{suffix}"
+def test_every_reported_sample_is_recorded(session: RecorderSetup, tmp_path: Path) -> None:
+    path = tmp_path / "session.trexrec"
     assert session.recorder.start(path)
     session.wait(lambda: len(session.samples) > 400)
     session.end_recording()
-    records = everything(path)
     samples = [
-        r for r in records if isinstance(r, Currents | Raw | Remapped | Control | ModeSample)
+        record
+        for record in everything(path)
+        if isinstance(record, Currents | Raw | Remapped | Control | ModeSample)
     ]
-    if suffix == ".trexrec":
-        assert samples == session.samples[: len(samples)]
-    assert len(samples) == len(session.samples)
+    assert samples == session.samples
     assert session.recorder.size == path.stat().st_size
     assert {Currents, Raw, Remapped, Control} <= {type(sample) for sample in samples}
 
@@ -115,15 +111,15 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
         device.apply()
     session.end_recording()
     records = everything(path)
-    wishes = [record for record in records if isinstance(record, SetpointRecord)]
-    assert [(wish.motor, wish.drive) for wish in wishes] == [(1, Drive.at(40))]
+    setpoints = [record for record in records if isinstance(record, SetpointRecord)]
+    assert [(one.motor, one.drive) for one in setpoints] == [(1, Drive.at(40))]
     kinds = [record.kind for record in records if isinstance(record, Marker)]
     assert {EventKind.STOP.value, EventKind.APPLY.value} <= set(kinds)
-    (seen,) = [record for record in records if isinstance(record, SettingsSeen)]
+    (seen,) = [record for record in records if isinstance(record, SettingsSnapshot)]
     assert "serial_timeout: 9 " in seen.text
     times = [record.time for record in records]
     assert max(times) - min(times) < 60
-    assert min(times) <= wishes[0].time < seen.time <= max(times)
+    assert min(times) <= setpoints[0].time < seen.time <= max(times)
 
 
 def test_disconnecting_ends_the_recording_intact(session: RecorderSetup, tmp_path: Path) -> None:
@@ -163,17 +159,27 @@ def test_recording_ends_when_the_input_source_changes(
 
 
 def test_full_disk_fails_the_recording_but_not_the_connection(
-    session: RecorderSetup, tmp_path: Path
+    session: RecorderSetup, tmp_path: Path, full_disk: None
 ) -> None:
-    full = Path("/dev/full")
-    if not full.exists():
-        pytest.skip("this system has no disk that is always full")
     with session.qtbot.waitSignal(session.recorder.failed, timeout=20_000) as failed:
-        session.recorder.start(full)
-    assert "No space left" in failed.args[0]
+        session.recorder.start(tmp_path / "a.trexrec")
+    assert "cannot be written: No space left" in failed.args[0]
     session.wait(lambda: session.recorder.can_record)
     samples = session.device.telemetry.samples
     session.wait(lambda: session.device.telemetry.samples > samples)
+
+
+def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: Path) -> None:
+    path = tmp_path / "a.trexrec"
+    session.recorder.start(path)
+    session.wait(lambda: len(session.samples) > 50)
+    begin = now()
+    session.wait(lambda: now() > begin + 1)
+    recording = open_recording(path)
+    last = recording.read(recording.count - 20, recording.count)[-1]
+    recording.close()
+    assert last.time > begin
+    session.end_recording()
 
 
 def test_missing_folder_is_reported(session: RecorderSetup, tmp_path: Path) -> None:
@@ -192,7 +198,7 @@ def test_recording_needs_a_connected_board(tmp_path: Path, qtbot: QtBot) -> None
 
 
 def test_slow_disk_drops_samples_and_marks_the_gap() -> None:
-    backlog: Backlog[Record] = Backlog(most=10)
+    backlog: Backlog[Record] = Backlog(capacity=10)
     first: list[Record] = [Control(float(n), by_serial=True) for n in range(8)]
     backlog.put(first)
     backlog.put(first)  # has no room

@@ -1,0 +1,368 @@
+"""The recording as a database: what is written is read, crash and damage lose little."""
+
+import contextlib
+import shutil
+import sqlite3
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.devices.trex.recording.samples import (
+    HEADER,
+    an_hour,
+    open_recording,
+    read_all,
+    read_file,
+    records,
+    write,
+)
+from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.kinds import Marker
+from trex_gui.core.recording.store import CHUNK, RecordingWriter
+from trex_gui.devices.trex.client.telemetry import Currents
+from trex_gui.devices.trex.recording import FORMAT, Header, Record
+
+NOT_ENDED = ["It was not ended; samples of the last seconds may be missing."]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("recordings")
+
+
+@pytest.fixture(scope="module")
+def ten_seconds(folder: Path) -> tuple[bytes, list[Record]]:
+    """A recording of two chunks, and its records."""
+    what = list(an_hour(10))
+    write(folder / "ten.trexrec", what)
+    return (folder / "ten.trexrec").read_bytes(), what
+
+
+@settings(deadline=None)  # files on a disk that is shared with other tests
+@given(what=st.lists(records, max_size=60), step=st.integers(1, 20))
+def test_every_record_is_read_as_written(folder: Path, what: list[Record], step: int) -> None:
+    path = folder / "any.trexrec"
+    assert write(path, what, step=step) == path.stat().st_size
+    assert read_file(path) == (HEADER, what, [])
+
+
+@pytest.mark.slow
+def test_hour_at_full_rate_is_read_back_unchanged(folder: Path) -> None:
+    what = list(an_hour())
+    assert len(what) > 680_000
+    path = folder / "hour.trexrec"
+    assert write(path, what) == path.stat().st_size < 18_000_000
+    assert read_file(path) == (HEADER, what, [])
+
+
+def test_chunks_can_be_read_separately_and_backwards(folder: Path) -> None:
+    what = list(an_hour(60))
+    write(folder / "minute.trexrec", what)
+    recording = open_recording(folder / "minute.trexrec")
+    assert recording.count == len(what)
+    for first in reversed(range(1, len(what) + 1, CHUNK)):
+        assert recording.read(first, first + CHUNK - 1) == what[first - 1 : first + CHUNK - 1]
+    recording.close()
+
+
+def test_tables_are_readable_without_the_program(
+    folder: Path, ten_seconds: tuple[bytes, list[Record]]
+) -> None:
+    _, what = ten_seconds
+    with contextlib.closing(sqlite3.connect(folder / "ten.trexrec")) as database:
+        rows = database.execute("SELECT time_s, motor_1_current_A FROM currents").fetchall()
+        header = dict(database.execute("SELECT key, value FROM header"))
+        tables = database.execute("SELECT name, sql FROM sqlite_master WHERE type = 'table'")
+        schema = dict(tables.fetchall())
+    currents = [record for record in what if isinstance(record, Currents)]
+    assert rows == [
+        (pytest.approx(one.time - HEADER.clock, abs=1e-6), pytest.approx(one.counts[0] * 0.15))
+        for one in currents
+    ]
+    assert (header["device"], header["device_name"]) == ("trex", "TReX 1.2")
+    assert header["ampere_per_count"] == HEADER.model.current_unit
+    assert {"raw", "remapped", "setpoint", "aux_setpoint", "marker", "settings"} < set(schema)
+    assert "motor_2_current_counts INTEGER NOT NULL, -- current of motor 2" in schema["currents"]
+
+
+# --- Crash, power failure, full disk ------------------------------------------------------
+
+
+def files_after_crash(folder: Path, name: str) -> Path:
+    """Copy a recording with its log, as a crash would leave them."""
+    crashed = folder / f"crashed_{name}"
+    crashed.mkdir(exist_ok=True)
+    for file in folder.glob(f"{name}.trexrec*"):
+        if not file.name.endswith("-shm"):
+            shutil.copy(file, crashed)
+    return crashed / f"{name}.trexrec"
+
+
+def test_committed_records_survive_a_crash(tmp_path: Path) -> None:
+    what = list(an_hour(2))
+    writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
+    writer.write(what[:100])
+    writer.commit()
+    writer.write(what[100:])
+    assert read_file(files_after_crash(tmp_path, "a")) == (HEADER, what[:100], NOT_ENDED)
+    writer.close()
+
+
+@settings(deadline=None, max_examples=30)  # files on a disk that is shared with other tests
+@given(share=st.floats(0, 1))
+def test_power_failure_keeps_records_up_to_the_last_sync(folder: Path, share: float) -> None:
+    """The log may end anywhere; the main file is complete up to the last sync."""
+    what = list(an_hour(3))
+    writer = RecordingWriter[Header, Record](folder / "power.trexrec", FORMAT, HEADER)
+    writer.write(what[:200])
+    writer.sync()
+    for first in range(200, len(what), 50):
+        writer.write(what[first : first + 50])
+        writer.commit()
+    path = files_after_crash(folder, "power")
+    writer.close()
+    log = path.with_name("power.trexrec-wal")
+    data = log.read_bytes()
+    log.write_bytes(data[: int(share * len(data))])
+    header, found, problems = read_file(path)
+    assert (header, problems) == (HEADER, NOT_ENDED)
+    assert found == what[: len(found)]
+    assert len(found) >= 200
+    assert len(found) % 50 == 0 or found == what
+
+
+def test_recording_without_its_log_is_readable(tmp_path: Path) -> None:
+    what = list(an_hour(2))
+    writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
+    writer.write(what[:100])
+    writer.sync()
+    writer.write(what[100:])
+    writer.commit()
+    path = files_after_crash(tmp_path, "a")
+    path.with_name("a.trexrec-wal").unlink()
+    assert read_file(path) == (HEADER, what[:100], NOT_ENDED)
+    writer.close()
+
+
+def test_recording_in_progress_can_be_read(tmp_path: Path) -> None:
+    what = list(an_hour(1))
+    path = tmp_path / "a.trexrec"
+    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
+    writer.write(what)
+    writer.commit()
+    recording = open_recording(path)
+    assert read_all(recording) == what
+    writer.write(what)
+    writer.finish()  # while it is read
+    writer.close()
+    recording.close()
+    assert read_file(path) == (HEADER, what * 2, [])
+
+
+def test_full_disk_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "a.trexrec"
+    writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
+    writer._database.execute("PRAGMA max_page_count = 40")
+    with pytest.raises(RecordingError, match=r"a\.trexrec: .*: No space left on device\."):
+        writer.write(list(an_hour(60)))
+    writer.close()
+    assert read_file(path) == (HEADER, [], NOT_ENDED)
+
+
+def test_existing_recording_is_replaced_with_its_log(tmp_path: Path) -> None:
+    path = tmp_path / "a.trexrec"
+    old = RecordingWriter[Header, Record](path, FORMAT, HEADER)
+    old.write(list(an_hour(5)))
+    old.commit()
+    shutil.copy(path.with_name("a.trexrec-wal"), tmp_path / "log")
+    old.close()
+    (tmp_path / "log").rename(path.with_name("a.trexrec-wal"))
+    write(path, [Marker(1300.0, "note", "new")])
+    assert read_file(path) == (HEADER, [Marker(1300.0, "note", "new")], [])
+    assert [file.name for file in tmp_path.iterdir()] == ["a.trexrec"]
+
+
+@pytest.mark.parametrize("name", ["/dev/full", "/dev/null"])
+def test_device_files_are_not_replaced(name: str) -> None:
+    if not Path(name).exists():
+        pytest.skip("this system has no such file")
+    with pytest.raises(RecordingError, match="not a regular file"):
+        RecordingWriter[Header, Record](Path(name), FORMAT, HEADER)
+
+
+# --- Damaged and foreign files ------------------------------------------------------------
+
+
+@settings(deadline=None)  # files on a disk that is shared with other tests
+@given(share=st.floats(0, 1))
+def test_cut_file_is_read_as_far_as_possible(
+    folder: Path, ten_seconds: tuple[bytes, list[Record]], share: float
+) -> None:
+    data, what = ten_seconds
+    path = folder / "cut.trexrec"
+    path.write_bytes(data[: int(share * (len(data) - 1))])
+    try:
+        header, found, problems = read_file(path)
+    except RecordingError:
+        return
+    assert header == HEADER
+    assert "The end of the file is missing." in problems
+    assert len(found) <= len(what)
+
+
+def test_cut_file_keeps_its_intact_samples(
+    folder: Path, ten_seconds: tuple[bytes, list[Record]]
+) -> None:
+    data, what = ten_seconds
+    path = folder / "half.trexrec"
+    path.write_bytes(data[: len(data) * 9 // 10])
+    _, found, problems = read_file(path)
+    assert problems
+    assert len(found) > len(what) // 4
+
+
+@settings(deadline=None)  # files on a disk that is shared with other tests
+@given(share=st.floats(0, 1), bits=st.integers(1, 255), second=st.floats(0, 1))
+def test_flipped_bytes_raise_only_recording_errors(
+    folder: Path,
+    ten_seconds: tuple[bytes, list[Record]],
+    share: float,
+    bits: int,
+    second: float,
+) -> None:
+    data, what = ten_seconds
+    path = folder / "flipped.trexrec"
+    damaged = bytearray(data)
+    for where in (share, second):
+        damaged[int(where * (len(data) - 1))] ^= bits
+    path.write_bytes(damaged)
+    with contextlib.suppress(RecordingError):
+        _, found, problems = read_file(path)
+        assert len(found) <= len(what) + 2
+        assert problems or len(found) >= len(what) - 400
+
+
+@settings(deadline=None)  # files on a disk that is shared with other tests
+@given(data=st.binary(max_size=400))
+def test_other_file_is_rejected_with_its_name(folder: Path, data: bytes) -> None:
+    path = folder / "other.trexrec"
+    for start in (b"", b"SQLite format 3\0"):
+        path.write_bytes(start + data)
+        with pytest.raises(RecordingError, match=r"other\.trexrec: "):
+            open_recording(path)
+
+
+def database(path: Path, *statements: str) -> None:
+    with contextlib.closing(sqlite3.connect(path)) as changed:
+        for statement in statements:
+            changed.execute(statement)
+        changed.commit()
+
+
+def test_other_database_is_rejected(tmp_path: Path) -> None:
+    path = tmp_path / "a.trexrec"
+    database(path, "CREATE TABLE header (key, value)")
+    with pytest.raises(RecordingError, match="not a TReX Studio recording"):
+        open_recording(path)
+
+
+@pytest.mark.parametrize(
+    ("statement", "message"),
+    [
+        ("PRAGMA user_version = 2", "format, 2, is not known. A later version"),
+        ("DROP TABLE raw", "The table raw is missing"),
+        ("ALTER TABLE mode RENAME COLUMN mode TO other", r"The column mode\.mode is missing"),
+        ("DELETE FROM header WHERE key = 'model'", r"the header is incomplete \('model'\)"),
+        ("UPDATE header SET value = 'no' WHERE key = 'model'", "the header is incomplete"),
+        ("UPDATE header SET value = 'soon' WHERE key = 'started_utc'", "Invalid isoformat"),
+        (
+            "UPDATE header SET value = 'Mule 2' WHERE key LIKE 'device%'",
+            "a recording of another device: Mule 2. It opens where .* choose its port or its demo",
+        ),
+    ],
+)
+def test_unusable_file_is_rejected_with_reason(
+    tmp_path: Path, statement: str, message: str
+) -> None:
+    path = tmp_path / "a.trexrec"
+    write(path, list(an_hour(1)))
+    database(path, statement)
+    with pytest.raises(RecordingError, match=message):
+        open_recording(path)
+
+
+@pytest.mark.parametrize(
+    ("statement", "problem"),
+    [
+        ("UPDATE mode SET mode = 'x'", "'x' is not a valid Mode"),
+        ("UPDATE mode SET clock_s = 'noon'", "its time is not a number"),
+        ("UPDATE mode SET mode = x'00'", "mode is not TEXT"),
+    ],
+)
+def test_damaged_record_is_skipped_and_reported(
+    tmp_path: Path, statement: str, problem: str
+) -> None:
+    path = tmp_path / "a.trexrec"
+    what = list(an_hour(0.9))
+    write(path, what)
+    database(path, statement)
+    _, found, (reported,) = read_file(path)
+    assert len(found) == len(what) - 1
+    assert reported.startswith("Record ")
+    assert problem in reported
+
+
+def test_absurd_record_number_does_not_hang(tmp_path: Path) -> None:
+    path = tmp_path / "a.trexrec"
+    write(path, list(an_hour(1)))
+    database(path, f"UPDATE mode SET record = {1 << 62}")
+    recording = open_recording(path)
+    assert recording.count <= path.stat().st_size
+    recording.close()
+
+
+def test_unreadable_path_raises_recording_error(folder: Path) -> None:
+    with pytest.raises(RecordingError, match="cannot be opened: No such file"):
+        open_recording(folder / "none.trexrec")
+    with pytest.raises(RecordingError):
+        open_recording(folder)
+    with pytest.raises(RecordingError, match="cannot be written: No such file"):
+        write(folder / "none" / "a.trexrec", [])
+
+
+def test_csv_export_is_rejected_with_explanation(folder: Path) -> None:
+    path = folder / "span.CSV"
+    path.write_text("time_s,sample\n", encoding="utf-8")
+    with pytest.raises(RecordingError, match="A CSV file is an export and cannot be opened"):
+        open_recording(path)
+
+
+def test_disk_that_fails_while_reading_is_reported(folder: Path) -> None:
+    write(folder / "a.trexrec", list(an_hour(1)))
+    recording = open_recording(folder / "a.trexrec")
+    recording.close()
+    with pytest.raises(RecordingError, match=r"a\.trexrec: It cannot be read"):
+        recording.read(1, CHUNK)
+
+
+def test_read_only_folder_is_readable(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first mode needs to write beside the file where a log was left; the second does not."""
+    what = list(an_hour(1))
+    writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
+    writer.write(what)
+    writer.sync()
+    connect = sqlite3.connect
+
+    def fail(location: str, **options: Any) -> sqlite3.Connection:
+        if "mode=ro" in location:
+            raise sqlite3.OperationalError("unable to open database file")
+        database: sqlite3.Connection = connect(location, **options)
+        return database
+
+    monkeypatch.setattr(sqlite3, "connect", fail)
+    assert read_file(tmp_path / "a.trexrec") == (HEADER, what, NOT_ENDED)
+    monkeypatch.undo()
+    writer.close()

@@ -1,0 +1,140 @@
+"""Exports of a recording: CSV for spreadsheets, MCAP for PlotJuggler and Foxglove."""
+
+import csv
+import io
+import json
+from collections.abc import Callable, Iterator, Mapping
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from trex_gui.core.files.atomic import atomic_file
+from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.kinds import SampleKind, Value
+from trex_gui.core.recording.store import CHUNK, ExportRow, Recording
+
+MCAP_SUFFIX = ".mcap"
+_JSON_TYPES = {"INTEGER": "integer", "REAL": "number", "TEXT": "string"}
+
+ProgressCallback = Callable[[float], None]
+
+
+def has_mcap() -> bool:
+    """Return whether the optional library for MCAP is installed."""
+    return find_spec("mcap") is not None
+
+
+def export_span(
+    recording: Recording[Any, Any],
+    path: Path,
+    span: tuple[float, float],
+    header: Mapping[str, Value],
+    progress: ProgressCallback = lambda _share: None,
+) -> None:
+    """Write the samples within a span (session's clock), as MCAP or CSV by suffix.
+
+    `progress` gets the share done, 0 to 1; an exception from it ends the work. A file of the same
+    name is replaced only by a complete one.
+
+    Raises:
+        RecordingError: the recording cannot be read, or the export cannot be written.
+    """
+    write = _write_mcap if path.suffix.lower() == MCAP_SUFFIX else _write_csv
+    try:
+        with atomic_file(path) as file:
+            write(recording, file, span, header, progress)
+    except OSError as error:
+        reason = error.strerror or error
+        raise RecordingError(str(path), f"It cannot be written: {reason}.") from error
+
+
+def _rows(
+    recording: Recording[Any, Any], span: tuple[float, float], progress: ProgressCallback
+) -> Iterator[list[ExportRow]]:
+    for first in range(1, recording.count + 1, CHUNK):
+        yield recording.export_rows(first, first + CHUNK - 1, *span)
+        progress(min(1.0, (first + CHUNK) / recording.count))
+
+
+def _write_csv(
+    recording: Recording[Any, Any],
+    file: BinaryIO,
+    span: tuple[float, float],
+    header: Mapping[str, Value],
+    progress: ProgressCallback,
+) -> None:
+    """Write a row for each sample: its time, its kind and all columns.
+
+    Held values are repeated until they change, so that a spreadsheet can plot one column against
+    another. The first row has the kind `header` and the header as JSON in `text`.
+    """
+    names = list(dict.fromkeys(name for kind in recording.kinds for name in kind.exported))
+    places = {name: place for place, name in enumerate(names)}
+    columns = [[places[name] for name in kind.exported] for kind in recording.kinds]
+    cleared = [_cleared(kind, recording.kinds, places) for kind in recording.kinds]
+    held: list[Value] = [None] * len(names)
+    text = io.TextIOWrapper(file, encoding="utf-8", errors="surrogatepass", newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["time_s", "sample", *names])
+    cells = held.copy()
+    cells[places["text"]] = json.dumps(header)
+    writer.writerow(["0.000000", "header", *cells])
+    for rows in _rows(recording, span, progress):
+        lines = []
+        for time, index, values in rows:
+            kind = recording.kinds[index]
+            for place in cleared[index]:
+                held[place] = None
+            cells = held if kind.held else held.copy()
+            for place, value in zip(columns[index], values, strict=True):
+                if value is not None or not kind.partial:
+                    cells[place] = value
+            lines.append((f"{time:.6f}", kind.name, *cells))
+        writer.writerows(lines)
+    text.flush()
+    text.detach()
+
+
+def _cleared(
+    kind: SampleKind, kinds: tuple[SampleKind, ...], places: Mapping[str, int]
+) -> list[int]:
+    return [places[name] for each in kinds if each.name in kind.clears for name in each.exported]
+
+
+def _write_mcap(
+    recording: Recording[Any, Any],
+    file: BinaryIO,
+    span: tuple[float, float],
+    header: Mapping[str, Value],
+    progress: ProgressCallback,
+) -> None:
+    """Write a topic for each sample kind, its messages in JSON with a schema."""
+    from mcap.writer import Writer  # noqa: PLC0415 - optional
+
+    writer = Writer(file)
+    writer.start(library="TReX Studio")
+    device = str(header.get("device", "recording"))
+    writer.add_metadata("recording", {name: str(value) for name, value in header.items()})
+    channels = []
+    for kind in recording.kinds:
+        name = f"{device}.{kind.name}"
+        schema = writer.register_schema(name, "jsonschema", json.dumps(_schema(kind)).encode())
+        channels.append(writer.register_channel(f"/{device}/{kind.name}", "json", schema))
+    started = round(recording.header.started.timestamp() * 1e9)
+    for rows in _rows(recording, span, progress):
+        for time, index, values in rows:
+            names = recording.kinds[index].exported
+            data = json.dumps(dict(zip(names, values, strict=True))).encode()
+            at = started + round(time * 1e9)
+            writer.add_message(channels[index], at, data, at)
+    writer.finish()  # type: ignore[no-untyped-call] # the library leaves it without
+
+
+def _schema(kind: SampleKind) -> dict[str, Any]:
+    properties: dict[str, Any] = {}
+    for column in kind.columns:
+        about = {"description": column.description}
+        properties[column.name] = {"type": [_JSON_TYPES[column.type], "null"], **about}
+        if column.physical is not None:
+            properties[column.physical.name] = {"type": ["number", "null"], **about}
+    return {"type": "object", "title": kind.name, "properties": properties}

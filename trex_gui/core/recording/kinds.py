@@ -1,0 +1,147 @@
+"""Sample kinds: the tables and columns of a recording, declared once for each device.
+
+The store, the exports and `trexcmd stream` take names, units and values from here.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Any, Generic, Literal, Protocol, TypeVar
+
+Value = int | float | str | None
+
+LONGEST_TEXT = 60_000
+"""Characters kept of a text; the settings of a board take 4,000."""
+
+
+class Timestamped(Protocol):
+    """Anything with a time on the session's clock (s)."""
+
+    @property
+    def time(self) -> float: ...
+
+
+class RecordingHeader(Protocol):
+    """Describes a recording; `clock` is the session's clock (s) at its start.
+
+    `values` are the rows of the header table: `device_name`, `started_utc`, `clock_s` and
+    whatever else the device has.
+    """
+
+    @property
+    def started(self) -> datetime: ...
+    @property
+    def clock(self) -> float: ...
+    def values(self) -> dict[str, Value]: ...
+
+
+HeaderT = TypeVar("HeaderT", bound=RecordingHeader)
+RecordT = TypeVar("RecordT", bound=Timestamped)
+
+
+@dataclass(frozen=True, slots=True)
+class Marker:
+    """An event: `kind` is a word such as `stop`, `text` a sentence for the user."""
+
+    time: float
+    kind: str
+    text: str
+
+
+def marker(time: float, kind: str, text: str) -> Marker:
+    """Return a marker, its text cut to what a recording keeps."""
+    return Marker(time, kind, text[:LONGEST_TEXT])
+
+
+@dataclass(frozen=True, slots=True)
+class Physical:
+    """A column computed from a stored one: `scale` times its value, to so many decimals."""
+
+    name: str
+    scale: float
+    digits: int
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A stored column; units are in the name or the description. `optional`: may be NULL."""
+
+    name: str
+    type: Literal["INTEGER", "REAL", "TEXT"]
+    description: str
+    physical: Physical | None = None
+    optional: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SampleKind:
+    """One kind of sample and its table.
+
+    Attributes:
+        type: class of the records.
+        pack: returns the values of a record in the order of `columns`.
+        unpack: makes a record of its time and these values; raises ValueError, KeyError or
+            TypeError where they are damaged.
+        held: whether a CSV row repeats the last values until they change.
+        partial: whether NULL leaves a held value unchanged.
+        clears: kinds whose held values are unknown after this one.
+    """
+
+    name: str
+    type: type[Any]
+    columns: tuple[Column, ...]
+    pack: Callable[[Any], Sequence[Value]]
+    unpack: Callable[..., Any]
+    held: bool = False
+    partial: bool = False
+    clears: frozenset[str] = frozenset()
+
+    @property
+    def exported(self) -> tuple[str, ...]:
+        """Names of all columns, each physical one behind the stored one."""
+        return tuple(name for column in self.columns for name in _names(column))
+
+    def cells(self, record: Timestamped) -> dict[str, Value]:
+        """Return the values of a record by exported name."""
+        cells: dict[str, Value] = {}
+        for column, value in zip(self.columns, self.pack(record), strict=True):
+            cells[column.name] = value
+            if (physical := column.physical) is not None:
+                count = value if isinstance(value, int | float) else None
+                cells[physical.name] = (
+                    None if count is None else round(count * physical.scale, physical.digits)
+                )
+        return cells
+
+
+def _names(column: Column) -> Iterator[str]:
+    yield column.name
+    if column.physical is not None:
+        yield column.physical.name
+
+
+MARKERS = SampleKind(
+    "marker",
+    Marker,
+    (
+        Column("marker_kind", "TEXT", "stop, fault, apply, link, note and so on"),
+        Column("text", "TEXT", "what happened"),
+    ),
+    lambda marker: (marker.kind, marker.text),
+    Marker,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingFormat(Generic[HeaderT]):
+    """What the recordings of a device hold.
+
+    Attributes:
+        device: key in the header table.
+        read_header: makes the header of its rows; raises ValueError where they are damaged.
+        kinds: sample kinds of a recording with this header.
+    """
+
+    device: str
+    read_header: Callable[[Mapping[str, Any]], HeaderT]
+    kinds: Callable[[HeaderT], Sequence[SampleKind]]

@@ -1,0 +1,70 @@
+"""What was known at any time of a recording, without reading it from the start."""
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from copy import copy
+from typing import Any, Generic, Protocol, TypeVar
+
+from trex_gui.core.recording.kinds import HeaderT, RecordT
+from trex_gui.core.recording.store import CHUNK, Recording
+
+
+class State(Protocol):
+    """Everything known; `copy.copy` of it is independent of later records."""
+
+    def take(self, record: Any, /) -> None: ...
+
+
+StateT = TypeVar("StateT", bound=State)
+
+
+class Replay(Generic[HeaderT, RecordT, StateT]):
+    """Keeps the state at the start of each chunk; belongs to one thread at a time."""
+
+    def __init__(self, recording: Recording[HeaderT, RecordT], initial: StateT) -> None:
+        self.recording = recording
+        self._states = [initial]
+        self._starts: list[float] = []
+        self._cached: tuple[int, Sequence[RecordT]] = (-1, ())
+
+    @property
+    def chunks(self) -> int:
+        """Number of chunks in the recording."""
+        return -(-self.recording.count // CHUNK)
+
+    @property
+    def progress(self) -> float:
+        """Share of the recording that was read, 0 to 1."""
+        return len(self._starts) / self.chunks if self.chunks else 1.0
+
+    def read_next(self) -> tuple[StateT, Sequence[RecordT]]:
+        """Read one more chunk; return the state before it (a copy) and its records."""
+        index = len(self._starts)
+        records = self._read(index)
+        before = self._states[-1]
+        state = copy(before)
+        for record in records:
+            state.take(record)
+        previous = self._starts[-1] if self._starts else float("-inf")
+        self._starts.append(records[0].time if records else previous)
+        self._states.append(state)
+        return copy(before), records
+
+    def at(self, time: float) -> StateT:
+        """Return what was known at a time, as far as the recording was read.
+
+        Raises:
+            RecordingError: the file cannot be read any more.
+        """
+        index = max(0, bisect_right(self._starts, time) - 1)
+        state = copy(self._states[index])
+        if self._starts:
+            if self._cached[0] != index:
+                self._cached = (index, self._read(index))
+            for record in self._cached[1]:
+                if record.time <= time:
+                    state.take(record)
+        return state
+
+    def _read(self, index: int) -> Sequence[RecordT]:
+        return self.recording.read(index * CHUNK + 1, (index + 1) * CHUNK)

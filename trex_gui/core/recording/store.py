@@ -1,0 +1,384 @@
+"""Recordings as SQLite databases: a header table and a table for each sample kind.
+
+Every table has `record` (number in order of arrival, unique in the file), `clock_s` (session's
+clock), `time_s` (from the start of the recording) and the columns of its kind. Physical values
+are generated columns. Comments in the schema document every column.
+"""
+
+import contextlib
+import errno
+import os
+import sqlite3
+import struct
+from collections.abc import Iterator, Sequence
+from operator import itemgetter
+from pathlib import Path
+from types import NoneType
+from typing import Any, Generic, cast
+
+from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.kinds import (
+    HeaderT,
+    RecordingFormat,
+    RecordT,
+    SampleKind,
+    Timestamped,
+    Value,
+)
+
+SUFFIX = ".trexrec"
+APPLICATION_ID = 0x54524543
+"""`TREC`, at offset 68 of the file."""
+
+SCHEMA_VERSION = 1
+CHUNK = 1000
+"""Records read at a time."""
+
+_TYPES = {"INTEGER": int, "REAL": float, "TEXT": str}
+_MAGIC = b"SQLite format 3\0"
+_HEAD = struct.Struct(">16xH10xI")
+"""Page size and number of pages of a database."""
+
+_LONGEST_VALUE = 1 << 20
+_MOST_PROBLEMS = 20
+_NOT_A_RECORDING = "This is not a TReX Studio recording."
+_ENDED = "ended_utc_s"
+
+ExportRow = tuple[float, int, tuple[Value, ...]]
+"""Time from the start (s), index of the kind, values of its exported columns."""
+
+
+def reason_of(error: Exception) -> str:
+    """Return the cause of an error of the file system or of SQLite."""
+    if getattr(error, "sqlite_errorcode", None) == sqlite3.SQLITE_FULL:
+        return os.strerror(errno.ENOSPC)
+    return str(getattr(error, "strerror", None) or error)
+
+
+@contextlib.contextmanager
+def _reported(path: Path, message: str) -> Iterator[None]:
+    """Turn errors of file system and SQLite into RecordingError."""
+    try:
+        yield
+    except (OSError, ValueError, sqlite3.Error) as error:
+        raise RecordingError(str(path), f"{message}: {reason_of(error)}.") from error
+
+
+# --- Writing ----------------------------------------------------------------------------
+
+
+class RecordingWriter(Generic[HeaderT, RecordT]):
+    """Writes a recording; belongs to one thread. A file of the same name is replaced.
+
+    After a crash of the program everything committed is kept; after a power failure, everything
+    up to the last `sync`. All methods raise RecordingError where the disk fails.
+    """
+
+    def __init__(self, path: Path, fmt: RecordingFormat[HeaderT], header: HeaderT) -> None:
+        self._path = path
+        self._count = 0
+        self._kinds: dict[type[object], tuple[SampleKind, str]] = {}
+        with _reported(path, "It cannot be written"):
+            _replace(path)
+            self._database = sqlite3.connect(path, isolation_level=None)
+            try:
+                self._create(fmt, header)
+            except BaseException:
+                self._database.close()
+                raise
+
+    def _create(self, fmt: RecordingFormat[HeaderT], header: HeaderT) -> None:
+        execute = self._database.execute
+        execute(f"PRAGMA application_id = {APPLICATION_ID}")
+        execute(f"PRAGMA user_version = {SCHEMA_VERSION}")
+        execute("PRAGMA journal_mode = WAL")
+        execute("PRAGMA synchronous = NORMAL")
+        execute("BEGIN")
+        execute("CREATE TABLE header (key TEXT PRIMARY KEY, value)")
+        values = {"device": fmt.device, **header.values()}
+        self._database.executemany("INSERT INTO header VALUES (?, ?)", values.items())
+        for kind in fmt.kinds(header):
+            execute(_create_table(kind, header.clock))
+            names = ", ".join(column.name for column in kind.columns)
+            marks = ", ?" * len(kind.columns)
+            insert = f"INSERT INTO {kind.name} (record, clock_s{', ' * bool(names)}{names}) "
+            self._kinds[kind.type] = (kind, f"{insert} VALUES (?, ?{marks})")
+        execute("COMMIT")
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file, as soon as everything is in it."""
+        return _size(self._database)
+
+    def write(self, records: Sequence[RecordT]) -> None:
+        """Take records; they are safe after the next `commit`."""
+        rows: dict[type[object], list[tuple[Value, ...]]] = {}
+        number = self._count
+        for record in records:
+            number += 1
+            kind = self._kinds[type(record)][0]
+            rows.setdefault(type(record), []).append((number, record.time, *kind.pack(record)))
+        with _reported(self._path, "It cannot be written"):
+            if not self._database.in_transaction:
+                self._database.execute("BEGIN")
+            for record_type, values in rows.items():
+                self._database.executemany(self._kinds[record_type][1], values)
+        self._count = number
+
+    def commit(self) -> None:
+        """Keep everything taken so far, even if the program crashes."""
+        with _reported(self._path, "It cannot be written"):
+            if self._database.in_transaction:
+                self._database.execute("COMMIT")
+
+    def sync(self) -> None:
+        """Commit, and bring everything down to the disk."""
+        self.commit()
+        with _reported(self._path, "It cannot be written"):
+            self._database.execute("PRAGMA wal_checkpoint(PASSIVE)")
+
+    def finish(self) -> None:
+        """Complete the file: one file, marked as ended."""
+        self.write([])
+        with _reported(self._path, "It cannot be written"):
+            self._database.execute(
+                "INSERT INTO header VALUES (?, CAST(strftime('%s') AS INTEGER))", (_ENDED,)
+            )
+            self._database.execute("COMMIT")
+            with contextlib.suppress(sqlite3.OperationalError):  # another program reads it
+                self._database.execute("PRAGMA journal_mode = DELETE")
+
+    def close(self) -> None:
+        """Close the file, finished or not."""
+        with contextlib.suppress(sqlite3.Error):
+            self._database.close()
+
+
+def _replace(path: Path) -> None:
+    """Make an empty file; only regular files are replaced.
+
+    Raises:
+        OSError: that is not possible.
+    """
+    if path.exists() and not path.is_file():
+        raise OSError(errno.EINVAL, "it is not a regular file")
+    with path.open("wb"):
+        pass
+    for suffix in ("-wal", "-shm", "-journal"):
+        path.with_name(path.name + suffix).unlink(missing_ok=True)
+
+
+def _log_of(path: Path) -> Path:
+    """Return the file with what was committed but not yet synchronised."""
+    return path.with_name(f"{path.name}-wal")
+
+
+def _create_table(kind: SampleKind, start: float) -> str:
+    lines = [
+        ("record INTEGER PRIMARY KEY", "number in order of arrival"),
+        ("clock_s REAL NOT NULL", "session's clock"),
+        (_generated("time_s", f"clock_s - {start!r}", 6), "time from the start"),
+    ]
+    for column in kind.columns:
+        null = "" if column.optional else " NOT NULL"
+        lines.append((f"{column.name} {column.type}{null}", column.description))
+        if (physical := column.physical) is not None:
+            expression = f"{column.name} * {physical.scale!r}"
+            generated = _generated(physical.name, expression, physical.digits)
+            lines.append((generated, column.description))
+    body = "".join(
+        f"    {line}{',' if number < len(lines) else ''} -- {comment}\n"
+        for number, (line, comment) in enumerate(lines, 1)
+    )
+    return f"CREATE TABLE {kind.name} (\n{body})"
+
+
+def _generated(name: str, expression: str, digits: int) -> str:
+    return f"{name} REAL GENERATED ALWAYS AS (round({expression}, {digits})) VIRTUAL"
+
+
+# --- Reading ----------------------------------------------------------------------------
+
+
+class Recording(Generic[HeaderT, RecordT]):
+    """A recording opened read-only; belongs to one thread at a time.
+
+    Attributes:
+        count: number of the last record; records count from 1.
+        problems: what is missing or cannot be read, as sentences.
+    """
+
+    def __init__(self, path: Path, fmt: RecordingFormat[HeaderT]) -> None:
+        """Open a recording.
+
+        Raises:
+            RecordingError: it is missing, of another kind, of another device or damaged.
+        """
+        self.path = path
+        self.problems: list[str] = []
+        self.format = fmt
+        if path.suffix.lower() == ".csv":
+            raise RecordingError(
+                str(path),
+                "A CSV file is an export and cannot be opened as a recording. Open the recording "
+                f"({SUFFIX}) that it was exported from.",
+            )
+        with _reported(path, "It cannot be opened"), path.open("rb") as file:
+            head = file.read(_HEAD.size)
+            size = file.seek(0, os.SEEK_END)
+        if len(head) < _HEAD.size or not head.startswith(_MAGIC):
+            raise RecordingError(str(path), _NOT_A_RECORDING)
+        page_size, pages = _HEAD.unpack(head)
+        if size < page_size * pages and not _log_of(path).exists():
+            self.problems.append("The end of the file is missing.")
+        self._database = self._connect()
+        try:
+            with _reported(path, "It is damaged"):
+                self.header = self._read_header()
+                self.kinds = tuple(fmt.kinds(self.header))
+                self._check_tables()
+                self.count = self._last_record()
+                self._valid_types: dict[str, set[tuple[type, ...]]] = {
+                    kind.name: set() for kind in self.kinds
+                }
+        except BaseException:
+            self._database.close()
+            raise
+
+    def _connect(self) -> sqlite3.Connection:
+        uri = self.path.resolve().as_uri()
+        for mode in ("mode=ro", "immutable=1"):  # in a read-only folder a log cannot be read
+            try:
+                database = sqlite3.connect(
+                    f"{uri}?{mode}", uri=True, isolation_level=None, check_same_thread=False
+                )
+            except sqlite3.Error as error:
+                reason = reason_of(error)
+                continue
+            try:
+                database.execute("PRAGMA trusted_schema = OFF")
+                database.execute("PRAGMA cell_size_check = ON")
+                database.execute("PRAGMA writable_schema = ON")  # reads a truncated file, too
+                database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LONGEST_VALUE)
+                database.execute("SELECT count(*) FROM sqlite_master").fetchone()
+            except sqlite3.Error as error:
+                database.close()
+                reason = reason_of(error)
+            else:
+                return database
+        raise RecordingError(str(self.path), f"It cannot be read: {reason}.")
+
+    def _read_header(self) -> HeaderT:
+        execute = self._database.execute
+        if execute("PRAGMA application_id").fetchone()[0] != APPLICATION_ID:
+            raise RecordingError(str(self.path), _NOT_A_RECORDING)
+        version = execute("PRAGMA user_version").fetchone()[0]
+        if version != SCHEMA_VERSION:
+            raise RecordingError(
+                str(self.path),
+                f"Its format, {version}, is not known. A later version of TReX Studio may open it.",
+            )
+        values = dict(execute("SELECT key, value FROM header LIMIT 1000").fetchall())
+        if values.get("device") != self.format.device:
+            name = str(values.get("device_name") or values.get("device"))[:60]
+            raise RecordingError(
+                str(self.path),
+                f"This is a recording of another device: {name}. It opens where the window shows "
+                "the pages of that device: choose its port or its demo in the list of ports, then "
+                "open the file again.",
+            )
+        if _ENDED not in values:
+            self.problems.append("It was not ended; samples of the last seconds may be missing.")
+        return self.format.read_header(values)
+
+    def _check_tables(self) -> None:
+        """Fail where a table or a column is missing, or is not a plain table."""
+        plain = "SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE%'"
+        tables = {name for (name,) in self._database.execute(plain)}
+        for kind in self.kinds:
+            if kind.name not in tables:
+                raise RecordingError(str(self.path), f"The table {kind.name} is missing.")
+            info = self._database.execute(f"PRAGMA table_xinfo({kind.name})").fetchall()
+            missing = {"record", "clock_s", "time_s", *kind.exported} - {row[1] for row in info}
+            if missing:
+                name = f"{kind.name}.{min(missing)}"
+                raise RecordingError(str(self.path), f"The column {name} is missing.")
+
+    def _last_record(self) -> int:
+        last = 0
+        for kind in self.kinds:
+            query = f"SELECT max(record) FROM {kind.name}"
+            with contextlib.suppress(sqlite3.DatabaseError):  # damaged: reported when it is read
+                last = max(last, self._database.execute(query).fetchone()[0] or 0)
+        return min(last, _size(self._database))  # a record takes more than a byte
+
+    def reopen(self) -> "Recording[HeaderT, RecordT]":
+        """Return the same recording opened once more, for another thread."""
+        return Recording(self.path, self.format)
+
+    def close(self) -> None:
+        """Close the file."""
+        self._database.close()
+
+    def read(self, first: int, last: int) -> list[RecordT]:
+        """Return records by number, in order; damaged ones are left out and reported.
+
+        Raises:
+            RecordingError: the file cannot be read any more.
+        """
+        found: list[tuple[int, Timestamped]] = []
+        for kind in self.kinds:
+            names = ", ".join(("record", "clock_s", *(column.name for column in kind.columns)))
+            unpack, valid = kind.unpack, self._valid_types[kind.name]
+            for number, *values in self._select(kind, names, first, last):
+                try:
+                    if (types := tuple(map(type, values))) not in valid:
+                        _check_types(kind, types)
+                        valid.add(types)
+                    found.append((number, unpack(*values)))
+                except (ValueError, KeyError, TypeError) as error:
+                    self._report(f"Record {number} cannot be read: {error}.")
+        found.sort(key=itemgetter(0))
+        return cast("list[RecordT]", [record for _, record in found])
+
+    def export_rows(self, first: int, last: int, start: float, end: float) -> list[ExportRow]:
+        """Return the exported values of records from `start` to `end` (session's clock)."""
+        found: list[tuple[int, ExportRow]] = []
+        for index, kind in enumerate(self.kinds):
+            names = ", ".join(("record", "clock_s", "time_s", *kind.exported))
+            for number, clock, time, *values in self._select(kind, names, first, last):
+                if start <= clock <= end:
+                    found.append((number, (time, index, tuple(values))))
+        found.sort(key=itemgetter(0))
+        return [row for _, row in found]
+
+    def _select(self, kind: SampleKind, names: str, first: int, last: int) -> list[tuple[Any, ...]]:
+        query = f"SELECT {names} FROM {kind.name} WHERE record BETWEEN ? AND ? ORDER BY record"
+        try:
+            return self._database.execute(query, (first, last)).fetchall()
+        except sqlite3.ProgrammingError as error:  # closed
+            raise RecordingError(str(self.path), f"It cannot be read: {error}.") from error
+        except (sqlite3.Error, UnicodeError) as error:
+            text = f"Samples of {kind.name} among records {first} to {last} are lost: {error}."
+            self._report(text)
+            return []
+
+    def _report(self, problem: str) -> None:
+        if problem not in self.problems and len(self.problems) < _MOST_PROBLEMS:
+            self.problems.append(problem)
+
+
+def _check_types(kind: SampleKind, types: Sequence[type]) -> None:
+    """Fail where a value is not of the type of its column."""
+    clock, *values = types
+    if clock is not float:
+        raise ValueError("its time is not a number")
+    for column, found in zip(kind.columns, values, strict=True):
+        if found is not _TYPES[column.type] and not (column.optional and found is NoneType):
+            raise ValueError(f"{column.name} is not {column.type}")
+
+
+def _size(database: sqlite3.Connection) -> int:
+    """Return the size of a database in bytes, as it is or will be."""
+    pages = database.execute("PRAGMA page_count").fetchone()[0]
+    return int(pages * database.execute("PRAGMA page_size").fetchone()[0])

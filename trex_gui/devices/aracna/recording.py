@@ -1,0 +1,234 @@
+"""Recordings of a robot: header, sample kinds, and the state at any time."""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import Any
+
+from trex_gui import __version__
+from trex_gui.core.recording.kinds import (
+    MARKERS,
+    Column,
+    Marker,
+    Physical,
+    RecordingFormat,
+    SampleKind,
+    Value,
+)
+from trex_gui.devices.aracna.poses.project import MOST_MOTORS
+from trex_gui.devices.aracna.protocol.units import DEGREES_PER_SECOND, DEGREES_PER_UNIT
+from trex_gui.devices.aracna.session.messages import (
+    Ending,
+    Moved,
+    Moving,
+    Passed,
+    PlayEnded,
+    Restarted,
+    SpeedsHeld,
+    StepBegun,
+    Stuck,
+)
+
+_NO_ANSWER = -1
+
+
+@dataclass(frozen=True, slots=True)
+class FellSilent:
+    """The robot stopped responding: its state is unknown."""
+
+    time: float
+
+
+Record = (
+    Moving
+    | Passed
+    | Moved
+    | SpeedsHeld
+    | StepBegun
+    | PlayEnded
+    | Stuck
+    | Restarted
+    | FellSilent
+    | Marker
+)
+"""Mostly the session's reports; times are on its clock."""
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    """Describes the recording of a robot.
+
+    Attributes:
+        started: in UTC.
+        clock: the session's clock (s) at that time.
+        version: version of the robot's firmware.
+        motors: number of motors.
+    """
+
+    started: datetime
+    clock: float
+    version: int
+    motors: int
+
+    def values(self) -> dict[str, Value]:
+        """Return the rows of the header table."""
+        return {
+            "device_name": "Aracna",
+            "started_utc": self.started.astimezone(UTC).isoformat(),
+            "clock_s": self.clock,
+            "firmware": self.version,
+            "motors": self.motors,
+            "degrees_per_position_unit": DEGREES_PER_UNIT,
+            "degrees_per_second_per_speed_unit": DEGREES_PER_SECOND,
+            "program": f"TReX Studio {__version__}",
+        }
+
+    @classmethod
+    def from_values(cls, values: Mapping[str, Any]) -> "Header":
+        """Return the header of the rows of a header table.
+
+        Raises:
+            ValueError: a row is missing or damaged.
+        """
+        try:
+            header = cls(
+                started=datetime.fromisoformat(values["started_utc"]).astimezone(UTC),
+                clock=float(values["clock_s"]),
+                version=int(values["firmware"]),
+                motors=int(values["motors"]),
+            )
+        except (KeyError, TypeError, OverflowError) as error:
+            raise ValueError(f"the header is incomplete ({error})") from error
+        if not 1 <= header.motors <= MOST_MOTORS:
+            raise ValueError(f"{header.motors} motors are not 1 to {MOST_MOTORS}")
+        if not math.isfinite(header.clock):
+            raise ValueError("the clock is not a number")
+        return header
+
+
+def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
+    """Return the kinds of samples of a robot with so many motors."""
+    degrees = {"goal": 1, "present": 1}
+
+    def columns(quantity: str, description: str, *, optional: bool = False) -> tuple[Column, ...]:
+        def column(motor: int) -> Column:
+            name = f"motor_{motor}_{quantity}"
+            physical = Physical(f"{name}_deg", DEGREES_PER_UNIT, 1) if quantity in degrees else None
+            text = f"motor {motor}: {description}"
+            return Column(f"{name}_units", "INTEGER", text, physical, optional=optional)
+
+        return tuple(map(column, range(motors)))
+
+    goals = columns("goal", "commanded position, 0 to 1023 (300 degrees)")
+    present = columns("present", "reported position; NULL without an answer", optional=True)
+
+    def passed(time: float, answered: int, *places: int | None) -> Passed:
+        return Passed(time, _answers(places[:answered]))
+
+    def moved(time: float, seconds: float, *places: int | None) -> Moved:
+        reached = tuple(place for place in places[:motors] if place is not None)
+        return Moved(time, reached, _answers(places[motors:]), seconds)
+
+    return (
+        SampleKind(
+            "goals",
+            Moving,
+            (
+                Column("expected_s", "REAL", "expected duration of the motion"),
+                *goals,
+                *columns("start", "position at the start; NULL if unknown", optional=True),
+            ),
+            lambda r: (r.expected, *r.goals, *r.starts),
+            lambda time, expected, *places: Moving(
+                time, places[:motors], places[motors:], expected
+            ),
+            held=True,
+        ),
+        SampleKind(
+            "progress",
+            Passed,
+            (Column("answered", "INTEGER", "motors that have answered so far"), *present),
+            lambda r: (len(r.present), *_cells(r.present, motors)),
+            passed,
+            held=True,
+            partial=True,
+        ),
+        SampleKind(
+            "present",
+            Moved,
+            (Column("duration_s", "REAL", "from the command to the answer"), *goals, *present),
+            lambda r: (r.seconds, *r.goals, *_cells(r.present, motors)),
+            moved,
+            held=True,
+        ),
+        SampleKind(
+            "speeds",
+            SpeedsHeld,
+            (
+                *columns("speed", "speed in the servo; NULL without an answer", optional=True),
+                *columns("speed_setpoint", "commanded speed, 0 (highest) to 1023"),
+            ),
+            lambda r: (*_cells(r.held, motors), *r.requested),
+            lambda time, *values: SpeedsHeld(time, values[motors:], _answers(values[:motors])),
+            held=True,
+        ),
+        SampleKind(
+            "step",
+            StepBegun,
+            (
+                Column("part", "TEXT", "in, steps or out"),
+                Column("step", "INTEGER", "from 1"),
+                Column("round", "INTEGER", "from 1"),
+                Column("late_s", "REAL", "start behind schedule"),
+            ),
+            lambda r: (r.part, r.index + 1, r.round + 1, r.late),
+            lambda time, part, step, round_, late: StepBegun(
+                time, part, step - 1, round_ - 1, late
+            ),
+        ),
+        SampleKind(
+            "play_end",
+            PlayEnded,
+            (Column("reason", "TEXT", ", ".join(ending.name.lower() for ending in Ending)),),
+            lambda r: (r.why.name.lower(),),
+            lambda time, reason: PlayEnded(time, Ending[reason.upper()]),
+        ),
+        SampleKind(
+            "stuck",
+            Stuck,
+            (Column("stuck_motor", "INTEGER", "NULL: the robot does not answer", optional=True),),
+            lambda r: (r.motor,),
+            Stuck,
+        ),
+        SampleKind(
+            "restart",
+            Restarted,
+            (Column("pending_lost", "INTEGER", "1: a pending command was lost"),),
+            lambda r: (int(r.voided),),
+            lambda time, voided: Restarted(time, bool(voided)),
+            clears=frozenset({"progress", "speeds"}),
+        ),
+        SampleKind(
+            "not_responding",
+            FellSilent,
+            (),
+            lambda _: (),
+            FellSilent,
+            clears=frozenset({"progress", "speeds"}),
+        ),
+        MARKERS,
+    )
+
+
+def _cells(values: Sequence[int], motors: int) -> tuple[int | None, ...]:
+    """Return a value for each motor, `None` for those that did not answer."""
+    cells = tuple(None if value == _NO_ANSWER else value for value in values[:motors])
+    return cells + (None,) * (motors - len(cells))
+
+
+def _answers(cells: Sequence[int | None]) -> tuple[int, ...]:
+    return tuple(_NO_ANSWER if cell is None else cell for cell in cells)
+
+
+FORMAT = RecordingFormat("aracna", Header.from_values, lambda header: sample_kinds(header.motors))

@@ -1,0 +1,336 @@
+"""Window of a recording of a robot."""
+
+from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal, Slot
+from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from trex_gui.devices.aracna.model.playback import COLORS, Moment, RobotPlayback
+from trex_gui.devices.aracna.model.robot import Robot
+from trex_gui.devices.aracna.model.robot_state import UNREADABLE, RobotState
+from trex_gui.devices.aracna.model.targets import CENTRE
+from trex_gui.devices.aracna.protocol.units import MOTORS
+from trex_gui.devices.aracna.session.messages import StepBegun
+from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
+from trex_gui.devices.aracna.views.robot.words import (
+    assumed_text,
+    joint_text,
+    position_text,
+    signed,
+    speed_text,
+    spoken_joint,
+)
+from trex_gui.devices.aracna.views.stop_button import StopSequenceButton
+from trex_gui.ui.playback.window import RecordingWindow
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.note import Note
+from trex_gui.ui.widgets.scroll_box import ScrollBox
+
+_NONE = "–"
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class RobotPlaybackWindow(RecordingWindow):
+    """One recording of a robot. The stop button is that of the connected robot."""
+
+    def __init__(
+        self, playback: RobotPlayback, robot: Robot, parent: QWidget | None = None
+    ) -> None:
+        plot_name = QCoreApplication.translate(
+            "RobotPlaybackWindow", "Plot of the motors' positions against time"
+        )
+        super().__init__(playback, "aracnaPlayback", plot_name, parent)
+        self.playback = playback
+        self._recorded = RecordedRobot(playback, self)
+
+        self._activity = Note(3, self)
+        self._activity.setObjectName("aracnaRecordedDoing")
+        self._activity.setAccessibleName(self.tr("Activity of the robot"))
+        self._drawing = RobotDrawing(self._recorded, self)
+        caption = QLabel(
+            self.tr("Full lines: as last reported; dashed: goal.") + f"\n* {assumed_text()}", self
+        )
+        caption.setObjectName("aracnaRecordedCaption")
+        caption.setWordWrap(True)
+        caption.setForegroundRole(caption.palette().ColorRole.PlaceholderText)
+        caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        caption.setMinimumHeight(caption.heightForWidth(self._drawing.minimumSizeHint().width()))
+        self._joints = JointValues(self._recorded, self)
+        scrolls = playback.header.motors > MOTORS  # as many as the published robot fit
+        beside = QWidget(self)
+        column = QVBoxLayout(beside)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._activity)
+        column.addWidget(self._drawing, 1)
+        column.addWidget(caption)
+
+        self._recorded.changed.connect(self._on_recorded_changed)
+        self._drawing.pointed.connect(self._on_pointed)
+        self._drawing.chosen.connect(self._joints.focus)
+        self._joints.toggled.connect(self._on_toggled)
+        self.arrange(
+            StopSequenceButton(robot, "aracnaPlaybackStopButton", self),
+            [],
+            below_plot=ScrollBox(self._joints, self) if scrolls else self._joints,
+            above_events=beside,
+        )
+        self._on_recorded_changed()
+
+    def device_text(self) -> str:
+        header = self.playback.header
+        text = self.tr("Aracna, firmware {0}, {1} motors")
+        return text.format(header.version, header.motors)
+
+    def show_curves(self) -> None:
+        hidden = {trace.name for trace in self.playback.traces.traces} - self.plot.shown
+        super().show_curves()
+        for name in hidden:
+            self.plot.set_shown(name, shown=False)
+
+    @Slot()
+    def _on_recorded_changed(self) -> None:
+        text, alarming = activity_text(self._recorded.moment, self.playback.position)
+        self._activity.show_note(text, alarming=alarming)
+
+    @Slot(int)
+    def _on_pointed(self, motor: int) -> None:
+        marked = motor if motor >= 0 else None
+        self._drawing.mark(marked)
+        self._joints.mark(marked)
+
+    @Slot(int, bool)
+    def _on_toggled(self, motor: int, on: bool) -> None:
+        self.plot.set_shown(self.playback.traces.traces[motor].name, shown=on)
+
+
+class RecordedGoals(QObject):
+    """Last goal of each joint; before the first one its position.
+
+    Signals:
+        changed: `goals`.
+    """
+
+    changed = Signal()
+
+    def __init__(self, motors: int, parent: QObject) -> None:
+        super().__init__(parent)
+        self._goals = (CENTRE,) * motors
+
+    @property
+    def goals(self) -> tuple[int, ...]:
+        """In units, motor 0 first."""
+        return self._goals
+
+    def follow(self, known: RobotState) -> None:
+        """Take the goals of this moment."""
+        goals = known.goals
+        if goals is None:
+            goals = tuple(CENTRE if place is None else place for place in known.present)
+        if goals != self._goals:
+            self._goals = goals
+            self.changed.emit()
+
+
+class RecordedRobot(QObject):
+    """The robot at the position of a recording, as the drawing takes one.
+
+    Signals:
+        changed: the position, or the recording was loaded.
+    """
+
+    changed = Signal()
+
+    def __init__(self, playback: RobotPlayback, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._playback = playback
+        self.moment: Moment = playback.state()
+        self._targets = RecordedGoals(self.motors, self)
+
+        playback.moved.connect(self._on_moved)
+        playback.loaded.connect(self._on_moved)
+        self._on_moved()
+
+    @property
+    def targets(self) -> RecordedGoals:
+        return self._targets
+
+    @property
+    def known(self) -> RobotState:
+        """Everything reported up to the position."""
+        return self.moment.known
+
+    @property
+    def present(self) -> tuple[int | None, ...]:
+        """Last reported positions; `None` if unknown."""
+        return tuple(self.known.present)
+
+    @property
+    def motors(self) -> int:
+        return self._playback.header.motors
+
+    @Slot()
+    def _on_moved(self) -> None:
+        self.moment = self._playback.state()
+        self._targets.follow(self.known)
+        self.changed.emit()
+
+
+class JointValues(QWidget):
+    """A row for each motor; a dash where nothing was known.
+
+    Signals:
+        toggled: number of a motor and whether its curve is drawn.
+    """
+
+    toggled = Signal(int, bool)
+
+    def __init__(self, robot: RecordedRobot, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("aracnaRecordedJoints")
+        self._robot = robot
+        self._boxes: list[QCheckBox] = []
+        self._cells: dict[tuple[int, str], QLabel] = {}
+        # Part of the object name: heading, name for screen readers, widest text.
+        self._parts = {
+            "Present": (self.tr("Present"), self.tr("present position"), position_text(1023)),
+            "Goal": (self.tr("Goal"), self.tr("goal"), position_text(1023)),
+            "Difference": (self.tr("Difference"), self.tr("difference"), "1023 = 684 °/s"),
+            "Speed": (self.tr("Speed"), self.tr("speed"), "1023 = 684 °/s"),
+        }
+
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(12)
+        grid.setVerticalSpacing(2)
+        headings = (self.tr("Curve"), *(heading for heading, _, _ in self._parts.values()))
+        for column, text in enumerate(headings):
+            label = QLabel(text, self)
+            label.setAlignment(_LEFT if column == 0 else _RIGHT)
+            grid.addWidget(label, 0, column)
+        for motor in range(robot.motors):
+            self._add_row(grid, motor)
+        grid.setColumnStretch(len(headings), 1)
+
+        robot.changed.connect(self._on_changed)
+        theme().changed.connect(self._on_theme_changed)
+        self._on_theme_changed()
+        self._on_changed()
+
+    def _add_row(self, grid: QGridLayout, motor: int) -> None:
+        box = QCheckBox(joint_text(motor), self)
+        box.setObjectName(f"aracnaCurveBox{motor}")
+        box.setAccessibleName(self.tr("{0}: draw its curve").format(spoken_joint(motor)))
+        box.setToolTip(self.tr("Draw the position of this motor in the plot"))
+        box.setChecked(True)
+        box.toggled.connect(lambda on: self.toggled.emit(motor, on))
+        grid.addWidget(box, motor + 1, 0)
+        self._boxes.append(box)
+        for column, (part, (_, _, widest)) in enumerate(self._parts.items(), 1):
+            cell = QLabel(_NONE, self)
+            cell.setObjectName(f"aracnaRecorded{part}{motor}")
+            cell.setAlignment(_RIGHT)
+            cell.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))
+            grid.addWidget(cell, motor + 1, column)
+            self._cells[motor, part] = cell
+
+    def focus(self, motor: int) -> None:
+        """Put the keyboard focus on the row of a motor."""
+        if motor < len(self._boxes):
+            self._boxes[motor].setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def mark(self, motor: int | None) -> None:
+        """Highlight the name of a motor."""
+        for number, box in enumerate(self._boxes):
+            font = box.font()
+            if font.bold() != (number == motor):
+                font.setBold(number == motor)
+                box.setFont(font)
+
+    @Slot()
+    def _on_changed(self) -> None:
+        known = self._robot.known
+        missed = {each.motor: each for each in known.missed}
+        for motor in range(self._robot.motors):
+            present = known.present[motor]
+            goal = known.goals[motor] if known.goals is not None else None
+            self._set(motor, "Present", position_text(present))
+            self._set(motor, "Goal", position_text(goal))
+            alarming = motor in missed
+            if alarming and missed[motor].unreadable:
+                text = self.tr("no answer (−1)")
+            elif known.moving is not None:
+                alarming = known.stuck is not None and known.stuck.motor == motor
+                text = self.tr("waited for") if motor == known.waited_for else _NONE
+            elif present is None or goal is None:
+                text = _NONE
+            else:
+                text = signed(present - goal)
+            self._set(motor, "Difference", text, bold=alarming)
+            held = known.held(motor)
+            self._set(motor, "Speed", self._speed(held), bold=held == UNREADABLE)
+
+    def _speed(self, held: int | None) -> str:
+        if held is None:
+            return _NONE
+        if held == UNREADABLE:
+            return self.tr("no answer (−1)")
+        return f"{held} = {speed_text(held)}" if held else speed_text(held)
+
+    def _set(self, motor: int, part: str, text: str, *, bold: bool = False) -> None:
+        cell = self._cells[motor, part]
+        if cell.text() != text:
+            cell.setText(text)
+            cell.setAccessibleName(f"{spoken_joint(motor)}, {self._parts[part][1]}: {text}")
+        font = cell.font()
+        if font.bold() != bold:
+            font.setBold(bold)
+            cell.setFont(font)
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        for motor, box in enumerate(self._boxes):
+            box.setIcon(_swatch(theme().color(COLORS[motor % len(COLORS)])))
+            box.setIconSize(QSize(14, 4))
+
+
+def _swatch(color: QColor) -> QIcon:
+    pixmap = QPixmap(14, 4)
+    pixmap.fill(color)
+    return QIcon(pixmap)
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("AracnaRecorded", text)
+
+
+def activity_text(moment: Moment, time: float) -> tuple[str, bool]:
+    """Describe what the robot did at a time (session's clock), and whether that is alarming."""
+    known = moment.known
+    if known.stuck is not None:
+        if (motor := known.stuck.motor) is None:
+            return _tr("The robot did not answer."), True
+        text = _tr("Stuck: the robot waited for motor {0} and accepted no command.")
+        return text.format(motor), True
+    if known.moving is not None:
+        begun, expected = known.moving.time, known.moving.expected
+        text = _tr("Moving for {0:.1f} s of about {1:.1f} s; motor {2} is waited for.").format(
+            max(time - begun, 0.0), expected, known.waited_for
+        )
+        return _with_step(text, moment.step), False
+    if known.unsure:
+        return _tr("Positions are unknown; the last motion may still be running."), True
+    if known.is_lost:
+        return _tr("The answer was lost, or no motor answered: positions are unknown."), True
+    if all(place is None for place in known.present):
+        return _tr("Positions are not known yet."), False
+    return _with_step(_tr("At rest."), moment.step), False
+
+
+def _with_step(text: str, step: StepBegun | None) -> str:
+    if step is None:
+        return text
+    parts = {"in": _tr("blend-in"), "out": _tr("blend-out")}
+    where = parts.get(step.part) or _tr("step {0}, round {1}").format(
+        step.index + 1, step.round + 1
+    )
+    return _tr("{0} Playing: {1}.").format(text, where)

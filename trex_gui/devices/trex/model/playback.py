@@ -1,0 +1,94 @@
+"""A recording of a board that is played back."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QObject
+
+from trex_gui.core.files.errors import SettingsError
+from trex_gui.core.recording.kinds import Value
+from trex_gui.core.recording.store import Recording
+from trex_gui.devices.trex.client.telemetry import Currents
+from trex_gui.devices.trex.model.telemetry import Series
+from trex_gui.devices.trex.model.traces import board_traces
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.protocol.parameter_keys import MotorParameter
+from trex_gui.devices.trex.recording import FORMAT, BoardSnapshot, Header, Record
+from trex_gui.devices.trex.settings.reader import read_settings
+from trex_gui.ui.devices.event_log import Event
+from trex_gui.ui.playback.player import Curves, RecordingPlayer
+from trex_gui.ui.plotting.data.history import MAX_GAP, SampleHistory
+from trex_gui.ui.plotting.data.traces import Traces
+
+MAX_ROWS = 3_000_000
+"""Rows that are drawn: ten hours at 80 a second, 240 MB."""
+
+_UNKNOWN = (np.nan,) * len(CHANNELS)
+
+
+class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
+    """One recording of a board; a row is drawn for each sample of the currents."""
+
+    def __init__(
+        self,
+        recording: Recording[Header, Record],
+        parent: QObject | None = None,
+        *,
+        max_rows: int = MAX_ROWS,
+    ) -> None:
+        header = recording.header
+        rows_of = partial(_rows, unit=header.model.current_unit)
+        curves = Curves(len(Series), rows_of, max_rows, MAX_GAP)
+        super().__init__(recording, BoardSnapshot(header.mode, header.settings), curves, parent)
+        self._limits = limits_in(header.settings)
+
+    @classmethod
+    def open(cls, path: Path, parent: QObject | None = None) -> "Playback":
+        """Open a recording and start loading it.
+
+        Raises:
+            RecordingError: the file cannot be opened.
+        """
+        playback = cls(Recording(path, FORMAT), parent)
+        playback.start_loading()
+        return playback
+
+    def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
+        return Traces(board_traces(), history, events, self._limits)
+
+    def export_header(self, start: float) -> dict[str, Value]:
+        return {**super().export_header(start), "settings": self.state_at(start).settings}
+
+
+def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[tuple[float, ...]]:
+    """Return a row, with the columns of `Series`, for each sample of the currents."""
+    rows = []
+    for record in records:
+        state.take(record)
+        if isinstance(record, Currents):
+            drives = [state.setpoints.get(motor) for motor in (1, 2)]
+            rows.append(
+                (
+                    record.time,
+                    *(count * unit for count in record.counts),
+                    *(drive.signed if drive else 0.0 for drive in drives),
+                    *(state.remapped or _UNKNOWN),
+                )
+            )
+    return rows
+
+
+def limits_in(text: str) -> Mapping[str, float]:
+    """Return the current limits (A) in a settings file, by the name of the curve."""
+    try:
+        settings, _ = read_settings(text.encode("utf-8"), "settings")
+    except (SettingsError, UnicodeError):
+        return {}
+    limits = {}
+    for motor in (1, 2):
+        key = MotorParameter.CURRENT_LIMIT.of(motor)
+        if wire := settings.parameters.get(key):
+            limits[f"motor{motor}_current"] = wire * settings.specs[key].scale
+    return limits

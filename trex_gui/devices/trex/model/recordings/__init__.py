@@ -1,1 +1,0 @@
-"""Recording a board and playing a recording back."""

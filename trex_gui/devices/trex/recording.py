@@ -1,0 +1,360 @@
+"""Recordings of a board: header, sample kinds, and the state at any time."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from typing import Any
+
+from trex_gui import __version__
+from trex_gui.core.errors import BadRequest
+from trex_gui.core.recording.kinds import (
+    LONGEST_TEXT,
+    MARKERS,
+    Column,
+    Marker,
+    Physical,
+    RecordingFormat,
+    SampleKind,
+    Value,
+)
+from trex_gui.devices.trex.client.reading import DeviceState
+from trex_gui.devices.trex.client.telemetry import (
+    Control,
+    Currents,
+    LatchedStatus,
+    ModeSample,
+    Raw,
+    Remapped,
+    Sample,
+)
+from trex_gui.devices.trex.driving.requests import SetAuxiliary, SetMotor
+from trex_gui.devices.trex.protocol.commands import Drive
+from trex_gui.devices.trex.protocol.device_table import Model, device_table
+from trex_gui.devices.trex.protocol.driving import Direction
+from trex_gui.devices.trex.protocol.flags import (
+    CHANNELS,
+    STATUS_MEANING,
+    UART_MEANING,
+    InputSource,
+    Mode,
+    Status,
+    UartError,
+)
+from trex_gui.devices.trex.settings.from_board import settings_of
+from trex_gui.devices.trex.settings.writer import write_settings
+
+STOP = "stop"
+"""Kind of the marker after which the motors have no setpoint."""
+
+
+@dataclass(frozen=True, slots=True)
+class SetpointRecord:
+    """A setpoint of motor 1 or 2, when it was handed to the line."""
+
+    time: float
+    motor: int
+    drive: Drive
+    accelerate: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class AuxiliarySetpointRecord:
+    """A setpoint of the auxiliary motor, 0-127."""
+
+    time: float
+    speed: int
+    accelerate: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SettingsSnapshot:
+    """What the board stores from now on, as the text of a settings file."""
+
+    time: float
+    text: str
+
+
+Record = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | SettingsSnapshot
+"""Times are seconds on the session's clock."""
+
+
+def setpoint_record(
+    request: SetMotor | SetAuxiliary, time: float
+) -> SetpointRecord | AuxiliarySetpointRecord:
+    """Return the record of a setpoint that was handed to the line."""
+    if isinstance(request, SetMotor):
+        return SetpointRecord(time, request.motor, request.drive, request.accelerate)
+    return AuxiliarySetpointRecord(time, request.speed, request.accelerate)
+
+
+def settings_snapshot(state: DeviceState, time: float) -> SettingsSnapshot:
+    """Return a snapshot of what a board stores."""
+    return SettingsSnapshot(time, _settings_text(state))
+
+
+def _settings_text(state: DeviceState) -> str:
+    return write_settings(settings_of(state))[:LONGEST_TEXT]
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    """Describes the recording of a board.
+
+    Attributes:
+        started: in UTC.
+        clock: the session's clock (s) at that time.
+        mode: the mode at the start; the unit of the channels follows from it.
+        settings: what the board stored at the start, as the text of a settings file.
+        device_number: `None` where the board was addressed without one.
+        program: name and version of the program that recorded it.
+    """
+
+    started: datetime
+    clock: float
+    model: Model
+    firmware: str
+    mode: Mode
+    settings: str = ""
+    device_number: int | None = None
+    program: str = f"TReX Studio {__version__}"
+
+    @classmethod
+    def of(cls, state: DeviceState, clock: float, device_number: int | None) -> "Header":
+        """Return the header of a recording that starts now."""
+        signature, settings = state.signature, _settings_text(state)
+        started = datetime.now(UTC)
+        return cls(
+            started,
+            clock,
+            signature.model,
+            signature.firmware,
+            state.mode,
+            settings,
+            device_number,
+        )
+
+    @property
+    def board(self) -> str:
+        """Model and firmware, as in `TReX 1.2`."""
+        return f"{self.model.name} {self.firmware}"
+
+    def values(self) -> dict[str, Value]:
+        """Return the rows of the header table."""
+        return {
+            "device_name": self.board,
+            "started_utc": self.started.astimezone(UTC).isoformat(),
+            "clock_s": self.clock,
+            "model": self.model.key,
+            "firmware": self.firmware,
+            "mode": self.mode.value,
+            "ampere_per_count": self.model.current_unit,
+            "channel_unit": self.mode.source.unit,
+            "channel_counts_per_unit": self.mode.source.counts_per_unit,
+            "device_number": self.device_number,
+            "settings": self.settings,
+            "program": self.program,
+        }
+
+    @classmethod
+    def from_values(cls, values: Mapping[str, Any]) -> "Header":
+        """Return the header of the rows of a header table.
+
+        Raises:
+            ValueError: a row is missing or damaged, or the model is unknown.
+        """
+        try:
+            number = values["device_number"]
+            return cls(
+                started=datetime.fromisoformat(values["started_utc"]).astimezone(UTC),
+                clock=float(values["clock_s"]),
+                model=device_table().model(values["model"]),
+                firmware=str(values["firmware"]),
+                mode=Mode(values["mode"]),
+                settings=str(values["settings"]),
+                device_number=None if number is None else int(number),
+                program=str(values["program"]),
+            )
+        except (KeyError, TypeError, OverflowError, BadRequest) as error:
+            raise ValueError(f"the header is incomplete ({error})") from error
+
+
+def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, ...]:
+    """Return the kinds of samples; `current_unit` is in A for each count."""
+    unit, digits = ("us", 1) if source is InputSource.RC else ("V", 4)
+    scale = 1 / source.counts_per_unit
+    bits: list[tuple[str, Status | UartError, str]] = [
+        *((f"status_{str(bit.name).lower()}", bit, STATUS_MEANING[bit][0]) for bit in Status),
+        *((f"uart_{str(bit.name).lower()}", bit, UART_MEANING[bit][0]) for bit in UartError),
+    ]
+
+    def raw(channel: int) -> Column:
+        physical = Physical(f"channel_{channel}_{unit}", scale, digits)
+        description = f"channel {channel}: counts, {source.unit}; NULL without a valid signal"
+        return Column(f"channel_{channel}_raw", "INTEGER", description, physical, optional=True)
+
+    def remapped(channel: int) -> Column:
+        description = f"channel {channel}: -127 to 127"
+        return Column(f"channel_{channel}_remapped", "INTEGER", description)
+
+    def current(motor: int) -> Column:
+        physical = Physical(f"motor_{motor}_current_A", current_unit, 4)
+        description = f"current of motor {motor}: counts, A"
+        return Column(f"motor_{motor}_current_counts", "INTEGER", description, physical)
+
+    def latched_status(time: float, *values: int) -> LatchedStatus:
+        status, uart = Status(0), UartError(0)
+        for (_, bit, _), value in zip(bits, values, strict=True):
+            if value and isinstance(bit, Status):
+                status |= bit
+            elif value and isinstance(bit, UartError):
+                uart |= bit
+        return LatchedStatus(time, status, uart)
+
+    return (
+        SampleKind(
+            "raw",
+            Raw,
+            tuple(map(raw, CHANNELS)),
+            lambda r: r.counts,
+            lambda time, *counts: Raw(time, counts),
+            held=True,
+        ),
+        SampleKind(
+            "remapped",
+            Remapped,
+            tuple(map(remapped, CHANNELS)),
+            lambda r: r.values,
+            lambda time, *values: Remapped(time, values),
+            held=True,
+        ),
+        SampleKind(
+            "currents",
+            Currents,
+            (current(1), current(2)),
+            lambda r: r.counts,
+            lambda time, one, two: Currents(time, (one, two)),
+            held=True,
+        ),
+        SampleKind(
+            "control",
+            Control,
+            (Column("serial_controls", "INTEGER", "1: serial commands reach the motors"),),
+            lambda r: (int(r.by_serial),),
+            lambda time, value: Control(time, bool(value)),
+            held=True,
+        ),
+        SampleKind(
+            "mode",
+            ModeSample,
+            (Column("mode", "TEXT", "R, A: RC, analog; r, a: serial with RC, analog inputs"),),
+            lambda r: (r.mode.value,),
+            lambda time, value: ModeSample(time, Mode(value)),
+            held=True,
+        ),
+        SampleKind(
+            "status",
+            LatchedStatus,
+            tuple(Column(name, "INTEGER", f"1: {meaning}") for name, _, meaning in bits),
+            lambda r: tuple(
+                int(bool(bit & (r.status if isinstance(bit, Status) else r.uart)))
+                for _, bit, _ in bits
+            ),
+            latched_status,
+        ),
+        SampleKind(
+            "setpoint",
+            SetpointRecord,
+            (
+                Column("setpoint_motor", "INTEGER", "1 or 2"),
+                Column("direction", "TEXT", "forward, reverse, brake or brake_too"),
+                Column("speed", "INTEGER", "-127 to 127; 0 while braking"),
+                Column("brake", "INTEGER", "braking duty, 0 (coast) to 127", optional=True),
+                Column("accelerate", "INTEGER", "1: with the board's acceleration"),
+            ),
+            lambda r: (
+                r.motor,
+                r.drive.direction.name.lower(),
+                r.drive.signed,
+                r.drive.speed if r.drive.is_brake else None,
+                int(r.accelerate),
+            ),
+            _setpoint,
+        ),
+        SampleKind(
+            "aux_setpoint",
+            AuxiliarySetpointRecord,
+            (
+                Column("aux_speed", "INTEGER", "0 to 127"),
+                Column("accelerate", "INTEGER", "1: with the board's acceleration"),
+            ),
+            lambda r: (r.speed, int(r.accelerate)),
+            lambda time, speed, value: AuxiliarySetpointRecord(time, speed, bool(value)),
+        ),
+        MARKERS,
+        SampleKind(
+            "settings",
+            SettingsSnapshot,
+            (Column("text", "TEXT", "settings file: what the board stores from now on"),),
+            lambda r: (r.text,),
+            SettingsSnapshot,
+        ),
+    )
+
+
+def _setpoint(  # noqa: PLR0917 - a value for each column
+    time: float, motor: int, direction: str, speed: int, brake: int | None, accelerate: int
+) -> SetpointRecord:
+    drive = Drive(Direction[direction.upper()], abs(speed) if brake is None else brake)
+    return SetpointRecord(time, motor, drive, bool(accelerate))
+
+
+def measured_columns(kinds: Sequence[SampleKind]) -> list[str]:
+    """Return the columns of everything measured, without mode and status."""
+    measured = {Raw, Remapped, Currents, Control}
+    return [name for kind in kinds if kind.type in measured for name in kind.exported]
+
+
+FORMAT = RecordingFormat(
+    "trex",
+    Header.from_values,
+    lambda header: sample_kinds(header.mode.source, header.model.current_unit),
+)
+
+
+@dataclass(slots=True)
+class BoardSnapshot:
+    """The newest of everything; `None` while unknown. `setpoints` is by motor, 1 or 2."""
+
+    mode: Mode
+    settings: str
+    raw: tuple[int | None, ...] | None = None
+    remapped: tuple[int, ...] | None = None
+    currents: tuple[int, int] | None = None
+    by_serial: bool | None = None
+    setpoints: dict[int, Drive] = field(default_factory=dict)
+    auxiliary: int | None = None
+
+    def take(self, record: Record) -> None:
+        """Take a record as the newest."""
+        match record:
+            case Currents(counts=counts):
+                self.currents = counts
+            case Raw(counts=raw):
+                self.raw = raw
+            case Remapped(values=values):
+                self.remapped = values
+            case Control(by_serial=by_serial):
+                self.by_serial = by_serial
+            case ModeSample(mode=mode):
+                self.mode = mode
+            case SetpointRecord(motor=motor, drive=drive):
+                self.setpoints = {**self.setpoints, motor: drive}
+            case AuxiliarySetpointRecord(speed=speed):
+                self.auxiliary = speed
+            case Marker(kind=kind):
+                if kind == STOP:
+                    self.setpoints, self.auxiliary = {}, None
+            case SettingsSnapshot(text=text):
+                self.settings = text
+            case LatchedStatus():
+                pass

@@ -1,1 +1,0 @@
-"""What a recording of a TReX holds."""

@@ -1,0 +1,191 @@
+"""Window of a recording of a board."""
+
+from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QWidget
+
+from trex_gui.devices.trex.model.device import Device
+from trex_gui.devices.trex.model.playback import Playback
+from trex_gui.devices.trex.protocol.driving import Drive
+from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.recording import BoardSnapshot
+from trex_gui.devices.trex.views.stop_button import StopButton
+from trex_gui.ui.playback.formats import time_text
+from trex_gui.ui.playback.window import RecordingWindow
+from trex_gui.ui.plotting.table import TraceColumn, TraceTable, TraceTableView
+from trex_gui.ui.theme.icons import set_icon
+from trex_gui.ui.widgets.bar import MINUS
+
+_NONE = "–"
+
+
+class PlaybackWindow(RecordingWindow):
+    """One recording of a board.
+
+    Signals:
+        settings_wanted: text and name of the settings at the position, to be opened.
+    """
+
+    settings_wanted = Signal(str, str)
+
+    def __init__(self, playback: Playback, device: Device, parent: QWidget | None = None) -> None:
+        super().__init__(playback, "playback", parent=parent)
+        self.playback = playback
+
+        self._settings = QPushButton(self.tr("&Settings at this time…"), self)
+        self._settings.setObjectName("settingsInForceButton")
+        self._settings.setToolTip(
+            self.tr("Open what the board stored at this time in the settings editor")
+        )
+        set_icon(self._settings, "settings")
+        self._table = TraceTable(self.plot, self)
+        table = TraceTableView(self._table, self)
+        table.setColumnHidden(TraceColumn.NOW, True)  # there is no newest value
+        # The plot is what the window is for: the table scrolls rather than taking its room.
+        table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
+
+        self._settings.clicked.connect(self._on_settings_clicked)
+        self.arrange(
+            StopButton(device, "playbackStopButton", self),
+            [self._settings],
+            below_plot=table,
+            above_events=ValuesPanel(playback, self),
+        )
+
+    def device_text(self) -> str:
+        return self.playback.header.board
+
+    def show_curves(self) -> None:
+        super().show_curves()
+        self._table.show_source()
+
+    @Slot()
+    def update_figures(self) -> None:
+        self._table.refresh()
+
+    @Slot()
+    def update_state(self) -> None:
+        super().update_state()
+        self._settings.setEnabled(self.playback.is_loaded)
+
+    @Slot()
+    def _on_settings_clicked(self) -> None:
+        seconds = self.playback.position - self.playback.start
+        name = self.tr("{0} at {1}").format(self.playback.path.stem, time_text(seconds))
+        self.settings_wanted.emit(self.playback.state().settings, name)
+
+
+class ValuesPanel(QWidget):
+    """Shows the values at the position; a dash where nothing was known yet."""
+
+    def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._playback = playback
+        self._cells: dict[str, QLabel] = {}
+        self._names: dict[str, str] = {}
+
+        self._control = QLabel(self)
+        self._control.setObjectName("controlAtPosition")
+        self._control.setWordWrap(True)
+        self._control.setTextFormat(Qt.TextFormat.PlainText)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setVerticalSpacing(2)
+        self._grid.addWidget(self._control, 0, 0, 1, 4)
+        self._grid.setRowMinimumHeight(0, 2 * self.fontMetrics().lineSpacing())
+        self._add_headings(1, "", self.tr("Current"), self.tr("Setpoint"))
+        for motor in (1, 2):
+            name = self.tr("Motor {0}").format(motor)
+            self._add_row(1 + motor, name, f"motor{motor}", "current", "setpoint")
+        self._add_row(4, self.tr("Auxiliary"), "auxiliary", "", "setpoint")
+        self._grid.setRowMinimumHeight(5, 6)
+        self._add_headings(6, "", self.tr("Signal"), self.tr("Counts"), self.tr("Remapped"))
+        for channel in CHANNELS:
+            name = self.tr("Channel {0}").format(channel)
+            self._add_row(6 + channel, name, f"channel{channel}", "physical", "raw", "remapped")
+        self._grid.setColumnStretch(3, 1)
+
+        playback.moved.connect(self.refresh)
+        playback.loaded.connect(self.refresh)
+        self.refresh()
+
+    def _add_headings(self, row: int, *texts: str) -> None:
+        for column, text in enumerate(texts):
+            label = QLabel(text, self)
+            label.setAlignment(Qt.AlignmentFlag.AlignRight)
+            self._grid.addWidget(label, row, column)
+
+    def _add_row(self, row: int, title: str, key: str, *parts: str) -> None:
+        self._grid.addWidget(QLabel(title, self), row, 0)
+        width = self.fontMetrics().horizontalAdvance("1500.0 ")
+        for column, part in enumerate(parts, 1):
+            if not part:
+                continue
+            label = QLabel(_NONE, self)
+            name = f"{key}{part.capitalize()}"
+            label.setObjectName(f"{name}AtPosition")
+            label.setAlignment(Qt.AlignmentFlag.AlignRight)
+            label.setMinimumWidth(width)
+            self._names[name] = f"{title}, {part}"
+            self._cells[name] = label
+            self._grid.addWidget(label, row, column)
+
+    @Slot()
+    def refresh(self) -> None:
+        """Show the values at the position."""
+        state = self._playback.state()
+        self._show_motors(state)
+        self._show_channels(state)
+        self._control.setText(self._control_text(state))
+
+    def _control_text(self, state: BoardSnapshot) -> str:
+        inputs = state.mode.source.value
+        if state.mode.is_serial:
+            mode = self.tr("Serial mode with {0} inputs").format(inputs)
+        else:
+            mode = self.tr("{0} mode").format(inputs)
+        match state.by_serial:
+            case None:
+                return self.tr("{0}.").format(mode)
+            case True:
+                return self.tr("{0}; serial commands reach the motors.").format(mode)
+            case False:
+                return self.tr("{0}; the channels control the motors.").format(mode)
+
+    def _show_motors(self, state: BoardSnapshot) -> None:
+        unit = self._playback.header.model.current_unit
+        for motor in (1, 2):
+            text = _NONE
+            if state.currents is not None:
+                text = f"{state.currents[motor - 1] * unit:.2f} A"
+            self._set(f"motor{motor}Current", text)
+            self._set(f"motor{motor}Setpoint", self._drive_text(state.setpoints.get(motor)))
+        auxiliary = state.auxiliary
+        self._set("auxiliarySetpoint", _NONE if auxiliary is None else str(auxiliary))
+
+    def _drive_text(self, drive: Drive | None) -> str:
+        if drive is None:
+            return _NONE
+        if drive.is_brake:
+            return self.tr("brake {0}").format(drive.speed)
+        return _signed(drive.signed)
+
+    def _show_channels(self, state: BoardSnapshot) -> None:
+        source = state.mode.source
+        for place, channel in enumerate(CHANNELS):
+            raw = state.raw[place] if state.raw is not None else None
+            no_signal = self.tr("no signal") if state.raw is not None else _NONE
+            self._set(f"channel{channel}Raw", no_signal if raw is None else str(raw))
+            self._set(f"channel{channel}Physical", _NONE if raw is None else source.text(raw))
+            remapped = state.remapped
+            text = _NONE if remapped is None else _signed(remapped[place])
+            self._set(f"channel{channel}Remapped", text)
+
+    def _set(self, name: str, text: str) -> None:
+        label = self._cells[name]
+        if label.text() != text:
+            label.setText(text)
+            label.setAccessibleName(f"{self._names[name]}: {text}")
+
+
+def _signed(value: int) -> str:
+    return f"{value:+d}".replace("-", MINUS) if value else "0"

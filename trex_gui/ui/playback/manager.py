@@ -1,0 +1,291 @@
+"""Starting and ending recordings, and the windows of open ones."""
+
+from dataclasses import dataclass
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from PySide6.QtCore import QEvent, QObject, QSettings, QSize, Qt, Signal, Slot
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QWidget,
+)
+
+from trex_gui.core.recording.errors import RecordingError
+from trex_gui.core.recording.store import SUFFIX
+from trex_gui.ui.notifier import Notifier
+from trex_gui.ui.playback.formats import size_text, time_text
+from trex_gui.ui.runtime import runtime
+from trex_gui.ui.theme.icons import icon, set_icon
+from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.widgets.file_drop import FileDrop
+from trex_gui.ui.workers.record_thread import RecordThread
+
+if TYPE_CHECKING:  # the plotting library takes as long to load as all of Qt
+    from trex_gui.ui.playback.window import RecordingWindow
+
+_UPDATE_INTERVAL_MS = 250
+
+_DROPPED_SUFFIXES = frozenset({SUFFIX, ".csv"})
+"""A CSV export is taken, too, to explain that it is no recording."""
+
+RecorderT = TypeVar("RecorderT", bound=RecordThread[Any])
+WindowT = TypeVar("WindowT", bound="RecordingWindow")
+
+
+class RecordIndicator(QWidget):
+    """Shows a red dot, duration, size and file while recording, and a button to stop it."""
+
+    def __init__(
+        self, recorder: RecordThread[Any], parent: QWidget | None = None, *, prefix: str = ""
+    ) -> None:
+        """`prefix` starts all object names."""
+        super().__init__(parent)
+        self.setObjectName(f"{prefix}recordIndicator")
+        self.setAccessibleName(self.tr("Recording"))
+        self._recorder = recorder
+
+        self._dot = QLabel(self)
+        self._text = QLabel(self)
+        self._text.setObjectName(f"{prefix}recordText")
+        font = self._text.font()
+        font.setBold(True)
+        self._text.setFont(font)
+        self._file = QLabel(self)
+        self._file.setObjectName(f"{prefix}recordFile")
+        self._file.setTextFormat(Qt.TextFormat.PlainText)
+        # A long name is cut rather than making the window wide; its tool tip has all of it.
+        self._file.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        stop = QPushButton(self.tr("Stop recordin&g"), self)
+        stop.setObjectName(f"{prefix}stopRecordingButton")
+        stop.setToolTip(self.tr("End the recording; motors and connection are not affected"))
+        set_icon(stop, "ok")
+        self._timer = runtime().timer(self)
+        self._timer.setInterval(_UPDATE_INTERVAL_MS)
+
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self._dot)
+        layout.addWidget(self._text)
+        layout.addWidget(self._file, 1)
+        layout.addWidget(stop)
+
+        stop.clicked.connect(recorder.stop)
+        self._timer.timeout.connect(self._update_text)
+        recorder.changed.connect(self._on_changed)
+        theme().changed.connect(self._on_theme_changed)
+        self._on_theme_changed()
+        self._on_changed()
+
+    @Slot()
+    def _on_changed(self) -> None:
+        recording = self._recorder.recording
+        if recording and not self._timer.isActive():
+            self._timer.start()
+        elif not recording:
+            self._timer.stop()
+        self._update_text()
+        self.setVisible(recording)
+
+    @Slot()
+    def _update_text(self) -> None:
+        recorder = self._recorder
+        text = self.tr("Recording  {0}  {1}").format(
+            time_text(recorder.seconds), size_text(recorder.size)
+        )
+        if recorder.lost:
+            text += "  " + self.tr("{0} samples lost: the disk is too slow").format(recorder.lost)
+        self._text.setText(text)
+        name = recorder.path.name if recorder.path is not None else ""
+        width = max(0, self._file.width())
+        elided = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, width)
+        self._file.setText(elided)
+        self._file.setToolTip(str(recorder.path or ""))
+        self.setAccessibleDescription(f"{text}, {name}")
+
+    @Slot()
+    def _on_theme_changed(self) -> None:
+        side = self.fontMetrics().height()
+        self._dot.setPixmap(icon("record", "led_red").pixmap(QSize(side, side)))
+
+
+class _RecordingDrop(FileDrop):
+    """Takes recordings while its workspace is shown."""
+
+    def __init__(self, frame: QWidget, workspace: QWidget) -> None:
+        super().__init__(frame, _DROPPED_SUFFIXES)
+        self._workspace = workspace
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        return self._workspace.isVisible() and super().eventFilter(watched, event)
+
+
+@dataclass(frozen=True, slots=True)
+class RecordingTexts:
+    """Texts that depend on the device.
+
+    Attributes:
+        stem: start of the names of new files.
+        unavailable: why nothing can be recorded.
+        open_command: menu command that opens a recording.
+    """
+
+    stem: str
+    unavailable: str
+    open_command: str
+
+
+class RecordingManager(QObject, Generic[RecorderT, WindowT]):
+    """Chooses files, starts recordings and owns the windows of open ones.
+
+    A subclass for each device makes the windows.
+
+    Signals:
+        changed: `recorder.recording` or `recorder.can_record`.
+    """
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        recorder: RecorderT,
+        texts: RecordingTexts,
+        notifier: Notifier,
+        window: QWidget,
+        *,
+        store: str,
+        prefix: str = "",
+    ) -> None:
+        """The last folder is remembered under `store`; `prefix` starts object names."""
+        super().__init__(window)
+        self._texts = texts
+        self._notifier = notifier
+        self._window = window
+        self._store = QSettings(self)
+        self._folder_key = f"{store}/folder"
+        self._last: tuple[bool, bool] | None = None
+        self.recorder = recorder
+        recorder.setParent(self)
+        self.indicator = RecordIndicator(recorder, window, prefix=prefix)
+        self.windows: list[WindowT] = []
+
+        recorder.changed.connect(self._on_changed)
+        recorder.ended.connect(self._on_ended)
+        recorder.ended_early.connect(notifier.info)
+        recorder.failed.connect(notifier.error)
+
+    def accept_drops(self, frame: QWidget, workspace: QWidget) -> None:
+        """Open recordings dropped on `frame` while `workspace` is shown in it."""
+        _RecordingDrop(frame, workspace).dropped.connect(self.open_file)
+
+    def open_window(self, path: Path) -> WindowT:
+        """Return a new window that loads and shows a recording.
+
+        Raises:
+            RecordingError: the file cannot be opened.
+        """
+        raise NotImplementedError
+
+    def toggle(self) -> None:
+        """End the current recording, or choose a file and start one."""
+        if self.recorder.recording:
+            self.recorder.stop()
+        else:
+            self.choose_and_record()
+
+    def choose_and_record(self) -> None:
+        """Let the user choose a file and record into it."""
+        stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
+        proposal = self._folder() / f"{self._texts.stem}_{stamp}{SUFFIX}"
+        chosen, _ = QFileDialog.getSaveFileName(
+            self._window, self.tr("Record"), str(proposal), self._filter()
+        )
+        if chosen:
+            path = Path(chosen)
+            if path.suffix.lower() != SUFFIX:
+                path = path.with_name(path.name + SUFFIX)
+            self.record(path)
+
+    def record(self, path: Path) -> None:
+        """Record into a file."""
+        if any(window.player.path == path for window in self.windows):
+            text = self.tr("{0} is open; close its window before recording over it.")
+            self._notifier.error.emit(text.format(path.name))
+        elif self.recorder.start(path):
+            self._remember_folder(path)
+        else:
+            self._notifier.error.emit(self._texts.unavailable)
+
+    def choose_and_open(self) -> None:
+        """Let the user choose a recording and open it."""
+        path, _ = QFileDialog.getOpenFileName(
+            self._window, self.tr("Open recording"), str(self._folder()), self._filter()
+        )
+        if path:
+            self.open_file(Path(path))
+
+    @Slot(object)
+    def open_file(self, path: Path) -> None:
+        """Open a recording in a window of its own, or activate the window that shows it."""
+        for window in self.windows:
+            if window.player.path == path:
+                window.show()
+                window.activateWindow()
+                return
+        try:
+            window = self.open_window(path)
+        except RecordingError as error:
+            self._notifier.error.emit(str(error))
+            return
+        self._remember_folder(path)
+        self.windows.append(window)
+        window.closed.connect(partial(self._forget, window))
+        window.show()
+
+    def close_all(self) -> None:
+        """End the recording and close every window."""
+        self.recorder.shut_down()
+        for window in tuple(self.windows):
+            window.close()
+
+    def shut_down(self) -> bool:
+        """End recording, loading and exporting at the end of the program.
+
+        Return whether every thread has ended; Qt aborts when a running thread is destroyed.
+        """
+        ended = [self.recorder.shut_down()]
+        ended += [window.player.close() for window in self.windows]
+        return all(ended)
+
+    def _forget(self, window: WindowT) -> None:
+        if window in self.windows:
+            self.windows.remove(window)
+
+    def _filter(self) -> str:
+        return self.tr("Recordings (*{0})").format(SUFFIX)
+
+    def _folder(self) -> Path:
+        return Path(str(self._store.value(self._folder_key, str(Path.home()))))
+
+    def _remember_folder(self, path: Path) -> None:
+        self._store.setValue(self._folder_key, str(path.parent))
+
+    @Slot(object)
+    def _on_ended(self, path: Path) -> None:
+        self.changed.emit()
+        size = size_text(self.recorder.size)
+        text = self.tr("Recorded in {0} ({1}). {2} shows it.")
+        self._notifier.info.emit(text.format(path, size, self._texts.open_command))
+
+    @Slot()
+    def _on_changed(self) -> None:
+        """Pass on only what menus depend on; the recorder reports every kilobyte."""
+        state = (self.recorder.recording, self.recorder.can_record)
+        if state != self._last:
+            self._last = state
+            self.changed.emit()
